@@ -1,0 +1,236 @@
+/// What the engineer described: a mirror of the model file in SI units, before frames, mesh and derived properties.
+///
+/// Units are m, kg, s, N, Pa, rad. Azimuths stay as on a chart: clockwise from north, in rad. Vessel positions are in the
+/// vessel frame V (origin midship on the water, x forward, y port, z up); ramp, stinger and tensioner in the frame S
+/// (origin on the stern shoe, X astern, Z up). A member without a value in the file carries the default written here;
+/// `std::optional` is used only where "not given" has a meaning of its own.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+struct SteelDescription {
+  double outside_diameter = 0.0;             ///< [m]
+  double wall_thickness = 0.0;               ///< [m]
+  double youngs_modulus = 207e9;             ///< [Pa]
+  double poissons_ratio = 0.3;               ///< [-]
+  double yield_stress = 0.0;                 ///< SMYS [Pa]
+  std::optional<double> tensile_strength;    ///< SMTS [Pa]
+  double weight_density = 77e3;              ///< [N/m3]
+};
+
+struct CoatingDescription {
+  std::string name;
+  double thickness = 0.0;       ///< [m]
+  double weight_density = 0.0;  ///< [N/m3]
+};
+
+/// Pipe joint with a bare length at its ends where infill takes the place of the outermost coating.
+struct JointDescription {
+  double length = 12.2;                ///< One pipe joint [m].
+  double field_joint = 0.0;            ///< Length without the outermost coating, per joint [m].
+  double infill_weight_density = 0.0;  ///< [N/m3]
+};
+
+struct HydrodynamicsDescription {
+  double drag_normal = 1.2;
+  double drag_axial = 0.0;
+  double added_mass_normal = 1.0;
+  double added_mass_axial = 0.0;
+};
+
+/// Cross-section of a stretch of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic coefficients.
+struct SectionDescription {
+  SteelDescription steel;
+  std::vector<CoatingDescription> coatings;
+  std::optional<JointDescription> joint;
+  HydrodynamicsDescription hydrodynamics;
+  double contents_weight_density = 0.0;  ///< Of what fills the pipe; 0 = empty [N/m3].
+  double internal_pressure = 0.0;        ///< At z = 0 [Pa].
+};
+
+/// A stretch of line with a section of its own, counted from the tensioner astern.
+struct SegmentDescription {
+  std::string name;
+  double length = 0.0;  ///< Unstressed length [m].
+  SectionDescription section;
+};
+
+struct PipeDescription {
+  SectionDescription section;                ///< Of the line where no segment says otherwise.
+  std::vector<SegmentDescription> segments;  ///< From the tensioner astern; the rest has `section`.
+  std::optional<double> length;              ///< Unstressed length from tensioner to anchor [m].
+  std::optional<double> anchor;              ///< Horizontal distance of the anchor astern of the stern shoe [m].
+};
+
+struct SeabedDescription {
+  double stiffness = 0.0;         ///< Normal force per length and penetration [N/m2].
+  double friction_axial = 0.0;    ///< Coulomb coefficient [-].
+  double friction_lateral = 0.0;  ///< Coulomb coefficient [-].
+  double damping = 0.0;           ///< Normal damping per length on approach [N s/m2].
+  double slope = 0.0;             ///< Fall of the bed in the direction `slope_towards` [rad].
+  double slope_towards = 0.0;     ///< Azimuth in which the bed falls [rad].
+};
+
+struct CurrentPoint {
+  double depth = 0.0;    ///< Below the mean water level [m].
+  double speed = 0.0;    ///< [m/s]
+  double towards = 0.0;  ///< Azimuth the current goes to [rad].
+};
+
+enum class WaveType { none, airy, stokes5, jonswap, pierson_moskowitz, user };
+
+struct WavesDescription {
+  WaveType type = WaveType::none;
+  double hs = 0.0;               ///< Significant wave height [m].
+  double tp = 0.0;               ///< Peak period [s].
+  double height = 0.0;           ///< Of a regular wave, crest to trough [m].
+  double period = 0.0;           ///< Of a regular wave [s].
+  double from = 0.0;             ///< Azimuth the waves come from [rad].
+  std::optional<double> gamma;   ///< JONSWAP peak enhancement; DNV-RP-C205 rule where not given.
+  std::optional<double> spreading;  ///< Exponent s of cos^2s directional spreading; long-crested where not given.
+  int components = 200;
+  std::uint64_t seed = 1;
+  std::string spectrum_file;     ///< For `user`: CSV of frequency and spectral density.
+};
+
+struct EnvironmentDescription {
+  double water_depth = 0.0;                 ///< At the stern shoe [m].
+  double water_weight_density = 10.05e3;    ///< [N/m3]
+  SeabedDescription seabed;
+  std::vector<CurrentPoint> current;        ///< By increasing depth.
+  WavesDescription waves;
+};
+
+enum class VesselMotion { fixed, raos, harmonic, history, coupled };
+
+struct HarmonicMotion {
+  double amplitude = 0.0;  ///< [m] or [rad]
+  double period = 0.0;     ///< [s]
+  double phase = 0.0;      ///< [rad]
+};
+
+struct VesselDescription {
+  std::string name = "barge";
+  double length = 120.0;       ///< [m]
+  double beam = 30.0;          ///< [m]
+  double depth = 9.0;          ///< Keel to deck [m].
+  double draught = 5.0;        ///< [m]
+  double heading = 0.0;        ///< Azimuth of the bow [rad].
+  double trim = 0.0;           ///< Static trim, bow up positive, about midship at the water line [rad].
+  double heel = 0.0;           ///< Static heel, starboard down positive, same point [rad].
+  double stern_shoe_x = 0.0;   ///< Frame V [m].
+  double stern_shoe_z = 0.0;   ///< Frame V, above the water [m].
+  VesselMotion motion = VesselMotion::fixed;
+  std::string motion_file;     ///< For raos, history, coupled; resolved against the model file's folder.
+  std::map<std::string, HarmonicMotion> harmonic;  ///< By degree of freedom: surge, sway, heave, roll, pitch, yaw.
+};
+
+enum class Guide { clamped, pinned };
+enum class TensionerMode { controlled, locked, constant };
+
+struct TensionerDescription {
+  double x = 0.0;        ///< Frame S, pipe axis [m].
+  double z = 0.0;        ///< Frame S, pipe axis [m].
+  double incline = 0.0;  ///< Of the pipe at the tensioner, positive when it dips astern [rad].
+  Guide guide = Guide::clamped;
+  std::optional<double> tension;        ///< Wanted effective tension [N].
+  std::optional<double> range_low;      ///< Operational range [N].
+  std::optional<double> range_high;     ///< Operational range [N].
+  TensionerMode mode = TensionerMode::locked;
+  double delay = 0.0;                   ///< Response delay [s].
+  double velocity = 0.0;                ///< Response velocity [m/s].
+  std::optional<double> acceleration;   ///< Response acceleration [m/s2].
+  std::optional<double> travel;         ///< Displacement limit either way [m].
+};
+
+struct BottomRollerDescription {
+  double radius = 0.0;  ///< [m]
+  double face = 0.0;    ///< Length of the roller [m].
+};
+
+struct SideRollerDescription {
+  double radius = 0.0;     ///< [m]
+  double face = 0.0;       ///< Length of the roller [m].
+  double angle = 0.0;      ///< Of the roller's axis from horizontal [rad].
+  double clearance = 0.0;  ///< Gap to a pipe centred on the bottom roller [m].
+};
+
+/// A kind of roller row, used by name in the supports.
+struct RollerKindDescription {
+  std::string name;
+  BottomRollerDescription bottom;
+  std::optional<SideRollerDescription> sides;
+  std::optional<double> stiffness;  ///< Physical roller stiffness [N/m]; the engine chooses a penalty where not given.
+  double friction_axial = 0.0;
+  double friction_lateral = 0.0;
+  double restitution = 0.5;
+};
+
+enum class Structure { ramp, stinger };
+
+struct BoxDescription {
+  std::string name;
+  Structure structure = Structure::ramp;
+  double x = 0.0;                 ///< Frame S: where the underside of the coated pipe rests, mid-box [m].
+  double z = 0.0;                 ///< Frame S [m].
+  double offset = 0.0;            ///< Raises the box along the outward normal of the support curve [m].
+  double length = 0.0;            ///< Along the pipe [m].
+  std::optional<double> incline;  ///< Of the box axis, positive when it dips astern [rad]; tangent of the curve if not given.
+  std::string roller;             ///< Name of a roller kind.
+  int rows = 1;
+};
+
+struct SupportsDescription {
+  std::optional<double> ramp_radius;     ///< For the record and the report; positions rule [m].
+  std::optional<double> stinger_radius;  ///< [m]
+  std::vector<BoxDescription> boxes;     ///< From the tensioner astern: ramp boxes first, then the stinger's.
+};
+
+enum class StaticMethod { newton, dynamic_relaxation };
+
+struct MeshDescription {
+  std::optional<double> overbend_element;   ///< Element length over the supports [m]; rule of the mesh if not given.
+  std::optional<double> touchdown_element;  ///< Element length around touchdown [m].
+  std::optional<double> longest_element;    ///< [m]
+};
+
+struct StaticSettings {
+  StaticMethod method = StaticMethod::newton;
+  double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
+  int max_iterations = 400;
+};
+
+struct DynamicSettings {
+  double duration = 0.0;                ///< [s]
+  double build_up = 60.0;               ///< [s]
+  std::optional<double> step;           ///< Fixed step [s].
+  std::optional<double> max_step;       ///< [s]
+  double spectral_radius = 0.8;
+  double output_step = 0.5;             ///< [s]
+  std::vector<std::uint64_t> seeds;
+};
+
+/// The whole model file.
+struct Description {
+  std::string title;
+  std::string source_file;  ///< Path as given by the user.
+  std::string source_text;  ///< The file's text, echoed into the results.
+  EnvironmentDescription environment;
+  PipeDescription pipe;
+  VesselDescription vessel;
+  TensionerDescription tensioner;
+  std::vector<RollerKindDescription> rollers;
+  SupportsDescription supports;
+  MeshDescription mesh;
+  StaticSettings statics;
+  std::optional<DynamicSettings> dynamics;
+  std::vector<std::string> warnings;  ///< What the reader noticed and accepted.
+};
+
+}  // namespace overbend
