@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "numerics/block_tridiagonal_kernel.h"
-
 namespace overbend {
 
 void BlockTridiagonal::resize(int nodes) {
@@ -21,16 +19,17 @@ void BlockTridiagonal::set_zero() {
 }
 
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
+  const BlockView view{system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) {
-    return isa_avx512::solve_blocks(system);
+    return isa_avx512::solve_blocks(view);
   }
   if (isa == Isa::avx2) {
-    return isa_avx2::solve_blocks(system);
+    return isa_avx2::solve_blocks(view);
   }
 #endif
   (void)isa;
-  return isa_baseline::solve_blocks(system);
+  return isa_baseline::solve_blocks(view);
 }
 
 BlockSolveReport solve(BlockTridiagonal& system) { return solve_on(system, best_isa()); }

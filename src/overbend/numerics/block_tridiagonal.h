@@ -13,6 +13,7 @@
 
 #include "base/aligned.h"
 #include "base/simd.h"
+#include "numerics/block_tridiagonal_kernel.h"
 
 namespace overbend {
 
@@ -45,12 +46,6 @@ class BlockTridiagonal {
  private:
   int nodes_ = 0;
   AlignedDoubles diag_, upper_, lower_;
-};
-
-struct BlockSolveReport {
-  int singular_node = -1;     ///< First node whose eliminated block has no pivot, -1 when solved.
-  int negative_blocks = 0;    ///< Eliminated blocks with negative determinant: zero for a stable equilibrium.
-  bool solved() const { return singular_node < 0; }
 };
 
 /// Solves in place by block elimination with row pivoting inside each block; blocks and right-hand sides are overwritten, the

@@ -1,12 +1,15 @@
 #include "numerics/block_tridiagonal_kernel.h"
 
 #include "base/simd.h"
-#include "numerics/block_tridiagonal.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
 inline double magnitude(double x) { return x < 0.0 ? -x : x; }
+
+constexpr int kNodeDofs = 6;
+constexpr int kLowerSize = kNodeDofs * kNodeDofs;
+constexpr int kDiagSize = kNodeDofs * kLanes;
 
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
 constexpr double kPivotFloor = 1e-14;
@@ -81,16 +84,16 @@ inline void substitute_back(Lanes* d, const Lanes* u, const Lanes* d_next) {
   }
 }
 
-inline Lanes* rows(double* block) { return reinterpret_cast<Lanes*>(block); }
+inline Lanes* rows(double* blocks, int node) { return reinterpret_cast<Lanes*>(blocks + node * kDiagSize); }
 
 }  // namespace
 
-BlockSolveReport solve_blocks(BlockTridiagonal& system) {
+BlockSolveReport solve_blocks(const BlockView& system) {
   BlockSolveReport report;
-  const int n = system.nodes();
+  const int n = system.nodes;
   for (int i = 0; i < n; ++i) {
-    Lanes* d = rows(system.diag(i));
-    Lanes* u = rows(system.upper(i));
+    Lanes* d = rows(system.diag, i);
+    Lanes* u = rows(system.upper, i);
     const int sign = eliminate(d, u);
     if (sign == 0) {
       report.singular_node = i;
@@ -98,11 +101,11 @@ BlockSolveReport solve_blocks(BlockTridiagonal& system) {
     }
     report.negative_blocks += sign < 0 ? 1 : 0;
     if (i + 1 < n) {
-      update_next(rows(system.diag(i + 1)), system.lower(i), d, u);
+      update_next(rows(system.diag, i + 1), system.lower + i * kLowerSize, d, u);
     }
   }
   for (int i = n - 2; i >= 0; --i) {
-    substitute_back(rows(system.diag(i)), rows(system.upper(i)), rows(system.diag(i + 1)));
+    substitute_back(rows(system.diag, i), rows(system.upper, i), rows(system.diag, i + 1));
   }
   return report;
 }
