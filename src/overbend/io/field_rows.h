@@ -15,9 +15,13 @@ inline Range azimuth() {
   return {.low = -2.0 * std::numbers::pi, .high = 2.0 * std::numbers::pi};
 }
 
+std::vector<Field> environment();
+std::vector<Field> waves();
 std::vector<Field> pipe();
 std::vector<Field> vessel();
+std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();
+std::vector<Field> analysis();
 
 }  // namespace overbend::field_rows
