@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 #include <numbers>
 
@@ -24,12 +25,13 @@ void print_section(const Section& section) {
   line("outer diameter", fmt::format("{:.6g} m over the coatings (hydrodynamic diameter)", section.outer_diameter));
   line("EA", fmt::format("{:.2f} kN", section.EA / 1e3));
   line("EI", fmt::format("{:.2f} kN m2", section.EI / 1e3));
-  line("weight in air", fmt::format("{:.6f} kN/m", section.weight_in_air / 1e3));
-  line("submerged weight", fmt::format("{:.6f} kN/m", section.weight_submerged / 1e3));
+  line("weight in air", fmt::format("{:.7f} kN/m", section.weight_in_air / 1e3));
+  line("submerged weight", fmt::format("{:.7f} kN/m", section.weight_submerged / 1e3));
 }
 
 std::string point(const Vec3& p) {
-  return fmt::format("{:>10.3f}{:>10.3f}{:>10.3f}", p.x(), p.y(), p.z());
+  const auto shown = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };  // no "-0.000"
+  return fmt::format("{:>10.3f}{:>10.3f}{:>10.3f}", shown(p.x()), shown(p.y()), shown(p.z()));
 }
 
 void print_places(const Model& model) {

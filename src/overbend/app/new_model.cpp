@@ -140,11 +140,25 @@ std::string settle_tension(NewModel& model, const std::optional<double>& said) {
   return {};
 }
 
-void settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
+/// Ramp and stinger on one circle: the ramp turns the pipe by up to 12 deg, the stinger on to the departure angle. A
+/// sentence when the boxes asked for have no room.
+std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
+  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0, kUsualSpacing = 5.0;
   const double least = kYoungsModulus * 0.5 * model.diameter / (0.75 * model.yield);
   model.stinger_radius = said_radius.value_or(round_up(least, 10.0));
-  const double arc = model.stinger_radius * 0.6 * model.departure_angle;
-  model.boxes = said_boxes > 0 ? said_boxes : std::clamp(static_cast<int>(std::lround(arc / 5.0)), 3, 40);
+  const double at_shoe =
+      std::min({kSteepestAtShoe, 0.4 * model.departure_angle, std::acos(1.0 - kLargestDrop / model.stinger_radius)});
+  model.circle_start = -model.stinger_radius * std::sin(at_shoe);
+  model.stinger_tip = model.circle_start + model.stinger_radius * std::sin(model.departure_angle);
+  model.stinger_start = std::min(4.0, 0.2 * model.stinger_tip);
+  const double room = model.stinger_tip - model.stinger_start;
+  const int chosen = std::clamp(1 + static_cast<int>(std::lround(room / kUsualSpacing)), 2, 40);
+  model.boxes = said_boxes > 0 ? said_boxes : chosen;
+  if (model.circle_start > -2.0 || room < kLeastSpacing * (model.boxes - 1)) {
+    return fmt::format("a stinger of {:.4g} m radius and {:.3g} m length has no room for {} boxes; {}",
+                       model.stinger_radius, room, model.boxes, "give fewer boxes, a larger radius or less tension");
+  }
+  return {};
 }
 
 }  // namespace
@@ -192,7 +206,9 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   if (model.submerged_weight <= 0.0)
     return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
   if (const std::string fault = settle_tension(model, tension.value); !fault.empty()) return fault;
-  if (model.stinger) settle_stinger(model, radius.value, options.boxes);
+  if (model.stinger) {
+    if (const std::string fault = settle_stinger(model, radius.value, options.boxes); !fault.empty()) return fault;
+  }
   return model;
 }
 

@@ -26,7 +26,9 @@ struct NewModel {
   double depth = 0.0, tension = 0.0, stinger_radius = 0.0;
   double departure_angle = 0.0;  ///< Of a catenary of that tension [rad].
   int boxes = 0;
-  double submerged_weight = 0.0;  ///< [N/m]
+  double circle_start = 0.0;                      ///< Frame S: where ramp and stinger, one circle, leave the level [m].
+  double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
+  double submerged_weight = 0.0;                  ///< [N/m]
 };
 
 /// The model with everything chosen that was not said, or a sentence that says what is wrong.

@@ -19,25 +19,16 @@ VesselSize vessel_size(const std::string& vessel) {
   return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
 }
 
-/// Level deck, then a circle down through ramp and stinger: the underside of the pipe, X astern of the stern shoe.
-struct SupportCurve {
-  double radius, start, height;  ///< Where the circle starts and how high [m].
-
-  double z(double x) const {
-    if (x <= start) return height;
-    return height - radius + std::sqrt(radius * radius - (x - start) * (x - start));
-  }
-};
+constexpr double kTensionerHeight = 1.4;  // pipe axis above the stern shoe [m]
 
 double coated_radius(const NewModel& model) {
   return 0.5 * model.diameter + model.coating + model.concrete;
 }
 
-SupportCurve curve_of(const NewModel& model) {
-  constexpr double kTensionerHeight = 1.4, kLargestDrop = 3.0, kSteepestAtShoe = 0.21;
-  const double angle =
-      std::min({kSteepestAtShoe, 0.4 * model.departure_angle, std::acos(1.0 - kLargestDrop / model.stinger_radius)});
-  return {model.stinger_radius, -model.stinger_radius * std::sin(angle), kTensionerHeight - coated_radius(model)};
+/// Underside of the pipe on the circle of ramp and stinger, frame S [m].
+double underside(const NewModel& model, double x) {
+  const double along = x - model.circle_start, radius = model.stinger_radius;
+  return kTensionerHeight - coated_radius(model) - radius + std::sqrt(radius * radius - along * along);
 }
 
 std::string head_text(const NewModel& model) {
@@ -115,25 +106,22 @@ tensioner:                             # the pipe hangs straight from it: no sup
                      model.departure_angle * kDegrees, model.tension / 1e3);
 }
 
-std::string boxes_text(const char* name, const SupportCurve& curve, double first, double last, int count,
-                       double radius) {
+std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
   const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
-  std::string text = fmt::format("  {}:\n    radius: {:.6g} m\n    roller: v\n    rows: 2\n    boxes:\n", name, radius);
+  std::string text =
+      fmt::format("  {}:\n    radius: {:.6g} m\n    roller: v\n    rows: 2\n    boxes:\n", name, model.stinger_radius);
   for (int i = 0; i < count; ++i) {
-    const double x = first + i * (count > 1 ? spacing : 0.0);
+    const double x = count > 1 ? first + i * spacing : last;
     text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,
-                        curve.z(x), std::min(3.0, 0.6 * spacing));
+                        underside(model, x), std::min(3.0, 0.6 * spacing));
   }
   return text;
 }
 
 std::string supports_text(const NewModel& model) {
   constexpr int kRampBoxes = 4;
-  const SupportCurve curve = curve_of(model);
-  const double tensioner = curve.start - 20.0;
-  const double first = 4.0, tip = curve.start + model.stinger_radius * std::sin(model.departure_angle);
-  const double last = model.boxes > 1 ? std::max(tip, first + 2.0 * (model.boxes - 1)) : first;
-  std::string text = fmt::format(R"(
+  std::string text =
+      fmt::format(R"(
 tensioner:
   x: {:.3f} m                       # from the stern shoe, astern positive, z up; the pipe's axis
   z: {:.3f} m
@@ -147,10 +135,10 @@ rollers:                               # kinds of roller row, used by name below
 
 supports:                              # x, z: where the underside of the coated pipe rests, mid-box
 )",
-                                 tensioner, 1.4, model.tension / 1e3, model.departure_angle * kDegrees,
-                                 fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
-  text += boxes_text("ramp", curve, tensioner + 9.0, -0.5, kRampBoxes, model.stinger_radius);
-  return text + boxes_text("stinger", curve, first, last, model.boxes, model.stinger_radius);
+                  model.circle_start - 10.0, kTensionerHeight, model.tension / 1e3, model.departure_angle * kDegrees,
+                  fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
+  text += boxes_text(model, "ramp", model.circle_start, -0.5, kRampBoxes);
+  return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);
 }
 
 }  // namespace
