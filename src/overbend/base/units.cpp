@@ -234,6 +234,11 @@ std::string dimension_words(const std::string& si_unit) {
   return names != nullptr ? names->words : "a quantity in " + si_unit;
 }
 
+std::string dimension_name(const std::string& si_unit) {
+  const std::string words = dimension_words(si_unit);
+  return words.substr(words.find(' ') + 1);
+}
+
 std::vector<std::string> usual_units(const std::string& si_unit) {
   const DimensionNames* names = find_dimension(si_unit);
   return names != nullptr ? names->units : std::vector<std::string>{si_unit};

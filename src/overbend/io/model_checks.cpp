@@ -16,18 +16,28 @@ const FieldValue* own_or_line(const FieldValue& section, const FieldValue& pipe,
   return own != nullptr ? own : pipe.find(key);
 }
 
+/// Two values of a section that limit each other; `at` is where to complain. Empty when one is absent or, in a segment,
+/// both are the line's and were judged there.
+struct SteelPair {
+  const FieldValue *a = nullptr, *b = nullptr, *at = nullptr;
+};
+
+SteelPair steel_pair(const FieldValue& section, const FieldValue& pipe, const std::string& a, const std::string& b) {
+  const FieldValue *own_a = section.find("steel." + a), *own_b = section.find("steel." + b);
+  if (own_a == nullptr && own_b == nullptr) return {};
+  return {own_or_line(section, pipe, "steel." + a), own_or_line(section, pipe, "steel." + b),
+          own_b != nullptr ? own_b : own_a};
+}
+
 void check_steel(Checker& check, const FieldValue& section, const FieldValue& pipe) {
-  const FieldValue* diameter = own_or_line(section, pipe, "steel.outside_diameter");
-  const FieldValue* wall = own_or_line(section, pipe, "steel.wall_thickness");
+  const auto [diameter, wall, at_wall] = steel_pair(section, pipe, "outside_diameter", "wall_thickness");
   if (diameter != nullptr && wall != nullptr && wall->number >= 0.5 * diameter->number) {
-    const FieldValue* own = section.find("steel.wall_thickness");
-    check.error(own != nullptr ? *own : *diameter, "a wall of " + wall->shown,
+    check.error(*at_wall, "a wall of " + wall->shown,
                 "less than the pipe's radius, " + format_quantity(0.5 * diameter->number, "m", "mm"));
   }
-  const FieldValue* yield = own_or_line(section, pipe, "steel.yield_stress");
-  const FieldValue* strength = own_or_line(section, pipe, "steel.tensile_strength");
+  const auto [yield, strength, at_strength] = steel_pair(section, pipe, "yield_stress", "tensile_strength");
   if (yield != nullptr && strength != nullptr && strength->number < yield->number) {
-    check.error(*strength, strength->shown, "at least the yield stress, " + yield->shown);
+    check.error(*at_strength, "a tensile strength of " + strength->shown, "at least the yield stress, " + yield->shown);
   }
 }
 
