@@ -3,9 +3,19 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mode=(-i)
-if [[ "${1:-}" == --check ]]; then
-  mode=(--dry-run --Werror)
+mapfile -d '' files < <(find src tests bench \( -name '*.cpp' -o -name '*.h' \) -print0 | sort -z)
+
+if [[ "${1:-}" != --check ]]; then
+  clang-format -i "${files[@]}"
+  exit 0
 fi
-find src tests bench \( -name '*.cpp' -o -name '*.h' \) -not -path '*/build/*' -print0 |
-  xargs -0 -r clang-format "${mode[@]}"
+
+differ=0
+for file in "${files[@]}"; do
+  if ! clang-format "$file" | cmp -s - "$file"; then
+    echo "$file: not formatted"
+    differ=$((differ + 1))
+  fi
+done
+echo "format: ${#files[@]} files, $differ to format (tools/format.sh does it)"
+((differ == 0))
