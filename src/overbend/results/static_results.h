@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "model/supports.h"
 
 namespace overbend {
 
 enum class Region { overbend, sagbend, seabed };
-enum class RollerPosition { bottom, port, starboard };
 
 /// One station of the pipe, stations run from the anchor (s = 0) to the tensioner.
 struct Station {

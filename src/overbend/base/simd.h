@@ -1,0 +1,24 @@
+/// Portable vectors of eight doubles, and which instruction set runs them.
+///
+/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own; compiler vectors
+/// spread a batch of eight over whatever registers the set has. `best_isa` chooses at run time, so that one program runs on
+/// any x86-64 machine and is fast on a new one.
+#pragma once
+
+namespace overbend {
+
+inline constexpr int kLanes = 8;
+
+enum class Isa { baseline, avx2, avx512 };
+
+/// The widest instruction set that this processor and this build have. The environment variable OVERBEND_ISA
+/// (baseline, avx2, avx512) narrows it, to compare results between sets.
+Isa best_isa();
+
+}  // namespace overbend
+
+#if defined(OVERBEND_ISA_NAMESPACE)
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+using Lanes = double __attribute__((vector_size(64)));
+}
+#endif

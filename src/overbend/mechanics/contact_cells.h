@@ -1,0 +1,44 @@
+/// Search for the rollers that a line may touch: one cell around all supports, inside it one cell per roller box, [silva2009]
+/// figures 6 and 7. Cells stand in the ramp/stinger frame S and so move with the vessel.
+///
+/// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe on its
+/// desired side, so a pipe that stands on the wrong side, however far, must be found. An element that meets no cell costs two
+/// comparisons.
+#pragma once
+
+#include <vector>
+
+#include "model/supports.h"
+
+namespace overbend {
+
+struct Cell {
+  double x_low = 0.0, x_high = 0.0, z_high = 0.0;  ///< Frame S [m].
+
+  bool meets(double element_x_low, double element_x_high, double element_z_low) const {
+    return element_x_high >= x_low && element_x_low <= x_high && element_z_low <= z_high;
+  }
+};
+
+struct ContactCells {
+  Cell all;
+  std::vector<Cell> boxes;
+};
+
+/// `pipe_radius`: largest outer radius of the line [m].
+ContactCells contact_cells(const Supports& supports, double pipe_radius);
+
+/// Bounds of one element in S. The four Bezier points of the cubic hold it inside their hull.
+struct ElementBounds {
+  double x_low, x_high, z_low;
+};
+
+/// Elements [first, last) that may touch the rollers of a box; empty when first >= last.
+struct ElementRange {
+  int first = 0, last = 0;
+};
+
+/// For every box the range of elements whose bounds meet its cell. `ranges` is overwritten, no allocation once it has its size.
+void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements, std::vector<ElementRange>& ranges);
+
+}  // namespace overbend

@@ -1,0 +1,50 @@
+/// Constants of the elements of a line and of what surrounds it, as the element kernel reads them.
+#pragma once
+
+#include <vector>
+
+#include "base/aligned.h"
+#include "base/simd.h"
+#include "base/vec.h"
+#include "mechanics/line_kernel.h"
+#include "model/model.h"
+#include "numerics/block_tridiagonal.h"
+
+namespace overbend {
+
+/// Element constants, one array per quantity; padded to whole batches of eight. Padding elements have no stiffness and no load.
+struct LineElements {
+  int count = 0;
+  AlignedDoubles length;             ///< Unstressed [m].
+  AlignedDoubles EA, EI;             ///< [N], [N m2]
+  AlignedDoubles weight;             ///< In air, with contents [N/m].
+  AlignedDoubles buoyancy;           ///< Fully submerged [N/m].
+  AlignedDoubles radius;             ///< Over the coatings [m].
+  AlignedDoubles drag_normal;        ///< rho/2 Cd_n D [kg/m2]
+  AlignedDoubles drag_axial;         ///< rho/2 pi D Cd_t [kg/m2]
+  AlignedDoubles pressure_constant;  ///< Effective tension of pressure and Poisson's ratio: constant part [N],
+  AlignedDoubles pressure_slope;     ///< part in z, from contents [N/m],
+  AlignedDoubles pressure_external;  ///< part in depth, from the water [N/m].
+
+  LineView view() const;
+};
+
+/// Fills the constants of elements of the given lengths and sections.
+LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections);
+
+/// The surroundings of a line laid along the vertical plane through `route_point_W`. Points into `model`, which must outlive it.
+LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W);
+
+/// Immersed fraction of a circular section with its centre at height z above the surface, and its derivative in z: the exact
+/// circular segment.
+struct WettedFraction {
+  double value, slope;
+};
+WettedFraction wetted_fraction(double z, double radius);
+
+/// Adds internal minus external forces of every element to `residual` (six per node) and, where `tangent` is given, their exact
+/// derivative to its blocks. `q` holds position and tangent of every node.
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const double* q, double* residual,
+                     BlockTridiagonal* tangent, Isa isa);
+
+}  // namespace overbend

@@ -1,0 +1,52 @@
+/// Torsion-free Kirchhoff-Love rod element with cubic Hermite interpolation, plain scalar form.
+///
+///   r1, t1 o=================o r2, t2      t = dr/ds, s = unstressed length, element length h
+///
+/// Meier, Popp & Wall, CMAME 278 (2014) and 290 (2015): no rotations, C1 centreline, symmetric tangent. The membrane strain that
+/// enters the energy is the quadratic through the strains at both ends and the middle, which removes locking; four Gauss points
+/// integrate the bending. This form is the reference; `line_kernel` does the same for eight elements at once.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "base/vec.h"
+
+namespace overbend {
+
+using ElementVector = Eigen::Matrix<double, 12, 1>;   ///< r1, t1, r2, t2.
+using ElementMatrix = Eigen::Matrix<double, 12, 12>;
+
+struct RodProperties {
+  double length = 1.0;  ///< Unstressed [m].
+  double EA = 0.0;      ///< [N]
+  double EI = 0.0;      ///< [N m2]
+};
+
+struct RodForce {
+  double energy = 0.0;                                ///< Strain energy [J].
+  ElementVector force = ElementVector::Zero();        ///< Derivative of the energy: internal force [N], [N m].
+  ElementMatrix stiffness = ElementMatrix::Zero();    ///< Second derivative.
+};
+
+/// Values and derivatives in s of the Hermite functions of r1, t1, r2, t2 at xi in [0, 1].
+struct HermiteValues {
+  Eigen::Vector4d value, first, second;
+};
+HermiteValues hermite(double xi, double length);
+
+/// Position, tangent r' and r'' of the centreline at xi.
+struct CentrelinePoint {
+  Vec3 r, a, b;
+};
+CentrelinePoint centreline(const ElementVector& q, double xi, double length);
+
+/// Curvature |a x b| / |a|^2 [1/m].
+double curvature(const CentrelinePoint& at);
+
+/// Axial strain interpolated through the strains at xi = 0, 1/2, 1.
+double membrane_strain(const ElementVector& q, double xi, double length);
+
+/// Energy, force and tangent of membrane and bending.
+RodForce rod_force(const RodProperties& properties, const ElementVector& q);
+
+}  // namespace overbend

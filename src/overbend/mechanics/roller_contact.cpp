@@ -1,0 +1,124 @@
+#include "mechanics/roller_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+/// Distance measured from `reference`, with or without the part along the roller's axis.
+struct Projection {
+  Vec3 reference;
+  Vec3 axis;
+  bool along_axis_counts;
+
+  Vec3 apply(const Vec3& v) const { return along_axis_counts ? v : Vec3(v - v.dot(axis) * axis); }
+};
+
+/// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton; the function changes sign over the element.
+double stationary_xi(const Projection& projection, const ElementVector& q, double h) {
+  double low = 0.0, high = 1.0;
+  double xi = 0.5;
+  for (int iteration = 0; iteration < 60; ++iteration) {
+    const CentrelinePoint at = centreline(q, xi, h);
+    const Vec3 e = projection.apply(at.r - projection.reference);
+    const double value = e.dot(at.a);
+    (value > 0.0 ? high : low) = xi;
+    const double slope = h * (projection.apply(at.a).squaredNorm() + e.dot(at.b));
+    double next = slope > 0.0 ? xi - value / slope : -1.0;
+    if (!(next > low && next < high)) {
+      next = 0.5 * (low + high);
+    }
+    if (std::abs(next - xi) < 1e-15) {
+      return next;
+    }
+    xi = next;
+  }
+  return xi;
+}
+
+ElementVector dofs_of(const double* q, int element) { return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element)); }
+
+/// Among the elements over which the distance has a minimum, the one where it is smallest.
+ClosestPoint search(const Projection& projection, const double* q, const double* length, int first, int last) {
+  ClosestPoint best;
+  double best_distance = 0.0;
+  const auto along = [&](int node) {
+    return projection.apply(Vec3Map(q + 6 * node) - projection.reference).dot(Vec3Map(q + 6 * node + 3));
+  };
+  double before = first < last ? along(first) : 0.0;
+  for (int e = first; e < last; ++e) {
+    const double after = along(e + 1);
+    if (before < 0.0 && after >= 0.0) {
+      const ElementVector dofs = dofs_of(q, e);
+      const double xi = stationary_xi(projection, dofs, length[e]);
+      const double distance = projection.apply(centreline(dofs, xi, length[e]).r - projection.reference).norm();
+      if (!best.found || distance < best_distance) {
+        best.found = true;
+        best.element = e;
+        best.xi = xi;
+        best_distance = distance;
+      }
+    }
+    before = after;
+  }
+  best.reference = projection.reference;
+  return best;
+}
+
+Eigen::Matrix<double, 3, 12> spread(const Eigen::Vector4d& shape) {
+  Eigen::Matrix<double, 3, 12> m;
+  for (int j = 0; j < 4; ++j) {
+    m.block<3, 3>(0, 3 * j) = shape(j) * Mat3::Identity();
+  }
+  return m;
+}
+
+}  // namespace
+
+ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last) {
+  ClosestPoint at = search({roller.center, roller.axis, false}, q, length, first, last);
+  if (!at.found) {
+    return at;
+  }
+  const Vec3 r = centreline(dofs_of(q, at.element), at.xi, length[at.element]).r;
+  const double eta = (r - roller.center).dot(roller.axis);
+  if (std::abs(eta) <= roller.half_face) {
+    return at;
+  }
+  const Vec3 end = roller.center + std::copysign(roller.half_face, eta) * roller.axis;
+  ClosestPoint beyond = search({end, roller.axis, true}, q, length, first, last);
+  beyond.beyond_face = true;
+  beyond.off_end = std::abs(eta) - roller.half_face;
+  return beyond;
+}
+
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {
+  const Projection projection{at.reference, roller.axis, at.beyond_face};
+  const HermiteValues n = hermite(at.xi, h);
+  const CentrelinePoint point = centreline(q, at.xi, h);
+  const Vec3 e = projection.apply(point.r - at.reference);
+
+  RollerDistance d;
+  const Vec3 across = at.beyond_face ? e : Vec3(roller.axis.cross(point.a));
+  const double side = at.beyond_face || across.dot(roller.normal) >= 0.0 ? 1.0 : -1.0;
+  d.direction = side * across.normalized();
+  d.value = e.dot(d.direction);
+  const Eigen::Matrix<double, 3, 12> dr = spread(n.value);
+  d.gradient = dr.transpose() * d.direction;
+
+  // Where the pipe's axis nearly meets the roller's, the curvature of the distance has no limit and no meaning.
+  if (std::abs(d.value) < 0.1 * roller.radius) {
+    return d;
+  }
+  const Mat3 p = at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
+  const Eigen::Matrix<double, 3, 12> da = spread(n.first);
+  const ElementVector f_xi_q = dr.transpose() * (p * point.a) + da.transpose() * e;  // per metre of s
+  const double f_xi_xi = point.a.dot(p * point.a) + e.dot(point.b);
+  d.hessian = (dr.transpose() * p * dr - f_xi_q * f_xi_q.transpose() / f_xi_xi - d.gradient * d.gradient.transpose()) / d.value;
+  return d;
+}
+
+}  // namespace overbend

@@ -1,0 +1,50 @@
+/// Contact between the pipe's centreline and one roller: a rigid finite cylinder that holds the pipe on its desired side.
+///
+///            pipe axis r(xi)
+///               o  \
+///    normal  ^  |   \  d = distance of the centreline to the roller's axis, measured on the side of the normal
+///            |  | d
+///        ====|==o=====   roller axis (C, a), half face either way of C
+///
+/// The closest point between the C1 centreline and the axis stands at a continuous xi along the element, so that sliding from one
+/// element to the next never changes the force. Within the face the distance is that of the centreline projected along the roller's
+/// axis (the axis is a line); beyond the face it is the distance to the end of the axis, so that the pipe runs off over a rounded end.
+#pragma once
+
+#include "mechanics/rod_element.h"
+
+namespace overbend {
+
+/// A roller placed in W.
+struct PlacedRoller {
+  Vec3 center, axis, normal;
+  double half_face = 0.0;   ///< [m]
+  double radius = 0.0;      ///< [m]
+  double stiffness = 0.0;   ///< Normal penalty [N/m].
+};
+
+/// Closest point between centreline and roller axis.
+struct ClosestPoint {
+  bool found = false;   ///< False when the pipe does not pass the roller.
+  int element = -1;
+  double xi = 0.0;
+  Vec3 reference = Vec3::Zero();  ///< Point of the axis that distance and projection refer to.
+  bool beyond_face = false;
+  double off_end = 0.0;           ///< How far beyond the face, else 0 [m].
+};
+
+/// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the closest point is
+/// the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and each passage is counted once.
+ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last);
+
+/// Distance of centreline to axis, its gradient and Hessian in the element's unknowns with the closest point eliminated:
+/// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.
+struct RollerDistance {
+  double value = 0.0;          ///< Signed: negative on the wrong side [m].
+  Vec3 direction = Vec3::Zero();  ///< Unit vector in which the roller pushes the pipe.
+  ElementVector gradient = ElementVector::Zero();
+  ElementMatrix hessian = ElementMatrix::Zero();
+};
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double length);
+
+}  // namespace overbend

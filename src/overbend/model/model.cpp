@@ -1,0 +1,94 @@
+#include "model/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+Vec3 azimuth_direction(double azimuth) { return {std::sin(azimuth), std::cos(azimuth), 0.0}; }
+
+/// Ramp/stinger axes in V: X astern, Y starboard, Z up.
+Vec3 turn_S_to_V(const Vec3& d_S) { return {-d_S.x(), -d_S.y(), d_S.z()}; }
+
+SeabedPlane resolve_seabed(const EnvironmentDescription& environment, const Vec3& stern_shoe_W) {
+  const SeabedDescription& bed = environment.seabed;
+  SeabedPlane plane;
+  plane.point_W = Vec3(stern_shoe_W.x(), stern_shoe_W.y(), -environment.water_depth);
+  plane.normal_W = (std::tan(bed.slope) * azimuth_direction(bed.slope_towards) + Vec3::UnitZ()).normalized();
+  plane.stiffness = bed.stiffness;
+  plane.friction_axial = bed.friction_axial;
+  plane.friction_lateral = bed.friction_lateral;
+  return plane;
+}
+
+CurrentProfile resolve_current(const std::vector<CurrentPoint>& table) {
+  CurrentProfile profile;
+  for (auto row = table.rbegin(); row != table.rend(); ++row) {  // the file runs downwards, the profile upwards
+    const Vec3 v = row->speed * azimuth_direction(row->towards);
+    profile.z.push_back(-row->depth);
+    profile.vx.push_back(v.x());
+    profile.vy.push_back(v.y());
+  }
+  return profile;
+}
+
+void resolve_sections(Model& model) {
+  const PipeDescription& pipe = model.description.pipe;
+  model.sections.push_back(derive_section("pipe", pipe.section, model.water_weight_density));
+  double from = 0.0;
+  for (const SegmentDescription& segment : pipe.segments) {
+    model.sections.push_back(derive_section(segment.name, segment.section, model.water_weight_density));
+    model.spans.push_back({from, from + segment.length, static_cast<int>(model.sections.size()) - 1});
+    from += segment.length;
+  }
+}
+
+}  // namespace
+
+Mat3 vessel_axes(double heading, double trim, double heel) {
+  Mat3 level;
+  level.col(0) = azimuth_direction(heading);
+  level.col(2) = Vec3::UnitZ();
+  level.col(1) = level.col(2).cross(level.col(0));
+  if (trim == 0.0 && heel == 0.0) {
+    return level;
+  }
+  // Rotation about +y (port) lowers the bow, hence the sign of trim.
+  return level * Eigen::AngleAxisd(-trim, Vec3::UnitY()).toRotationMatrix() *
+         Eigen::AngleAxisd(heel, Vec3::UnitX()).toRotationMatrix();
+}
+
+Vec3 astern_direction(const VesselPose& pose) {
+  const Vec3 forward = pose.R_WV.col(0);
+  return -Vec3(forward.x(), forward.y(), 0.0).normalized();
+}
+
+Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S) { return pose.R_WV * turn_S_to_V(d_S); }
+
+Vec3 point_from_ramp(const Model& model, const VesselPose& pose, const Vec3& p_S) {
+  const VesselDescription& vessel = model.description.vessel;
+  const Vec3 shoe_V(vessel.stern_shoe_x, 0.0, vessel.stern_shoe_z);
+  return pose.p_WV + pose.R_WV * (shoe_V + turn_S_to_V(p_S));
+}
+
+int Model::section_at(double distance_from_top) const {
+  const auto inside = [&](const SectionSpan& s) { return distance_from_top >= s.from && distance_from_top < s.to; };
+  const auto span = std::find_if(spans.begin(), spans.end(), inside);
+  return span == spans.end() ? 0 : span->section;
+}
+
+Model build_model(const Description& description) {
+  Model model;
+  model.description = description;
+  model.water_weight_density = description.environment.water_weight_density;
+  model.water_density = model.water_weight_density / kGravity;
+  resolve_sections(model);
+  model.supports = place_supports(description, model.sections.front().outer_radius());
+  model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
+  model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));
+  model.current = resolve_current(description.environment.current);
+  return model;
+}
+
+}  // namespace overbend

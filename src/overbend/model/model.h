@@ -1,0 +1,77 @@
+/// The model: everything the analyses need, in SI and resolved frames. Built once, const from then on, free to share.
+///
+/// World frame W: x east, y north, z up, z = 0 mean water level, origin under midship in the vessel's mean position.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "model/description.h"
+#include "model/section.h"
+#include "model/supports.h"
+
+namespace overbend {
+
+/// Pose of the vessel: origin and axes of V (x forward, y port, z up) in W.
+struct VesselPose {
+  Vec3 p_WV = Vec3::Zero();
+  Mat3 R_WV = Mat3::Identity();
+};
+
+/// The sea bed as a plane.
+struct SeabedPlane {
+  Vec3 point_W = Vec3::Zero();
+  Vec3 normal_W = Vec3::UnitZ();
+  double stiffness = 0.0;         ///< [N/m2]
+  double friction_axial = 0.0, friction_lateral = 0.0;
+
+  /// Height of the bed under a point [m].
+  double height(const Vec3& p_W) const {
+    return point_W.z() - ((p_W - point_W).x() * normal_W.x() + (p_W - point_W).y() * normal_W.y()) / normal_W.z();
+  }
+};
+
+/// Current as a vector over z, linear in between, constant beyond the ends of the table. Rows by rising z.
+struct CurrentProfile {
+  std::vector<double> z;
+  std::vector<double> vx, vy;  ///< World components [m/s].
+};
+
+/// Where the line's own section gives way to a segment's: distances from the tensioner.
+struct SectionSpan {
+  double from = 0.0, to = 0.0;  ///< Unstressed length from the tensioner [m].
+  int section = 0;
+};
+
+struct Model {
+  Description description;
+  std::vector<Section> sections;   ///< [0] the line's own, then the segments'.
+  std::vector<SectionSpan> spans;  ///< Segments from the tensioner astern; the rest has section 0.
+  Supports supports;
+  VesselPose mean_pose;
+  SeabedPlane seabed;
+  CurrentProfile current;
+  double water_weight_density = 0.0;  ///< [N/m3]
+  double water_density = 0.0;         ///< [kg/m3]
+
+  int section_at(double distance_from_top) const;
+};
+
+/// Resolves frames and derives properties. The description has been validated by the reader.
+Model build_model(const Description& description);
+
+/// Turns a point or a direction of the ramp/stinger frame S into W.
+Vec3 point_from_ramp(const Model& model, const VesselPose& pose, const Vec3& p_S);
+Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S);
+
+/// Axes of the vessel for a heading (azimuth), trim (bow up) and heel (starboard down) [rad].
+Mat3 vessel_axes(double heading, double trim, double heel);
+
+/// Horizontal unit vector pointing astern.
+Vec3 astern_direction(const VesselPose& pose);
+
+/// What had to be assumed: sentences for the report.
+std::vector<std::string> assumptions(const Model& model);
+
+}  // namespace overbend

@@ -1,0 +1,58 @@
+/// Block-tridiagonal system with 6x6 blocks, one block row per node, and two right-hand sides.
+///
+///     [ D0 U0       ] [x0 y0]   [b0 c0]
+///     [ L1 D1 U1    ] [x1 y1] = [b1 c1]
+///     [    ..  ..   ] [.. ..]   [.. ..]
+///
+/// Friction and drag make the tangent unsymmetric, so no symmetry is assumed. The second right-hand side carries the border of
+/// one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, which is what makes the
+/// elimination fast: every row operation is one multiply-add.
+#pragma once
+
+#include <cstddef>
+
+#include "base/aligned.h"
+#include "base/simd.h"
+#include "numerics/block_tridiagonal_kernel.h"
+
+namespace overbend {
+
+inline constexpr int kNodeDofs = 6;
+inline constexpr int kRowWidth = 8;                          ///< Six columns and two right-hand sides.
+inline constexpr int kDiagSize = kNodeDofs * kRowWidth;
+inline constexpr int kLowerSize = kNodeDofs * kNodeDofs;
+
+class BlockTridiagonal {
+ public:
+  explicit BlockTridiagonal(int nodes = 0) { resize(nodes); }
+
+  void resize(int nodes);
+  void set_zero();
+  int nodes() const { return nodes_; }
+
+  /// Row-major 6 x 8: columns 0-5 the block, column 6 the first right-hand side, column 7 the second.
+  double* diag(int node) { return diag_.data() + static_cast<std::size_t>(node) * kDiagSize; }
+  const double* diag(int node) const { return diag_.data() + static_cast<std::size_t>(node) * kDiagSize; }
+  /// Row-major 6 x 8, columns 0-5 couple `node` to `node + 1`; columns 6-7 stay zero.
+  double* upper(int node) { return upper_.data() + static_cast<std::size_t>(node) * kDiagSize; }
+  const double* upper(int node) const { return upper_.data() + static_cast<std::size_t>(node) * kDiagSize; }
+  /// Row-major 6 x 6, couples `node + 1` (rows) to `node` (columns).
+  double* lower(int node) { return lower_.data() + static_cast<std::size_t>(node) * kLowerSize; }
+  const double* lower(int node) const { return lower_.data() + static_cast<std::size_t>(node) * kLowerSize; }
+
+  double rhs(int node, int dof, int side) const { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
+  double& rhs(int node, int dof, int side) { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
+
+ private:
+  int nodes_ = 0;
+  AlignedDoubles diag_, upper_, lower_;
+};
+
+/// Solves in place by block elimination with row pivoting inside each block; blocks and right-hand sides are overwritten, the
+/// solutions stand in the columns of the right-hand sides.
+BlockSolveReport solve(BlockTridiagonal& system);
+
+/// The same on a chosen instruction set, to compare them.
+BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa);
+
+}  // namespace overbend

@@ -1,0 +1,113 @@
+#include "numerics/block_tridiagonal_kernel.h"
+
+#include "base/simd.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+inline double magnitude(double x) { return x < 0.0 ? -x : x; }
+
+constexpr int kNodeDofs = 6;
+constexpr int kLowerSize = kNodeDofs * kNodeDofs;
+constexpr int kDiagSize = kNodeDofs * kLanes;
+
+/// A pivot this small against the block's largest entry means that rounding is all that is left of it.
+constexpr double kPivotFloor = 1e-14;
+
+/// Gauss-Jordan on [D | b c] and U together: D becomes the identity, b, c and U become D^-1 b, D^-1 c, D^-1 U.
+/// Returns the sign of the determinant, 0 when singular.
+int eliminate(Lanes* d, Lanes* u) {
+  double largest = 0.0;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    for (int j = 0; j < kNodeDofs; ++j) {
+      largest = magnitude(d[i][j]) > largest ? magnitude(d[i][j]) : largest;
+    }
+  }
+  int sign = 1;
+  for (int k = 0; k < kNodeDofs; ++k) {
+    int pivot = k;
+    for (int i = k + 1; i < kNodeDofs; ++i) {
+      pivot = magnitude(d[i][k]) > magnitude(d[pivot][k]) ? i : pivot;
+    }
+    if (!(magnitude(d[pivot][k]) > kPivotFloor * largest)) {
+      return 0;
+    }
+    if (pivot != k) {
+      const Lanes d_row = d[k];
+      const Lanes u_row = u[k];
+      d[k] = d[pivot];
+      u[k] = u[pivot];
+      d[pivot] = d_row;
+      u[pivot] = u_row;
+      sign = -sign;
+    }
+    sign = d[k][k] < 0.0 ? -sign : sign;
+    const double inverse = 1.0 / d[k][k];
+    d[k] *= inverse;
+    u[k] *= inverse;
+    for (int i = 0; i < kNodeDofs; ++i) {
+      if (i != k) {
+        const double factor = d[i][k];
+        d[i] -= factor * d[k];
+        u[i] -= factor * u[k];
+      }
+    }
+  }
+  return sign;
+}
+
+/// [D | b c] of the next node loses L times [X | x y] of this one.
+inline void update_next(Lanes* d_next, const double* lower, const Lanes* d, Lanes* u) {
+  for (int k = 0; k < kNodeDofs; ++k) {
+    u[k][6] = d[k][6];
+    u[k][7] = d[k][7];
+  }
+  for (int i = 0; i < kNodeDofs; ++i) {
+    Lanes row = d_next[i];
+    for (int k = 0; k < kNodeDofs; ++k) {
+      row -= lower[i * kNodeDofs + k] * u[k];
+    }
+    d_next[i] = row;
+  }
+}
+
+inline void substitute_back(Lanes* d, const Lanes* u, const Lanes* d_next) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    double x = d[i][6];
+    double y = d[i][7];
+    for (int k = 0; k < kNodeDofs; ++k) {
+      x -= u[i][k] * d_next[k][6];
+      y -= u[i][k] * d_next[k][7];
+    }
+    d[i][6] = x;
+    d[i][7] = y;
+  }
+}
+
+inline Lanes* rows(double* blocks, int node) { return reinterpret_cast<Lanes*>(blocks + node * kDiagSize); }
+
+}  // namespace
+
+BlockSolveReport solve_blocks(const BlockView& system) {
+  BlockSolveReport report;
+  const int n = system.nodes;
+  for (int i = 0; i < n; ++i) {
+    Lanes* d = rows(system.diag, i);
+    Lanes* u = rows(system.upper, i);
+    const int sign = eliminate(d, u);
+    if (sign == 0) {
+      report.singular_node = i;
+      return report;
+    }
+    report.negative_blocks += sign < 0 ? 1 : 0;
+    if (i + 1 < n) {
+      update_next(rows(system.diag, i + 1), system.lower + i * kLowerSize, d, u);
+    }
+  }
+  for (int i = n - 2; i >= 0; --i) {
+    substitute_back(rows(system.diag, i), rows(system.upper, i), rows(system.diag, i + 1));
+  }
+  return report;
+}
+
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE

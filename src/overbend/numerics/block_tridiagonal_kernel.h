@@ -1,0 +1,29 @@
+/// The elimination, compiled once per instruction set.
+#pragma once
+
+namespace overbend {
+
+struct BlockSolveReport {
+  int singular_node = -1;   ///< First node whose eliminated block has no pivot, -1 when solved.
+  int negative_blocks = 0;  ///< Eliminated blocks with negative determinant: zero for a stable equilibrium.
+  bool solved() const { return singular_node < 0; }
+};
+
+/// Storage of a BlockTridiagonal. Raw pointers only, so that no inline function of another header is compiled for an
+/// instruction set that the machine may lack.
+struct BlockView {
+  int nodes;
+  double *diag, *upper, *lower;
+};
+
+namespace isa_baseline {
+BlockSolveReport solve_blocks(const BlockView& system);
+}
+namespace isa_avx2 {
+BlockSolveReport solve_blocks(const BlockView& system);
+}
+namespace isa_avx512 {
+BlockSolveReport solve_blocks(const BlockView& system);
+}
+
+}  // namespace overbend

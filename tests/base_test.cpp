@@ -1,2 +1,0 @@
-#include <gtest/gtest.h>
-TEST(base, build_works) { EXPECT_EQ(1, 1); }

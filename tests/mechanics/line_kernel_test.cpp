@@ -1,0 +1,166 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/fixtures.h"
+
+namespace overbend {
+namespace {
+
+using testing::dense;
+
+struct Setting {
+  Model model;
+  LineElements elements;
+  LineEnvironment env;
+  std::vector<double> q;
+  int nodes;
+};
+
+/// A line that crosses the surface or lies on the bed, in a turning current, with contents under pressure and Poisson's ratio.
+Setting setting(double z, bool loads) {
+  Description d = testing::plain_description();
+  if (loads) {
+    d.environment.seabed.slope = 0.05;
+    d.environment.seabed.slope_towards = 1.0;
+    d.environment.seabed.friction_lateral = 0.5;
+    d.environment.current = {{0.0, 1.0, 0.3}, {20.0, 0.7, 1.0}, {89.0, 0.3, 2.0}};
+    d.pipe.section.contents_weight_density = 5e3;
+    d.pipe.section.internal_pressure = 2e6;
+    d.pipe.section.steel.youngs_modulus = 2e4;  // a soft pipe, so that rounding of stiff terms does not hide the loads
+  }
+  Setting s{build_model(d), {}, {}, {}, 12};
+  if (!loads) {
+    Section& section = s.model.sections[0];
+    section.weight_in_air = section.external_area = section.drag_normal = section.drag_axial = 0.0;
+    s.model.seabed.stiffness = 0.0;
+  }
+  std::vector<double> lengths;
+  for (int i = 0; i + 1 < s.nodes; ++i) {
+    lengths.push_back(1.0 + 0.05 * i);
+  }
+  s.elements = line_elements(s.model, lengths, std::vector<int>(lengths.size(), 0));
+  s.env = line_environment(s.model, Vec3(0.0, 0.01, 0.0), Vec3::UnitY());
+  s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, z), 5);
+  return s;
+}
+
+std::vector<double> residual(const Setting& s, const std::vector<double>& q, BlockTridiagonal* tangent, Isa isa) {
+  std::vector<double> r(q.size(), 0.0);
+  add_line_forces(s.elements, s.env, q.data(), r.data(), tangent, isa);
+  return r;
+}
+
+TEST(line_kernel, agrees_with_the_scalar_rod_element) {
+  const Setting s = setting(50.0, false);
+  BlockTridiagonal tangent(s.nodes);
+  const std::vector<double> force = residual(s, s.q, &tangent, best_isa());
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(6 * s.nodes);
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6 * s.nodes, 6 * s.nodes);
+  for (int e = 0; e + 1 < s.nodes; ++e) {
+    const std::size_t i = static_cast<std::size_t>(e);
+    const RodForce rod = rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i]}, testing::element_dofs(s.q, e));
+    expected.segment<12>(6 * e) += rod.force;
+    stiffness.block<12, 12>(6 * e, 6 * e) += rod.stiffness;
+  }
+  const Eigen::Map<const Eigen::VectorXd> got(force.data(), 6 * s.nodes);
+  EXPECT_LT((got - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());  // rounding
+  EXPECT_LT((dense(tangent) - stiffness).cwiseAbs().maxCoeff(), 1e-12 * stiffness.cwiseAbs().maxCoeff());
+}
+
+class line_kernel_loads : public ::testing::TestWithParam<double> {};
+
+TEST_P(line_kernel_loads, tangent_is_the_derivative_of_the_force) {
+  const Setting s = setting(GetParam(), true);
+  BlockTridiagonal tangent(s.nodes);
+  residual(s, s.q, &tangent, best_isa());
+  const Eigen::MatrixXd exact = dense(tangent);
+  const double step = 1e-6;
+  Eigen::MatrixXd difference(exact.rows(), exact.cols());
+  for (int j = 0; j < exact.cols(); ++j) {
+    std::vector<double> up = s.q, down = s.q;
+    up[static_cast<std::size_t>(j)] += step;
+    down[static_cast<std::size_t>(j)] -= step;
+    const std::vector<double> r1 = residual(s, up, nullptr, best_isa());
+    const std::vector<double> r0 = residual(s, down, nullptr, best_isa());
+    for (int i = 0; i < exact.rows(); ++i) {
+      difference(i, j) = (r1[static_cast<std::size_t>(i)] - r0[static_cast<std::size_t>(i)]) / (2.0 * step);
+    }
+  }
+  for (int i = 0; i < exact.rows(); ++i) {
+    for (int j = 0; j < exact.cols(); ++j) {
+      // Central difference of forces up to 1e5 N that carry 1e-11 N of rounding, over 1e-6.
+      ASSERT_NEAR(exact(i, j), difference(i, j), 1e-6 * std::abs(exact(i, j)) + 2e-3) << i << " " << j;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, line_kernel_loads, ::testing::Values(3.0, -1.2, -30.0, -90.0));
+
+TEST(line_kernel, gives_the_same_on_every_instruction_set) {
+  const Setting s = setting(-1.2, true);
+  BlockTridiagonal reference(s.nodes);
+  const std::vector<double> expected = residual(s, s.q, &reference, Isa::baseline);
+  const double largest = dense(reference).cwiseAbs().maxCoeff();
+  for (const Isa isa : {Isa::avx2, Isa::avx512}) {
+    if (isa > best_isa()) {
+      continue;
+    }
+    BlockTridiagonal tangent(s.nodes);
+    const std::vector<double> got = residual(s, s.q, &tangent, isa);
+    for (std::size_t i = 0; i < got.size(); ++i) {
+      EXPECT_NEAR(got[i], expected[i], 1e-13 * largest);  // rounding of fused multiply-adds
+    }
+    EXPECT_LT((dense(tangent) - dense(reference)).cwiseAbs().maxCoeff(), 1e-13 * largest);
+  }
+}
+
+TEST(line_kernel, rigid_rotation_of_a_bent_line_makes_no_other_force) {
+  const Setting s = setting(50.0, false);
+  const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
+  std::vector<double> turned = s.q;
+  for (std::size_t i = 0; i < turned.size(); i += 3) {
+    Eigen::Map<Vec3> v(turned.data() + i);
+    v = (turn * v).eval();
+  }
+  const std::vector<double> before = residual(s, s.q, nullptr, best_isa());
+  const std::vector<double> after = residual(s, turned, nullptr, best_isa());
+  double largest = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < before.size(); i += 3) {
+    const Vec3 f0 = Eigen::Map<const Vec3>(before.data() + i);
+    const Vec3 f1 = Eigen::Map<const Vec3>(after.data() + i);
+    largest = std::max(largest, f0.norm());
+    worst = std::max(worst, (f1 - turn * f0).norm());
+  }
+  EXPECT_LT(worst, 1e-12 * largest);
+}
+
+TEST(line_kernel, a_line_described_from_its_other_end_feels_the_same_forces) {
+  const Setting s = setting(-1.2, true);
+  Setting reversed = setting(-1.2, true);
+  const std::size_t n = static_cast<std::size_t>(s.nodes);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      reversed.q[6 * i + k] = s.q[6 * (n - 1 - i) + k];
+      reversed.q[6 * i + 3 + k] = -s.q[6 * (n - 1 - i) + 3 + k];
+    }
+  }
+  std::vector<double> lengths(s.elements.length.begin(), s.elements.length.begin() + s.elements.count);
+  std::reverse(lengths.begin(), lengths.end());
+  reversed.elements = line_elements(reversed.model, lengths, std::vector<int>(lengths.size(), 0));
+  const std::vector<double> a = residual(s, s.q, nullptr, best_isa());
+  const std::vector<double> b = residual(reversed, reversed.q, nullptr, best_isa());
+  double largest = 0.0;
+  for (const double f : a) {
+    largest = std::max(largest, std::abs(f));
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(b[6 * i + k], a[6 * (n - 1 - i) + k], 1e-12 * largest);
+      EXPECT_NEAR(b[6 * i + 3 + k], -a[6 * (n - 1 - i) + 3 + k], 1e-12 * largest);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace overbend

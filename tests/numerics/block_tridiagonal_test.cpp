@@ -1,0 +1,91 @@
+#include "numerics/block_tridiagonal.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace overbend {
+namespace {
+
+struct DenseTwin {
+  BlockTridiagonal blocks;
+  Eigen::MatrixXd matrix, rhs;
+};
+
+/// A random unsymmetric system, and the same as a dense matrix.
+DenseTwin random_system(int nodes, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  DenseTwin twin{BlockTridiagonal(nodes), Eigen::MatrixXd::Zero(6 * nodes, 6 * nodes), Eigen::MatrixXd(6 * nodes, 2)};
+  for (int n = 0; n < nodes; ++n) {
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) {
+        const double d = normal(generator) + (i == 5 - j ? 9.0 : 0.0);  // far from the diagonal: pivoting is needed
+        twin.blocks.diag(n)[i * kRowWidth + j] = twin.matrix(6 * n + i, 6 * n + j) = d;
+        if (n + 1 < nodes) {
+          const double u = normal(generator);
+          const double l = normal(generator);
+          twin.blocks.upper(n)[i * kRowWidth + j] = twin.matrix(6 * n + i, 6 * n + 6 + j) = u;
+          twin.blocks.lower(n)[i * 6 + j] = twin.matrix(6 * n + 6 + i, 6 * n + j) = l;
+        }
+      }
+      for (int side = 0; side < 2; ++side) {
+        twin.blocks.rhs(n, i, side) = twin.rhs(6 * n + i, side) = normal(generator);
+      }
+    }
+  }
+  return twin;
+}
+
+std::vector<Isa> available_isas() {
+  std::vector<Isa> isas;
+  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+    if (isa <= best_isa()) {
+      isas.push_back(isa);
+    }
+  }
+  return isas;
+}
+
+TEST(block_tridiagonal, solves_what_a_dense_solver_solves_on_every_instruction_set) {
+  for (const Isa isa : available_isas()) {
+    DenseTwin twin = random_system(40, 7);
+    const Eigen::MatrixXd expected = twin.matrix.fullPivLu().solve(twin.rhs);
+    ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
+    double worst = 0.0;
+    for (int n = 0; n < 40; ++n) {
+      for (int i = 0; i < 6; ++i) {
+        for (int side = 0; side < 2; ++side) {
+          worst = std::max(worst, std::abs(twin.blocks.rhs(n, i, side) - expected(6 * n + i, side)));
+        }
+      }
+    }
+    EXPECT_LT(worst, 1e-10 * expected.cwiseAbs().maxCoeff());  // rounding of two eliminations
+  }
+}
+
+TEST(block_tridiagonal, names_the_singular_node) {
+  DenseTwin twin = random_system(10, 3);
+  for (int j = 0; j < kRowWidth; ++j) {  // node 6 loses an equation
+    twin.blocks.diag(6)[2 * kRowWidth + j] = 0.0;
+    twin.blocks.upper(6)[2 * kRowWidth + j] = 0.0;
+  }
+  for (int j = 0; j < 6; ++j) {
+    twin.blocks.lower(5)[2 * 6 + j] = 0.0;
+  }
+  EXPECT_EQ(solve(twin.blocks).singular_node, 6);
+}
+
+TEST(block_tridiagonal, counts_blocks_with_negative_determinant) {
+  BlockTridiagonal system(3);
+  for (int n = 0; n < 3; ++n) {
+    for (int i = 0; i < 6; ++i) {
+      system.diag(n)[i * kRowWidth + i] = n == 1 && i == 0 ? -2.0 : 2.0;
+    }
+  }
+  EXPECT_EQ(solve(system).negative_blocks, 1);
+}
+
+}  // namespace
+}  // namespace overbend
