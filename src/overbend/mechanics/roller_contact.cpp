@@ -68,14 +68,6 @@ ClosestPoint search(const Projection& projection, const double* q, const double*
   return best;
 }
 
-Eigen::Matrix<double, 3, 12> spread(const Eigen::Vector4d& shape) {
-  Eigen::Matrix<double, 3, 12> m;
-  for (int j = 0; j < 4; ++j) {
-    m.block<3, 3>(0, 3 * j) = shape(j) * Mat3::Identity();
-  }
-  return m;
-}
-
 }  // namespace
 
 ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last) {
@@ -97,27 +89,44 @@ ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const do
 
 RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {
   const Projection projection{at.reference, roller.axis, at.beyond_face};
-  const HermiteValues n = hermite(at.xi, h);
   const CentrelinePoint point = centreline(q, at.xi, h);
   const Vec3 e = projection.apply(point.r - at.reference);
-
-  RollerDistance d;
   const Vec3 across = at.beyond_face ? e : Vec3(roller.axis.cross(point.a));
   const double side = at.beyond_face || across.dot(roller.normal) >= 0.0 ? 1.0 : -1.0;
+  RollerDistance d;
   d.direction = side * across.normalized();
   d.value = e.dot(d.direction);
-  const Eigen::Matrix<double, 3, 12> dr = spread(n.value);
-  d.gradient = dr.transpose() * d.direction;
+  return d;
+}
 
+RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
+                                                      const RollerDistance& distance, const ElementVector& q, double h) {
+  const Projection projection{at.reference, roller.axis, at.beyond_face};
+  const HermiteValues n = hermite(at.xi, h);
+  RollerDistanceDerivatives d;
+  for (int j = 0; j < 4; ++j) {
+    d.gradient.segment<3>(3 * j) = n.value(j) * distance.direction;
+  }
   // Where the pipe's axis nearly meets the roller's, the curvature of the distance has no limit and no meaning.
-  if (std::abs(d.value) < 0.1 * roller.radius) {
+  if (std::abs(distance.value) < 0.1 * roller.radius) {
     return d;
   }
+  const CentrelinePoint point = centreline(q, at.xi, h);
+  const Vec3 e = projection.apply(point.r - at.reference);
+  const Vec3 pa = projection.apply(point.a);
   const Mat3 p = at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
-  const Eigen::Matrix<double, 3, 12> da = spread(n.first);
-  const ElementVector f_xi_q = dr.transpose() * (p * point.a) + da.transpose() * e;  // per metre of s
-  const double f_xi_xi = point.a.dot(p * point.a) + e.dot(point.b);
-  d.hessian = (dr.transpose() * p * dr - f_xi_q * f_xi_q.transpose() / f_xi_xi - d.gradient * d.gradient.transpose()) / d.value;
+  ElementVector f_xi_q;  // change of the stationarity condition with the unknowns, per metre of s
+  for (int j = 0; j < 4; ++j) {
+    f_xi_q.segment<3>(3 * j) = n.value(j) * pa + n.first(j) * e;
+  }
+  const double f_xi_xi = point.a.dot(pa) + e.dot(point.b);
+  d.hessian.noalias() = -f_xi_q * f_xi_q.transpose() / (f_xi_xi * distance.value);
+  d.hessian.noalias() -= d.gradient * d.gradient.transpose() / distance.value;
+  for (int j = 0; j < 4; ++j) {
+    for (int k = 0; k < 4; ++k) {
+      d.hessian.block<3, 3>(3 * j, 3 * k) += (n.value(j) * n.value(k) / distance.value) * p;
+    }
+  }
   return d;
 }
 

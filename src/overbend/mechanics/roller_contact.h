@@ -1,10 +1,10 @@
 /// Contact between the pipe's centreline and one roller: a rigid finite cylinder that holds the pipe on its desired side.
 ///
-///            pipe axis r(xi)
-///               o  \
-///    normal  ^  |   \  d = distance of the centreline to the roller's axis, measured on the side of the normal
-///            |  | d
-///        ====|==o=====   roller axis (C, a), half face either way of C
+///      normal        o   pipe axis r(xi)
+///        ^           |
+///        |           |   d: distance of the centreline to the roller's axis, on the side of the normal
+///        |           |
+///     ===|===========o=====   roller axis (C, a), half a face either way of C
 ///
 /// The closest point between the C1 centreline and the axis stands at a continuous xi along the element, so that sliding from one
 /// element to the next never changes the force. Within the face the distance is that of the centreline projected along the roller's
@@ -37,14 +37,20 @@ struct ClosestPoint {
 /// the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and each passage is counted once.
 ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last);
 
-/// Distance of centreline to axis, its gradient and Hessian in the element's unknowns with the closest point eliminated:
-/// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.
+/// Distance of centreline to axis at the closest point.
 struct RollerDistance {
-  double value = 0.0;          ///< Signed: negative on the wrong side [m].
+  double value = 0.0;             ///< Signed: negative on the wrong side [m].
   Vec3 direction = Vec3::Zero();  ///< Unit vector in which the roller pushes the pipe.
+};
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double length);
+
+/// Gradient and Hessian of the distance in the element's unknowns with the closest point eliminated:
+/// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.
+struct RollerDistanceDerivatives {
   ElementVector gradient = ElementVector::Zero();
   ElementMatrix hessian = ElementMatrix::Zero();
 };
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double length);
+RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
+                                                      const RollerDistance& distance, const ElementVector& q, double length);
 
 }  // namespace overbend

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that Overbend needs; nothing is touched when all are there.
+#
+#   scripts/install.sh build   what it takes to build and run the program
+#   scripts/install.sh test    the same, and what the tests and linters use
+set -euo pipefail
+
+build_packages=(
+  ca-certificates g++ cmake ninja-build
+  libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libudunits2-dev
+)
+test_packages=(
+  libgtest-dev libbenchmark-dev
+  python3 python3-numpy python3-h5py python3-jsonschema
+  chromium clang-format clang-tidy
+)
+
+# The report's charting library comes from npm. An npm that is already there, from wherever, is good enough; asking apt
+# for another beside it may conflict.
+if ! command -v npm >/dev/null; then
+  build_packages+=(nodejs npm)
+fi
+
+case "${1:-build}" in
+  build) wanted=("${build_packages[@]}") ;;
+  test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
+  *) echo "usage: scripts/install.sh [build|test]" >&2; exit 2 ;;
+esac
+
+installed() {
+  [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  echo "scripts/install.sh: this is not a Debian system; install these (or their like) yourself: ${wanted[*]}" >&2
+  exit 1
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  installed "$package" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  if ! command -v sudo >/dev/null; then
+    echo "scripts/install.sh: missing packages, and neither root nor sudo to install them: ${missing[*]}" >&2
+    exit 1
+  fi
+  as_root=(sudo)
+fi
+
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y -q \
+    -o Acquire::Retries=3 -o DPkg::Lock::Timeout=120 "$@" </dev/null
+}
+
+install_missing() {
+  apt install --no-install-recommends "${missing[@]}"
+}
+
+echo "== Installing ${missing[*]}"
+# The first try fails on a machine whose package lists are absent or old.
+if ! install_missing; then
+  # A third-party source that does not answer must not stop us: the second try decides.
+  apt update || true
+  install_missing
+fi

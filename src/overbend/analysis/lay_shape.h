@@ -1,0 +1,46 @@
+/// First guess of the S: over the supports, then a catenary down to the sea bed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace overbend {
+
+/// The vertical plane in which the barge lays, and the frame of the laid tail.
+struct LayPlane {
+  Vec3 tensioner_W = Vec3::Zero();   ///< Pipe axis at the tensioner [m].
+  Vec3 astern_W = Vec3::UnitX();     ///< Horizontal unit vector.
+  Vec3 port_W = Vec3::UnitY();       ///< Horizontal unit vector to port.
+  double guide_dip = 0.0;            ///< Inclination of the guide from horizontal, positive dipping astern [rad].
+  double bed_at_tensioner = 0.0;     ///< Height of the bed under the tensioner [m].
+  double bed_slope = 0.0;            ///< Rise of the bed per metre astern [-].
+
+  double bed(double distance) const { return bed_at_tensioner + bed_slope * distance; }
+};
+
+LayPlane lay_plane(const Model& model, const VesselPose& pose);
+
+/// A curve in the lay plane: dense points by unstressed length from the tensioner.
+struct LayShape {
+  std::vector<double> length;    ///< From the tensioner [m].
+  std::vector<double> distance;  ///< Horizontal, astern of the tensioner [m].
+  std::vector<double> z;         ///< [m]
+  std::vector<double> dip;       ///< Inclination, positive dipping astern [rad].
+  double last_support = 0.0;     ///< Length to the end of the supports used [m].
+  double touchdown = 0.0;        ///< Length to touchdown [m].
+  double waterline = -1.0;       ///< Length to the water surface [m].
+  double total = 0.0;            ///< Length to the anchor [m].
+  double bottom_tension = 0.0;   ///< Horizontal tension of the guess [N].
+  std::string problem;           ///< Why there is no such curve; empty when there is.
+};
+
+/// Work of the pipe's weight per length between the bed and the tensioner: what the tension loses on the way down. A frictionless
+/// rod keeps N + EI kappa^2/2 + (weight of the pipe hanging below), so tension - this is the bottom tension but for bending.
+double hanging_weight(const Model& model, const LayPlane& plane, double bed_z);
+
+/// `tension` at the tensioner [N]; `bottom_tension` > 0 overrides the one that follows from it (continuation).
+LayShape lay_shape(const Model& model, const LayPlane& plane, double tension);
+
+}  // namespace overbend

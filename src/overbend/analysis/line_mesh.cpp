@@ -1,0 +1,117 @@
+#include "analysis/line_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace overbend {
+namespace {
+
+constexpr double kGrowth = 0.25;          ///< Element length may grow by this per unit of distance from a fine zone.
+constexpr double kShortestElement = 0.1;  ///< [m]
+
+struct Spacings {
+  double box = std::numeric_limits<double>::infinity();
+  double row = std::numeric_limits<double>::infinity();
+};
+
+Spacings support_spacings(const Supports& supports) {
+  Spacings least;
+  for (std::size_t i = 1; i < supports.boxes.size(); ++i) {
+    least.box = std::min(least.box, (supports.boxes[i].point_S - supports.boxes[i - 1].point_S).norm());
+  }
+  for (const SupportBox& box : supports.boxes) {
+    if (box.row_count > 1) {
+      least.row = std::min(least.row, box.length / box.row_count);
+    }
+  }
+  return least;
+}
+
+/// A stretch with a wanted element length, in distance from the tensioner.
+struct Zone {
+  double from, to, size;
+};
+
+double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
+  double size = longest;
+  for (const Zone& zone : zones) {
+    const double away = std::max({zone.from - u, u - zone.to, 0.0});
+    size = std::min(size, zone.size + kGrowth * away);
+  }
+  return size;
+}
+
+/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the second.
+void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest, double to) {
+  const double from = u.back();
+  std::vector<double> steps;
+  double at = from;
+  while (at < to - 1e-9) {
+    const double first = wanted_size(zones, longest, at);
+    const double step = std::min(first, wanted_size(zones, longest, at + 0.5 * first));
+    steps.push_back(step);
+    at += step;
+  }
+  const double scale = (to - from) / (at - from);
+  for (const double step : steps) {
+    u.push_back(u.back() + scale * step);
+  }
+  u.back() = to;
+}
+
+}  // namespace
+
+MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
+  const Section& pipe = model.sections.front();
+  const MeshDescription& given = model.description.mesh;
+  const Spacings spacing = support_spacings(model.supports);
+  const double top_bending = std::sqrt(pipe.EI / zones.top_tension);
+  const double bottom_bending = std::sqrt(pipe.EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
+  const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
+
+  MeshSizes sizes;
+  sizes.overbend = std::max(kShortestElement, std::min({top_bending / 20.0, spacing.box / 8.0, 0.4 * spacing.row}));
+  sizes.touchdown = std::max(kShortestElement, std::min(bottom_bending / 20.0, soil / 8.0));
+  const double suspended = std::max(zones.touchdown - zones.last_support, 1.0);
+  sizes.longest = std::max({sizes.overbend, sizes.touchdown, std::min(bottom_bending, suspended / 10.0) / 4.0, suspended / 300.0});
+  sizes.overbend = given.overbend_element.value_or(sizes.overbend);
+  sizes.touchdown = given.touchdown_element.value_or(sizes.touchdown);
+  sizes.longest = given.longest_element.value_or(sizes.longest);
+  sizes.touchdown_before = 1.5 * std::min(bottom_bending, 0.2 * suspended) + 2.0 * soil;
+  sizes.touchdown_after = 4.0 * soil;
+  return sizes;
+}
+
+LineMesh build_mesh(const Model& model, const MeshZones& zones) {
+  const MeshSizes sizes = mesh_sizes(model, zones);
+  std::vector<Zone> fine{{0.0, zones.last_support, sizes.overbend},
+                         {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  if (zones.waterline > zones.last_support) {
+    const double diameter = model.sections.front().outer_diameter;
+    fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+  }
+  std::vector<double> fixed;
+  for (const SectionSpan& span : model.spans) {
+    if (span.to < zones.total - kShortestElement) {
+      fixed.push_back(span.to);
+    }
+  }
+  fixed.push_back(zones.total);
+
+  std::vector<double> u{0.0};
+  for (const double to : fixed) {
+    fill(u, fine, sizes.longest, to);
+  }
+  LineMesh mesh;
+  for (auto it = u.rbegin(); it != u.rend(); ++it) {
+    mesh.s.push_back(zones.total - *it);
+  }
+  for (std::size_t i = 0; i + 1 < mesh.s.size(); ++i) {
+    mesh.length.push_back(mesh.s[i + 1] - mesh.s[i]);
+    mesh.section.push_back(model.section_at(zones.total - 0.5 * (mesh.s[i] + mesh.s[i + 1])));
+  }
+  return mesh;
+}
+
+}  // namespace overbend

@@ -1,0 +1,348 @@
+#include "analysis/line_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+Vec3 position(const std::vector<double>& q, int node) { return Vec3(Vec3Map(q.data() + 6 * node)); }
+Vec3 tangent_at(const std::vector<double>& q, int node) { return Vec3(Vec3Map(q.data() + 6 * node + 3)); }
+
+ElementVector dofs_of(const std::vector<double>& q, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(q.data() + 6 * element));
+}
+
+/// Removes the component along `d` from three consecutive rows of a block of `width` columns.
+void project_rows(double* block, int first_row, int width, const Vec3& d) {
+  for (int c = 0; c < width; ++c) {
+    double part = 0.0;
+    for (int r = 0; r < 3; ++r) {
+      part += d(r) * block[(first_row + r) * width + c];
+    }
+    for (int r = 0; r < 3; ++r) {
+      block[(first_row + r) * width + c] -= d(r) * part;
+    }
+  }
+}
+
+void project_columns(double* block, int first_column, int width, const Vec3& d) {
+  for (int r = 0; r < kNodeDofs; ++r) {
+    double* row = block + r * width + first_column;
+    const double part = d(0) * row[0] + d(1) * row[1] + d(2) * row[2];
+    for (int c = 0; c < 3; ++c) {
+      row[c] -= d(c) * part;
+    }
+  }
+}
+
+double largest_diagonal(const double* block) {
+  double largest = 0.0;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    largest = std::max(largest, std::abs(block[i * kRowWidth + i]));
+  }
+  return largest;
+}
+
+std::vector<Vec3> across(const Vec3& direction) {
+  const Vec3 side = direction.unitOrthogonal();
+  return {side, direction.cross(side)};
+}
+
+/// Blocks that a node's equations stand in; neighbours are null at the ends.
+struct NodeBlocks {
+  double *diag, *upper, *lower, *upper_before, *lower_before;
+};
+
+NodeBlocks blocks_of(BlockTridiagonal& k, int node) {
+  const bool first = node == 0;
+  const bool last = node == k.nodes() - 1;
+  return {k.diag(node), last ? nullptr : k.upper(node), last ? nullptr : k.lower(node), first ? nullptr : k.upper(node - 1),
+          first ? nullptr : k.lower(node - 1)};
+}
+
+void hold_direction(const NodeBlocks& at, int first_dof, const Vec3& d) {
+  const double scale = largest_diagonal(at.diag);
+  project_rows(at.diag, first_dof, kRowWidth, d);
+  project_columns(at.diag, first_dof, kRowWidth, d);
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      at.diag[(first_dof + r) * kRowWidth + first_dof + c] += scale * d(r) * d(c);
+    }
+  }
+  if (at.upper != nullptr) {
+    project_rows(at.upper, first_dof, kRowWidth, d);
+    project_columns(at.lower, first_dof, kNodeDofs, d);
+  }
+  if (at.upper_before != nullptr) {
+    project_columns(at.upper_before, first_dof, kRowWidth, d);
+    project_rows(at.lower_before, first_dof, kNodeDofs, d);
+  }
+}
+
+void remove_component(double* v, const Vec3& d) {
+  const double part = d(0) * v[0] + d(1) * v[1] + d(2) * v[2];
+  for (int i = 0; i < 3; ++i) {
+    v[i] -= d(i) * part;
+  }
+}
+
+/// Bounds in S of the Bezier hull of an element.
+ElementBounds element_bounds(const Vec3& r1_S, const Vec3& t1_S, const Vec3& r2_S, const Vec3& t2_S, double h) {
+  const Vec3 b1 = r1_S + h / 3.0 * t1_S;
+  const Vec3 b2 = r2_S - h / 3.0 * t2_S;
+  return {std::min({r1_S.x(), r2_S.x(), b1.x(), b2.x()}), std::max({r1_S.x(), r2_S.x(), b1.x(), b2.x()}),
+          std::min({r1_S.z(), r2_S.z(), b1.z(), b2.z()})};
+}
+
+}  // namespace
+
+double default_roller_stiffness(const Section& pipe, double element_length) {
+  return pipe.EI / std::pow(element_length, 3);
+}
+
+LineSystem::LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh)
+    : model_(&model), mesh_(std::move(mesh)), plane_(lay_plane(model, pose)), pose_(pose) {
+  elements_ = line_elements(model, mesh_.length, mesh_.section);
+  environment_ = line_environment(model, plane_.tensioner_W, plane_.port_W);
+  double radius = 0.0;
+  for (std::size_t e = 0; e < mesh_.length.size(); ++e) {
+    total_weight_ += elements_.weight[e] * mesh_.length[e];
+    radius = std::max(radius, elements_.radius[e]);
+  }
+  cells_ = contact_cells(model.supports, radius);
+  place_rollers(pose);
+  hold_ends();
+
+  const std::size_t nodes = static_cast<std::size_t>(mesh_.nodes());
+  residual_.resize(6 * nodes);
+  tangent_.resize(mesh_.nodes());
+  bounds_.resize(nodes - 1);
+  ranges_.resize(cells_.boxes.size());
+  roller_states_.resize(rollers_.size());
+}
+
+void LineSystem::place_rollers(const VesselPose& pose) {
+  double over_supports = mesh_.length.back();
+  for (const double h : mesh_.length) {
+    over_supports = std::min(over_supports, h);
+  }
+  const double penalty = default_roller_stiffness(model_->sections.front(), over_supports);
+  for (const Roller& roller : model_->supports.rollers) {
+    PlacedRoller placed;
+    placed.center = point_from_ramp(*model_, pose, roller.center_S);
+    placed.axis = direction_from_ramp(pose, roller.axis_S);
+    placed.normal = direction_from_ramp(pose, roller.normal_S);
+    placed.half_face = 0.5 * roller.face;
+    placed.radius = roller.radius;
+    placed.stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty;
+    rollers_.push_back(placed);
+    roller_box_.push_back(roller.box);
+  }
+}
+
+void LineSystem::hold_ends() {
+  const Vec3 up = model_->seabed.normal_W;
+  far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();
+  held_far_.position = {plane_.port_W};
+  held_far_.tangent = across(far_direction_);
+  held_top_.position = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  if (model_->description.tensioner.guide == Guide::clamped) {
+    const double incline = model_->description.tensioner.incline;
+    held_top_.tangent = across(direction_from_ramp(pose_, Vec3(std::cos(incline), 0.0, -std::sin(incline))));
+  }
+}
+
+void LineSystem::evaluate(const LineState& state, bool with_tangent) {
+  std::fill(residual_.begin(), residual_.end(), 0.0);
+  if (with_tangent) {
+    tangent_.set_zero();
+  }
+  add_line_forces(elements_, environment_, state.q.data(), residual_.data(), with_tangent ? &tangent_ : nullptr, best_isa());
+  for (int i = 0; i < 3; ++i) {
+    residual_[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
+  }
+  find_contacts(state);
+  add_contacts(state, with_tangent);
+}
+
+void LineSystem::find_contacts(const LineState& state) {
+  if (rollers_.empty()) {
+    return;
+  }
+  const Vec3 origin = point_from_ramp(*model_, pose_, Vec3::Zero());
+  const Vec3 x_axis = direction_from_ramp(pose_, Vec3::UnitX());
+  const Vec3 z_axis = direction_from_ramp(pose_, Vec3::UnitZ());
+  const auto to_S = [&](const Vec3& v) { return Vec3(v.dot(x_axis), 0.0, v.dot(z_axis)); };
+  Vec3 r1 = to_S(position(state.q, 0) - origin), t1 = to_S(tangent_at(state.q, 0));
+  for (std::size_t e = 0; e < mesh_.length.size(); ++e) {
+    const int node = static_cast<int>(e) + 1;
+    const Vec3 r2 = to_S(position(state.q, node) - origin), t2 = to_S(tangent_at(state.q, node));
+    bounds_[e] = element_bounds(r1, t1, r2, t2, mesh_.length[e]);
+    r1 = r2;
+    t1 = t2;
+  }
+  search_cells(cells_, bounds_, ranges_);
+}
+
+void LineSystem::add_contacts(const LineState& state, bool with_tangent) {
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    const PlacedRoller& roller = rollers_[i];
+    RollerState& contact = roller_states_[i];
+    contact = RollerState{};
+    if (!use_side_rollers_ && model_->supports.rollers[i].position != RollerPosition::bottom) {
+      continue;
+    }
+    const ElementRange range = ranges_[static_cast<std::size_t>(roller_box_[i])];
+    contact.at = closest_point(roller, state.q.data(), mesh_.length.data(), range.first, range.last);
+    if (!contact.at.found) {
+      continue;
+    }
+    const std::size_t e = static_cast<std::size_t>(contact.at.element);
+    const double h = mesh_.length[e];
+    const ElementVector q = dofs_of(state.q, contact.at.element);
+    const RollerDistance distance = roller_distance(roller, contact.at, q, h);
+    contact.direction = distance.direction;
+    contact.penetration = elements_.radius[e] + roller.radius - distance.value;
+    if (contact.penetration <= 0.0) {
+      continue;
+    }
+    const double stiffness = std::min(roller.stiffness, roller_limit_);
+    contact.force = stiffness * contact.penetration;
+    const RollerDistanceDerivatives d = roller_distance_derivatives(roller, contact.at, distance, q, h);
+    const int node = contact.at.element;
+    for (int k = 0; k < 12; ++k) {
+      residual_[static_cast<std::size_t>(6 * node + k)] -= contact.force * d.gradient(k);
+    }
+    if (with_tangent) {
+      const ElementMatrix k = stiffness * d.gradient * d.gradient.transpose() - contact.force * d.hessian;
+      for (int row = 0; row < kNodeDofs; ++row) {
+        for (int c = 0; c < kNodeDofs; ++c) {
+          tangent_.diag(node)[row * kRowWidth + c] += k(row, c);
+          tangent_.upper(node)[row * kRowWidth + c] += k(row, 6 + c);
+          tangent_.lower(node)[row * kNodeDofs + c] += k(6 + row, c);
+          tangent_.diag(node + 1)[row * kRowWidth + c] += k(6 + row, 6 + c);
+        }
+      }
+    }
+  }
+}
+
+Vec3 LineSystem::end_reaction(int node) const { return Vec3(Vec3Map(residual_.data() + 6 * node)); }
+
+void LineSystem::hold(bool with_blocks) {
+  const int last = mesh_.nodes() - 1;
+  const auto apply = [&](int node, const HeldDirections& held, bool blocks) {
+    for (const Vec3& d : held.position) {
+      remove_component(residual_.data() + 6 * node, d);
+      if (blocks) {
+        hold_direction(blocks_of(tangent_, node), 0, d);
+      }
+    }
+    for (const Vec3& d : held.tangent) {
+      remove_component(residual_.data() + 6 * node + 3, d);
+      if (blocks) {
+        hold_direction(blocks_of(tangent_, node), 3, d);
+      }
+    }
+  };
+  apply(0, held_far_, with_blocks);
+  apply(last, held_top_, with_blocks);
+}
+
+double LineSystem::relative_residual() const {
+  double worst = 0.0;
+  for (std::size_t node = 0; node < mesh_.s.size(); ++node) {
+    const std::size_t left = node == 0 ? 0 : node - 1;
+    const std::size_t right = std::min(node, mesh_.length.size() - 1);
+    const double h = std::min(mesh_.length[left], mesh_.length[right]);
+    const double* r = residual_.data() + 6 * node;
+    worst = std::max({worst, Vec3Map(r).norm(), Vec3Map(r + 3).norm() / h});
+  }
+  return worst / total_weight_;
+}
+
+double LineSystem::target_error(const LineState& state, const LineTargetValue& target) const {
+  if (target.kind == LineTargetValue::Kind::anchor_distance) {
+    return (position(state.q, 0) - plane_.tensioner_W).dot(plane_.astern_W) - target.value;
+  }
+  const int last = mesh_.nodes() - 1;
+  const std::size_t e = mesh_.length.size() - 1;
+  const double z = position(state.q, last).z();
+  const double pressure = elements_.pressure_constant[e] + elements_.pressure_slope[e] * z +
+                          elements_.pressure_external[e] * std::max(-z, 0.0);
+  return elements_.EA[e] * (tangent_at(state.q, last).norm() - 1.0) + pressure - target.value;
+}
+
+bool LineSystem::solve_step(const LineState& state, const LineTargetValue& target, double damping, bool free_far_force,
+                            std::vector<double>& dq, double& dH) {
+  const int n = mesh_.nodes();
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      tangent_.rhs(node, i, 0) = -residual_[static_cast<std::size_t>(6 * node + i)];
+    }
+    if (damping > 0.0) {
+      const double h = mesh_.length[static_cast<std::size_t>(std::min(node, n - 2))];
+      for (int i = 0; i < kNodeDofs; ++i) {
+        tangent_.diag(node)[i * kRowWidth + i] += damping * h * (i < 3 ? 1.0 : h * h / 12.0);
+      }
+    }
+  }
+  Vec3 border = far_direction_;  // K dq - far_direction dH = -R at the far end
+  for (const Vec3& d : held_far_.position) {
+    border -= border.dot(d) * d;
+  }
+  for (int i = 0; i < 3; ++i) {
+    tangent_.rhs(0, i, 1) = border(i);
+  }
+  solve_report_ = solve(tangent_);
+  if (!solve_report_.solved()) {
+    return false;
+  }
+  const bool anchor = target.kind == LineTargetValue::Kind::anchor_distance;
+  const int at = anchor ? 0 : n - 1;
+  const Vec3 gradient = anchor ? plane_.astern_W : Vec3(elements_.EA[mesh_.length.size() - 1] * tangent_at(state.q, at).normalized());
+  double along_residual = 0.0, along_border = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    along_residual += gradient(i) * tangent_.rhs(at, anchor ? i : 3 + i, 0);
+    along_border += gradient(i) * tangent_.rhs(at, anchor ? i : 3 + i, 1);
+  }
+  dH = free_far_force ? (-target_error(state, target) - along_residual) / along_border : 0.0;
+  if (!std::isfinite(dH)) {
+    solve_report_.singular_node = at;
+    return false;
+  }
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      dq[static_cast<std::size_t>(6 * node + i)] = tangent_.rhs(node, i, 0) + dH * tangent_.rhs(node, i, 1);
+    }
+  }
+  return true;
+}
+
+double LineSystem::share_before_entering(const std::vector<double>& dq, double depth) const {
+  double share = 1.0;
+  for (const RollerState& contact : roller_states_) {
+    if (!contact.at.found) {
+      continue;
+    }
+    const ElementVector step = dofs_of(dq, contact.at.element);
+    const double h = mesh_.length[static_cast<std::size_t>(contact.at.element)];
+    const double deeper = -contact.direction.dot(centreline(step, contact.at.xi, h).r);
+    const double allowed = depth + std::max(-contact.penetration, 0.0);
+    share = deeper > allowed ? std::min(share, allowed / deeper) : share;
+  }
+  return share;
+}
+
+double LineSystem::work(const std::vector<double>& dq) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < dq.size(); ++i) {
+    sum += residual_[i] * dq[i];
+  }
+  return sum;
+}
+
+}  // namespace overbend

@@ -1,0 +1,124 @@
+/// The equations of a line on its supports: one assembly of residual and tangent.
+///
+/// Unknowns: position and tangent of every node, and the horizontal force H that holds the far end. The far end may slide along the
+/// bed under H; the top node stands at the tensioner, held in the guide's direction. The extra equation says what is wanted: the
+/// effective tension at the tensioner, or the place of the anchor. Because the strain at a node is |t| - 1, the first is local:
+///     EA (|t_top| - 1) + pressure part = T
+#pragma once
+
+#include <vector>
+
+#include "analysis/lay_shape.h"
+#include "analysis/line_mesh.h"
+#include "mechanics/contact_cells.h"
+#include "mechanics/line_elements.h"
+#include "mechanics/roller_contact.h"
+#include "numerics/block_tridiagonal.h"
+
+namespace overbend {
+
+/// Unknowns of a line.
+struct LineState {
+  std::vector<double> q;     ///< Six per node: r [m], t [-]; W.
+  double far_force = 0.0;    ///< H, away from the barge, along the bed [N].
+};
+
+/// What the extra equation asks for.
+struct LineTargetValue {
+  enum class Kind { top_tension, anchor_distance } kind = Kind::top_tension;
+  double value = 0.0;  ///< [N], or horizontal distance from tensioner to anchor [m].
+};
+
+/// One roller and where the pipe passes it.
+struct RollerState {
+  ClosestPoint at;
+  double penetration = 0.0;        ///< Positive in contact [m].
+  Vec3 direction = Vec3::Zero();   ///< In which the roller pushes the pipe.
+  double force = 0.0;              ///< Normal force [N].
+};
+
+/// Directions of a node's position and tangent that are held, as unit vectors.
+struct HeldDirections {
+  std::vector<Vec3> position, tangent;
+};
+
+class LineSystem {
+ public:
+  LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh);
+
+  const Model& model() const { return *model_; }
+  const LineMesh& mesh() const { return mesh_; }
+  const LayPlane& plane() const { return plane_; }
+  const std::vector<PlacedRoller>& rollers() const { return rollers_; }
+  const std::vector<RollerState>& roller_states() const { return roller_states_; }
+  const std::vector<double>& residual() const { return residual_; }
+  const LineElements& elements() const { return elements_; }
+  const LineEnvironment& environment() const { return environment_; }
+  BlockTridiagonal& tangent() { return tangent_; }
+  Vec3 far_direction() const { return far_direction_; }
+  double total_weight() const { return total_weight_; }  ///< In air [N].
+
+  /// Roller stiffness is limited to this [N/m]: continuation from soft to hard.
+  void limit_roller_stiffness(double limit) { roller_limit_ = limit; }
+  /// Whether side rollers act.
+  void use_side_rollers(bool use) { use_side_rollers_ = use; }
+  /// Share of the current's speed that acts.
+  void scale_current(double scale) { environment_.current_scale = scale; }
+
+  /// Internal minus external forces; with `with_tangent` also the blocks. Held directions are left in: see hold().
+  void evaluate(const LineState& state, bool with_tangent);
+
+  /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the node.
+  double relative_residual() const;
+  /// What the extra equation lacks: value minus target, and its gradient, which acts on one node only.
+  double target_error(const LineState& state, const LineTargetValue& target) const;
+
+  /// Removes the held directions from the residual and, where asked, from the blocks.
+  void hold(bool blocks);
+  /// Solves K dq + (border) = -R together with the extra equation, or with dH = 0 where `free_far_force` is false. `damping` is added
+  /// to the diagonal per length. False if K is singular.
+  bool solve_step(const LineState& state, const LineTargetValue& target, double damping, bool free_far_force,
+                  std::vector<double>& dq, double& dH);
+  int singular_node() const { return solve_report_.singular_node; }
+  int negative_blocks() const { return solve_report_.negative_blocks; }
+  /// Share of the step `dq` up to which no roller is entered deeper than `depth` beyond where it is now [m].
+  double share_before_entering(const std::vector<double>& dq, double depth) const;
+  /// Work of the unbalanced forces on a displacement, sign of the residual [J].
+  double work(const std::vector<double>& dq) const;
+  /// Forces on the held ends: what tensioner and anchor exert on the line [N]. Needs evaluate() without hold().
+  Vec3 end_reaction(int node) const;
+
+ private:
+  void place_rollers(const VesselPose& pose);
+  void find_contacts(const LineState& state);
+  void add_contacts(const LineState& state, bool with_tangent);
+  void hold_ends();
+
+  const Model* model_;
+  LineMesh mesh_;
+  LayPlane plane_;
+  VesselPose pose_;
+  LineElements elements_;
+  LineEnvironment environment_;
+  ContactCells cells_;
+  std::vector<PlacedRoller> rollers_;
+  std::vector<int> roller_box_;
+  double roller_limit_ = 1e300;
+  bool use_side_rollers_ = true;
+  Vec3 far_direction_ = Vec3::UnitX();
+  HeldDirections held_far_, held_top_;
+  double total_weight_ = 0.0;
+
+  std::vector<double> residual_;
+  BlockTridiagonal tangent_;
+  BlockSolveReport solve_report_;
+  std::vector<ElementBounds> bounds_;
+  std::vector<ElementRange> ranges_;
+  std::vector<RollerState> roller_states_;
+};
+
+/// Normal penalty where the user gives no roller stiffness: EI / h^3 of the elements over the supports, the order of an element's own
+/// stiffness across the pipe [N/m].
+double default_roller_stiffness(const Section& pipe, double element_length);
+
+}  // namespace overbend

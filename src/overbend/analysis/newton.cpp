@@ -1,0 +1,119 @@
+#include "analysis/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr double kLargestTurn = 0.35;       ///< Of a node's tangent in one step [rad].
+constexpr double kLargestForceStep = 0.3;   ///< Of the far force, relative.
+constexpr double kSearchGoal = 0.8;         ///< A step is good when the work left along it has fallen to this share.
+
+/// Length that a node may move in one step [m].
+double largest_move(const LineSystem& system) { return 2.0 + 0.02 * system.mesh().total_length(); }
+
+/// Share of the step that keeps it inside the limits.
+double step_limit(const std::vector<double>& dq, double move) {
+  double share = 1.0;
+  for (std::size_t i = 0; i < dq.size(); i += 3) {
+    const double size = std::sqrt(dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
+    const double limit = i % 6 == 0 ? move : kLargestTurn;
+    share = size * share > limit ? limit / size : share;
+  }
+  return share;
+}
+
+struct Search {
+  LineSystem& system;
+  const LineState& from;
+  const std::vector<double>& dq;
+  LineState& trial;
+
+  /// Work of the unbalanced forces per unit of the step at `share`.
+  double work_at(double share) {
+    for (std::size_t i = 0; i < dq.size(); ++i) {
+      trial.q[i] = from.q[i] + share * dq[i];
+    }
+    system.evaluate(trial, false);
+    system.hold(false);
+    return system.work(dq);
+  }
+};
+
+/// Finds a share in (0, limit] where the work has changed little sign; leaves `search.trial` there. Returns the share, 0 when none.
+double search_along(Search& search, double work_start, double limit) {
+  double low = 0.0, work_low = work_start;
+  double share = limit;
+  double work = search.work_at(share);
+  if (std::abs(work) <= kSearchGoal * std::abs(work_start) || work * work_start > 0.0) {
+    return share;  // good, or still downhill at the end of the step
+  }
+  double high = share, work_high = work;
+  for (int i = 0; i < 8 && std::abs(work) > kSearchGoal * std::abs(work_start); ++i) {
+    const double secant = low + (high - low) * work_low / (work_low - work_high);
+    share = std::clamp(secant, low + 0.1 * (high - low), low + 0.9 * (high - low));
+    work = search.work_at(share);
+    const bool same_side = work * work_start > 0.0;
+    (same_side ? low : high) = share;
+    (same_side ? work_low : work_high) = work;
+  }
+  return share;
+}
+
+}  // namespace
+
+NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target, const NewtonSettings& settings) {
+  NewtonReport report;
+  std::vector<double> dq(state.q.size());
+  LineState trial = state;
+  double damping = settings.damping;
+  const double move = largest_move(system);
+  for (; report.iterations <= settings.max_iterations; ++report.iterations) {
+    system.evaluate(state, true);
+    system.hold(true);
+    report.residual = system.relative_residual();
+    if (!std::isfinite(report.residual)) {
+      report.end = NewtonEnd::lost;
+      return report;
+    }
+    const double force_error = settings.free_far_force && target.kind == LineTargetValue::Kind::top_tension
+                                   ? std::abs(system.target_error(state, target)) / system.total_weight()
+                                   : 0.0;
+    if (std::max(report.residual, force_error) < settings.tolerance) {
+      report.end = NewtonEnd::converged;
+      return report;
+    }
+    double dH = 0.0;
+    if (!system.solve_step(state, target, damping, settings.free_far_force, dq, dH)) {
+      if (damping > 1e8) {
+        report.end = NewtonEnd::singular;
+        report.singular_node = system.singular_node();
+        return report;
+      }
+      damping = std::max(10.0 * damping, 1e2);
+      continue;
+    }
+    const double limit = std::min(step_limit(dq, move), system.share_before_entering(dq, settings.entering));
+    double force_step = limit * dH;
+    force_step = std::clamp(force_step, -kLargestForceStep * state.far_force, kLargestForceStep * state.far_force);
+    trial.far_force = state.far_force + force_step;
+    double work_start = system.work(dq);
+    for (int i = 0; i < 3; ++i) {
+      work_start -= force_step * system.far_direction()(i) * dq[static_cast<std::size_t>(i)];
+    }
+    Search search{system, state, dq, trial};
+    const double share = search_along(search, work_start, limit);
+    const bool downhill = work_start < 0.0;
+    if (!downhill || share < 0.05) {
+      damping = std::max(10.0 * damping, 1.0);
+    } else {
+      damping = damping < 1.0 ? 0.0 : 0.1 * damping;
+    }
+    std::swap(state, trial);
+  }
+  report.end = NewtonEnd::too_many_iterations;
+  return report;
+}
+
+}  // namespace overbend

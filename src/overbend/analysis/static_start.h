@@ -1,0 +1,37 @@
+/// From the model to the first guess of a static solution, and the reasons for which there can be none.
+#pragma once
+
+#include <optional>
+
+#include "analysis/lay_shape.h"
+#include "analysis/line_mesh.h"
+#include "analysis/line_system.h"
+#include "analysis/statics.h"
+
+namespace overbend {
+
+struct StartingPoint {
+  LayShape shape;
+  MeshZones zones;
+  LineTargetValue target;
+  double tail = 0.0;  ///< Laid length behind touchdown [m].
+  std::optional<StaticFailure> failure;
+};
+
+StartingPoint starting_point(const Model& model, const LayPlane& plane);
+
+/// The guess at the nodes of the system's mesh.
+LineState sample_shape(const LineSystem& system, const LayShape& shape);
+
+/// A state carried over to another mesh; nodes are matched by their distance from the tensioner, a longer tail goes on along the bed.
+LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane);
+
+/// Length from the tensioner to the last roller that the pipe passes [m]; from the contacts of the last evaluation.
+double support_end(const LineSystem& system);
+
+/// A pipe that touches none of its supports is not held by them: says so. Uses the contacts of the last evaluation.
+std::optional<StaticFailure> check_supports(const Model& model, const LineSystem& system);
+
+StaticFailure never_touches(const Model& model, double length);
+
+}  // namespace overbend

@@ -1,0 +1,74 @@
+"""The layer check must catch what it is there for: each test plants one include in an otherwise clean tree."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+TOOL = pathlib.Path(__file__).resolve().parents[2] / "tools" / "check_layers.py"
+
+CLEAN = {
+    "base/units.cpp": ["#include <udunits2.h>", "#include <vector>"],
+    "model/model.h": ['#include "base/vec.h"', "#include <Eigen/Core>"],
+    "mechanics/rod.cpp": ['#include "model/model.h"', '#include "mechanics/rod.h"'],
+    "io/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include <hdf5.h>", '#include "results/fields.h"'],
+    "app/main.cpp": ['#include "analysis/statics.h"', "#include <CLI/CLI.hpp>"],
+}
+
+
+def run_on(files):
+    """Exit code and output of the check on a tree of files given as {path under src/overbend: lines}."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, lines in files.items():
+            path = pathlib.Path(folder, "src", "overbend", name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+        run = subprocess.run([sys.executable, str(TOOL), folder], capture_output=True, text=True, check=False)
+        return run.returncode, run.stdout
+
+
+class CheckLayers(unittest.TestCase):
+    def assert_caught(self, name, include, line=2):
+        code, output = run_on({**CLEAN, name: ["#pragma once", include]})
+        self.assertEqual(code, 1, output)
+        self.assertIn(f"src/overbend/{name}:{line}: ", output)
+        self.assertIn("1 offences", output)
+
+    def test_a_clean_tree_passes(self):
+        code, output = run_on(CLEAN)
+        self.assertEqual(code, 0, output)
+
+    def test_an_upward_include_is_caught(self):
+        self.assert_caught("model/bad.h", '#include "analysis/statics.h"')
+
+    def test_a_sideways_include_is_caught(self):
+        self.assert_caught("numerics/bad.h", '#include "model/model.h"')
+
+    def test_a_spaced_include_is_caught(self):
+        self.assert_caught("base/bad.h", '  #  include "model/model.h"')
+
+    def test_yaml_outside_io_is_caught(self):
+        self.assert_caught("model/bad.cpp", "#include <yaml-cpp/yaml.h>")
+
+    def test_hdf5_outside_io_is_caught(self):
+        self.assert_caught("analysis/bad.cpp", "#include <hdf5_hl.h>")
+
+    def test_udunits_outside_base_is_caught(self):
+        self.assert_caught("io/bad.cpp", "#include <udunits2.h>")
+
+    def test_an_unplanned_library_is_caught(self):
+        self.assert_caught("analysis/bad.cpp", "#include <boost/any.hpp>")
+
+    def test_a_relative_include_is_caught(self):
+        self.assert_caught("model/bad.cpp", '#include "section.h"')
+
+    def test_a_file_outside_the_layers_is_caught(self):
+        self.assert_caught("misc/bad.h", "#include <vector>", line=1)
+
+    def test_an_empty_tree_does_not_pass(self):
+        self.assertEqual(run_on({})[0], 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

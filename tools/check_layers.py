@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""Holds the layers of src/overbend apart: prints file:line of every include that the plan does not allow.
+
+    tools/check_layers.py [ROOT]     ROOT is the repository (default: the one this file lies in)
+
+The plan is the two tables below; ARCHITECTURE.md explains it. Exit code 0: clean; 1: offences; 2: nothing to check.
+"""
+
+import pathlib
+import re
+import sys
+
+EVERYTHING = {"base", "model", "results", "numerics", "mechanics", "analysis", "checks", "io", "report", "app"}
+
+# Layer -> the layers it may include, besides itself.
+MAY_INCLUDE = {
+    "base": set(),
+    "model": {"base"},
+    "results": {"model", "base"},
+    "numerics": {"base"},
+    "mechanics": {"model", "base"},
+    "analysis": {"mechanics", "numerics", "results", "model", "base"},
+    "checks": {"results", "model", "base"},
+    "io": {"checks", "results", "model", "base"},
+    "report": EVERYTHING - {"app"},
+    "app": EVERYTHING,
+}
+
+# How a library's headers begin -> the layers that may use it. A library that is not here may not be used anywhere.
+LIBRARIES = [
+    ("Eigen/", EVERYTHING),
+    ("fmt/", EVERYTHING),
+    ("hwy/", {"numerics", "mechanics"}),
+    ("yaml-cpp/", {"io"}),
+    ("hdf5", {"io"}),
+    ("nlohmann/", {"io", "report"}),
+    ("udunits2.h", {"base"}),
+    ("CLI/", {"app"}),
+]
+
+# Headers of the operating system, for files, terminals and signals.
+SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|fcntl|signal|termios|csignal)\.h$")
+SYSTEM_LAYERS = {"base", "io", "app"}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')
+
+
+def offence_of_own(layer, header):
+    """Why a file of `layer` may not include "header", or None."""
+    target, slash, _ = header.partition("/")
+    if not slash or target not in MAY_INCLUDE:
+        return f'"{header}" does not start at a layer; includes are written from src/overbend'
+    if target != layer and target not in MAY_INCLUDE[layer]:
+        allowed = ", ".join(sorted(MAY_INCLUDE[layer])) or "no other layer"
+        return f'{layer} may not include "{header}" (it may see {allowed})'
+    return None
+
+
+def offence_of_library(layer, header):
+    """Why a file of `layer` may not include <header>, or None."""
+    if SYSTEM_HEADER.match(header):
+        return None if layer in SYSTEM_LAYERS else f"{layer} may not include the system header <{header}>"
+    if not re.search(r"[./]", header):
+        return None  # the standard library
+    for prefix, layers in LIBRARIES:
+        if header.startswith(prefix):
+            if layer in layers:
+                return None
+            return f"{layer} may not include <{header}> (only {', '.join(sorted(layers))})"
+    return f"<{header}> belongs to no library of the plan"
+
+
+def offences(root):
+    """All offences under root/src/overbend as (path, line number, reason), and the number of files read."""
+    source = root / "src" / "overbend"
+    found, read = [], 0
+    for path in sorted(p for p in source.rglob("*") if p.suffix in {".h", ".cpp"}):
+        read += 1
+        relative = path.relative_to(source)
+        layer = relative.parts[0] if len(relative.parts) > 1 else ""
+        if layer not in MAY_INCLUDE:
+            found.append((path, 1, f"{relative} lies in no layer of the plan"))
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            own, angle = match["own"], match["angle"]
+            reason = offence_of_own(layer, own) if own else offence_of_library(layer, angle)
+            if reason:
+                found.append((path, number, reason))
+    return found, read
+
+
+def main(arguments):
+    root = pathlib.Path(arguments[0]) if arguments else pathlib.Path(__file__).resolve().parent.parent
+    found, read = offences(root)
+    for path, number, reason in found:
+        print(f"{path.relative_to(root)}:{number}: {reason}")
+    if not read:
+        print(f"{root}: no sources under src/overbend", file=sys.stderr)
+        return 2
+    print(f"layers: {read} files, {len(found)} offences")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
