@@ -46,8 +46,9 @@ Said read_pipe_size(const std::string& text) {
     const auto number = parse_number(text.substr(0, unit_at + 1));
     const auto diameter = number ? nominal_diameter(*number) : std::nullopt;
     if (diameter) return {diameter, {}};
-    if (number)
+    if (number) {
       return {{}, "--pipe: found '" + text + "', expected a nominal size from 4 to 48 inches, or an outside diameter"};
+    }
   }
   return read_flag("--pipe", text, "m", 0.08, 1.6);
 }
@@ -203,8 +204,9 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
                                        : fmt::format("{:.4g} mm pipe in {:.6g} m of water, {}-lay",
                                                      model.diameter * 1e3, model.depth, model.stinger ? "S" : "J");
   model.submerged_weight = derive_section("", section_of(model), kWaterWeightDensity).weight_submerged;
-  if (model.submerged_weight <= 0.0)
+  if (model.submerged_weight <= 0.0) {
     return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
+  }
   if (const std::string fault = settle_tension(model, tension.value); !fault.empty()) return fault;
   if (model.stinger) {
     if (const std::string fault = settle_stinger(model, radius.value, options.boxes); !fault.empty()) return fault;

@@ -63,8 +63,9 @@ pipe:
     weight_density: 77 kN/m^3
 )",
                                  model.diameter * 1e3, model.wall * 1e3, model.yield / 1e6);
-  if (model.coating > 0.0 || model.concrete > 0.0)
+  if (model.coating > 0.0 || model.concrete > 0.0) {
     text += "  coatings:                            # from the steel outwards\n";
+  }
   if (model.coating > 0.0) {
     text += fmt::format("    - {{name: corrosion coating, thickness: {:.6g} mm, weight_density: 9.32 kN/m^3}}\n",
                         model.coating * 1e3);

@@ -15,8 +15,9 @@ class FieldReader {
   std::optional<FieldValue> read(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     if (node.kind == YamlNode::Kind::map && field.map != nullptr) return read_map(node, field, path, line);
     if (node.kind == YamlNode::Kind::list && field.list != nullptr) return read_list(node, field, path, line);
-    if (node.kind == YamlNode::Kind::scalar && field.scalar != nullptr)
+    if (node.kind == YamlNode::Kind::scalar && field.scalar != nullptr) {
       return read_value(node, *field.scalar, path, line);
+    }
     complain(line, path, shape_words(node), expected_shape(field), "");
     return std::nullopt;
   }
@@ -162,10 +163,7 @@ class FieldReader {
     }
   }
 
-  static std::string required_hint(const Field& row) {
-    const std::string text = row.text.substr(0, row.text.find_last_of('.'));
-    return text;
-  }
+  static std::string required_hint(const Field& row) { return row.text.substr(0, row.text.find_last_of('.')); }
 
   void add_default(const Field& row, const FieldNode& member, const std::string& path, int line, FieldValue& map) {
     YamlNode node;

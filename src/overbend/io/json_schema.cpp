@@ -38,6 +38,7 @@ Json scalar_schema(const Field& field) {
     case FieldKind::quantity:
       schema["type"] = "string";
       schema["pattern"] = kQuantityPattern;
+      schema["x-unit"] = field.show;  // for forms
       schema["examples"] = {field.fallback.empty() ? "1 " + field.show : field.fallback};
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;
