@@ -192,14 +192,24 @@ void keep_larger(RegionResult& region, const Station& at) {
   keep_larger(region.effective_tension, at.effective_tension, at);
 }
 
+/// Arc length of the first sagging station below the last support.
+double inflection(const std::vector<Station>& stations, double departure_s) {
+  const auto sags = [&](const Station& at) { return at.s < departure_s && at.vertical_moment > 0.0; };
+  const auto first = std::find_if(stations.rbegin(), stations.rend(), sags);
+  return first == stations.rend() ? departure_s : first->s;
+}
+
 void find_extremes(StaticResults& results, double departure_s, bool carried) {
   RegionResult overbend;
+  const double inflection_s = inflection(results.stations, departure_s);
   results.largest_tension = results.stations.front().effective_tension;
   for (Station& station : results.stations) {
     station.region = station.s < results.touchdown.s  ? Region::seabed
                      : carried && station.s >= departure_s ? Region::overbend
                                                            : Region::sagbend;
-    if (station.region == Region::overbend) {
+    // Below the last support the pipe still hogs up to its inflection: that stretch counts to the overbend's extremes.
+    const bool hogs = carried && station.s > results.touchdown.s && station.s > inflection_s;
+    if (hogs) {
       keep_larger(overbend, station);
     } else if (station.region == Region::sagbend) {
       keep_larger(results.sagbend, station);
