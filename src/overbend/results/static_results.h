@@ -69,7 +69,7 @@ struct SupportResult {
   double inclination = 0.0;   ///< Of the box axis, positive dipping astern [rad].
   double length = 0.0;        ///< [m]
   double s = 0.0;             ///< Arc length of the pipe at the box middle [m].
-  double reaction = 0.0;      ///< Sum of the normal parts (along the box normal) [N].
+  double reaction = 0.0;      ///< Magnitude of the resultant of all its rollers [N].
   double vertical = 0.0;      ///< World z [N].
   double longitudinal = 0.0;  ///< Along the box axis, astern positive [N].
   double lateral = 0.0;       ///< Across, port positive [N].
@@ -143,8 +143,9 @@ struct StaticResults {
   double roller_stiffness = 0.0;       ///< Largest in use [N/m].
   Touchdown touchdown;
   Vec3 anchor_W = Vec3::Zero();
-  std::optional<RegionResult> overbend;  ///< Absent when no support carries the pipe (J-lay).
-  RegionResult sagbend;
+  /// Extremes from the tensioner to the inflection below the last support in contact; absent when no support carries the pipe (J-lay).
+  std::optional<RegionResult> overbend;
+  RegionResult sagbend;  ///< Extremes from that inflection to touchdown.
 
   std::vector<Station> stations;
   std::vector<SupportResult> supports;
