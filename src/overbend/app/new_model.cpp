@@ -127,17 +127,19 @@ double steepest_departure(double depth) {
 
 /// Chooses the tension where it is not said, and the angle that follows. A sentence when the tension carries no pipe.
 std::string settle_tension(NewModel& model, const std::optional<double>& said) {
-  const double weight_of_water_column = model.submerged_weight * model.depth;
+  const VesselSize vessel = vessel_size(model.vessel);
+  const double in_air = model.weight_in_air * (vessel.depth - vessel.draught + model.tensioner_height);
+  const double hanging = model.submerged_weight * model.depth + in_air;
   double horizontal = sagbend_tension(model);
   if (model.stinger) horizontal = std::max(horizontal, tension_for_angle(model, steepest_departure(model.depth)));
-  const double wanted = round_up(horizontal + weight_of_water_column, horizontal > 1e6 ? 50e3 : 5e3);
+  const double wanted = round_up(horizontal + hanging, horizontal > 1e6 ? 50e3 : horizontal > 20e3 ? 5e3 : 1e3);
   model.tension = said.value_or(wanted);
-  horizontal = model.tension - weight_of_water_column;
+  horizontal = model.tension - hanging;
   if (horizontal < 0.2 * sagbend_tension(model)) {
     return "--tension: " + format_quantity(model.tension, "N", "kN") + " is too low for this pipe and depth; about " +
            format_quantity(wanted, "N", "kN") + " would do";
   }
-  model.departure_angle = std::acos(horizontal / model.tension);
+  model.departure_angle = std::acos(horizontal / (model.stinger ? model.tension - in_air : model.tension));
   return {};
 }
 
@@ -163,6 +165,10 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
 }
 
 }  // namespace
+
+VesselSize vessel_size(const std::string& vessel) {
+  return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
+}
 
 std::optional<double> nominal_diameter(double inches) {
   constexpr std::array<std::pair<int, double>, 5> kSmall = {
@@ -203,7 +209,10 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   model.title = !options.title.empty() ? options.title
                                        : fmt::format("{:.4g} mm pipe in {:.6g} m of water, {}-lay",
                                                      model.diameter * 1e3, model.depth, model.stinger ? "S" : "J");
-  model.submerged_weight = derive_section("", section_of(model), kWaterWeightDensity).weight_submerged;
+  model.tensioner_height = model.stinger ? 1.4 : 15.0;
+  const Section section = derive_section("", section_of(model), kWaterWeightDensity);
+  model.weight_in_air = section.weight_in_air;
+  model.submerged_weight = section.weight_submerged;
   if (model.submerged_weight <= 0.0) {
     return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
   }

@@ -18,6 +18,14 @@ struct NewOptions {
   bool force = false;
 };
 
+/// Main dimensions of a vessel [m].
+struct VesselSize {
+  double length, beam, depth, draught;
+};
+
+/// A typical one for "barge" or "ship".
+VesselSize vessel_size(const std::string& vessel);
+
 /// The numbers of a new model, SI.
 struct NewModel {
   std::string title, vessel = "barge";
@@ -28,7 +36,8 @@ struct NewModel {
   int boxes = 0;
   double circle_start = 0.0;                      ///< Frame S: where ramp and stinger, one circle, leave the level [m].
   double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
-  double submerged_weight = 0.0;                  ///< [N/m]
+  double weight_in_air = 0.0, submerged_weight = 0.0;  ///< [N/m]
+  double tensioner_height = 0.0;                       ///< Pipe axis above the stern shoe [m].
 };
 
 /// The model with everything chosen that was not said, or a sentence that says what is wrong.
