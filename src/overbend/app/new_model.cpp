@@ -143,10 +143,20 @@ std::string settle_tension(NewModel& model, const std::optional<double>& said) {
   return {};
 }
 
+/// Distance between boxes over which a pipe under tension still follows the circle rather than kinking at each box [m].
+double free_span(const NewModel& model) {
+  const double bending_stiffness = derive_section("", section_of(model), kWaterWeightDensity).EI;
+  return std::max(1.5, 0.8 * std::sqrt(bending_stiffness / model.tension));
+}
+
+int boxes_for(double length, double spacing) {
+  return std::clamp(1 + static_cast<int>(std::ceil(length / spacing - 0.05)), 2, 60);
+}
+
 /// Ramp and stinger on one circle: the ramp turns the pipe by up to 12 deg, the stinger on to the departure angle. A
 /// sentence when the boxes asked for have no room.
 std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
-  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0, kUsualSpacing = 5.0;
+  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0;
   const double least = kYoungsModulus * 0.5 * model.diameter / (0.75 * model.yield);
   model.stinger_radius = said_radius.value_or(round_up(least, 10.0));
   const double at_shoe =
@@ -155,7 +165,8 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
   model.stinger_tip = model.circle_start + model.stinger_radius * std::sin(model.departure_angle);
   model.stinger_start = std::min(4.0, 0.2 * model.stinger_tip);
   const double room = model.stinger_tip - model.stinger_start;
-  const int chosen = std::clamp(1 + static_cast<int>(std::lround(room / kUsualSpacing)), 2, 40);
+  const int chosen = boxes_for(room, std::min(5.0, free_span(model)));
+  model.ramp_boxes = boxes_for(-model.circle_start, std::min(10.0, free_span(model)));
   model.boxes = said_boxes > 0 ? said_boxes : chosen;
   if (model.circle_start > -2.0 || room < kLeastSpacing * (model.boxes - 1)) {
     return fmt::format("a stinger of {:.4g} m radius and {:.3g} m length has no room for {} boxes; {}",

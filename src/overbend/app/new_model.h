@@ -32,8 +32,8 @@ struct NewModel {
   bool stinger = true;  ///< S-lay.
   double diameter = 0.0, wall = 0.0, yield = 0.0, coating = 0.0, concrete = 0.0;
   double depth = 0.0, tension = 0.0, stinger_radius = 0.0;
-  double departure_angle = 0.0;  ///< Of a catenary of that tension [rad].
-  int boxes = 0;
+  double departure_angle = 0.0;                   ///< Of a catenary of that tension [rad].
+  int ramp_boxes = 0, boxes = 0;                  ///< On the ramp, on the stinger.
   double circle_start = 0.0;                      ///< Frame S: where ramp and stinger, one circle, leave the level [m].
   double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
   double weight_in_air = 0.0, submerged_weight = 0.0;  ///< [N/m]

@@ -110,7 +110,6 @@ std::string boxes_text(const NewModel& model, const char* name, double first, do
 }
 
 std::string supports_text(const NewModel& model) {
-  constexpr int kRampBoxes = 4;
   std::string text =
       fmt::format(R"(
 tensioner:
@@ -128,7 +127,7 @@ supports:                              # x, z: where the underside of the coated
 )",
                   model.circle_start - 10.0, model.tensioner_height, model.tension / 1e3,
                   model.departure_angle * kDegrees, fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
-  text += boxes_text(model, "ramp", model.circle_start, -0.5, kRampBoxes);
+  text += boxes_text(model, "ramp", model.circle_start, -0.5, model.ramp_boxes);
   return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);
 }
 
