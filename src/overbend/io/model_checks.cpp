@@ -51,7 +51,8 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
     check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
   }
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
-  if (coatings == nullptr || coatings->children.empty()) {
+  const bool bare = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
+  if (bare) {
     check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
   }
 }
@@ -76,10 +77,10 @@ void check_tension(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   const FieldValue* pipe = check.root().find("pipe");
   if (tensioner == nullptr || pipe == nullptr) return;
-  const bool tension = tensioner->find("tension") != nullptr;
+  const bool tension = tensioner->mentions("tension");
   const FieldValue* length = pipe->find("length");
   const FieldValue* anchor = pipe->find("anchor");
-  if (!tension && (length == nullptr || anchor == nullptr)) {
+  if (!tension && !(pipe->mentions("length") && pipe->mentions("anchor"))) {
     check.missing(*tensioner, "tension", "a force with its unit",
                   "or give pipe.length together with pipe.anchor, and the tension follows");
   }
@@ -94,7 +95,7 @@ void check_tensioner_range(Checker& check) {
   if (tensioner == nullptr) return;
   const FieldValue* mode = tensioner->find("mode");
   const FieldValue* range = tensioner->find("range");
-  if (range == nullptr && mode != nullptr && mode->text == "controlled") {
+  if (!tensioner->mentions("range") && mode != nullptr && mode->text == "controlled") {
     check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
                   "a controlled tensioner works to keep its range");
   }
@@ -139,7 +140,7 @@ void check_waves(Checker& check) {
                                           : user  ? std::vector<std::string>{"spectrum_file"}
                                                   : std::vector<std::string>{"hs", "tp"};
   for (const std::string& key : needed) {
-    if (waves->find(key) == nullptr) check.missing(*waves, key, "it for waves of type " + type->text);
+    if (!waves->mentions(key)) check.missing(*waves, key, "it for waves of type " + type->text);
   }
   for (const std::string key : {"hs", "tp", "height", "period", "spectrum_file"}) {
     const FieldValue* extra = waves->find(key);
