@@ -51,8 +51,8 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
     check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
   }
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
-  const bool bare = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
-  if (bare) {
+  const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
+  if (uncoated) {
     check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
   }
 }
