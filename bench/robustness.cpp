@@ -1,10 +1,11 @@
-/// Solves many random but sensible lays from nothing and reports the share solved, the reasons of the rest, and the times.
+/// Solves many random but sensible lays from nothing and reports the share solved, the reasons of the rest, and the
+/// times.
 ///
 ///     overbend_robustness [COUNT] [SEED] [FILE.csv]
 ///
-/// Pipes of 6 to 48 inch, depths of 10 to 2,500 m, S-lay and J-lay, 3 to 30 boxes of 1 to 4 rows, tension 1.05 to 4 times the least
-/// that the hanging pipe needs. A lay is sensible when its stinger bends the pipe within 0.15 to 0.3 % strain and ends near the angle at
-/// which a pipe of that tension would leave it.
+/// Pipes of 6 to 48 inch, depths of 10 to 2,500 m, S-lay and J-lay, 3 to 30 boxes of 1 to 4 rows, tension 1.05 to 4
+/// times the least that the hanging pipe needs. A lay is sensible when its stinger bends the pipe within 0.15 to 0.3 %
+/// strain and ends near the angle at which a pipe of that tension would leave it.
 #include <fmt/core.h>
 #include <fmt/os.h>
 
@@ -27,9 +28,13 @@ namespace {
 class Dice {
  public:
   explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1.0p-53; }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(generator_() >> 11) * 0x1.0p-53;
+  }
   double log_between(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
-  int integer(int low, int high) { return low + static_cast<int>(generator_() % static_cast<std::uint64_t>(high - low + 1)); }
+  int integer(int low, int high) {
+    return low + static_cast<int>(generator_() % static_cast<std::uint64_t>(high - low + 1));
+  }
   bool chance(double p) { return between(0.0, 1.0) < p; }
 
  private:
@@ -74,7 +79,8 @@ void random_supports(Dice& dice, Description& d, double departure) {
   RollerKindDescription kind;
   kind.name = "roller";
   kind.bottom = {dice.between(0.1, 0.25), dice.between(0.5, 1.5)};
-  const bool current = !d.environment.current.empty();  // no one lays across a current without upright side rollers
+  // No one lays across a current or a slope without upright side rollers.
+  const bool current = !d.environment.current.empty() || d.environment.seabed.slope > 0.0;
   if (current || dice.chance(0.5)) {
     const double angle = dice.between(current ? 75.0 : 45.0, 90.0) * kDegree;
     kind.sides = SideRollerDescription{kind.bottom.radius, dice.between(0.6, 1.2), angle, dice.between(0.02, 0.1)};
@@ -114,14 +120,15 @@ Description random_lay(std::uint64_t seed) {
   d.vessel.stern_shoe_z = dice.between(2.0, 10.0);
   if (dice.chance(0.25)) {
     d.environment.seabed.slope = dice.between(0.0, 3.0) * kDegree;
-    d.environment.seabed.friction_axial = 0.5;
+    d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.5;
     d.environment.seabed.slope_towards = dice.between(0.0, 2.0 * std::numbers::pi);
   }
   if (dice.chance(0.4)) {
     d.environment.seabed.friction_lateral = 0.5;
     const double towards = dice.between(0.0, 2.0 * std::numbers::pi);
     const double speed = dice.between(0.1, 0.8);
-    d.environment.current = {{0.0, speed, towards}, {d.environment.water_depth, 0.2 * speed, towards + dice.between(-0.5, 0.5)}};
+    d.environment.current = {{0.0, speed, towards},
+                             {d.environment.water_depth, 0.2 * speed, towards + dice.between(-0.5, 0.5)}};
   }
   const bool j_lay = d.environment.water_depth > 150.0 && dice.chance(0.4);
   const Section pipe = derive_section("pipe", d.pipe.section, d.environment.water_weight_density);
@@ -135,7 +142,8 @@ Description random_lay(std::uint64_t seed) {
     return d;
   }
   d.tensioner.z = 0.5 * pipe.outer_diameter;
-  // The pipe of a heavy stinger leaves where the hanging line has the support's slope; bending lets a stiff pipe leave flatter.
+  // The pipe of a heavy stinger leaves where the hanging line has the support's slope; bending lets a stiff pipe leave
+  // flatter.
   const double bottom = std::max((factor - 1.0) * least, std::cbrt(pipe.EI * std::pow(pipe.weight_submerged, 2)));
   const double rise = 1.0 + pipe.weight_submerged * d.environment.water_depth / bottom;
   random_supports(dice, d, std::acos(1.0 / rise));
@@ -153,23 +161,26 @@ void run_one(std::uint64_t seed, Tally& tally, fmt::ostream& csv) {
   const Model model = build_model(d);
   const StaticOutcome outcome = solve_statics(model);
   const double diameter = d.pipe.section.steel.outside_diameter / kInch;
-  csv.print("{},{:.4g},{:.1f},{:.1f},{},{},", seed, diameter, d.environment.water_depth, 1e-3 * *d.tensioner.tension, d.supports.boxes.size(),
-            model.supports.rows.size());
+  csv.print("{},{:.4g},{:.1f},{:.1f},{},{},", seed, diameter, d.environment.water_depth, 1e-3 * *d.tensioner.tension,
+            d.supports.boxes.size(), model.supports.rows.size());
   if (!outcome.solution) {
     ++tally.reasons[outcome.failure->what];
     csv.print("{},,,,\n", outcome.failure->what);
-    fmt::print("lay {}: {:.4g} inch, {:.0f} m, {} boxes: {} ({})\n", seed, diameter, d.environment.water_depth, d.supports.boxes.size(),
-               outcome.failure->what, outcome.failure->why);
+    fmt::print("lay {}: {:.4g} inch, {:.0f} m, {} boxes: {} ({})\n", seed, diameter, d.environment.water_depth,
+               d.supports.boxes.size(), outcome.failure->what, outcome.failure->why);
     return;
   }
   const StaticResults results = recover_statics(model, *outcome.solution);
-  const bool sound = results.force_residual < 1e-9 && results.global_residual < 1e-8 && std::isfinite(results.sagbend.von_mises.value);
+  const bool sound =
+      results.force_residual < 1e-9 && results.global_residual < 1e-8 && std::isfinite(results.sagbend.von_mises.value);
   tally.solved += sound ? 1 : 0;
   tally.wrong += sound ? 0 : 1;
   tally.times.push_back(results.solve.wall_time);
-  csv.print("solved,{},{:.2f},{:.1e},{:.1e}\n", results.solve.method, 1e3 * results.solve.wall_time, results.force_residual, results.global_residual);
+  csv.print("solved,{},{:.2f},{:.1e},{:.1e}\n", results.solve.method, 1e3 * results.solve.wall_time,
+            results.force_residual, results.global_residual);
   if (!sound) {
-    fmt::print("lay {}: unsound, residual {:.1e}, global {:.1e}\n", seed, results.force_residual, results.global_residual);
+    fmt::print("lay {}: unsound, residual {:.1e}, global {:.1e}\n", seed, results.force_residual,
+               results.global_residual);
   }
 }
 
@@ -186,13 +197,17 @@ int main(int count, char** words) {
     overbend::run_one(seed + static_cast<std::uint64_t>(i), tally, csv);
   }
   std::sort(tally.times.begin(), tally.times.end());
-  fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays, tally.wrong);
+  fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays,
+             tally.wrong);
   for (const auto& [reason, times] : tally.reasons) {
     fmt::print("  {} x {}\n", times, reason);
   }
   if (!tally.times.empty()) {
-    const auto quantile = [&](double q) { return 1e3 * tally.times[static_cast<std::size_t>(q * static_cast<double>(tally.times.size() - 1))]; };
-    fmt::print("solver time: median {:.1f} ms, 90 % {:.1f} ms, longest {:.1f} ms\n", quantile(0.5), quantile(0.9), quantile(1.0));
+    const auto quantile = [&](double q) {
+      return 1e3 * tally.times[static_cast<std::size_t>(q * static_cast<double>(tally.times.size() - 1))];
+    };
+    fmt::print("solver time: median {:.1f} ms, 90 % {:.1f} ms, longest {:.1f} ms\n", quantile(0.5), quantile(0.9),
+               quantile(1.0));
   }
   return 0;
 }
