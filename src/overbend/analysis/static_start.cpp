@@ -29,6 +29,11 @@ StaticFailure no_curve(const std::string& problem) {
   return {"the pipe does not reach the sea bed", "sagbend", problem};
 }
 
+std::size_t touchdown_index(const LayShape& shape) {
+  return static_cast<std::size_t>(std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) -
+                                  shape.length.begin());
+}
+
 /// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it
 /// exactly).
 double tension_for_anchor(const Model& model, const LayPlane& plane, double least, double distance) {
@@ -38,10 +43,7 @@ double tension_for_anchor(const Model& model, const LayPlane& plane, double leas
     const double middle = std::sqrt(low * high);
     const LayShape shape = lay_shape(model, plane, middle);
     const double slack = length - shape.touchdown;  // the rest lies on the bed
-    const double reach =
-        shape.distance[static_cast<std::size_t>(
-            std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) - shape.length.begin())] +
-        slack;
+    const double reach = shape.distance[touchdown_index(shape)] + slack;
     (reach < distance ? low : high) = middle;
   }
   return std::sqrt(low * high);
@@ -79,6 +81,12 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   start.shape = lay_shape(model, plane, tension);
   if (!start.shape.problem.empty()) {
     start.failure = no_curve(start.shape.problem);
+    return start;
+  }
+  // On a slope the depth where the pipe lands decides.
+  const double landing_z = start.shape.z[touchdown_index(start.shape)];
+  if (const double needed = hanging_weight(model, plane, landing_z); !anchored && tension <= needed) {
+    start.failure = too_little_tension(tension, needed);
     return start;
   }
   start.tail = start.shape.total - start.shape.touchdown;

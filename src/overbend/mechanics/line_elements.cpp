@@ -35,13 +35,17 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
 
 LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W) {
   LineEnvironment env;
+  const Vec3 astern = Vec3::UnitZ().cross(route_normal_W);
+  const Vec3 along = (astern - astern.dot(model.seabed.normal_W) * model.seabed.normal_W).normalized();
   for (int i = 0; i < 3; ++i) {
     env.bed_normal[i] = model.seabed.normal_W(i);
     env.route_normal[i] = route_normal_W(i);
+    env.bed_along[i] = along(i);
   }
   env.bed_offset = model.seabed.normal_W.dot(model.seabed.point_W);
   env.bed_stiffness = model.seabed.stiffness;
   env.bed_friction_lateral = model.seabed.friction_lateral;
+  env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
   env.route_offset = route_normal_W.dot(route_point_W);
   env.current_rows = static_cast<int>(model.current.z.size());

@@ -323,7 +323,8 @@ inline bool any(const Lanes& x) {
 
 /// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
 /// normal force (statics: the pipe was laid on its route and has been pushed off it once).
-inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
+                       const Lanes& submerged_weight) {
   const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
   const Lanes penetration = radius - (dot(n, r) - env.bed_offset);
   if (!any(penetration)) {
@@ -334,6 +335,15 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
   const Lanes normal = stiffness * penetration;
   load.f = load.f + normal * n;
   add_outer(load.in_r, -stiffness, n, n);
+  if (env.bed_friction_axial > 0.0 && env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
+    const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
+    const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
+    const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
+    const Lanes limit = env.bed_friction_axial * normal;
+    const Lanes sliding = pull > limit ? all(1.0) : Lanes{};
+    load.f = load.f + (uphill * (sliding * limit + (touching - sliding * touching) * pull)) * along;
+    add_outer(load.in_r, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
+  }
   if (env.bed_friction_lateral > 0.0) {
     const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
     const Lanes off = dot(across, r) - env.route_offset;
@@ -402,7 +412,7 @@ inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants&
     PointLoad load{};
     load.f.z = c.buoyancy * wet.share - c.weight;
     load.in_r.m[2][2] = c.buoyancy * wet.slope;
-    add_seabed(load, env, r, c.radius);
+    add_seabed(load, env, r, c.radius, c.weight - c.buoyancy);
     if (env.current_rows > 0) {
       add_drag(load, env, r.z, a, wet, c.drag_normal, c.drag_axial);
     }

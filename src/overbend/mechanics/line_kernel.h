@@ -17,8 +17,10 @@ struct LineEnvironment {
   double bed_offset = -1e30;   ///< normal . point of the bed [m].
   double bed_stiffness = 0.0;  ///< [N/m2]
   double bed_friction_lateral = 0.0;
+  double bed_friction_axial = 0.0;
   double bed_stick = 0.0;                    ///< Elastic stick per length [N/m2].
   double route_normal[3] = {0.0, 1.0, 0.0};  ///< Horizontal, across the lay route, to port.
+  double bed_along[3] = {1.0, 0.0, 0.0};     ///< Along the laid line on the bed, away from the barge.
   double route_offset = 0.0;                 ///< route_normal . point of the route [m].
   double current_scale = 1.0;                ///< Of the current's speed, for continuation.
   int current_rows = 0;                      ///< 0: no current.
