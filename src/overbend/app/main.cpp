@@ -1,1 +1,5 @@
-int main() { return 0; }
+#include "app/command_line.h"
+
+int main(int count, char** words) {
+  return overbend::run_command_line(count, words);
+}

@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "analysis/recovery_parts.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Axes {
+  Vec3 along, port;  ///< Of a box in W: along its axis astern, across to port.
+};
+
+/// Where the centreline passes the plane through a row, perpendicular to the box axis.
+struct Crossing {
+  int element = 0;
+  double xi = 0.0;
+  Vec3 p_W = Vec3::Zero();
+};
+
+/// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
+std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& state, const Vec3& point_W, const Vec3& normal_W) {
+  const LineMesh& mesh = system.mesh();
+  std::optional<Crossing> nearest;
+  const auto height = [&](int node) { return normal_W.dot(Eigen::Map<const Vec3>(state.q.data() + 6 * node) - point_W); };
+  double before = height(0);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double after = height(e + 1);
+    if (before > 0.0 && after <= 0.0) {  // the line runs towards the barge, the box axis astern
+      const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+      const double h = mesh.length[static_cast<std::size_t>(e)];
+      double low = 0.0, high = 1.0;
+      for (int i = 0; i < 55; ++i) {
+        const double middle = 0.5 * (low + high);
+        (normal_W.dot(centreline(q, middle, h).r - point_W) > 0.0 ? low : high) = middle;
+      }
+      const Crossing crossing{e, high, centreline(q, high, h).r};
+      if (!nearest || (crossing.p_W - point_W).norm() < (nearest->p_W - point_W).norm()) {
+        nearest = crossing;
+      }
+    }
+    before = after;
+  }
+  return nearest;
+}
+
+RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, const RollerState& state, const Axes& axes) {
+  RollerResult result;
+  result.position = roller.position;
+  result.reaction = state.force;
+  const Vec3 force = state.force * state.direction;
+  result.vertical = force.z();
+  result.longitudinal = force.dot(axes.along);
+  result.lateral = force.dot(axes.port);
+  result.off_end = state.at.beyond_face ? state.at.off_end : 0.0;
+  result.p_W = placed.center + placed.radius * placed.normal;
+  result.normal_W = placed.normal;
+  result.axis_W = placed.axis;
+  result.radius = roller.radius;
+  result.face = roller.face;
+  return result;
+}
+
+struct RowTotals {
+  Vec3 force = Vec3::Zero();
+  bool contact = false;
+  double last_s = kInfinity;  ///< Of the contact nearest to the sea bed.
+};
+
+RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state, const Axes& axes) {
+  const Model& model = system.model();
+  RowTotals totals;
+  result.p_W = point_from_ramp(model, model.mean_pose, row.point_S);
+  const std::optional<Crossing> crossing = cross_plane(system, state, result.p_W, axes.along);
+  const LineMesh& mesh = system.mesh();
+  result.s = -1.0;
+  double pipe_radius = model.sections.front().outer_radius();
+  if (crossing) {
+    const std::size_t e = static_cast<std::size_t>(crossing->element);
+    result.s = mesh.s[e] + crossing->xi * mesh.length[e];
+    pipe_radius = system.elements().radius[e];
+  }
+  for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const RollerState& contact = system.roller_states()[k];
+    RollerResult roller = recover_roller(model.supports.rollers[k], system.rollers()[k], contact, axes);
+    // D_i = (P - R_i) . n_i - r_pipe; a pipe that ends before the row is reported at the clearance of its closest point.
+    const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));
+    roller.separation = (p_W - roller.p_W).dot(roller.normal_W) - pipe_radius;
+    if (contact.force > 0.0) {
+      const std::size_t e = static_cast<std::size_t>(contact.at.element);
+      totals.force += contact.force * contact.direction;
+      totals.contact = true;
+      totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.at.xi * mesh.length[e]);
+    }
+    result.rollers.push_back(roller);
+  }
+  result.reaction = totals.force.norm();
+  return totals;
+}
+
+/// Largest pipe loads over the box's length.
+void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
+  for (const Station& at : stations) {
+    if (std::abs(at.s - box.s) <= 0.5 * box.length + 0.3) {
+      box.effective_tension = std::max(box.effective_tension, at.effective_tension);
+      box.bending_moment = std::max(box.bending_moment, at.bending_moment);
+      box.bending_stress = std::max(box.bending_stress, at.bending_stress);
+      box.von_mises = std::max(box.von_mises, at.von_mises);
+      box.strain = std::max(box.strain, at.strain);
+    }
+  }
+}
+
+void smallest_separations(SupportResult& box) {
+  double bottom = kInfinity, side = kInfinity;
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      double& least = roller.position == RollerPosition::bottom ? bottom : side;
+      least = std::min(least, roller.separation);
+    }
+  }
+  box.has_sides = side < kInfinity;
+  box.separation = bottom;
+  box.separation_lateral = box.has_sides ? side : 0.0;
+}
+
+void note_runoff(StaticResults& results, const SupportResult& box) {
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      if (roller.off_end > 0.0 && roller.reaction > 0.0) {
+        const char* names[] = {"bottom", "port", "starboard"};
+        results.warnings.push_back("the pipe runs off the end of a roller: " + box.name + ", " +
+                                   names[static_cast<int>(roller.position)] + " roller, by " +
+                                   std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm");
+      }
+    }
+  }
+}
+
+void note_extremes(StaticResults& results, const LineSystem& system) {
+  results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
+  for (const SupportResult& box : results.supports) {
+    results.smallest_separation = std::min(results.smallest_separation, box.separation);
+    for (const RowResult& row : box.rows) {
+      for (const RollerResult& roller : row.rollers) {
+        if (roller.reaction > results.largest_reaction) {
+          results.largest_reaction = roller.reaction;
+          results.largest_reaction_support = box.name;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < system.rollers().size(); ++i) {
+    results.roller_stiffness = std::max(results.roller_stiffness, system.rollers()[i].stiffness);
+    results.largest_penetration = std::max(results.largest_penetration, system.roller_states()[i].penetration);
+  }
+}
+
+}  // namespace
+
+Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state,
+                           const std::vector<CutForces>&) {
+  const Model& model = system.model();
+  Departure departure;
+  departure.s = kInfinity;
+  for (const SupportBox& box : model.supports.boxes) {
+    const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S), direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
+    SupportResult result;
+    result.name = box.name;
+    result.stinger = box.structure == Structure::stinger;
+    result.p_W = point_from_ramp(model, model.mean_pose, box.point_S);
+    result.astern = box.point_S.x();
+    result.inclination = box.inclination;
+    result.length = box.length;
+    Vec3 force = Vec3::Zero();
+    for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
+      RowResult row;
+      const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
+      force += totals.force;
+      if (totals.contact && totals.last_s < departure.s) {
+        departure = {true, totals.last_s, box.name};
+      }
+      result.rows.push_back(row);
+    }
+    result.s = result.rows[result.rows.size() / 2].s;
+    result.reaction = force.norm();
+    result.vertical = force.z();
+    result.longitudinal = force.dot(axes.along);
+    result.lateral = force.dot(axes.port);
+    smallest_separations(result);
+    pipe_over_box(result, results.stations);
+    note_runoff(results, result);
+    if (result.stinger) {
+      const auto& last = result.rows.back().rollers;
+      results.stinger_tip_clearance = last.front().separation;
+    }
+    results.supports.push_back(std::move(result));
+  }
+  note_extremes(results, system);
+  return departure;
+}
+
+}  // namespace overbend

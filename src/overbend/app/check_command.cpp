@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "model/model.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+void line(const std::string& name, const std::string& value) {
+  std::cout << fmt::format("  {:<24}{}\n", name, value);
+}
+
+void print_section(const Section& section) {
+  std::cout << "\nSection: " << section.name << "\n";
+  line("steel", fmt::format("{:.6g} mm outside, {:.6g} mm wall, yield {:.6g} MPa", section.steel_diameter * 1e3,
+                            section.wall_thickness * 1e3, section.yield_stress / 1e6));
+  line("steel area", fmt::format("{:.6g} mm2", section.steel_area * 1e6));
+  line("outer diameter", fmt::format("{:.6g} m over the coatings (hydrodynamic diameter)", section.outer_diameter));
+  line("EA", fmt::format("{:.2f} kN", section.EA / 1e3));
+  line("EI", fmt::format("{:.2f} kN m2", section.EI / 1e3));
+  line("weight in air", fmt::format("{:.7f} kN/m", section.weight_in_air / 1e3));
+  line("submerged weight", fmt::format("{:.7f} kN/m", section.weight_submerged / 1e3));
+}
+
+std::string point(const Vec3& p) {
+  const auto shown = [](double value) { return std::abs(value) < 5e-4 ? 0.0 : value; };  // no "-0.000"
+  return fmt::format("{:>10.3f}{:>10.3f}{:>10.3f}", shown(p.x()), shown(p.y()), shown(p.z()));
+}
+
+void print_places(const Model& model) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  std::cout << "\nPlaces in the world frame: x east, y north, z up [m]; origin midship at the mean water level\n";
+  std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", "", "x", "y", "z");
+  const auto place = [&](const std::string& name, const Vec3& p_S) {
+    std::cout << fmt::format("  {:<24}{}\n", name, point(point_from_ramp(model, model.mean_pose, p_S)));
+  };
+  place("stern shoe", Vec3::Zero());
+  place("tensioner (pipe axis)", {tensioner.x, 0.0, tensioner.z});
+}
+
+const char* position_word(RollerPosition position) {
+  switch (position) {
+    case RollerPosition::bottom:
+      return "bottom";
+    case RollerPosition::port:
+      return "port";
+    case RollerPosition::starboard:
+      break;
+  }
+  return "starboard";
+}
+
+/// The rollers of a row by their place: "bottom", "bottom, port, starboard".
+std::string rollers_of(const Supports& supports, const SupportRow& row) {
+  std::string words;
+  for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
+    words += (words.empty() ? "" : ", ") + std::string(position_word(supports.rollers[i].position));
+  }
+  return words;
+}
+
+void print_supports(const Model& model) {
+  const Supports& supports = model.supports;
+  if (supports.boxes.empty()) {
+    std::cout << "\nSupports: none, the pipe hangs from the tensioner (J-lay)\n";
+    return;
+  }
+  std::cout << fmt::format(
+      "\nSupports: {} boxes, {} rows, {} rollers; points where the underside of the pipe rests [m]\n",
+      supports.boxes.size(), supports.rows.size(), supports.rollers.size());
+  std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}{:>14}{:>12}  rollers\n", "box / row", "x", "y", "z",
+                           "incline [deg]", "length [m]");
+  for (const SupportBox& box : supports.boxes) {
+    std::cout << fmt::format("  {:<24}{}{:>14.3f}{:>12.3f}\n", box.name,
+                             point(point_from_ramp(model, model.mean_pose, box.point_S)), box.inclination * kDegrees,
+                             box.length);
+    for (int r = 0; r < box.row_count; ++r) {
+      const SupportRow& row = supports.rows[box.first_row + r];
+      std::cout << fmt::format("  {:<24}{}{:>26}  {}\n", fmt::format("  row {}", r + 1),
+                               point(point_from_ramp(model, model.mean_pose, row.point_S)), "",
+                               rollers_of(supports, row));
+    }
+  }
+}
+
+void print_list(const std::string& head, const std::vector<std::string>& lines) {
+  if (lines.empty()) return;
+  std::cout << "\n" << head << "\n";
+  for (const std::string& text : lines) std::cout << "  - " << text << "\n";
+}
+
+}  // namespace
+
+int run_check(const std::string& model_file) {
+  const std::optional<Description> description = load_model(model_file);
+  if (!description) return kWrongInput;
+  const Model model = build_model(*description);
+  std::cout << description->title << "\n" << model_file << " is a valid model.\n";
+  for (const Section& section : model.sections) print_section(section);
+  print_places(model);
+  print_supports(model);
+  print_list("Assumptions", assumptions(model));
+  print_list("Warnings", description->warnings);
+  return kDone;
+}
+
+}  // namespace overbend

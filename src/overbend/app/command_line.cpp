@@ -1,0 +1,77 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "base/version.h"
+
+namespace overbend {
+namespace {
+
+void add_check(CLI::App& program, int& code) {
+  CLI::App* command =
+      program.add_subcommand("check", "Read and validate a model; print what was understood. Writes nothing.");
+  auto model = std::make_shared<std::string>();
+  command->add_option("MODEL", *model, "Model file (YAML)")->required();
+  command->callback([model, &code] { code = run_check(*model); });
+}
+
+void add_schema(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema of the model file.");
+  auto reference = std::make_shared<bool>(false);
+  command->add_flag("--reference", *reference, "Print the reference page (Markdown) instead");
+  command->callback([reference, &code] { code = run_schema(*reference); });
+}
+
+void add_new(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand("new", "Write a ready-to-run model from a few flags (or questions).");
+  auto options = std::make_shared<NewOptions>();
+  command->add_option("--pipe", options->pipe, "Nominal size in inches (4 to 48) or outside diameter: 16, '406.4 mm'");
+  command->add_option("--depth", options->depth, "Water depth: '89 m'");
+  command->add_option("--wall", options->wall, "Wall thickness; left out: from the water pressure");
+  command->add_option("--yield", options->yield, "Yield stress")->capture_default_str();
+  command->add_option("--coating", options->coating, "Thickness of the corrosion coating")->capture_default_str();
+  command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; left out: to lie still");
+  command->add_option("--lay", options->lay, "s: over a stinger; j: straight from a tower")
+      ->check(CLI::IsMember({"s", "j"}))
+      ->capture_default_str();
+  command->add_option("--vessel", options->vessel, "barge or ship; left out: by the depth")
+      ->check(CLI::IsMember({"barge", "ship"}));
+  command->add_option("--stinger-radius", options->stinger_radius, "Left out: from the yield stress");
+  command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; left out: one every 5 m")
+      ->check(CLI::Range(1, 100));
+  command->add_option("--tension", options->tension, "Left out: from depth and weight");
+  command->add_option("--title", options->title, "Heads the report");
+  command->add_option("-o,--output", options->output, "File to write; left out: standard output");
+  command->add_flag("--force", options->force, "Overwrite an existing file");
+  command->callback([options, &code] { code = run_new(*options); });
+}
+
+}  // namespace
+
+int run_command_line(int count, const char* const* words) {
+  CLI::App program("Overbend: analysis of offshore pipeline installation.", "overbend");
+  int code = kDone;
+  program.set_version_flag("--version", std::string("overbend ") + kVersion);
+  program.require_subcommand(1);
+  program.failure_message(CLI::FailureMessage::simple);
+  add_check(program, code);
+  add_new(program, code);
+  add_schema(program, code);
+  try {
+    program.parse(count, words);
+    if (!std::cout.flush()) throw std::runtime_error("the output can not be written");
+    return code;
+  } catch (const CLI::ParseError& fault) {
+    return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;
+  } catch (const std::exception& fault) {
+    std::cerr << "overbend: internal fault: " << fault.what() << "\n";
+  }
+  return kInternalFault;
+}
+
+}  // namespace overbend

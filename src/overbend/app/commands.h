@@ -1,0 +1,19 @@
+/// The commands of the program. Each prints results to stdout and complaints to stderr and returns the exit code.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/new_model.h"
+#include "model/description.h"
+
+namespace overbend {
+
+/// Reads a model; on failure every fault is told on stderr and nothing is returned.
+std::optional<Description> load_model(const std::string& path);
+
+int run_check(const std::string& model_file);
+int run_schema(bool reference);
+int run_new(const NewOptions& options);
+
+}  // namespace overbend

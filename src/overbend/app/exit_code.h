@@ -1,0 +1,15 @@
+/// How the program ends.
+#pragma once
+
+namespace overbend {
+
+enum ExitCode : int {
+  kDone = 0,
+  kInternalFault = 1,
+  kWrongInput = 2,     ///< The model file or the command line.
+  kNoSolution = 3,     ///< Told: what, where, why.
+  kCheckExceeded = 4,  ///< With --strict: a utilisation above 1.
+  kInterrupted = 130,
+};
+
+}  // namespace overbend

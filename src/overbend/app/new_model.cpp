@@ -1,0 +1,215 @@
+#include "app/new_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/units.h"
+#include "model/section.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kDeg = std::numbers::pi / 180.0;
+constexpr double kYoungsModulus = 207e9;         // [Pa]
+constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
+
+/// Said by the user, or nothing; a sentence when it can not be understood.
+struct Said {
+  std::optional<double> value;
+  std::string fault;
+};
+
+Said read_flag(const std::string& flag, const std::string& text, const std::string& si_unit, double low, double high) {
+  if (text.empty()) return {};
+  const QuantityReading reading = parse_quantity(text, si_unit);
+  if (!reading.value) {
+    return {{},
+            flag + ": found " + reading.found + ", expected " + dimension_words(si_unit) + " with its unit; " +
+                reading.hint};
+  }
+  if (*reading.value >= low && *reading.value <= high) return {reading.value, {}};
+  const std::string unit = usual_units(si_unit).front();
+  return {{},
+          flag + ": found " + reading.found + ", expected from " + format_quantity(low, si_unit, unit) + " to " +
+              format_quantity(high, si_unit, unit)};
+}
+
+/// "16" and "16 in" are nominal sizes; any other length is the outside diameter itself.
+Said read_pipe_size(const std::string& text) {
+  const std::size_t unit_at = text.find_last_not_of(" in\"");
+  const bool inches = unit_at != std::string::npos && text.find_first_not_of("0123456789.", 0) > unit_at;
+  if (inches) {
+    const auto number = parse_number(text.substr(0, unit_at + 1));
+    const auto diameter = number ? nominal_diameter(*number) : std::nullopt;
+    if (diameter) return {diameter, {}};
+    if (number)
+      return {{}, "--pipe: found '" + text + "', expected a nominal size from 4 to 48 inches, or an outside diameter"};
+  }
+  return read_flag("--pipe", text, "m", 0.08, 1.6);
+}
+
+SectionDescription section_of(const NewModel& model) {
+  SectionDescription section;
+  section.steel.outside_diameter = model.diameter;
+  section.steel.wall_thickness = model.wall;
+  section.steel.youngs_modulus = kYoungsModulus;
+  section.steel.yield_stress = model.yield;
+  if (model.coating > 0.0) section.coatings.push_back({"corrosion coating", model.coating, 9.32e3});
+  if (model.concrete > 0.0) {
+    section.coatings.push_back({"concrete", model.concrete, 22e3});
+    section.joint = JointDescription{12.2, 0.7, 10.065e3};
+  }
+  return section;
+}
+
+/// External pressure at collapse, API RP 1111: elastic and plastic collapse combined [Pa].
+double collapse_pressure(double diameter, double wall, double yield) {
+  const double slenderness = wall / diameter;
+  const double elastic = 2.0 * kYoungsModulus * std::pow(slenderness, 3) / (1.0 - 0.3 * 0.3);
+  const double plastic = 2.0 * yield * slenderness;
+  return elastic * plastic / std::hypot(elastic, plastic);
+}
+
+/// Thinnest listed wall (API 5L) with D/t at most 40 that carries the water pressure with the usual factor 0.7.
+double choose_wall(double diameter, double yield, double depth) {
+  constexpr std::array kWalls = {4.8,  5.6,  6.4,  7.1,  7.9,  8.7,  9.5,  10.3, 11.1, 11.9, 12.7, 14.3,
+                                 15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
+                                 34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
+  for (const double millimetres : kWalls) {
+    const double wall = millimetres * 1e-3;
+    const bool stout = wall >= diameter / 40.0;
+    if (stout && 0.7 * collapse_pressure(diameter, wall, yield) >= kWaterWeightDensity * depth) return wall;
+  }
+  return kWalls.back() * 1e-3;
+}
+
+/// Weight in air over buoyancy.
+double specific_gravity(const NewModel& model) {
+  const Section section = derive_section("", section_of(model), kWaterWeightDensity);
+  return section.weight_in_air / (section.weight_in_air - section.weight_submerged);
+}
+
+/// Least concrete, in steps of 10 mm from 40 mm, that makes the empty pipe 1.15 times as heavy as the water it
+/// displaces.
+double choose_concrete(NewModel model) {
+  constexpr double kWanted = 1.15;
+  model.concrete = 0.0;
+  if (specific_gravity(model) >= kWanted) return 0.0;
+  for (model.concrete = 0.04; model.concrete < 0.2; model.concrete += 0.01) {
+    if (specific_gravity(model) >= kWanted) break;
+  }
+  return model.concrete;
+}
+
+double round_up(double value, double step) {
+  return step * std::ceil(value / step - 1e-9);
+}
+
+/// Horizontal tension of a catenary that keeps the sag bend at 60 % of yield [N].
+double sagbend_tension(const NewModel& model) {
+  return model.submerged_weight * kYoungsModulus * 0.5 * model.diameter / (0.6 * model.yield);
+}
+
+/// Horizontal tension with which a catenary leaves the surface at an angle [N].
+double tension_for_angle(const NewModel& model, double angle) {
+  return model.submerged_weight * model.depth * std::cos(angle) / (1.0 - std::cos(angle));
+}
+
+/// Steepest departure a stinger is built for: 30 deg in shallow water, 60 deg from 1100 m.
+double steepest_departure(double depth) {
+  return (30.0 + 30.0 * std::clamp((depth - 100.0) / 1000.0, 0.0, 1.0)) * kDeg;
+}
+
+/// Chooses the tension where it is not said, and the angle that follows. A sentence when the tension carries no pipe.
+std::string settle_tension(NewModel& model, const std::optional<double>& said) {
+  const double weight_of_water_column = model.submerged_weight * model.depth;
+  double horizontal = sagbend_tension(model);
+  if (model.stinger) horizontal = std::max(horizontal, tension_for_angle(model, steepest_departure(model.depth)));
+  const double wanted = round_up(horizontal + weight_of_water_column, horizontal > 1e6 ? 50e3 : 5e3);
+  model.tension = said.value_or(wanted);
+  horizontal = model.tension - weight_of_water_column;
+  if (horizontal < 0.2 * sagbend_tension(model)) {
+    return "--tension: " + format_quantity(model.tension, "N", "kN") + " is too low for this pipe and depth; about " +
+           format_quantity(wanted, "N", "kN") + " would do";
+  }
+  model.departure_angle = std::acos(horizontal / model.tension);
+  return {};
+}
+
+/// Ramp and stinger on one circle: the ramp turns the pipe by up to 12 deg, the stinger on to the departure angle. A
+/// sentence when the boxes asked for have no room.
+std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
+  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0, kUsualSpacing = 5.0;
+  const double least = kYoungsModulus * 0.5 * model.diameter / (0.75 * model.yield);
+  model.stinger_radius = said_radius.value_or(round_up(least, 10.0));
+  const double at_shoe =
+      std::min({kSteepestAtShoe, 0.4 * model.departure_angle, std::acos(1.0 - kLargestDrop / model.stinger_radius)});
+  model.circle_start = -model.stinger_radius * std::sin(at_shoe);
+  model.stinger_tip = model.circle_start + model.stinger_radius * std::sin(model.departure_angle);
+  model.stinger_start = std::min(4.0, 0.2 * model.stinger_tip);
+  const double room = model.stinger_tip - model.stinger_start;
+  const int chosen = std::clamp(1 + static_cast<int>(std::lround(room / kUsualSpacing)), 2, 40);
+  model.boxes = said_boxes > 0 ? said_boxes : chosen;
+  if (model.circle_start > -2.0 || room < kLeastSpacing * (model.boxes - 1)) {
+    return fmt::format("a stinger of {:.4g} m radius and {:.3g} m length has no room for {} boxes; {}",
+                       model.stinger_radius, room, model.boxes, "give fewer boxes, a larger radius or less tension");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<double> nominal_diameter(double inches) {
+  constexpr std::array<std::pair<int, double>, 5> kSmall = {
+      {{4, 0.1143}, {6, 0.1683}, {8, 0.2191}, {10, 0.2731}, {12, 0.3239}}};
+  for (const auto& [size, diameter] : kSmall) {
+    if (inches == size) return diameter;
+  }
+  const bool even = std::fmod(inches, 2.0) == 0.0;
+  if (even && inches >= 14.0 && inches <= 48.0) return inches * 0.0254;
+  return std::nullopt;
+}
+
+std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
+  const Said pipe = read_pipe_size(options.pipe);
+  const Said depth = read_flag("--depth", options.depth, "m", 5.0, 4000.0);
+  const Said wall = read_flag("--wall", options.wall, "m", 0.002, 0.1);
+  const Said yield = read_flag("--yield", options.yield, "N/m^2", 100e6, 1000e6);
+  const Said coating = read_flag("--coating", options.coating, "m", 0.0, 0.3);
+  const Said concrete = read_flag("--concrete", options.concrete, "m", 0.0, 0.3);
+  const Said radius = read_flag("--stinger-radius", options.stinger_radius, "m", 20.0, 2000.0);
+  const Said tension = read_flag("--tension", options.tension, "N", 1e3, 50e6);
+  for (const Said* said : {&pipe, &depth, &wall, &yield, &coating, &concrete, &radius, &tension}) {
+    if (!said->fault.empty()) return said->fault;
+  }
+  if (!pipe.value) return "--pipe is missing: the nominal size in inches, or the outside diameter with its unit";
+  if (!depth.value) return "--depth is missing: the water depth with its unit, such as '89 m'";
+
+  NewModel model;
+  model.stinger = options.lay == "s";
+  model.diameter = *pipe.value;
+  model.depth = *depth.value;
+  model.yield = yield.value.value_or(414e6);
+  model.coating = coating.value.value_or(0.0);
+  model.wall = wall.value.value_or(choose_wall(model.diameter, model.yield, model.depth));
+  if (model.wall >= 0.5 * model.diameter) return "--wall: thicker than the pipe's radius";
+  model.concrete = concrete.value.value_or(choose_concrete(model));
+  model.vessel = !options.vessel.empty() ? options.vessel : model.depth <= 200.0 && model.stinger ? "barge" : "ship";
+  model.title = !options.title.empty() ? options.title
+                                       : fmt::format("{:.4g} mm pipe in {:.6g} m of water, {}-lay",
+                                                     model.diameter * 1e3, model.depth, model.stinger ? "S" : "J");
+  model.submerged_weight = derive_section("", section_of(model), kWaterWeightDensity).weight_submerged;
+  if (model.submerged_weight <= 0.0)
+    return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
+  if (const std::string fault = settle_tension(model, tension.value); !fault.empty()) return fault;
+  if (model.stinger) {
+    if (const std::string fault = settle_stinger(model, radius.value, options.boxes); !fault.empty()) return fault;
+  }
+  return model;
+}
+
+}  // namespace overbend

@@ -1,0 +1,43 @@
+/// A first model from a few numbers: sizes by API 5L, the rest by plain rules of thumb that the written file explains.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace overbend {
+
+/// What the user says, as typed: quantities with units. Empty = choose.
+struct NewOptions {
+  std::string pipe, depth, wall, concrete, stinger_radius, tension, vessel, title;
+  std::string yield = "414 MPa";
+  std::string coating = "3.2 mm";
+  std::string lay = "s";  ///< "s" or "j".
+  int boxes = 0;          ///< 0 = choose.
+  std::string output;     ///< Empty = standard output.
+  bool force = false;
+};
+
+/// The numbers of a new model, SI.
+struct NewModel {
+  std::string title, vessel = "barge";
+  bool stinger = true;  ///< S-lay.
+  double diameter = 0.0, wall = 0.0, yield = 0.0, coating = 0.0, concrete = 0.0;
+  double depth = 0.0, tension = 0.0, stinger_radius = 0.0;
+  double departure_angle = 0.0;  ///< Of a catenary of that tension [rad].
+  int boxes = 0;
+  double circle_start = 0.0;                      ///< Frame S: where ramp and stinger, one circle, leave the level [m].
+  double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
+  double submerged_weight = 0.0;                  ///< [N/m]
+};
+
+/// The model with everything chosen that was not said, or a sentence that says what is wrong.
+std::variant<NewModel, std::string> choose_model(const NewOptions& options);
+
+/// The commented model file.
+std::string model_text(const NewModel& model);
+
+/// Outside diameter [m] of a nominal pipe size in inches (API 5L); empty when there is none.
+std::optional<double> nominal_diameter(double inches);
+
+}  // namespace overbend

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/new_model.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+struct VesselSize {
+  double length, beam, depth, draught;
+};
+
+VesselSize vessel_size(const std::string& vessel) {
+  return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
+}
+
+constexpr double kTensionerHeight = 1.4;  // pipe axis above the stern shoe [m]
+
+double coated_radius(const NewModel& model) {
+  return 0.5 * model.diameter + model.coating + model.concrete;
+}
+
+/// Underside of the pipe on the circle of ramp and stinger, frame S [m].
+double underside(const NewModel& model, double x) {
+  const double along = x - model.circle_start, radius = model.stinger_radius;
+  return kTensionerHeight - coated_radius(model) - radius + std::sqrt(radius * radius - along * along);
+}
+
+std::string head_text(const NewModel& model) {
+  return fmt::format(R"(# {title}
+# A first model to start from. Run it with: overbend static FILE -o DIR
+# Every dimensional value carries its unit; any unit of the right dimension will do. All keys: docs/input.md.
+overbend: 1
+title: "{title}"
+
+environment:
+  water_depth: {depth:.6g} m
+  water_weight_density: 10.05 kN/m^3
+  seabed:
+    stiffness: 100 kN/m^2              # normal force per length of pipe and penetration
+    friction: {{axial: 0.5, lateral: 0.5}}
+  # current:                           # by increasing depth
+  #   - {{depth: 0 m, speed: 0.5 m/s, towards: 0 deg}}
+  #   - {{depth: {depth:.6g} m, speed: 0.1 m/s, towards: 0 deg}}
+)",
+                     fmt::arg("title", model.title), fmt::arg("depth", model.depth));
+}
+
+std::string pipe_text(const NewModel& model) {
+  std::string text = fmt::format(R"(
+pipe:
+  steel:
+    outside_diameter: {:.6g} mm
+    wall_thickness: {:.6g} mm
+    youngs_modulus: 207 GPa
+    poissons_ratio: 0.3
+    yield_stress: {:.6g} MPa
+    weight_density: 77 kN/m^3
+)",
+                                 model.diameter * 1e3, model.wall * 1e3, model.yield / 1e6);
+  if (model.coating > 0.0 || model.concrete > 0.0)
+    text += "  coatings:                            # from the steel outwards\n";
+  if (model.coating > 0.0) {
+    text += fmt::format("    - {{name: corrosion coating, thickness: {:.6g} mm, weight_density: 9.32 kN/m^3}}\n",
+                        model.coating * 1e3);
+  }
+  if (model.concrete > 0.0) {
+    text += fmt::format("    - {{name: concrete, thickness: {:.6g} mm, weight_density: 22 kN/m^3}}\n",
+                        model.concrete * 1e3);
+    text += "  joint: {length: 12.2 m, field_joint: 0.7 m, infill_weight_density: 10.065 kN/m^3}\n";
+  }
+  return text + fmt::format("  # weighs {:.4g} kN/m in the water\n", model.submerged_weight / 1e3);
+}
+
+std::string vessel_text(const NewModel& model) {
+  const VesselSize size = vessel_size(model.vessel);
+  const double deck = size.depth - size.draught;
+  return fmt::format(R"(
+vessel:
+  name: {}
+  length: {:.6g} m
+  beam: {:.6g} m
+  depth: {:.6g} m
+  draught: {:.6g} m
+  heading: 90 deg                      # the bow points to this azimuth
+  stern_shoe: {{x: {:.6g} m, z: {:.6g} m}}   # x from midship, z above the water; origin of the frame below
+  motion: fixed
+)",
+                     model.vessel, size.length, size.beam, size.depth, size.draught, -0.5 * size.length, deck);
+}
+
+std::string tower_text(const NewModel& model) {
+  return fmt::format(R"(
+tensioner:                             # the pipe hangs straight from it: no supports
+  x: 0 m                               # from the stern shoe, astern positive; the pipe's axis
+  z: 15 m
+  incline: {:.4g} deg                  # from horizontal
+  guide: pinned
+  tension: {:.6g} kN
+)",
+                     model.departure_angle * kDegrees, model.tension / 1e3);
+}
+
+std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
+  const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
+  std::string text =
+      fmt::format("  {}:\n    radius: {:.6g} m\n    roller: v\n    rows: 2\n    boxes:\n", name, model.stinger_radius);
+  for (int i = 0; i < count; ++i) {
+    const double x = count > 1 ? first + i * spacing : last;
+    text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,
+                        underside(model, x), std::min(3.0, 0.6 * spacing));
+  }
+  return text;
+}
+
+std::string supports_text(const NewModel& model) {
+  constexpr int kRampBoxes = 4;
+  std::string text =
+      fmt::format(R"(
+tensioner:
+  x: {:.3f} m                       # from the stern shoe, astern positive, z up; the pipe's axis
+  z: {:.3f} m
+  tension: {:.6g} kN                      # a catenary of this tension leaves at {:.3g} deg
+
+rollers:                               # kinds of roller row, used by name below
+  v:
+    bottom: {{radius: 0.15 m, face: {face:.3g} m}}
+    sides: {{radius: 0.15 m, face: {face:.3g} m, angle: 60 deg, clearance: 0.05 m}}
+    friction: {{axial: 0.02, lateral: 0.3}}
+
+supports:                              # x, z: where the underside of the coated pipe rests, mid-box
+)",
+                  model.circle_start - 10.0, kTensionerHeight, model.tension / 1e3, model.departure_angle * kDegrees,
+                  fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
+  text += boxes_text(model, "ramp", model.circle_start, -0.5, kRampBoxes);
+  return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);
+}
+
+}  // namespace
+
+std::string model_text(const NewModel& model) {
+  return head_text(model) + pipe_text(model) + vessel_text(model) +
+         (model.stinger ? supports_text(model) : tower_text(model));
+}
+
+}  // namespace overbend

@@ -1,0 +1,15 @@
+#include <iostream>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "io/json_schema.h"
+#include "io/reference_page.h"
+
+namespace overbend {
+
+int run_schema(bool reference) {
+  std::cout << (reference ? reference_page() : json_schema());
+  return kDone;
+}
+
+}  // namespace overbend

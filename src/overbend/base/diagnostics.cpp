@@ -1,0 +1,41 @@
+#include "base/diagnostics.h"
+
+#include <algorithm>
+
+namespace overbend {
+
+std::string render(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file;
+  if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
+  if (diagnostic.severity == Severity::warning) text += ": warning";
+  if (!diagnostic.key.empty()) text += ": " + diagnostic.key;
+  text += diagnostic.expected.empty() ? ": " + diagnostic.found
+                                      : ": found " + diagnostic.found + ", expected " + diagnostic.expected;
+  if (!diagnostic.hint.empty()) text += "; " + diagnostic.hint;
+  return text;
+}
+
+bool Diagnostics::has_errors() const {
+  return error_count() > 0;
+}
+
+int Diagnostics::error_count() const {
+  return static_cast<int>(
+      std::count_if(list_.begin(), list_.end(), [](const Diagnostic& d) { return d.severity == Severity::error; }));
+}
+
+std::vector<Diagnostic> Diagnostics::sorted() const {
+  std::vector<Diagnostic> list = list_;
+  std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+  return list;
+}
+
+std::vector<std::string> Diagnostics::lines(Severity severity) const {
+  std::vector<std::string> lines;
+  for (const Diagnostic& diagnostic : sorted()) {
+    if (diagnostic.severity == severity) lines.push_back(render(diagnostic));
+  }
+  return lines;
+}
+
+}  // namespace overbend

@@ -1,0 +1,39 @@
+/// What is wrong with the user's input: collected, then told all at once.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+enum class Severity { error, warning };
+
+/// One thing noticed in a file. Line and column count from 1; 0 = not tied to a place.
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string file;
+  int line = 0, column = 0;
+  std::string key;       ///< Full path of the key, "pipe.steel.wall_thickness"; may be empty.
+  std::string found;     ///< What stands there.
+  std::string expected;  ///< What should; empty for a plain remark.
+  std::string hint;      ///< What would mend it; may be empty.
+};
+
+/// `model.yaml:12: pipe.steel.wall_thickness: found '250 mm', expected less than 203.2 mm; hint`
+std::string render(const Diagnostic& diagnostic);
+
+class Diagnostics {
+ public:
+  void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
+  bool has_errors() const;
+  int error_count() const;
+  /// In the order of the file.
+  std::vector<Diagnostic> sorted() const;
+  /// All of one severity, one a line.
+  std::vector<std::string> lines(Severity severity) const;
+
+ private:
+  std::vector<Diagnostic> list_;
+};
+
+}  // namespace overbend

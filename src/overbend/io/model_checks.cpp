@@ -1,0 +1,198 @@
+#include "io/model_checks.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "io/check_helper.h"
+
+namespace overbend {
+namespace {
+
+/// A value of a segment, or of the line where the segment leaves it out.
+const FieldValue* own_or_line(const FieldValue& section, const FieldValue& pipe, const std::string& key) {
+  const FieldValue* own = section.find(key);
+  return own != nullptr ? own : pipe.find(key);
+}
+
+void check_steel(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  const FieldValue* diameter = own_or_line(section, pipe, "steel.outside_diameter");
+  const FieldValue* wall = own_or_line(section, pipe, "steel.wall_thickness");
+  if (diameter != nullptr && wall != nullptr && wall->number >= 0.5 * diameter->number) {
+    const FieldValue* own = section.find("steel.wall_thickness");
+    check.error(own != nullptr ? *own : *diameter, "a wall of " + wall->shown,
+                "less than the pipe's radius, " + format_quantity(0.5 * diameter->number, "m", "mm"));
+  }
+  const FieldValue* yield = own_or_line(section, pipe, "steel.yield_stress");
+  const FieldValue* strength = own_or_line(section, pipe, "steel.tensile_strength");
+  if (yield != nullptr && strength != nullptr && strength->number < yield->number) {
+    check.error(*strength, strength->shown, "at least the yield stress, " + yield->shown);
+  }
+}
+
+void check_section(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  check_steel(check, section, pipe);
+  const FieldValue* joint = section.find("joint");
+  if (joint == nullptr) return;
+  const FieldValue* length = joint->find("length");
+  const FieldValue* bare = joint->find("field_joint");
+  if (length != nullptr && bare != nullptr && bare->number >= length->number) {
+    check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
+  }
+  const FieldValue* coatings = own_or_line(section, pipe, "coatings");
+  if (coatings == nullptr || coatings->children.empty()) {
+    check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
+  }
+}
+
+void check_pipe(Checker& check) {
+  const FieldValue* pipe = check.root().find("pipe");
+  if (pipe == nullptr) return;
+  check_section(check, *pipe, *pipe);
+  double total = 0.0;
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) {
+    check_section(check, segment, *pipe);
+    total += segment.get_number("length").value_or(0.0);
+  }
+  const FieldValue* length = pipe->find("length");
+  if (length != nullptr && total > length->number) {
+    check.error(*pipe->find("segments"), "segments of " + format_quantity(total, "m", "m") + " together",
+                "at most the line's length, " + length->shown);
+  }
+}
+
+void check_tension(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner");
+  const FieldValue* pipe = check.root().find("pipe");
+  if (tensioner == nullptr || pipe == nullptr) return;
+  const bool tension = tensioner->find("tension") != nullptr;
+  const FieldValue* length = pipe->find("length");
+  const FieldValue* anchor = pipe->find("anchor");
+  if (!tension && (length == nullptr || anchor == nullptr)) {
+    check.missing(*tensioner, "tension", "a force with its unit",
+                  "or give pipe.length together with pipe.anchor, and the tension follows");
+  }
+  if (tension && length != nullptr && anchor != nullptr) {
+    check.error(*length, "a length, an anchor and a tension", "two of the three; the third follows",
+                "leave out pipe.length, pipe.anchor or tensioner.tension");
+  }
+}
+
+void check_tensioner_range(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner");
+  if (tensioner == nullptr) return;
+  const FieldValue* mode = tensioner->find("mode");
+  const FieldValue* range = tensioner->find("range");
+  if (range == nullptr && mode != nullptr && mode->text == "controlled") {
+    check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
+                  "a controlled tensioner works to keep its range");
+  }
+  if (range == nullptr || range->children.size() != 2) return;
+  const FieldValue& low = range->children[0];
+  const FieldValue& high = range->children[1];
+  const std::string shown = low.shown + " to " + high.shown;
+  if (low.number >= high.number) {
+    check.error(*range, shown, "the lower tension first, then the higher");
+    return;
+  }
+  const FieldValue* tension = tensioner->find("tension");
+  if (tension != nullptr && (tension->number < low.number || tension->number > high.number)) {
+    check.error(*range, shown, "a range that holds the wanted tension, " + tension->shown);
+  }
+}
+
+void check_current(Checker& check) {
+  const FieldValue* before = nullptr;
+  const auto water_depth = check.root().get_number("environment.water_depth");
+  for (const FieldValue& point : Checker::items(check.root(), "environment.current")) {
+    const FieldValue* depth = point.find("depth");
+    if (depth == nullptr) continue;
+    if (before != nullptr && depth->number <= before->number) {
+      check.error(*depth, depth->shown, "more than the depth before it, " + before->shown,
+                  "the current goes by increasing depth");
+    }
+    if (water_depth && depth->number > *water_depth * (1.0 + 1e-12)) {
+      check.warn(*depth, depth->shown + " is below the sea bed at the stern shoe");
+    }
+    before = depth;
+  }
+}
+
+void check_waves(Checker& check) {
+  const FieldValue* waves = check.root().find("environment.waves");
+  const FieldValue* type = waves != nullptr ? waves->find("type") : nullptr;
+  if (type == nullptr || type->text == "none") return;
+  const bool regular = type->text == "airy" || type->text == "stokes5";
+  const bool user = type->text == "user";
+  const std::vector<std::string> needed = regular ? std::vector<std::string>{"height", "period"}
+                                          : user  ? std::vector<std::string>{"spectrum_file"}
+                                                  : std::vector<std::string>{"hs", "tp"};
+  for (const std::string& key : needed) {
+    if (waves->find(key) == nullptr) check.missing(*waves, key, "it for waves of type " + type->text);
+  }
+  for (const std::string key : {"hs", "tp", "height", "period", "spectrum_file"}) {
+    const FieldValue* extra = waves->find(key);
+    if (extra != nullptr && std::find(needed.begin(), needed.end(), key) == needed.end()) {
+      check.warn(*extra, "has no meaning for waves of type " + type->text + " and is left unused");
+    }
+  }
+  const FieldValue* from = waves->find("from");
+  if (from != nullptr && !from->given) check.warn(*waves, "no direction given (from): the waves come from the north");
+}
+
+void check_vessel(Checker& check) {
+  const FieldValue* vessel = check.root().find("vessel");
+  if (vessel == nullptr) return;
+  const FieldValue* depth = vessel->find("depth");
+  const FieldValue* draught = vessel->find("draught");
+  if (depth != nullptr && draught != nullptr && draught->number >= depth->number) {
+    const FieldValue& at = draught->given ? *draught : *depth;
+    check.error(at, "a draught of " + draught->shown, "less than the vessel's depth, " + depth->shown);
+  }
+  const FieldValue* shoe = vessel->find("stern_shoe.x");
+  if (shoe != nullptr && shoe->number > 0.0) {
+    check.warn(*shoe, shoe->shown + " stands forward of midship; x is negative towards the stern");
+  }
+}
+
+/// Files that only dynamics reads: their absence is told, but statics goes on.
+void check_files(Checker& check, const std::string& file) {
+  for (const char* key :
+       {"vessel.motion.raos", "vessel.motion.history", "vessel.motion.coupled", "environment.waves.spectrum_file"}) {
+    const FieldValue* value = check.root().find(key);
+    if (value == nullptr) continue;
+    const std::filesystem::path path = std::filesystem::path(file).parent_path() / value->text;
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault)) {
+      check.warn(*value, "the file " + value->shown + " is not there; dynamics will need it");
+    }
+  }
+}
+
+void check_dynamics(Checker& check) {
+  const FieldValue* dynamic = check.root().find("analysis.dynamic");
+  if (dynamic == nullptr) return;
+  const FieldValue* step = dynamic->find("step");
+  const FieldValue* max_step = dynamic->find("max_step");
+  if (step != nullptr && max_step != nullptr) {
+    check.error(*max_step, "step and max_step", "one of them", "step is fixed, max_step limits an adaptive one");
+  }
+}
+
+}  // namespace
+
+void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  check_current(check);
+  check_waves(check);
+  check_pipe(check);
+  check_tension(check);
+  check_tensioner_range(check);
+  check_vessel(check);
+  check_supports(root, file, diagnostics);
+  check_dynamics(check);
+  check_files(check, file);
+}
+
+}  // namespace overbend

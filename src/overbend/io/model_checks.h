@@ -1,0 +1,18 @@
+/// What one value of a model file demands of another.
+#pragma once
+
+#include <string>
+
+#include "base/diagnostics.h"
+#include "io/field_value.h"
+
+namespace overbend {
+
+/// Impossible combinations (errors) and doubtful ones (warnings). Checks whose values are absent or were refused are
+/// passed over: their complaint is there already.
+void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
+/// Supports, rollers and tensioner: part of check_model.
+void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace overbend

@@ -1,0 +1,45 @@
+#include "mechanics/stress.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+double von_mises(double axial, double hoop, double radial) {
+  const double a = axial - hoop, b = hoop - radial, c = radial - axial;
+  return std::sqrt(0.5 * (a * a + b * b + c * c));
+}
+
+}  // namespace
+
+SectionStress section_stress(const Section& section, const SectionLoads& loads) {
+  const double outer = 0.5 * section.steel_diameter;
+  const double inner = outer - section.wall_thickness;
+  const double po = loads.external_pressure, pi = loads.internal_pressure;
+  const double wall = outer * outer - inner * inner;
+  const double mean = (pi * inner * inner - po * outer * outer) / wall;      // Lame: mean -+ difference r_i^2 r_o^2 / r^2
+  const double difference = (pi - po) * inner * inner * outer * outer / wall;
+
+  SectionStress stress;
+  stress.wall_tension = loads.effective_tension - po * section.external_area + pi * section.internal_area;
+  stress.axial = stress.wall_tension / section.steel_area;
+  stress.bending = section.youngs_modulus * loads.curvature * outer;
+  stress.hoop = mean + difference / (inner * inner);
+  for (const double radius : {outer, inner}) {
+    const double hoop = mean + difference / (radius * radius);
+    const double radial = mean - difference / (radius * radius);
+    for (const double side : {-1.0, 1.0}) {
+      const double longitudinal = stress.axial + side * stress.bending * radius / outer;
+      stress.von_mises = std::max(stress.von_mises, von_mises(longitudinal, hoop, radial));
+    }
+  }
+  // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
+  const double poisson = 1.0 - 2.0 * section.poissons_ratio;
+  const double axial_strain =
+      (loads.effective_tension - poisson * (po * section.external_area - pi * section.internal_area)) / section.EA;
+  stress.strain = std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
+  return stress;
+}
+
+}  // namespace overbend

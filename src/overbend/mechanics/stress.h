@@ -1,0 +1,27 @@
+/// Stresses of the steel section from the resultants of the rod.
+#pragma once
+
+#include "model/section.h"
+
+namespace overbend {
+
+struct SectionLoads {
+  double effective_tension = 0.0;  ///< [N]
+  double curvature = 0.0;          ///< Magnitude [1/m].
+  double external_pressure = 0.0;  ///< [Pa]
+  double internal_pressure = 0.0;  ///< [Pa]
+};
+
+struct SectionStress {
+  double wall_tension = 0.0;    ///< N - p_e A_e + p_i A_i [N]
+  double axial = 0.0;           ///< [Pa]
+  double bending = 0.0;         ///< At the outer fibre, E kappa D / 2 [Pa].
+  double hoop = 0.0;            ///< Lame, inner wall [Pa].
+  double von_mises = 0.0;       ///< Largest over inner and outer wall, both bending extremes [Pa].
+  double strain = 0.0;          ///< Largest longitudinal strain magnitude at the outer fibre.
+};
+
+/// Lame for hoop and radial stress; von Mises at the extreme fibres of outer and inner wall.
+SectionStress section_stress(const Section& section, const SectionLoads& loads);
+
+}  // namespace overbend
