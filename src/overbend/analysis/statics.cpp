@@ -25,8 +25,9 @@ struct Case {
   SolveReport report;
 
   bool spatial() const {
-    return !model.current.z.empty() || std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(),
-                                                   [](const Roller& r) { return r.position != RollerPosition::bottom; });
+    return !model.current.z.empty() ||
+           std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(),
+                       [](const Roller& r) { return r.position != RollerPosition::bottom; });
   }
 };
 
@@ -175,16 +176,20 @@ bool mesh_serves(const Case& at, const MeshZones& built, const MeshZones& now) {
   return fine_zone && supports && tail;
 }
 
-StaticOutcome fail(StaticFailure failure) { return {std::nullopt, std::move(failure)}; }
+StaticOutcome fail(StaticFailure failure) {
+  return {std::nullopt, std::move(failure)};
+}
 
 StaticOutcome give_up(const Case& at) {
   const int node = at.system.singular_node();
-  const std::string where =
-      node < 0 ? "the whole line"
-               : fmt::format("node {} at s = {:.1f} m from the anchor", node, at.system.mesh().s[static_cast<std::size_t>(node)]);
+  const std::string where = node < 0 ? "the whole line"
+                                     : fmt::format("node {} at s = {:.1f} m from the anchor", node,
+                                                   at.system.mesh().s[static_cast<std::size_t>(node)]);
   return fail({"no equilibrium found", where,
-               fmt::format("neither Newton's method, nor lowering the tension step by step, nor dynamic relaxation settled (last residual "
-                           "{:.1e} of the line's weight); look at the supports: a box far off the curve of its neighbours, or a tension "
+               fmt::format("neither Newton's method, nor lowering the tension step by step, nor dynamic relaxation "
+                           "settled (last residual "
+                           "{:.1e} of the line's weight); look at the supports: a box far off the curve of its "
+                           "neighbours, or a tension "
                            "near the least the pipe can hang from",
                            at.report.force_residual)});
 }
@@ -198,7 +203,11 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   if (from.failure) {
     return fail(*from.failure);
   }
-  Case at{model, LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)), {}, from.target, {}};
+  Case at{model,
+          LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
+          {},
+          from.target,
+          {}};
   bool solved = false;
   if (start != nullptr) {
     from.zones.total = start->mesh.total_length();

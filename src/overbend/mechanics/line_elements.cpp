@@ -28,7 +28,7 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
     e.drag_axial[i] = 0.5 * model.water_density * std::numbers::pi * section.outer_diameter * section.drag_axial;
     e.pressure_constant[i] = -poisson * section.internal_pressure * section.internal_area;
     e.pressure_slope[i] = poisson * section.contents_weight_density * section.internal_area;
-    e.pressure_external[i] = poisson * e.buoyancy[i];
+    e.pressure_external[i] = poisson * model.water_weight_density * section.pressure_area;
   }
   return e;
 }
@@ -68,7 +68,7 @@ LineView LineElements::view() const {
   return v;
 }
 
-void add_line_forces(const LineElements& elements, const LineEnvironment& env, const double* q, double* residual,
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape, double* residual,
                      BlockTridiagonal* tangent, Isa isa) {
   LineTarget target;
   target.residual = residual;
@@ -79,14 +79,14 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
   }
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) {
-    return isa_avx512::add_line_forces(elements.view(), env, q, target);
+    return isa_avx512::add_line_forces(elements.view(), env, shape, target);
   }
   if (isa == Isa::avx2) {
-    return isa_avx2::add_line_forces(elements.view(), env, q, target);
+    return isa_avx2::add_line_forces(elements.view(), env, shape, target);
   }
 #endif
   (void)isa;
-  isa_baseline::add_line_forces(elements.view(), env, q, target);
+  isa_baseline::add_line_forces(elements.view(), env, shape, target);
 }
 
 WettedFraction wetted_fraction(double z, double radius) {

@@ -6,7 +6,9 @@
 namespace overbend {
 namespace {
 
-Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+Vec3 vector_of(const double (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
 
 void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, const Vec3& r) {
   const Vec3 normal = vector_of(env.bed_normal);
@@ -35,7 +37,8 @@ Vec3 current_velocity(const LineEnvironment& env, double z) {
   return env.current_scale * Vec3(x, y, 0.0);
 }
 
-PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r, const Vec3& a) {
+PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r,
+                     const Vec3& a) {
   const std::size_t e = static_cast<std::size_t>(element);
   PointLoad load;
   const double wet = wetted_fraction(r.z(), elements.radius[e]).value;
@@ -46,7 +49,8 @@ PointLoad point_load(const LineElements& elements, const LineEnvironment& env, i
   const Vec3 t = a.normalized();
   const double along = u.dot(t);
   const Vec3 across = u - along * t;
-  load.current = wet * (elements.drag_normal[e] * across.norm() * across + elements.drag_axial[e] * std::abs(along) * along * t);
+  load.current =
+      wet * (elements.drag_normal[e] * across.norm() * across + elements.drag_axial[e] * std::abs(along) * along * t);
   return load;
 }
 
