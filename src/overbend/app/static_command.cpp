@@ -81,6 +81,7 @@ int run_static(const std::string& model_file, const std::string& output) {
     return kWrongInput;
   }
   write_static_files(results, *description, staged->path());
+  // Further files of the folder, the report first of all, are written here: they appear together with the others.
   staged->commit("summary.json");
   print_results(results);
   std::cout << "Results are in " << folder.string() << "\n";

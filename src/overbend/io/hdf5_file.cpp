@@ -16,9 +16,10 @@ void silence_library() {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-Hdf5Handle text_type(std::size_t size) {
+/// UTF-8 of any length, which h5py gives as str.
+Hdf5Handle text_type() {
   Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 has no text type");
-  require(H5Tset_size(type, size), "HDF5 text size");
+  require(H5Tset_size(type, H5T_VARIABLE), "HDF5 text size");
   require(H5Tset_cset(type, H5T_CSET_UTF8), "HDF5 text encoding");
   return type;
 }
@@ -68,12 +69,13 @@ void Hdf5Writer::group(const std::string& path, const std::string& description) 
 
 void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
   const std::string what = "attribute " + name + " of " + object + " can not be written to results.h5";
-  const Hdf5Handle type = text_type(text.size() + 1);
+  const Hdf5Handle type = text_type();
   const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
   const Hdf5Handle attribute(
       H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
       H5Aclose, what);
-  require(H5Awrite(attribute, type, text.c_str()), what);
+  const char* pointer = text.c_str();
+  require(H5Awrite(attribute, type, static_cast<const void*>(&pointer)), what);
 }
 
 void Hdf5Writer::write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
@@ -108,8 +110,8 @@ void Hdf5Writer::write(const std::string& path, const Field& field, const std::v
   std::vector<const char*> pointers;
   pointers.reserve(values.size());
   for (const std::string& text : values) pointers.push_back(text.c_str());
-  const Hdf5Handle type = text_type(H5T_VARIABLE);
-  write_raw(path, field, type, type, shape, pointers.data());
+  const Hdf5Handle type = text_type();
+  write_raw(path, field, type, type, shape, static_cast<const void*>(pointers.data()));
 }
 
 void Hdf5Writer::make_scale(const std::string& path, const std::string& name) {
@@ -155,14 +157,15 @@ std::vector<int> Hdf5Reader::ints(const std::string& path) const {
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
-  const Hdf5Handle type = text_type(H5T_VARIABLE);
+  const Hdf5Handle type = text_type();
   const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
   std::vector<char*> pointers(count_of(set), nullptr);
   if (pointers.empty()) return {};
-  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), path + " holds no texts");
+  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())),
+          path + " holds no texts");
   std::vector<std::string> values;
   for (const char* text : pointers) values.emplace_back(text == nullptr ? "" : text);
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
   return values;
 }
 
