@@ -8,7 +8,9 @@
 namespace overbend {
 namespace {
 
-Description bgl1() { return read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value(); }
+Description bgl1() {
+  return read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
+}
 
 void bgl1_from_nothing(benchmark::State& state) {
   const Model model = build_model(bgl1());

@@ -12,9 +12,15 @@
 namespace overbend {
 namespace {
 
-Description read(const std::string& file) { return read_model(OVERBEND_SOURCE_DIR + file).description.value(); }
-Description bgl1() { return read("/examples/bgl1.yaml"); }
-Description reference_bgl1() { return read("/validation/static_cases/BGL1-T250.yaml"); }
+Description read(const std::string& file) {
+  return read_model(OVERBEND_SOURCE_DIR + file).description.value();
+}
+Description bgl1() {
+  return read("/examples/bgl1.yaml");
+}
+Description reference_bgl1() {
+  return read("/validation/static_cases/BGL1-T250.yaml");
+}
 
 StaticResults solve_results(const Description& d) {
   const Model model = build_model(d);
@@ -22,7 +28,9 @@ StaticResults solve_results(const Description& d) {
   return recover_statics(model, outcome.solution.value());
 }
 
-StaticFailure failure_of(const Description& d) { return solve_statics(build_model(d)).failure.value(); }
+StaticFailure failure_of(const Description& d) {
+  return solve_statics(build_model(d)).failure.value();
+}
 
 double worst_reaction_difference(const StaticResults& a, const StaticResults& b) {
   double worst = 0.0;
@@ -49,7 +57,8 @@ TEST(statics, dynamic_relaxation_reaches_the_same_equilibrium) {
   EXPECT_GT(relaxed.solve.relaxation_steps, 100);
   EXPECT_NEAR(relaxed.bottom_tension, newton.bottom_tension, 1.0);
   EXPECT_NEAR(relaxed.lay_back, newton.lay_back, 1e-4);
-  EXPECT_LT(worst_reaction_difference(relaxed, newton), 1.0);  // both end at 1e-9 of the weight: 0.4 mN; rollers are stiff
+  EXPECT_LT(worst_reaction_difference(relaxed, newton),
+            1.0);  // both end at 1e-9 of the weight: 0.4 mN; rollers are stiff
 }
 
 TEST(statics, port_and_starboard_are_mirror_images) {
@@ -92,8 +101,10 @@ TEST(statics, a_finer_mesh_moves_the_results_less_than_the_reference_tolerances)
   const StaticResults fine = solve_results(d);
   EXPECT_NEAR(rule.bottom_tension, fine.bottom_tension, 1e-4 * fine.bottom_tension);
   EXPECT_NEAR(rule.lay_back, fine.lay_back, 0.02);
-  EXPECT_NEAR(rule.sagbend.bending_moment.value, fine.sagbend.bending_moment.value, 1e-3 * fine.sagbend.bending_moment.value);
-  EXPECT_NEAR(rule.overbend->bending_moment.value, fine.overbend->bending_moment.value, 0.005 * fine.overbend->bending_moment.value);
+  EXPECT_NEAR(rule.sagbend.bending_moment.value, fine.sagbend.bending_moment.value,
+              1e-3 * fine.sagbend.bending_moment.value);
+  EXPECT_NEAR(rule.overbend->bending_moment.value, fine.overbend->bending_moment.value,
+              0.005 * fine.overbend->bending_moment.value);
   EXPECT_LT(worst_reaction_difference(rule, fine), 500.0);
 }
 
@@ -127,7 +138,8 @@ TEST(statics, length_and_anchor_give_back_the_tension_that_needs_them) {
   d.pipe.length = given.total_length;
   d.pipe.anchor = given.stations.front().astern;
   const StaticResults found = solve_results(d);
-  // The length fixes the tension through the stretch of the laid pipe: 1e-9 m of rounding in 580 m is worth 5e-3 N, the mesh more.
+  // The length fixes the tension through the stretch of the laid pipe: 1e-9 m of rounding in 580 m is worth 5e-3 N, the
+  // mesh more.
   EXPECT_NEAR(found.top_tension, 250e3, 250.0);
   EXPECT_NEAR(found.lay_back, given.lay_back, 0.5);
 }

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double kLargestTurn = 0.35;      ///< Of a node's tangent in one step [rad].
 constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
+constexpr double kDampingStep = 4.0;       ///< Factor by which the damping rises and falls.
+constexpr double kMostDamping = 1e8;       ///< [N/m2]
 constexpr double kSearchGoal = 0.8;        ///< A step is good when the work left along it has fallen to this share.
 
 /// Length that a node may move in one step [m].
@@ -69,7 +71,7 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
   NewtonReport report;
   std::vector<double> dq(state.q.size());
   LineState trial = state;
-  double damping = settings.damping;
+  double damping = 0.0;  // viscous resistance to a step, per length [N/m2]
   const double move = largest_move(system);
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
     system.evaluate(state, true);
@@ -87,13 +89,13 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       return report;
     }
     double dH = 0.0;
-    if (!system.solve_step(state, target, damping, settings.free_far_force, dq, dH)) {
-      if (damping > 1e8) {
+    if (!system.solve_step(state, target, damping, settings.free_far_force && damping == 0.0, dq, dH)) {
+      if (damping > kMostDamping) {
         report.end = NewtonEnd::singular;
         report.singular_node = system.singular_node();
         return report;
       }
-      damping = std::max(10.0 * damping, 1e2);
+      damping = std::max(kDampingStep * damping, 1e2);
       continue;
     }
     const double limit = std::min(step_limit(dq, move), system.share_before_entering(dq, settings.entering));
@@ -104,13 +106,17 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
     for (int i = 0; i < 3; ++i) {
       work_start -= force_step * system.far_direction()(i) * dq[static_cast<std::size_t>(i)];
     }
+    if (work_start >= 0.0 &&
+        damping < kMostDamping) {  // past a limit point: damped steps lead downhill to where the pipe snaps
+      damping = std::max(kDampingStep * damping, 1.0);
+      continue;
+    }
     Search search{system, state, dq, trial};
     const double share = search_along(search, work_start, limit);
-    const bool downhill = work_start < 0.0;
-    if (!downhill || share < 0.05) {
-      damping = std::max(10.0 * damping, 1.0);
+    if (share < 0.05) {
+      damping = std::max(kDampingStep * damping, 1.0);
     } else {
-      damping = damping < 1.0 ? 0.0 : 0.1 * damping;
+      damping = damping < 1.0 ? 0.0 : damping / kDampingStep;
     }
     std::swap(state, trial);
   }

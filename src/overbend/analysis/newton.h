@@ -1,7 +1,6 @@
 /// Newton's method with line search on a LineSystem.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include "analysis/line_system.h"
@@ -13,8 +12,6 @@ struct NewtonSettings {
   int max_iterations = 60;
   bool free_far_force = true;  ///< False: H stays, the extra equation is not looked at.
   double entering = 1e30;      ///< No step drives the pipe deeper than this into a roller beyond where it is [m].
-  double damping =
-      0.0;  ///< Start value of the viscous damping of a step [N/m2]; grows where a step fails, fades where it works.
 };
 
 enum class NewtonEnd { converged, too_many_iterations, singular, lost };
@@ -30,6 +27,10 @@ struct NewtonReport {
 /// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the
 /// unbalanced forces do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact,
 /// friction and drag alike. The far force takes its whole step before the search.
+///
+/// Where a step leads uphill (past a limit point: the pipe is about to snap to another place) or the search hardly
+/// moves, a viscous resistance per length is added to the step and H stays, until steps lead downhill again; it fades
+/// as they work.
 NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
                     const NewtonSettings& settings);
 

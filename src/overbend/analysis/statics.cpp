@@ -38,7 +38,8 @@ double soft_roller(const Case& at, double tension) {
   return 40.0 * std::max(at.model.sections.front().weight_in_air, tension / 150.0);
 }
 
-bool run_newton(Case& at, const NewtonSettings& settings, const char* stage) {
+bool run_newton(Case& at, NewtonSettings settings, const char* stage) {
+  settings.max_iterations = at.model.description.statics.max_iterations;
   const NewtonReport r = newton(at.system, at.state, at.target, settings);
   at.report.iterations += r.iterations;
   at.report.force_residual = r.residual;

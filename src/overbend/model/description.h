@@ -205,7 +205,7 @@ struct MeshDescription {
 struct StaticSettings {
   StaticMethod method = StaticMethod::newton;
   double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
-  int max_iterations = 400;
+  int max_iterations = 60;  ///< Of one stage.
 };
 
 struct DynamicSettings {
