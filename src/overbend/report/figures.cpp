@@ -1,0 +1,59 @@
+#include "report/figures.h"
+
+#include <fmt/format.h>
+
+#include "report/html.h"
+
+namespace overbend {
+namespace {
+
+/// `id` chooses what is drawn; `parts` are the panels below one caption.
+struct Figure {
+  const char* id;
+  const char* caption;
+  bool needs_supports;
+  std::vector<const char*> parts;
+};
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> kFigures = {
+      {"configuration", "Configuration in three dimensions", false, {"whole", "overbend"}},
+      {"stinger", "Ramp and stinger seen from starboard, true to scale", true, {"overbend", "stinger", "tip"}},
+      {"geometry", "Geometry: elevation and plan", false, {"whole", "overbend", "plan"}},
+      {"tension", "Effective tension", false, {"whole", "overbend"}},
+      {"moment", "Bending moment", false, {"whole", "overbend"}},
+      {"bending", "Bending stress", false, {"whole", "overbend"}},
+      {"mises", "von Mises stress", false, {"whole", "overbend"}},
+      {"strain", "Longitudinal strain", false, {"whole", "overbend"}},
+      {"reactions", "Reactions of the rollers, row by row", true, {"bars"}},
+      {"separations", "Separation of pipe and rollers, row by row", true, {"bars"}},
+  };
+  return kFigures;
+}
+
+}  // namespace
+
+std::string figures_section(const StaticResults& results) {
+  std::string body;
+  int number = 0;
+  for (const Figure& figure : all_figures()) {
+    if (figure.needs_supports && results.supports.empty()) {
+      continue;
+    }
+    body += fmt::format("<figure id=\"fig-{}\">\n", figure.id);
+    for (const char* part : figure.parts) {
+      const bool overbend_only = std::string(part) != "whole" && std::string(part) != "plan";
+      if (overbend_only && results.supports.empty()) {
+        continue;
+      }
+      body += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", figure.id, part);
+    }
+    body += fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++number, html::escape(figure.caption));
+  }
+  return html::section("figures", "Figures",
+                       "<noscript><p>The figures are drawn by scripts, which this browser does not run. The tables below "
+                       "hold the same results.</p></noscript>\n" +
+                           body);
+}
+
+}  // namespace overbend
