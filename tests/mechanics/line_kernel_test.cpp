@@ -17,7 +17,8 @@ struct Setting {
   int nodes;
 };
 
-/// A line that crosses the surface or lies on the bed, in a turning current, with contents under pressure and Poisson's ratio.
+/// A line that crosses the surface or lies on the bed, in a turning current, with contents under pressure and Poisson's
+/// ratio.
 Setting setting(double z, bool loads) {
   Description d = testing::plain_description();
   if (loads) {
@@ -47,7 +48,7 @@ Setting setting(double z, bool loads) {
 
 std::vector<double> residual(const Setting& s, const std::vector<double>& q, BlockTridiagonal* tangent, Isa isa) {
   std::vector<double> r(q.size(), 0.0);
-  add_line_forces(s.elements, s.env, q.data(), r.data(), tangent, isa);
+  add_line_forces(s.elements, s.env, {q.data(), nullptr}, r.data(), tangent, isa);
   return r;
 }
 
@@ -59,7 +60,8 @@ TEST(line_kernel, agrees_with_the_scalar_rod_element) {
   Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(6 * s.nodes, 6 * s.nodes);
   for (int e = 0; e + 1 < s.nodes; ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
-    const RodForce rod = rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i]}, testing::element_dofs(s.q, e));
+    const RodForce rod =
+        rod_force({s.elements.length[i], s.elements.EA[i], s.elements.EI[i]}, testing::element_dofs(s.q, e));
     expected.segment<12>(6 * e) += rod.force;
     stiffness.block<12, 12>(6 * e, 6 * e) += rod.stiffness;
   }

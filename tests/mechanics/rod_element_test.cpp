@@ -44,7 +44,8 @@ TEST(rod_element, a_straight_stretch_stores_half_EA_strain_squared) {
 TEST(rod_element, curvature_of_an_arc_is_one_over_its_radius) {
   const double radius = 150.0, angle = 0.5 / radius;
   ElementVector q;
-  q << 0, 0, 0, 1, 0, 0, radius * std::sin(angle), 0, radius * (1 - std::cos(angle)), std::cos(angle), 0, std::sin(angle);
+  q << 0, 0, 0, 1, 0, 0, radius * std::sin(angle), 0, radius * (1 - std::cos(angle)), std::cos(angle), 0,
+      std::sin(angle);
   EXPECT_NEAR(curvature(centreline(q, 0.5, 0.5)), 1.0 / radius, 1e-6 / radius);  // cubic against arc: (h/R)^2 relative
 }
 

@@ -42,7 +42,8 @@ inline std::vector<double> wavy_line(int nodes, double h, const Vec3& start, uns
   for (int i = 0; i < nodes; ++i) {
     const double s = i * h;
     const Vec3 r = start + Vec3(s, 0.3 * std::sin(0.7 * s), 0.2 * s + 0.4 * std::cos(0.5 * s));
-    Vec3 t(1.0 + normal(generator), 0.21 * std::cos(0.7 * s) + normal(generator), 0.2 - 0.2 * std::sin(0.5 * s) + normal(generator));
+    Vec3 t(1.0 + normal(generator), 0.21 * std::cos(0.7 * s) + normal(generator),
+           0.2 - 0.2 * std::sin(0.5 * s) + normal(generator));
     for (int k = 0; k < 3; ++k) {
       q.push_back(r(k) + normal(generator));
     }

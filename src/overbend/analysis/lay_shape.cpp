@@ -170,7 +170,8 @@ double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
   const Section& pipe = model.sections.front();
   LayShape shape;
-  // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would allow.
+  // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
+  // allow.
   const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
   double bed_z = plane.bed_at_tensioner;
   for (int pass = 0; pass < 8; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape

@@ -10,12 +10,12 @@ namespace overbend {
 
 /// The vertical plane in which the barge lays, and the frame of the laid tail.
 struct LayPlane {
-  Vec3 tensioner_W = Vec3::Zero();   ///< Pipe axis at the tensioner [m].
-  Vec3 astern_W = Vec3::UnitX();     ///< Horizontal unit vector.
-  Vec3 port_W = Vec3::UnitY();       ///< Horizontal unit vector to port.
-  double guide_dip = 0.0;            ///< Inclination of the guide from horizontal, positive dipping astern [rad].
-  double bed_at_tensioner = 0.0;     ///< Height of the bed under the tensioner [m].
-  double bed_slope = 0.0;            ///< Rise of the bed per metre astern [-].
+  Vec3 tensioner_W = Vec3::Zero();  ///< Pipe axis at the tensioner [m].
+  Vec3 astern_W = Vec3::UnitX();    ///< Horizontal unit vector.
+  Vec3 port_W = Vec3::UnitY();      ///< Horizontal unit vector to port.
+  double guide_dip = 0.0;           ///< Inclination of the guide from horizontal, positive dipping astern [rad].
+  double bed_at_tensioner = 0.0;    ///< Height of the bed under the tensioner [m].
+  double bed_slope = 0.0;           ///< Rise of the bed per metre astern [-].
 
   double bed(double distance) const { return bed_at_tensioner + bed_slope * distance; }
 };
@@ -36,8 +36,9 @@ struct LayShape {
   std::string problem;           ///< Why there is no such curve; empty when there is.
 };
 
-/// Work of the pipe's weight per length between the bed and the tensioner: what the tension loses on the way down. A frictionless
-/// rod keeps N + EI kappa^2/2 + (weight of the pipe hanging below), so tension - this is the bottom tension but for bending.
+/// Work of the pipe's weight per length between the bed and the tensioner: what the tension loses on the way down. A
+/// frictionless rod keeps N + EI kappa^2/2 + (weight of the pipe hanging below), so tension - this is the bottom
+/// tension but for bending.
 double hanging_weight(const Model& model, const LayPlane& plane, double bed_z);
 
 /// `tension` at the tensioner [N]; `bottom_tension` > 0 overrides the one that follows from it (continuation).

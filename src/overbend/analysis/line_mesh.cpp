@@ -42,7 +42,8 @@ double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
   return size;
 }
 
-/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the second.
+/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
+/// second.
 void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest, double to) {
   const double from = u.back();
   std::vector<double> steps;
@@ -74,7 +75,8 @@ MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   sizes.overbend = std::max(kShortestElement, std::min({top_bending / 20.0, spacing.box / 8.0, 0.4 * spacing.row}));
   sizes.touchdown = std::max(kShortestElement, std::min(bottom_bending / 20.0, soil / 8.0));
   const double suspended = std::max(zones.touchdown - zones.last_support, 1.0);
-  sizes.longest = std::max({sizes.overbend, sizes.touchdown, std::min(bottom_bending, suspended / 10.0) / 4.0, suspended / 300.0});
+  sizes.longest =
+      std::max({sizes.overbend, sizes.touchdown, std::min(bottom_bending, suspended / 10.0) / 4.0, suspended / 300.0});
   sizes.overbend = given.overbend_element.value_or(sizes.overbend);
   sizes.touchdown = given.touchdown_element.value_or(sizes.touchdown);
   sizes.longest = given.longest_element.value_or(sizes.longest);
@@ -85,8 +87,9 @@ MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
 
 LineMesh build_mesh(const Model& model, const MeshZones& zones) {
   const MeshSizes sizes = mesh_sizes(model, zones);
-  std::vector<Zone> fine{{0.0, zones.last_support, sizes.overbend},
-                         {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  std::vector<Zone> fine{
+      {0.0, zones.last_support, sizes.overbend},
+      {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
   if (zones.waterline > zones.last_support) {
     const double diameter = model.sections.front().outer_diameter;
     fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});

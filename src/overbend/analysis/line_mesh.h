@@ -19,24 +19,26 @@ struct LineMesh {
 
 /// Lengths of the line that the mesh rule needs.
 struct MeshZones {
-  double total = 0.0;          ///< Tensioner to anchor [m].
-  double last_support = 0.0;   ///< From the tensioner to the end of the supports [m]; 0 in J-lay.
-  double touchdown = 0.0;      ///< From the tensioner [m].
-  double waterline = 0.0;      ///< From the tensioner; negative when the pipe starts under water [m].
-  double top_tension = 0.0;    ///< [N]
-  double bottom_tension = 0.0; ///< [N]
+  double total = 0.0;           ///< Tensioner to anchor [m].
+  double last_support = 0.0;    ///< From the tensioner to the end of the supports [m]; 0 in J-lay.
+  double touchdown = 0.0;       ///< From the tensioner [m].
+  double waterline = 0.0;       ///< From the tensioner; negative when the pipe starts under water [m].
+  double top_tension = 0.0;     ///< [N]
+  double bottom_tension = 0.0;  ///< [N]
 };
 
 /// Element sizes the rule arrives at [m].
 struct MeshSizes {
   double overbend = 0.0, touchdown = 0.0, longest = 0.0;
-  double touchdown_before = 0.0, touchdown_after = 0.0;  ///< Extent of the fine zone, towards the tensioner and the anchor.
+  double touchdown_before = 0.0,
+         touchdown_after = 0.0;  ///< Extent of the fine zone, towards the tensioner and the anchor.
 };
 
-/// The rule. Over the supports: a twentieth of the bending length sqrt(EI/T), an eighth of the closest spacing of boxes, two
-/// fifths of that of rows, whichever is least. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of the soil length
-/// (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of sqrt(EI/H), or what gives 300
-/// elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
+/// The rule. Over the supports: a twentieth of the bending length sqrt(EI/T), an eighth of the closest spacing of
+/// boxes, two fifths of that of rows, whichever is least. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of
+/// the soil length (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of
+/// sqrt(EI/H), or what gives 300 elements in the suspended part where that is more. Values of `analysis.mesh` take
+/// precedence.
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones);
 
 /// Fine over the supports, at the waterline, at the tensioner and around touchdown; nodes on section boundaries.

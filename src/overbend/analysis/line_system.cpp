@@ -8,8 +8,12 @@ namespace {
 
 using Vec3Map = Eigen::Map<const Vec3>;
 
-Vec3 position(const std::vector<double>& q, int node) { return Vec3(Vec3Map(q.data() + 6 * node)); }
-Vec3 tangent_at(const std::vector<double>& q, int node) { return Vec3(Vec3Map(q.data() + 6 * node + 3)); }
+Vec3 position(const std::vector<double>& q, int node) {
+  return Vec3(Vec3Map(q.data() + 6 * node));
+}
+Vec3 tangent_at(const std::vector<double>& q, int node) {
+  return Vec3(Vec3Map(q.data() + 6 * node + 3));
+}
 
 ElementVector dofs_of(const std::vector<double>& q, int element) {
   return ElementVector(Eigen::Map<const ElementVector>(q.data() + 6 * element));
@@ -59,8 +63,8 @@ struct NodeBlocks {
 NodeBlocks blocks_of(BlockTridiagonal& k, int node) {
   const bool first = node == 0;
   const bool last = node == k.nodes() - 1;
-  return {k.diag(node), last ? nullptr : k.upper(node), last ? nullptr : k.lower(node), first ? nullptr : k.upper(node - 1),
-          first ? nullptr : k.lower(node - 1)};
+  return {k.diag(node), last ? nullptr : k.upper(node), last ? nullptr : k.lower(node),
+          first ? nullptr : k.upper(node - 1), first ? nullptr : k.lower(node - 1)};
 }
 
 void hold_direction(const NodeBlocks& at, int first_dof, const Vec3& d) {
@@ -100,7 +104,19 @@ ElementBounds element_bounds(const Vec3& r1_S, const Vec3& t1_S, const Vec3& r2_
 }  // namespace
 
 double default_roller_stiffness(const Section& pipe, double element_length) {
-  return pipe.EI / std::pow(element_length, 3);
+  return pipe.EI / std::pow(std::max(element_length, pipe.steel_diameter), 3);
+}
+
+void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share) {
+  to.q.resize(dq.size());
+  to.low.resize(dq.size());
+  for (std::size_t i = 0; i < dq.size(); ++i) {
+    const double step = share * dq[i] + (from.low.empty() ? 0.0 : from.low[i]);
+    const double sum = from.q[i] + step;
+    const double part = sum - from.q[i];
+    to.low[i] = (from.q[i] - (sum - part)) + (step - part);
+    to.q[i] = sum;
+  }
 }
 
 LineSystem::LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh)
@@ -160,7 +176,8 @@ void LineSystem::evaluate(const LineState& state, bool with_tangent) {
   if (with_tangent) {
     tangent_.set_zero();
   }
-  add_line_forces(elements_, environment_, state.q.data(), residual_.data(), with_tangent ? &tangent_ : nullptr, best_isa());
+  add_line_forces(elements_, environment_, state.shape(), residual_.data(), with_tangent ? &tangent_ : nullptr,
+                  best_isa());
   for (int i = 0; i < 3; ++i) {
     residual_[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
   }
@@ -230,7 +247,9 @@ void LineSystem::add_contacts(const LineState& state, bool with_tangent) {
   }
 }
 
-Vec3 LineSystem::end_reaction(int node) const { return Vec3(Vec3Map(residual_.data() + 6 * node)); }
+Vec3 LineSystem::end_reaction(int node) const {
+  return Vec3(Vec3Map(residual_.data() + 6 * node));
+}
 
 void LineSystem::hold(bool with_blocks) {
   const int last = mesh_.nodes() - 1;
@@ -303,7 +322,8 @@ bool LineSystem::solve_step(const LineState& state, const LineTargetValue& targe
   }
   const bool anchor = target.kind == LineTargetValue::Kind::anchor_distance;
   const int at = anchor ? 0 : n - 1;
-  const Vec3 gradient = anchor ? plane_.astern_W : Vec3(elements_.EA[mesh_.length.size() - 1] * tangent_at(state.q, at).normalized());
+  const Vec3 gradient =
+      anchor ? plane_.astern_W : Vec3(elements_.EA[mesh_.length.size() - 1] * tangent_at(state.q, at).normalized());
   double along_residual = 0.0, along_border = 0.0;
   for (int i = 0; i < 3; ++i) {
     along_residual += gradient(i) * tangent_.rhs(at, anchor ? i : 3 + i, 0);

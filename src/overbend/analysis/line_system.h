@@ -1,8 +1,9 @@
 /// The equations of a line on its supports: one assembly of residual and tangent.
 ///
-/// Unknowns: position and tangent of every node, and the horizontal force H that holds the far end. The far end may slide along the
-/// bed under H; the top node stands at the tensioner, held in the guide's direction. The extra equation says what is wanted: the
-/// effective tension at the tensioner, or the place of the anchor. Because the strain at a node is |t| - 1, the first is local:
+/// Unknowns: position and tangent of every node, and the horizontal force H that holds the far end. The far end may
+/// slide along the bed under H; the top node stands at the tensioner, held in the guide's direction. The extra equation
+/// says what is wanted: the effective tension at the tensioner, or the place of the anchor. Because the strain at a
+/// node is |t| - 1, the first is local:
 ///     EA (|t_top| - 1) + pressure part = T
 #pragma once
 
@@ -19,9 +20,15 @@ namespace overbend {
 
 /// Unknowns of a line.
 struct LineState {
-  std::vector<double> q;     ///< Six per node: r [m], t [-]; W.
-  double far_force = 0.0;    ///< H, away from the barge, along the bed [N].
+  std::vector<double> q;    ///< Six per node: r [m], t [-]; W.
+  std::vector<double> low;  ///< What rounding cut off `q`; empty means zero.
+  double far_force = 0.0;   ///< H, away from the barge, along the bed [N].
+
+  LineShape shape() const { return {q.data(), low.empty() ? nullptr : low.data()}; }
 };
+
+/// `to` = `from` + share * dq, digits beyond a double kept in `low` (two-sum, Knuth 1969).
+void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share);
 
 /// What the extra equation asks for.
 struct LineTargetValue {
@@ -32,9 +39,9 @@ struct LineTargetValue {
 /// One roller and where the pipe passes it.
 struct RollerState {
   ClosestPoint at;
-  double penetration = 0.0;        ///< Positive in contact [m].
-  Vec3 direction = Vec3::Zero();   ///< In which the roller pushes the pipe.
-  double force = 0.0;              ///< Normal force [N].
+  double penetration = 0.0;       ///< Positive in contact [m].
+  Vec3 direction = Vec3::Zero();  ///< In which the roller pushes the pipe.
+  double force = 0.0;             ///< Normal force [N].
 };
 
 /// Directions of a node's position and tangent that are held, as unit vectors.
@@ -68,15 +75,16 @@ class LineSystem {
   /// Internal minus external forces; with `with_tangent` also the blocks. Held directions are left in: see hold().
   void evaluate(const LineState& state, bool with_tangent);
 
-  /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the node.
+  /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the
+  /// node.
   double relative_residual() const;
   /// What the extra equation lacks: value minus target, and its gradient, which acts on one node only.
   double target_error(const LineState& state, const LineTargetValue& target) const;
 
   /// Removes the held directions from the residual and, where asked, from the blocks.
   void hold(bool blocks);
-  /// Solves K dq + (border) = -R together with the extra equation, or with dH = 0 where `free_far_force` is false. `damping` is added
-  /// to the diagonal per length. False if K is singular.
+  /// Solves K dq + (border) = -R together with the extra equation, or with dH = 0 where `free_far_force` is false.
+  /// `damping` is added to the diagonal per length. False if K is singular.
   bool solve_step(const LineState& state, const LineTargetValue& target, double damping, bool free_far_force,
                   std::vector<double>& dq, double& dH);
   int singular_node() const { return solve_report_.singular_node; }
@@ -117,8 +125,8 @@ class LineSystem {
   std::vector<RollerState> roller_states_;
 };
 
-/// Normal penalty where the user gives no roller stiffness: EI / h^3 of the elements over the supports, the order of an element's own
-/// stiffness across the pipe [N/m].
+/// Normal penalty where the user gives no roller stiffness: EI / h^3, h the length of the elements over the supports
+/// but not less than the diameter: the order of an element's own stiffness across the pipe [N/m].
 double default_roller_stiffness(const Section& pipe, double element_length);
 
 }  // namespace overbend

@@ -6,12 +6,14 @@
 namespace overbend {
 namespace {
 
-constexpr double kLargestTurn = 0.35;       ///< Of a node's tangent in one step [rad].
-constexpr double kLargestForceStep = 0.3;   ///< Of the far force, relative.
-constexpr double kSearchGoal = 0.8;         ///< A step is good when the work left along it has fallen to this share.
+constexpr double kLargestTurn = 0.35;      ///< Of a node's tangent in one step [rad].
+constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
+constexpr double kSearchGoal = 0.8;        ///< A step is good when the work left along it has fallen to this share.
 
 /// Length that a node may move in one step [m].
-double largest_move(const LineSystem& system) { return 2.0 + 0.02 * system.mesh().total_length(); }
+double largest_move(const LineSystem& system) {
+  return 2.0 + 0.02 * system.mesh().total_length();
+}
 
 /// Share of the step that keeps it inside the limits.
 double step_limit(const std::vector<double>& dq, double move) {
@@ -32,16 +34,15 @@ struct Search {
 
   /// Work of the unbalanced forces per unit of the step at `share`.
   double work_at(double share) {
-    for (std::size_t i = 0; i < dq.size(); ++i) {
-      trial.q[i] = from.q[i] + share * dq[i];
-    }
+    advance(trial, from, dq, share);
     system.evaluate(trial, false);
     system.hold(false);
     return system.work(dq);
   }
 };
 
-/// Finds a share in (0, limit] where the work has changed little sign; leaves `search.trial` there. Returns the share, 0 when none.
+/// Finds a share in (0, limit] where the work has changed little sign; leaves `search.trial` there. Returns the share,
+/// 0 when none.
 double search_along(Search& search, double work_start, double limit) {
   double low = 0.0, work_low = work_start;
   double share = limit;
@@ -63,7 +64,8 @@ double search_along(Search& search, double work_start, double limit) {
 
 }  // namespace
 
-NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target, const NewtonSettings& settings) {
+NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
+                    const NewtonSettings& settings) {
   NewtonReport report;
   std::vector<double> dq(state.q.size());
   LineState trial = state;

@@ -9,11 +9,12 @@
 namespace overbend {
 
 struct NewtonSettings {
-  double tolerance = 1e-9;      ///< Largest unbalanced nodal force over the total weight.
+  double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
   int max_iterations = 60;
-  bool free_far_force = true;   ///< False: H stays, the extra equation is not looked at.
-  double entering = 1e30;       ///< No step drives the pipe deeper than this into a roller beyond where it is [m].
-  double damping = 0.0;         ///< Start value of the viscous damping of a step [N/m2]; grows where a step fails, fades where it works.
+  bool free_far_force = true;  ///< False: H stays, the extra equation is not looked at.
+  double entering = 1e30;      ///< No step drives the pipe deeper than this into a roller beyond where it is [m].
+  double damping =
+      0.0;  ///< Start value of the viscous damping of a step [N/m2]; grows where a step fails, fades where it works.
 };
 
 enum class NewtonEnd { converged, too_many_iterations, singular, lost };
@@ -26,9 +27,10 @@ struct NewtonReport {
   bool converged() const { return end == NewtonEnd::converged; }
 };
 
-/// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the unbalanced forces
-/// do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact, friction and drag alike. The far
-/// force takes its whole step before the search.
-NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target, const NewtonSettings& settings);
+/// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the
+/// unbalanced forces do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact,
+/// friction and drag alike. The far force takes its whole step before the search.
+NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
+                    const NewtonSettings& settings);
 
 }  // namespace overbend

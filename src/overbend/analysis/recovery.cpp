@@ -35,9 +35,12 @@ LineElements single(const LineElements& all, std::size_t e) {
 
 /// Internal minus external forces of one element at its two nodes, roller contacts included.
 ElementVector element_residual(const LineSystem& system, const LineState& state, int element) {
+  const LineShape shape = state.shape();
   alignas(kLineBytes) double out[12] = {};
   const LineElements one = single(system.elements(), static_cast<std::size_t>(element));
-  add_line_forces(one, system.environment(), state.q.data() + 6 * element, out, nullptr, best_isa());
+  add_line_forces(one, system.environment(),
+                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element}, out, nullptr,
+                  best_isa());
   ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   for (const RollerState& roller : system.roller_states()) {
@@ -51,7 +54,9 @@ ElementVector element_residual(const LineSystem& system, const LineState& state,
   return residual;
 }
 
-Vec3 node_tangent(const LineState& state, int node) { return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)); }
+Vec3 node_tangent(const LineState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
+}
 
 /// Forces of the loads on [0, xi] of an element and their moment about the point at xi.
 CutForces loads_before(const LineSystem& system, const LineState& state, int element, double xi) {
@@ -61,7 +66,8 @@ CutForces loads_before(const LineSystem& system, const LineState& state, int ele
   CutForces sum;
   for (int i = 0; i < kGaussPoints; ++i) {
     const CentrelinePoint at = centreline(q, kGaussXi[i] * xi, h);
-    const Vec3 f = kGaussWeight[i] * xi * h * point_load(system.elements(), system.environment(), element, at.r, at.a).sum();
+    const Vec3 f =
+        kGaussWeight[i] * xi * h * point_load(system.elements(), system.environment(), element, at.r, at.a).sum();
     sum.force += f;
     sum.moment += (at.r - here).cross(f);
   }
@@ -91,7 +97,8 @@ std::vector<CutForces> cut_forces(LineSystem& system, const LineState& state) {
   return cuts;
 }
 
-CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element, double xi) {
+CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
+                 double xi) {
   const CutForces& start = cuts[static_cast<std::size_t>(element)];
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
@@ -122,7 +129,8 @@ Station make_station(const LineSystem& system, const LineState& state, const Cut
   station.curvature = station.bending_moment / section.EI;
   const Vec3 bend = moment.cross(t);  // EI times the curvature vector
   const Vec3 horizontal(t.x(), t.y(), 0.0);
-  const Vec3 port = horizontal.norm() > 1e-9 ? Vec3(Vec3::UnitZ().cross(horizontal.normalized())) : system.plane().port_W;
+  const Vec3 port =
+      horizontal.norm() > 1e-9 ? Vec3(Vec3::UnitZ().cross(horizontal.normalized())) : system.plane().port_W;
   station.lateral_moment = bend.dot(port);
   station.vertical_moment = bend.dot(t.cross(port));
 
@@ -204,7 +212,7 @@ void find_extremes(StaticResults& results, double departure_s, bool carried) {
   const double inflection_s = inflection(results.stations, departure_s);
   results.largest_tension = results.stations.front().effective_tension;
   for (Station& station : results.stations) {
-    station.region = station.s < results.touchdown.s  ? Region::seabed
+    station.region = station.s < results.touchdown.s       ? Region::seabed
                      : carried && station.s >= departure_s ? Region::overbend
                                                            : Region::sagbend;
     // Below the last support the pipe still hogs up to its inflection: that stretch counts to the overbend's extremes.
@@ -222,7 +230,8 @@ void find_extremes(StaticResults& results, double departure_s, bool carried) {
 }
 
 Station station_at(const std::vector<Station>& stations, double s) {
-  const auto after = std::lower_bound(stations.begin(), stations.end(), s - 1e-9, [](const Station& a, double v) { return a.s < v; });
+  const auto after =
+      std::lower_bound(stations.begin(), stations.end(), s - 1e-9, [](const Station& a, double v) { return a.s < v; });
   return after == stations.end() ? stations.back() : *after;
 }
 
@@ -248,8 +257,8 @@ void sum_forces(StaticResults& results, LineSystem& system, const LineState& sta
   results.top_reaction = system.end_reaction(system.mesh().nodes() - 1);
   results.anchor_reaction = system.end_reaction(0) + state.far_force * system.far_direction();
   results.total_weight = system.total_weight();
-  const Vec3 sum = results.sum_weight + results.sum_buoyancy + results.sum_current + results.sum_seabed + results.sum_rollers +
-                   results.top_reaction + results.anchor_reaction;
+  const Vec3 sum = results.sum_weight + results.sum_buoyancy + results.sum_current + results.sum_seabed +
+                   results.sum_rollers + results.top_reaction + results.anchor_reaction;
   results.global_residual = sum.norm() / results.total_weight;
   system.hold(false);
   results.force_residual = system.relative_residual();
@@ -262,7 +271,8 @@ void copy_model(StaticResults& results, const Model& model) {
   results.assumptions = assumptions(model);
   results.warnings = model.description.warnings;
   for (const Section& s : model.sections) {
-    results.sections.push_back({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment, s.outer_diameter, s.mass()});
+    results.sections.push_back({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment,
+                                s.outer_diameter, s.mass()});
   }
   results.stern_shoe_W = point_from_ramp(model, model.mean_pose, Vec3::Zero());
   results.tensioner_W = lay_plane(model, model.mean_pose).tensioner_W;

@@ -6,8 +6,8 @@
 
 namespace overbend {
 
-/// Force and moment in the pipe by equilibrium of what lies on one side of a cut, W: more accurate than derivatives of the shape, and
-/// exact at a roller, where the moment has a kink.
+/// Force and moment in the pipe by equilibrium of what lies on one side of a cut, W: more accurate than derivatives of
+/// the shape, and exact at a roller, where the moment has a kink.
 struct CutForces {
   Vec3 force = Vec3::Zero();   ///< On the part towards the anchor, by the part towards the tensioner [N].
   Vec3 moment = Vec3::Zero();  ///< [N m]

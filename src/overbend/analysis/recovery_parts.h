@@ -9,7 +9,8 @@
 namespace overbend {
 
 /// Cut at xi inside an element, by balance of what lies between it and the element's first node.
-CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element, double xi);
+CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
+                 double xi);
 
 Station make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element, double xi);
 
@@ -20,7 +21,8 @@ struct Departure {
   std::string support;
 };
 
-/// Separation and reaction of every roller, row and box, [silva2009] equations 19 to 21; uses the contacts of the last evaluation.
+/// Separation and reaction of every roller, row and box, [silva2009] equations 19 to 21; uses the contacts of the last
+/// evaluation.
 Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state,
                            const std::vector<CutForces>& cuts);
 

@@ -22,10 +22,13 @@ struct Crossing {
 };
 
 /// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
-std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& state, const Vec3& point_W, const Vec3& normal_W) {
+std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& state, const Vec3& point_W,
+                                    const Vec3& normal_W) {
   const LineMesh& mesh = system.mesh();
   std::optional<Crossing> nearest;
-  const auto height = [&](int node) { return normal_W.dot(Eigen::Map<const Vec3>(state.q.data() + 6 * node) - point_W); };
+  const auto height = [&](int node) {
+    return normal_W.dot(Eigen::Map<const Vec3>(state.q.data() + 6 * node) - point_W);
+  };
   double before = height(0);
   for (int e = 0; e < mesh.elements(); ++e) {
     const double after = height(e + 1);
@@ -47,7 +50,8 @@ std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& s
   return nearest;
 }
 
-RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, const RollerState& state, const Axes& axes) {
+RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, const RollerState& state,
+                            const Axes& axes) {
   RollerResult result;
   result.position = roller.position;
   result.reaction = state.force;
@@ -70,7 +74,8 @@ struct RowTotals {
   double last_s = kInfinity;  ///< Of the contact nearest to the sea bed.
 };
 
-RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state, const Axes& axes) {
+RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state,
+                      const Axes& axes) {
   const Model& model = system.model();
   RowTotals totals;
   result.p_W = point_from_ramp(model, model.mean_pose, row.point_S);
@@ -87,7 +92,8 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
     const std::size_t k = static_cast<std::size_t>(i);
     const RollerState& contact = system.roller_states()[k];
     RollerResult roller = recover_roller(model.supports.rollers[k], system.rollers()[k], contact, axes);
-    // D_i = (P - R_i) . n_i - r_pipe; a pipe that ends before the row is reported at the clearance of its closest point.
+    // D_i = (P - R_i) . n_i - r_pipe; a pipe that ends before the row is reported at the clearance of its closest
+    // point.
     const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));
     roller.separation = (p_W - roller.p_W).dot(roller.normal_W) - pipe_radius;
     if (contact.force > 0.0) {
@@ -168,7 +174,8 @@ Departure recover_supports(StaticResults& results, const LineSystem& system, con
   Departure departure;
   departure.s = kInfinity;
   for (const SupportBox& box : model.supports.boxes) {
-    const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S), direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
+    const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
+                    direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
     SupportResult result;
     result.name = box.name;
     result.stinger = box.structure == Structure::stinger;

@@ -15,9 +15,9 @@ struct RelaxationReport {
   double residual = 0.0;
 };
 
-/// Marches a fictitious motion with lumped masses chosen for the largest stable unit step (Gershgorin bound on the tangent) and sets
-/// all velocities to zero at every peak of the kinetic energy (Cundall 1976; Barnes 1999). Matrix-free between the renewals of the
-/// masses. The far force stays.
+/// Marches a fictitious motion with lumped masses chosen for the largest stable unit step (Gershgorin bound on the
+/// tangent) and sets all velocities to zero at every peak of the kinetic energy (Cundall 1976; Barnes 1999).
+/// Matrix-free between the renewals of the masses. The far force stays.
 RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSettings& settings);
 
 }  // namespace overbend

@@ -12,20 +12,30 @@ namespace {
 
 StaticFailure floats(const Section& pipe) {
   return {"the pipe floats", "the whole line",
-          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the sea bed only if that is positive: add weight coating",
+          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the sea bed only if that is positive: add "
+                      "weight coating",
                       pipe.weight_submerged)};
 }
 
 StaticFailure too_little_tension(double tension, double least) {
   return {"the tension is too low to carry the pipe", "at the tensioner",
-          fmt::format("{:.1f} kN is given, but the pipe between tensioner and sea bed alone hangs with {:.1f} kN (weight in air above the "
+          fmt::format("{:.1f} kN is given, but the pipe between tensioner and sea bed alone hangs with {:.1f} kN "
+                      "(weight in air above the "
                       "water, submerged weight below); anything less leaves it in compression at the sea bed",
                       1e-3 * tension, 1e-3 * least)};
 }
 
-StaticFailure no_curve(const std::string& problem) { return {"the pipe does not reach the sea bed", "sagbend", problem}; }
+StaticFailure no_curve(const std::string& problem) {
+  return {"the pipe does not reach the sea bed", "sagbend", problem};
+}
 
-/// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it exactly).
+std::size_t touchdown_index(const LayShape& shape) {
+  return static_cast<std::size_t>(std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) -
+                                  shape.length.begin());
+}
+
+/// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it
+/// exactly).
 double tension_for_anchor(const Model& model, const LayPlane& plane, double least, double distance) {
   double low = 1.001 * least, high = 50.0 * least;
   const double length = *model.description.pipe.length;
@@ -33,9 +43,7 @@ double tension_for_anchor(const Model& model, const LayPlane& plane, double leas
     const double middle = std::sqrt(low * high);
     const LayShape shape = lay_shape(model, plane, middle);
     const double slack = length - shape.touchdown;  // the rest lies on the bed
-    const double reach = shape.distance[static_cast<std::size_t>(
-                             std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) - shape.length.begin())] +
-                         slack;
+    const double reach = shape.distance[touchdown_index(shape)] + slack;
     (reach < distance ? low : high) = middle;
   }
   return std::sqrt(low * high);
@@ -52,7 +60,8 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     return start;
   }
   if (plane.tensioner_W.z() <= plane.bed_at_tensioner) {
-    start.failure = StaticFailure{"the tensioner stands below the sea bed", "at the tensioner", "check water depth and tensioner.z"};
+    start.failure = StaticFailure{"the tensioner stands below the sea bed", "at the tensioner",
+                                  "check water depth and tensioner.z"};
     return start;
   }
   const double least = hanging_weight(model, plane, plane.bed_at_tensioner);
@@ -74,6 +83,12 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     start.failure = no_curve(start.shape.problem);
     return start;
   }
+  // On a slope the depth where the pipe lands decides.
+  const double landing_z = start.shape.z[touchdown_index(start.shape)];
+  if (const double needed = hanging_weight(model, plane, landing_z); !anchored && tension <= needed) {
+    start.failure = too_little_tension(tension, needed);
+    return start;
+  }
   start.tail = start.shape.total - start.shape.touchdown;
   if (d.pipe.length) {
     start.tail = *d.pipe.length - start.shape.touchdown;
@@ -83,8 +98,8 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     }
     start.shape.total = *d.pipe.length;
   }
-  start.zones = {start.shape.total, start.shape.last_support, start.shape.touchdown, start.shape.waterline, tension,
-                 start.shape.bottom_tension};
+  start.zones = {start.shape.total, start.shape.last_support,  start.shape.touchdown, start.shape.waterline,
+                 tension,           start.shape.bottom_tension};
   return start;
 }
 
@@ -113,12 +128,14 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
   LineState moved;
   moved.far_force = state.far_force;
   moved.q.resize(6 * to.s.size());
-  const double shift = from.total_length() - to.total_length();  // arc length counts from the anchor, nodes match from the top
+  const double shift =
+      from.total_length() - to.total_length();  // arc length counts from the anchor, nodes match from the top
   const Vec3 along_bed = (plane.astern_W + plane.bed_slope * Vec3::UnitZ()).normalized();
   for (std::size_t node = 0; node < to.s.size(); ++node) {
     const double s = to.s[node] + shift;
     const auto after = std::upper_bound(from.s.begin(), from.s.end(), s);
-    const std::size_t e = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - from.s.begin() - 1, 0, from.elements() - 1));
+    const std::size_t e =
+        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - from.s.begin() - 1, 0, from.elements() - 1));
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
     const double xi = std::clamp((s - from.s[e]) / from.length[e], 0.0, 1.0);
     const CentrelinePoint at = centreline(q, xi, from.length[e]);
@@ -146,9 +163,10 @@ std::optional<StaticFailure> check_supports(const Model& model, const LineSystem
   if (model.supports.boxes.empty() || carried) {
     return std::nullopt;
   }
-  return StaticFailure{"the pipe lifts off every support", "ramp and stinger",
-                       "it hangs clear of all rollers from the tensioner to the sea bed: the tension is too high for this depth, or the "
-                       "supports stand too low"};
+  return StaticFailure{
+      "the pipe lifts off every support", "ramp and stinger",
+      "it hangs clear of all rollers from the tensioner to the sea bed: the tension is too high for this depth, or the "
+      "supports stand too low"};
 }
 
 StaticFailure never_touches(const Model& model, double length) {

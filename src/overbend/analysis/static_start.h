@@ -23,7 +23,8 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane);
 /// The guess at the nodes of the system's mesh.
 LineState sample_shape(const LineSystem& system, const LayShape& shape);
 
-/// A state carried over to another mesh; nodes are matched by their distance from the tensioner, a longer tail goes on along the bed.
+/// A state carried over to another mesh; nodes are matched by their distance from the tensioner, a longer tail goes on
+/// along the bed.
 LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane);
 
 /// Length from the tensioner to the last roller that the pipe passes [m]; from the contacts of the last evaluation.

@@ -16,6 +16,8 @@ namespace {
 
 using Target = LineTargetValue;
 
+constexpr int kMeshPasses = 6;  ///< Times the mesh may follow the touchdown found.
+
 /// One case on one mesh.
 struct Case {
   const Model& model;
@@ -25,8 +27,9 @@ struct Case {
   SolveReport report;
 
   bool spatial() const {
-    return !model.current.z.empty() || std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(),
-                                                   [](const Roller& r) { return r.position != RollerPosition::bottom; });
+    return !model.current.z.empty() ||
+           std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(),
+                       [](const Roller& r) { return r.position != RollerPosition::bottom; });
   }
 };
 
@@ -57,8 +60,8 @@ NewtonSettings finally(const Case& at) {
   return settings;
 }
 
-/// Rollers from soft to hard, first in the vertical plane without current, then with side rollers and current.
-bool harden(Case& at) {
+/// Soft rollers, then harder ones, in the vertical plane: no side rollers, no current.
+bool settle_in_plane(Case& at) {
   const double soft = soft_roller(at, at.target.value);
   at.system.use_side_rollers(false);
   at.system.scale_current(0.0);
@@ -67,17 +70,27 @@ bool harden(Case& at) {
   settings.free_far_force = false;
   run_newton(at, settings, "soft rollers");
   at.system.limit_roller_stiffness(10.0 * soft);
-  if (!run_newton(at, loosely(), "harder rollers")) {
+  return run_newton(at, loosely(), "harder rollers");
+}
+
+/// Whether any roller carries the pipe; a line without supports needs none.
+bool carried(const Case& at) {
+  return !check_supports(at.model, at.system);
+}
+
+/// Rollers from soft to hard, first in the vertical plane, then with side rollers and current.
+bool harden(Case& at) {
+  if (!settle_in_plane(at)) {
     return false;
   }
   at.system.use_side_rollers(true);
   at.system.scale_current(1.0);
-  at.system.limit_roller_stiffness(100.0 * soft);
-  settings = loosely();
+  at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
+  NewtonSettings settings = loosely();
   settings.entering = 0.25 * at.model.sections.front().outer_diameter;
   run_newton(at, settings, at.spatial() ? "side rollers and current" : "hard rollers");
   at.system.limit_roller_stiffness(1e300);
-  return run_newton(at, finally(at), "full stiffness");
+  return run_newton(at, finally(at), "full stiffness") && carried(at);
 }
 
 /// From a solution close by: all at once.
@@ -86,6 +99,22 @@ bool follow(Case& at, const char* stage) {
   at.system.scale_current(1.0);
   at.system.limit_roller_stiffness(1e300);
   return run_newton(at, finally(at), stage);
+}
+
+/// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently.
+bool ease_in_current(Case& at) {
+  if (at.model.current.z.empty() || !settle_in_plane(at)) {
+    return false;
+  }
+  at.system.use_side_rollers(true);
+  at.system.limit_roller_stiffness(1e300);
+  for (double scale = 0.02; scale < 1.0; scale = std::min(1.0, 1.5 * scale)) {
+    at.system.scale_current(scale);
+    if (!run_newton(at, finally(at), "rising current")) {
+      return false;
+    }
+  }
+  return follow(at, "full current") && carried(at);
 }
 
 /// From a much larger tension, where the line is nearly straight, down to the wanted one.
@@ -140,6 +169,11 @@ bool solve_from_shape(Case& at, const LayShape& shape) {
     if (harden(at)) {
       return true;
     }
+    at.report.method = "newton, current raised in steps";
+    at.state = sample_shape(at.system, shape);
+    if (ease_in_current(at)) {
+      return true;
+    }
     at.report.method = "newton, tension lowered in steps";
     if (at.target.kind == Target::Kind::top_tension && descend(at)) {
       return true;
@@ -175,16 +209,22 @@ bool mesh_serves(const Case& at, const MeshZones& built, const MeshZones& now) {
   return fine_zone && supports && tail;
 }
 
-StaticOutcome fail(StaticFailure failure) { return {std::nullopt, std::move(failure)}; }
+StaticOutcome fail(StaticFailure failure) {
+  return {std::nullopt, std::move(failure)};
+}
 
 StaticOutcome give_up(const Case& at) {
+  if (getenv("OVERBEND_TRACE"))
+    for (auto& h : at.report.history) puts(h.c_str());
   const int node = at.system.singular_node();
-  const std::string where =
-      node < 0 ? "the whole line"
-               : fmt::format("node {} at s = {:.1f} m from the anchor", node, at.system.mesh().s[static_cast<std::size_t>(node)]);
+  const std::string where = node < 0 ? "the whole line"
+                                     : fmt::format("node {} at s = {:.1f} m from the anchor", node,
+                                                   at.system.mesh().s[static_cast<std::size_t>(node)]);
   return fail({"no equilibrium found", where,
-               fmt::format("neither Newton's method, nor lowering the tension step by step, nor dynamic relaxation settled (last residual "
-                           "{:.1e} of the line's weight); look at the supports: a box far off the curve of its neighbours, or a tension "
+               fmt::format("neither Newton's method, nor lowering the tension step by step, nor dynamic relaxation "
+                           "settled (last residual "
+                           "{:.1e} of the line's weight); look at the supports: a box far off the curve of its "
+                           "neighbours, or a tension "
                            "near the least the pipe can hang from",
                            at.report.force_residual)});
 }
@@ -198,7 +238,11 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   if (from.failure) {
     return fail(*from.failure);
   }
-  Case at{model, LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)), {}, from.target, {}};
+  Case at{model,
+          LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
+          {},
+          from.target,
+          {}};
   bool solved = false;
   if (start != nullptr) {
     from.zones.total = start->mesh.total_length();
@@ -211,16 +255,18 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   } else {
     solved = solve_from_shape(at, from.shape);
   }
-  for (int pass = 0; solved && pass < 4; ++pass) {
+  for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
     const MeshZones now = zones_of(at, from.zones);
-    if (!find_touchdown(at.system, at.state)) {
+    const bool touches = find_touchdown(at.system, at.state).has_value();
+    if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
       return fail(never_touches(model, at.system.mesh().total_length()));
     }
-    if (mesh_serves(at, from.zones, now)) {
+    if (touches && mesh_serves(at, from.zones, now)) {
       break;
     }
     from.zones = now;
-    from.zones.total = model.description.pipe.length.value_or(now.touchdown + from.tail);
+    from.zones.touchdown = touches ? now.touchdown : 1.2 * at.system.mesh().total_length();
+    from.zones.total = model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
     LineMesh mesh = build_mesh(model, from.zones);
     LineState moved = interpolate(at.system.mesh(), at.state, mesh, plane);
     at.system = LineSystem(model, model.mean_pose, std::move(mesh));

@@ -20,6 +20,15 @@ void add_check(CLI::App& program, int& code) {
   command->callback([model, &code] { code = run_check(*model); });
 }
 
+void add_static(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand("static", "Static equilibrium of a model; writes a folder of results.");
+  auto model = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  command->add_option("MODEL", *model, "Model file (YAML)")->required();
+  command->add_option("-o,--output", *output, "Folder for the results; left out: MODEL's name with .results, here");
+  command->callback([model, output, &code] { code = run_static(*model, *output); });
+}
+
 void add_schema(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema of the model file.");
   auto reference = std::make_shared<bool>(false);
@@ -60,6 +69,7 @@ int run_command_line(int count, const char* const* words) {
   program.require_subcommand(1);
   program.failure_message(CLI::FailureMessage::simple);
   add_check(program, code);
+  add_static(program, code);
   add_new(program, code);
   add_schema(program, code);
   try {

@@ -13,6 +13,9 @@ namespace overbend {
 std::optional<Description> load_model(const std::string& path);
 
 int run_check(const std::string& model_file);
+/// Statics of a model into the folder `output`; empty: "<stem>.results" in the current folder.
+int run_static(const std::string& model_file, const std::string& output);
+
 int run_schema(bool reference);
 int run_new(const NewOptions& options);
 

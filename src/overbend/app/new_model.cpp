@@ -46,8 +46,9 @@ Said read_pipe_size(const std::string& text) {
     const auto number = parse_number(text.substr(0, unit_at + 1));
     const auto diameter = number ? nominal_diameter(*number) : std::nullopt;
     if (diameter) return {diameter, {}};
-    if (number)
+    if (number) {
       return {{}, "--pipe: found '" + text + "', expected a nominal size from 4 to 48 inches, or an outside diameter"};
+    }
   }
   return read_flag("--pipe", text, "m", 0.08, 1.6);
 }
@@ -126,24 +127,36 @@ double steepest_departure(double depth) {
 
 /// Chooses the tension where it is not said, and the angle that follows. A sentence when the tension carries no pipe.
 std::string settle_tension(NewModel& model, const std::optional<double>& said) {
-  const double weight_of_water_column = model.submerged_weight * model.depth;
+  const VesselSize vessel = vessel_size(model.vessel);
+  const double in_air = model.weight_in_air * (vessel.depth - vessel.draught + model.tensioner_height);
+  const double hanging = model.submerged_weight * model.depth + in_air;
   double horizontal = sagbend_tension(model);
   if (model.stinger) horizontal = std::max(horizontal, tension_for_angle(model, steepest_departure(model.depth)));
-  const double wanted = round_up(horizontal + weight_of_water_column, horizontal > 1e6 ? 50e3 : 5e3);
+  const double wanted = round_up(horizontal + hanging, horizontal > 1e6 ? 50e3 : horizontal > 20e3 ? 5e3 : 1e3);
   model.tension = said.value_or(wanted);
-  horizontal = model.tension - weight_of_water_column;
+  horizontal = model.tension - hanging;
   if (horizontal < 0.2 * sagbend_tension(model)) {
     return "--tension: " + format_quantity(model.tension, "N", "kN") + " is too low for this pipe and depth; about " +
            format_quantity(wanted, "N", "kN") + " would do";
   }
-  model.departure_angle = std::acos(horizontal / model.tension);
+  model.departure_angle = std::acos(horizontal / (model.stinger ? model.tension - in_air : model.tension));
   return {};
+}
+
+/// Distance between boxes over which a pipe under tension still follows the circle rather than kinking at each box [m].
+double free_span(const NewModel& model) {
+  const double bending_stiffness = derive_section("", section_of(model), kWaterWeightDensity).EI;
+  return std::max(1.5, 0.8 * std::sqrt(bending_stiffness / model.tension));
+}
+
+int boxes_for(double length, double spacing) {
+  return std::clamp(1 + static_cast<int>(std::ceil(length / spacing - 0.05)), 2, 60);
 }
 
 /// Ramp and stinger on one circle: the ramp turns the pipe by up to 12 deg, the stinger on to the departure angle. A
 /// sentence when the boxes asked for have no room.
 std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
-  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0, kUsualSpacing = 5.0;
+  constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0;
   const double least = kYoungsModulus * 0.5 * model.diameter / (0.75 * model.yield);
   model.stinger_radius = said_radius.value_or(round_up(least, 10.0));
   const double at_shoe =
@@ -152,7 +165,8 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
   model.stinger_tip = model.circle_start + model.stinger_radius * std::sin(model.departure_angle);
   model.stinger_start = std::min(4.0, 0.2 * model.stinger_tip);
   const double room = model.stinger_tip - model.stinger_start;
-  const int chosen = std::clamp(1 + static_cast<int>(std::lround(room / kUsualSpacing)), 2, 40);
+  const int chosen = boxes_for(room, std::min(5.0, free_span(model)));
+  model.ramp_boxes = boxes_for(-model.circle_start, std::min(10.0, free_span(model)));
   model.boxes = said_boxes > 0 ? said_boxes : chosen;
   if (model.circle_start > -2.0 || room < kLeastSpacing * (model.boxes - 1)) {
     return fmt::format("a stinger of {:.4g} m radius and {:.3g} m length has no room for {} boxes; {}",
@@ -162,6 +176,10 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
 }
 
 }  // namespace
+
+VesselSize vessel_size(const std::string& vessel) {
+  return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
+}
 
 std::optional<double> nominal_diameter(double inches) {
   constexpr std::array<std::pair<int, double>, 5> kSmall = {
@@ -202,9 +220,13 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   model.title = !options.title.empty() ? options.title
                                        : fmt::format("{:.4g} mm pipe in {:.6g} m of water, {}-lay",
                                                      model.diameter * 1e3, model.depth, model.stinger ? "S" : "J");
-  model.submerged_weight = derive_section("", section_of(model), kWaterWeightDensity).weight_submerged;
-  if (model.submerged_weight <= 0.0)
+  model.tensioner_height = model.stinger ? 1.4 : 15.0;
+  const Section section = derive_section("", section_of(model), kWaterWeightDensity);
+  model.weight_in_air = section.weight_in_air;
+  model.submerged_weight = section.weight_submerged;
+  if (model.submerged_weight <= 0.0) {
     return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
+  }
   if (const std::string fault = settle_tension(model, tension.value); !fault.empty()) return fault;
   if (model.stinger) {
     if (const std::string fault = settle_stinger(model, radius.value, options.boxes); !fault.empty()) return fault;

@@ -18,17 +18,26 @@ struct NewOptions {
   bool force = false;
 };
 
+/// Main dimensions of a vessel [m].
+struct VesselSize {
+  double length, beam, depth, draught;
+};
+
+/// A typical one for "barge" or "ship".
+VesselSize vessel_size(const std::string& vessel);
+
 /// The numbers of a new model, SI.
 struct NewModel {
   std::string title, vessel = "barge";
   bool stinger = true;  ///< S-lay.
   double diameter = 0.0, wall = 0.0, yield = 0.0, coating = 0.0, concrete = 0.0;
   double depth = 0.0, tension = 0.0, stinger_radius = 0.0;
-  double departure_angle = 0.0;  ///< Of a catenary of that tension [rad].
-  int boxes = 0;
+  double departure_angle = 0.0;                   ///< Of a catenary of that tension [rad].
+  int ramp_boxes = 0, boxes = 0;                  ///< On the ramp, on the stinger.
   double circle_start = 0.0;                      ///< Frame S: where ramp and stinger, one circle, leave the level [m].
   double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
-  double submerged_weight = 0.0;                  ///< [N/m]
+  double weight_in_air = 0.0, submerged_weight = 0.0;  ///< [N/m]
+  double tensioner_height = 0.0;                       ///< Pipe axis above the stern shoe [m].
 };
 
 /// The model with everything chosen that was not said, or a sentence that says what is wrong.

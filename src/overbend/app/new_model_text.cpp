@@ -11,16 +11,6 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-struct VesselSize {
-  double length, beam, depth, draught;
-};
-
-VesselSize vessel_size(const std::string& vessel) {
-  return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
-}
-
-constexpr double kTensionerHeight = 1.4;  // pipe axis above the stern shoe [m]
-
 double coated_radius(const NewModel& model) {
   return 0.5 * model.diameter + model.coating + model.concrete;
 }
@@ -28,7 +18,7 @@ double coated_radius(const NewModel& model) {
 /// Underside of the pipe on the circle of ramp and stinger, frame S [m].
 double underside(const NewModel& model, double x) {
   const double along = x - model.circle_start, radius = model.stinger_radius;
-  return kTensionerHeight - coated_radius(model) - radius + std::sqrt(radius * radius - along * along);
+  return model.tensioner_height - coated_radius(model) - radius + std::sqrt(radius * radius - along * along);
 }
 
 std::string head_text(const NewModel& model) {
@@ -63,8 +53,9 @@ pipe:
     weight_density: 77 kN/m^3
 )",
                                  model.diameter * 1e3, model.wall * 1e3, model.yield / 1e6);
-  if (model.coating > 0.0 || model.concrete > 0.0)
+  if (model.coating > 0.0 || model.concrete > 0.0) {
     text += "  coatings:                            # from the steel outwards\n";
+  }
   if (model.coating > 0.0) {
     text += fmt::format("    - {{name: corrosion coating, thickness: {:.6g} mm, weight_density: 9.32 kN/m^3}}\n",
                         model.coating * 1e3);
@@ -98,12 +89,12 @@ std::string tower_text(const NewModel& model) {
   return fmt::format(R"(
 tensioner:                             # the pipe hangs straight from it: no supports
   x: 0 m                               # from the stern shoe, astern positive; the pipe's axis
-  z: 15 m
-  incline: {:.4g} deg                  # from horizontal
+  z: {:.6g} m
+  incline: {:.4g} deg                   # from horizontal
   guide: pinned
   tension: {:.6g} kN
 )",
-                     model.departure_angle * kDegrees, model.tension / 1e3);
+                     model.tensioner_height, model.departure_angle * kDegrees, model.tension / 1e3);
 }
 
 std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
@@ -119,7 +110,6 @@ std::string boxes_text(const NewModel& model, const char* name, double first, do
 }
 
 std::string supports_text(const NewModel& model) {
-  constexpr int kRampBoxes = 4;
   std::string text =
       fmt::format(R"(
 tensioner:
@@ -135,9 +125,9 @@ rollers:                               # kinds of roller row, used by name below
 
 supports:                              # x, z: where the underside of the coated pipe rests, mid-box
 )",
-                  model.circle_start - 10.0, kTensionerHeight, model.tension / 1e3, model.departure_angle * kDegrees,
-                  fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
-  text += boxes_text(model, "ramp", model.circle_start, -0.5, kRampBoxes);
+                  model.circle_start - 10.0, model.tensioner_height, model.tension / 1e3,
+                  model.departure_angle * kDegrees, fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
+  text += boxes_text(model, "ramp", model.circle_start, -0.5, model.ramp_boxes);
   return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);
 }
 

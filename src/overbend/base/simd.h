@@ -1,8 +1,8 @@
 /// Portable vectors of eight doubles, and which instruction set runs them.
 ///
-/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own; compiler vectors
-/// spread a batch of eight over whatever registers the set has. `best_isa` chooses at run time, so that one program runs on
-/// any x86-64 machine and is fast on a new one.
+/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own; compiler
+/// vectors spread a batch of eight over whatever registers the set has. `best_isa` chooses at run time, so that one
+/// program runs on any x86-64 machine and is fast on a new one.
 #pragma once
 
 namespace overbend {

@@ -163,8 +163,9 @@ std::size_t number_length(std::string_view text) {
 bool looks_like_a_unit(std::string_view unit) {
   if (unit.empty() || unit.size() > 40) return false;
   const char first = unit.front();
-  if ((first >= '0' && first <= '9') || std::string_view("+-*/.^,()").find(first) != std::string_view::npos)
+  if ((first >= '0' && first <= '9') || std::string_view("+-*/.^,()").find(first) != std::string_view::npos) {
     return false;
+  }
   return unit.find_first_of("@,:;=&|<>{}[]\\\t\n\r") == std::string_view::npos;
 }
 
@@ -209,8 +210,9 @@ QuantityReading parse_quantity(std::string_view text, const std::string& si_unit
   const std::size_t length = number_length(text);
   if (length == 0) return {std::nullopt, quoted, expected_units(si_unit)};
   const std::optional<double> number = parse_number(text.substr(0, length));
-  if (!number)
+  if (!number) {
     return {std::nullopt, quoted + ", not a decimal number", "write it without leading zeros and below 1e308"};
+  }
   const std::string_view unit_text = trim(text.substr(length));
   if (unit_text.empty()) return {std::nullopt, quoted + " without a unit", expected_units(si_unit)};
   if (unit_text.front() == ',') return {std::nullopt, quoted, "the decimal sign is a point"};
@@ -232,6 +234,11 @@ std::optional<double> unit_factor(const std::string& unit, const std::string& si
 std::string dimension_words(const std::string& si_unit) {
   const DimensionNames* names = find_dimension(si_unit);
   return names != nullptr ? names->words : "a quantity in " + si_unit;
+}
+
+std::string dimension_name(const std::string& si_unit) {
+  const std::string words = dimension_words(si_unit);
+  return words.substr(words.find(' ') + 1);
 }
 
 std::vector<std::string> usual_units(const std::string& si_unit) {

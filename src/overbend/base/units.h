@@ -32,6 +32,9 @@ std::optional<double> unit_factor(const std::string& unit, const std::string& si
 /// The dimension in words with its article: "a length", "a weight density".
 std::string dimension_words(const std::string& si_unit);
 
+/// The same without the article: "length".
+std::string dimension_name(const std::string& si_unit);
+
 /// Units people use for the dimension, most usual first.
 std::vector<std::string> usual_units(const std::string& si_unit);
 

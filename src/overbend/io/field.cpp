@@ -19,6 +19,7 @@ std::string bound_words(const Field& field, double value) {
 std::string range_words(const Field& field, const Range& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
   if (!low && !high) return {};
+  if (range.low == range.high) return "exactly " + bound_words(field, range.low);
   if (low && !high) return (range.low_open ? "above " : "at least ") + bound_words(field, range.low);
   if (!low) return (range.high_open ? "below " : "at most ") + bound_words(field, range.high);
   if (!range.low_open && !range.high_open) {

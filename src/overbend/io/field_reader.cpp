@@ -15,8 +15,9 @@ class FieldReader {
   std::optional<FieldValue> read(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     if (node.kind == YamlNode::Kind::map && field.map != nullptr) return read_map(node, field, path, line);
     if (node.kind == YamlNode::Kind::list && field.list != nullptr) return read_list(node, field, path, line);
-    if (node.kind == YamlNode::Kind::scalar && field.scalar != nullptr)
+    if (node.kind == YamlNode::Kind::scalar && field.scalar != nullptr) {
       return read_value(node, *field.scalar, path, line);
+    }
     complain(line, path, shape_words(node), expected_shape(field), "");
     return std::nullopt;
   }
@@ -91,18 +92,18 @@ class FieldReader {
   std::optional<FieldValue> read_map(const YamlNode& node, const FieldNode& field, const std::string& path, int line) {
     FieldValue map = container(FieldValue::Kind::map, path, line);
     check_count(node, field, path, line);
-    std::set<std::string> seen, misspelt;
+    std::set<std::string> seen;
     for (const YamlEntry& entry : node.entries) {
       const FieldNode* member = field.member(entry.key);
       if (member == nullptr || entry.key.empty()) {
         refuse_key(entry, field, path);
-        // what is misspelt here is not told a second time as missing
-        misspelt.insert(nearest_word(entry.key, field.member_names()));
+        map.refused.push_back(nearest_word(entry.key, field.member_names()));
       } else if (seen.insert(entry.key).second) {
         read_member(entry, *member, path, map);
       }
     }
-    for (const std::string& key : misspelt) {
+    // What is misspelt is not told a second time as missing.
+    for (const std::string& key : map.refused) {
       const FieldNode* member = field.member(key);
       if (member != nullptr && member->first().required) seen.insert(key);
     }
@@ -112,7 +113,10 @@ class FieldReader {
 
   void read_member(const YamlEntry& entry, const FieldNode& member, const std::string& path, FieldValue& map) {
     std::optional<FieldValue> value = read(entry.value, member, joined(path, for_display(entry.key)), entry.line);
-    if (!value) return;
+    if (!value) {
+      map.refused.push_back(entry.key);
+      return;
+    }
     value->key = entry.key;
     map.children.push_back(std::move(*value));
   }
@@ -162,10 +166,7 @@ class FieldReader {
     }
   }
 
-  static std::string required_hint(const Field& row) {
-    const std::string text = row.text.substr(0, row.text.find_last_of('.'));
-    return text;
-  }
+  static std::string required_hint(const Field& row) { return row.text.substr(0, row.text.find_last_of('.')); }
 
   void add_default(const Field& row, const FieldNode& member, const std::string& path, int line, FieldValue& map) {
     YamlNode node;

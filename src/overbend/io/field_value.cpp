@@ -19,6 +19,10 @@ const FieldValue* FieldValue::find(const std::string& below) const {
   return value;
 }
 
+bool FieldValue::mentions(const std::string& member) const {
+  return find(member) != nullptr || std::find(refused.begin(), refused.end(), member) != refused.end();
+}
+
 std::optional<double> FieldValue::get_number(const std::string& below) const {
   const FieldValue* value = find(below);
   if (value == nullptr || value->kind != Kind::number) return std::nullopt;

@@ -25,9 +25,12 @@ struct FieldValue {
   std::int64_t integer = 0;
   std::string text;
   std::vector<FieldValue> children;  ///< Members or items.
+  std::vector<std::string> refused;  ///< Keys that stand in the group, or were meant, but were complained about.
 
   /// Member of a group at a path below it, "steel.wall_thickness"; null when absent or refused.
   const FieldValue* find(const std::string& below) const;
+  /// True when a member was given in any form, right or wrong: no use in telling it as missing.
+  bool mentions(const std::string& member) const;
   /// Number, whole number or text below; empty when absent.
   std::optional<double> get_number(const std::string& below) const;
   std::optional<std::int64_t> get_integer(const std::string& below) const;

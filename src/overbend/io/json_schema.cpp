@@ -20,7 +20,7 @@ Json schema_of(const FieldNode& node);
 void add_words(const Field& field, Json& schema) {
   std::string text = field.text;
   const std::string range = range_words(field, field.range);
-  if (field.kind == FieldKind::quantity) text += " [" + dimension_words(field.unit).substr(2) + ", " + field.show + "]";
+  if (field.kind == FieldKind::quantity) text += " [" + dimension_name(field.unit) + ", " + field.show + "]";
   if (!range.empty()) text += " Range: " + range + ".";
   if (!field.fallback_text.empty()) text += " Left out: " + field.fallback_text + ".";
   schema["description"] = text;
@@ -38,6 +38,7 @@ Json scalar_schema(const Field& field) {
     case FieldKind::quantity:
       schema["type"] = "string";
       schema["pattern"] = kQuantityPattern;
+      schema["x-unit"] = field.show;  // for forms
       schema["examples"] = {field.fallback.empty() ? "1 " + field.show : field.fallback};
       if (!field.fallback.empty()) schema["default"] = field.fallback;
       break;

@@ -16,18 +16,28 @@ const FieldValue* own_or_line(const FieldValue& section, const FieldValue& pipe,
   return own != nullptr ? own : pipe.find(key);
 }
 
+/// Two values of a section that limit each other; `at` is where to complain. Empty when one is absent or, in a segment,
+/// both are the line's and were judged there.
+struct SteelPair {
+  const FieldValue *a = nullptr, *b = nullptr, *at = nullptr;
+};
+
+SteelPair steel_pair(const FieldValue& section, const FieldValue& pipe, const std::string& a, const std::string& b) {
+  const FieldValue *own_a = section.find("steel." + a), *own_b = section.find("steel." + b);
+  if (own_a == nullptr && own_b == nullptr) return {};
+  return {own_or_line(section, pipe, "steel." + a), own_or_line(section, pipe, "steel." + b),
+          own_b != nullptr ? own_b : own_a};
+}
+
 void check_steel(Checker& check, const FieldValue& section, const FieldValue& pipe) {
-  const FieldValue* diameter = own_or_line(section, pipe, "steel.outside_diameter");
-  const FieldValue* wall = own_or_line(section, pipe, "steel.wall_thickness");
+  const auto [diameter, wall, at_wall] = steel_pair(section, pipe, "outside_diameter", "wall_thickness");
   if (diameter != nullptr && wall != nullptr && wall->number >= 0.5 * diameter->number) {
-    const FieldValue* own = section.find("steel.wall_thickness");
-    check.error(own != nullptr ? *own : *diameter, "a wall of " + wall->shown,
+    check.error(*at_wall, "a wall of " + wall->shown,
                 "less than the pipe's radius, " + format_quantity(0.5 * diameter->number, "m", "mm"));
   }
-  const FieldValue* yield = own_or_line(section, pipe, "steel.yield_stress");
-  const FieldValue* strength = own_or_line(section, pipe, "steel.tensile_strength");
+  const auto [yield, strength, at_strength] = steel_pair(section, pipe, "yield_stress", "tensile_strength");
   if (yield != nullptr && strength != nullptr && strength->number < yield->number) {
-    check.error(*strength, strength->shown, "at least the yield stress, " + yield->shown);
+    check.error(*at_strength, "a tensile strength of " + strength->shown, "at least the yield stress, " + yield->shown);
   }
 }
 
@@ -41,7 +51,8 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
     check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
   }
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
-  if (coatings == nullptr || coatings->children.empty()) {
+  const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
+  if (uncoated) {
     check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
   }
 }
@@ -66,10 +77,10 @@ void check_tension(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   const FieldValue* pipe = check.root().find("pipe");
   if (tensioner == nullptr || pipe == nullptr) return;
-  const bool tension = tensioner->find("tension") != nullptr;
+  const bool tension = tensioner->mentions("tension");
   const FieldValue* length = pipe->find("length");
   const FieldValue* anchor = pipe->find("anchor");
-  if (!tension && (length == nullptr || anchor == nullptr)) {
+  if (!tension && !(pipe->mentions("length") && pipe->mentions("anchor"))) {
     check.missing(*tensioner, "tension", "a force with its unit",
                   "or give pipe.length together with pipe.anchor, and the tension follows");
   }
@@ -84,7 +95,7 @@ void check_tensioner_range(Checker& check) {
   if (tensioner == nullptr) return;
   const FieldValue* mode = tensioner->find("mode");
   const FieldValue* range = tensioner->find("range");
-  if (range == nullptr && mode != nullptr && mode->text == "controlled") {
+  if (!tensioner->mentions("range") && mode != nullptr && mode->text == "controlled") {
     check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
                   "a controlled tensioner works to keep its range");
   }
@@ -129,7 +140,7 @@ void check_waves(Checker& check) {
                                           : user  ? std::vector<std::string>{"spectrum_file"}
                                                   : std::vector<std::string>{"hs", "tp"};
   for (const std::string& key : needed) {
-    if (waves->find(key) == nullptr) check.missing(*waves, key, "it for waves of type " + type->text);
+    if (!waves->mentions(key)) check.missing(*waves, key, "it for waves of type " + type->text);
   }
   for (const std::string key : {"hs", "tp", "height", "period", "spectrum_file"}) {
     const FieldValue* extra = waves->find(key);

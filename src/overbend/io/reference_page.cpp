@@ -33,7 +33,7 @@ std::string escaped(const std::string& text) {
 std::string kind_cell(const Field& field) {
   switch (field.kind) {
     case FieldKind::quantity:
-      return dimension_words(field.unit).substr(dimension_words(field.unit).find(' ') + 1) + " (" + field.show + ")";
+      return dimension_name(field.unit) + " (" + field.show + ")";
     case FieldKind::number:
       return "number";
     case FieldKind::integer:

@@ -50,7 +50,12 @@ ScalarReading accept_number(double number, FieldValue value, const Field& field)
 
 ScalarReading read_quantity(const YamlNode& node, const Field& field) {
   const QuantityReading quantity = parse_quantity(trim(for_display(node.text, 200)), field.unit);
-  if (!quantity.value) return refuse(quantity.found, field, quantity.hint);
+  if (!quantity.value) {
+    const bool bare = parse_number(trim(node.text)).has_value();
+    return refuse(quantity.found, field,
+                  bare ? "write it as '" + std::string(trim(node.text)) + " " + field.show + "' or in another unit"
+                       : quantity.hint);
+  }
   return accept_number(*quantity.value, valued(FieldValue::Kind::number, node), field);
 }
 

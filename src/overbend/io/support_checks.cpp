@@ -65,6 +65,7 @@ std::vector<std::string> roller_kinds(const FieldValue& root) {
   std::vector<std::string> names;
   if (const FieldValue* rollers = root.find("rollers")) {
     for (const FieldValue& kind : rollers->children) names.push_back(kind.key);
+    names.insert(names.end(), rollers->refused.begin(), rollers->refused.end());
   }
   return names;
 }
@@ -94,6 +95,7 @@ void check_rows_have_room(Checker& check, const FieldValue& box, const FieldValu
 }
 
 void check_rollers(Checker& check) {
+  if (check.root().find("rollers") == nullptr && check.root().mentions("rollers")) return;
   const std::vector<std::string> kinds = roller_kinds(check.root());
   std::set<std::string> used;
   for (const StructureName& structure : kStructures) {
@@ -109,7 +111,7 @@ void check_rollers(Checker& check) {
       if (own != nullptr) {
         used.insert(own->text);
         check_kind_is_known(check, *own, kinds);
-      } else if (common == nullptr) {
+      } else if (!group->mentions("roller") && !box.mentions("roller")) {
         check.missing(box, "roller", "the name of a kind of roller row",
                       std::string("give it here or once for all boxes under ") + structure.path);
       }

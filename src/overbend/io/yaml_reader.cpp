@@ -60,8 +60,9 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
   ModelReading reading;
   const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
   if (!root) {
-    if (!reading.diagnostics.has_errors())
+    if (!reading.diagnostics.has_errors()) {
       return refused(path, "the file is empty; `overbend new` writes one to start from");
+    }
     return reading;
   }
   if (root->kind != YamlNode::Kind::map) {

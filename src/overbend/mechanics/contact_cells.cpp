@@ -9,7 +9,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Cell empty_cell() { return {kInfinity, -kInfinity, -kInfinity}; }
+Cell empty_cell() {
+  return {kInfinity, -kInfinity, -kInfinity};
+}
 
 /// A pipe can touch a roller only where its axis passes within both radii of the roller's axis.
 void enclose(Cell& cell, const Roller& roller, double pipe_radius) {
@@ -35,7 +37,8 @@ ContactCells contact_cells(const Supports& supports, double pipe_radius) {
   return cells;
 }
 
-void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements, std::vector<ElementRange>& ranges) {
+void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements,
+                  std::vector<ElementRange>& ranges) {
   ranges.assign(cells.boxes.size(), ElementRange{});
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const ElementBounds& at = elements[e];

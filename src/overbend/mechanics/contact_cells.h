@@ -1,9 +1,9 @@
-/// Search for the rollers that a line may touch: one cell around all supports, inside it one cell per roller box, [silva2009]
-/// figures 6 and 7. Cells stand in the ramp/stinger frame S and so move with the vessel.
+/// Search for the rollers that a line may touch: one cell around all supports, inside it one cell per roller box,
+/// [silva2009] figures 6 and 7. Cells stand in the ramp/stinger frame S and so move with the vessel.
 ///
-/// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe on its
-/// desired side, so a pipe that stands on the wrong side, however far, must be found. An element that meets no cell costs two
-/// comparisons.
+/// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe
+/// on its desired side, so a pipe that stands on the wrong side, however far, must be found. An element that meets no
+/// cell costs two comparisons.
 #pragma once
 
 #include <vector>
@@ -38,7 +38,9 @@ struct ElementRange {
   int first = 0, last = 0;
 };
 
-/// For every box the range of elements whose bounds meet its cell. `ranges` is overwritten, no allocation once it has its size.
-void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements, std::vector<ElementRange>& ranges);
+/// For every box the range of elements whose bounds meet its cell. `ranges` is overwritten, no allocation once it has
+/// its size.
+void search_cells(const ContactCells& cells, const std::vector<ElementBounds>& elements,
+                  std::vector<ElementRange>& ranges);
 
 }  // namespace overbend

@@ -28,20 +28,24 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
     e.drag_axial[i] = 0.5 * model.water_density * std::numbers::pi * section.outer_diameter * section.drag_axial;
     e.pressure_constant[i] = -poisson * section.internal_pressure * section.internal_area;
     e.pressure_slope[i] = poisson * section.contents_weight_density * section.internal_area;
-    e.pressure_external[i] = poisson * e.buoyancy[i];
+    e.pressure_external[i] = poisson * model.water_weight_density * section.pressure_area;
   }
   return e;
 }
 
 LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W) {
   LineEnvironment env;
+  const Vec3 astern = Vec3::UnitZ().cross(route_normal_W);
+  const Vec3 along = (astern - astern.dot(model.seabed.normal_W) * model.seabed.normal_W).normalized();
   for (int i = 0; i < 3; ++i) {
     env.bed_normal[i] = model.seabed.normal_W(i);
     env.route_normal[i] = route_normal_W(i);
+    env.bed_along[i] = along(i);
   }
   env.bed_offset = model.seabed.normal_W.dot(model.seabed.point_W);
   env.bed_stiffness = model.seabed.stiffness;
   env.bed_friction_lateral = model.seabed.friction_lateral;
+  env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
   env.route_offset = route_normal_W.dot(route_point_W);
   env.current_rows = static_cast<int>(model.current.z.size());
@@ -68,7 +72,7 @@ LineView LineElements::view() const {
   return v;
 }
 
-void add_line_forces(const LineElements& elements, const LineEnvironment& env, const double* q, double* residual,
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape, double* residual,
                      BlockTridiagonal* tangent, Isa isa) {
   LineTarget target;
   target.residual = residual;
@@ -79,14 +83,14 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
   }
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) {
-    return isa_avx512::add_line_forces(elements.view(), env, q, target);
+    return isa_avx512::add_line_forces(elements.view(), env, shape, target);
   }
   if (isa == Isa::avx2) {
-    return isa_avx2::add_line_forces(elements.view(), env, q, target);
+    return isa_avx2::add_line_forces(elements.view(), env, shape, target);
   }
 #endif
   (void)isa;
-  isa_baseline::add_line_forces(elements.view(), env, q, target);
+  isa_baseline::add_line_forces(elements.view(), env, shape, target);
 }
 
 WettedFraction wetted_fraction(double z, double radius) {

@@ -12,7 +12,8 @@
 
 namespace overbend {
 
-/// Element constants, one array per quantity; padded to whole batches of eight. Padding elements have no stiffness and no load.
+/// Element constants, one array per quantity; padded to whole batches of eight. Padding elements have no stiffness and
+/// no load.
 struct LineElements {
   int count = 0;
   AlignedDoubles length;             ///< Unstressed [m].
@@ -32,19 +33,20 @@ struct LineElements {
 /// Fills the constants of elements of the given lengths and sections.
 LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections);
 
-/// The surroundings of a line laid along the vertical plane through `route_point_W`. Points into `model`, which must outlive it.
+/// The surroundings of a line laid along the vertical plane through `route_point_W`. Points into `model`, which must
+/// outlive it.
 LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W);
 
-/// Immersed fraction of a circular section with its centre at height z above the surface, and its derivative in z: the exact
-/// circular segment.
+/// Immersed fraction of a circular section with its centre at height z above the surface, and its derivative in z: the
+/// exact circular segment.
 struct WettedFraction {
   double value, slope;
 };
 WettedFraction wetted_fraction(double z, double radius);
 
-/// Adds internal minus external forces of every element to `residual` (six per node) and, where `tangent` is given, their exact
-/// derivative to its blocks. `q` holds position and tangent of every node.
-void add_line_forces(const LineElements& elements, const LineEnvironment& env, const double* q, double* residual,
+/// Adds internal minus external forces of every element to `residual` (six per node) and, where `tangent` is given,
+/// their exact derivative to its blocks.
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape, double* residual,
                      BlockTridiagonal* tangent, Isa isa);
 
 }  // namespace overbend

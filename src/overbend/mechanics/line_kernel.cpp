@@ -3,8 +3,8 @@
 #include "base/simd.h"
 #include "mechanics/quadrature.h"
 
-/// Inside, the unknowns t are scaled by the element length, so that the Hermite functions are the same numbers for all eight
-/// elements of a batch; force and tangent are scaled back at the end.
+/// Inside, the unknowns t are scaled by the element length, so that the Hermite functions are the same numbers for all
+/// eight elements of a batch; force and tangent are scaled back at the end.
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
@@ -23,12 +23,24 @@ struct Mat {
   Lanes m[3][3];
 };
 
-inline Lanes all(double value) { return Lanes{} + value; }
-inline Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec operator*(const Lanes& s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Vec operator*(double s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
-inline Lanes dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Lanes all(double value) {
+  return Lanes{} + value;
+}
+inline Vec operator+(const Vec& a, const Vec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec operator-(const Vec& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec operator*(const Lanes& s, const Vec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Vec operator*(double s, const Vec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Lanes dot(const Vec& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
 inline Lanes root(const Lanes& a) {
   Lanes r;
@@ -55,7 +67,9 @@ constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
 
 /// Eight elements: unknowns, constants, force and tangent.
 struct Batch {
-  Vec q[4];  ///< r1, h t1, r2, h t2.
+  Vec q[4];   ///< r1, h t1, r2, h t2.
+  Vec chord;  ///< r2 - r1: derivatives need no more, and the difference keeps digits that positions of hundreds of
+              ///< metres lose.
   Lanes h, inv_h;
   Lanes f[kDofs];
   Lanes k[kDofs][kDofs];
@@ -63,6 +77,11 @@ struct Batch {
 
 inline Vec combine(const Batch& e, const double (&s)[4]) {
   return s[0] * e.q[0] + s[1] * e.q[1] + s[2] * e.q[2] + s[3] * e.q[3];
+}
+
+/// A derivative of the centreline: the functions of r1 and r2 are opposite.
+inline Vec combine_derivative(const Batch& e, const double (&s)[4]) {
+  return s[1] * e.q[1] + s[2] * e.chord + s[3] * e.q[3];
 }
 
 inline void add_force(Batch& e, int j, double s, const Vec& v) {
@@ -79,7 +98,9 @@ inline void add_block(Batch& e, int j, int k, double s, const Mat& a) {
   }
 }
 
-inline Mat full(const Sym& s) { return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}}; }
+inline Mat full(const Sym& s) {
+  return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
+}
 
 /// alpha I + beta a a' + gamma b b' + delta (a b' + b a')
 inline Sym dyads(const Lanes& alpha, const Lanes& beta, const Vec& a, const Lanes& gamma, const Vec& b,
@@ -96,11 +117,11 @@ inline void add_bending(Batch& e, const Lanes& EI) {
   const Lanes inv_h2 = e.inv_h * e.inv_h;
   for (int i = 0; i < kGaussPoints; ++i) {
     const Shape& s = kGaussShape[i];
-    const Vec a = e.inv_h * combine(e, s.c);
-    const Vec b = inv_h2 * combine(e, s.d);
+    const Vec a = e.inv_h * combine_derivative(e, s.c);
+    const Vec b = inv_h2 * combine_derivative(e, s.d);
     const Lanes g = dot(a, a), p = dot(b, b), m = dot(a, b);
     const Lanes ig = 1.0 / g, ig2 = ig * ig, ig3 = ig2 * ig;
-    const Lanes w = kGaussWeight[i] * EI;                 // times h, one h lost to each derivative
+    const Lanes w = kGaussWeight[i] * EI;  // times h, one h lost to each derivative
     const Vec w_a = w * ((2.0 * m * m * ig3 - p * ig2) * a - (m * ig2) * b);
     const Vec w_b = (w * e.inv_h) * (ig * b - (m * ig2) * a);
     for (int j = 0; j < 4; ++j) {
@@ -110,8 +131,8 @@ inline void add_bending(Batch& e, const Lanes& EI) {
     if constexpr (kTangent) {
       const Lanes wa = w * e.inv_h, wb = wa * inv_h2, wm = wa * e.inv_h;
       const Lanes mm = m * m;
-      const Sym aa = dyads(wa * (2.0 * mm * ig3 - p * ig2), wa * (4.0 * p * ig3 - 12.0 * mm * ig3 * ig), a, -wa * ig2, b,
-                           wa * 4.0 * m * ig3);
+      const Sym aa = dyads(wa * (2.0 * mm * ig3 - p * ig2), wa * (4.0 * p * ig3 - 12.0 * mm * ig3 * ig), a, -wa * ig2,
+                           b, wa * 4.0 * m * ig3);
       const Sym bb = dyads(wb * ig, -wb * ig2, a, Lanes{}, b, Lanes{});
       // W_ba = -2 b a'/g2 - a b'/g2 - m I/g2 + 4 m a a'/g3
       const Vec u = (4.0 * m * ig3) * a - (2.0 * ig2) * b;
@@ -152,7 +173,7 @@ inline void add_membrane(Batch& e, const Lanes& EA, const PressureTension& press
   Lanes strain[3], tension_p[3], slope_p[3], inv_norm[3];
   Vec u[3];
   for (int k = 0; k < 3; ++k) {
-    const Vec a = e.inv_h * combine(e, kStrainShape[k].c);
+    const Vec a = e.inv_h * combine_derivative(e, kStrainShape[k].c);
     const Lanes norm = root(dot(a, a));
     inv_norm[k] = 1.0 / norm;
     u[k] = inv_norm[k] * a;
@@ -300,9 +321,10 @@ inline bool any(const Lanes& x) {
   return found;
 }
 
-/// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the normal
-/// force (statics: the pipe was laid on its route and has been pushed off it once).
-inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+/// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
+/// normal force (statics: the pipe was laid on its route and has been pushed off it once).
+inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
+                       const Lanes& submerged_weight) {
   const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
   const Lanes penetration = radius - (dot(n, r) - env.bed_offset);
   if (!any(penetration)) {
@@ -313,6 +335,15 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
   const Lanes normal = stiffness * penetration;
   load.f = load.f + normal * n;
   add_outer(load.in_r, -stiffness, n, n);
+  if (env.bed_friction_axial > 0.0 && env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
+    const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
+    const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
+    const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
+    const Lanes limit = env.bed_friction_axial * normal;
+    const Lanes sliding = pull > limit ? all(1.0) : Lanes{};
+    load.f = load.f + (uphill * (sliding * limit + (touching - sliding * touching) * pull)) * along;
+    add_outer(load.in_r, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
+  }
   if (env.bed_friction_lateral > 0.0) {
     const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
     const Lanes off = dot(across, r) - env.route_offset;
@@ -376,12 +407,12 @@ inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants&
   for (int i = 0; i < kGaussPoints; ++i) {
     const Shape& s = kGaussShape[i];
     const Vec r = combine(e, s.n);
-    const Vec a = e.inv_h * combine(e, s.c);
+    const Vec a = e.inv_h * combine_derivative(e, s.c);
     const Wetting wet = wetting(r.z, c.radius);
     PointLoad load{};
     load.f.z = c.buoyancy * wet.share - c.weight;
     load.in_r.m[2][2] = c.buoyancy * wet.slope;
-    add_seabed(load, env, r, c.radius);
+    add_seabed(load, env, r, c.radius, c.weight - c.buoyancy);
     if (env.current_rows > 0) {
       add_drag(load, env, r.z, a, wet, c.drag_normal, c.drag_axial);
     }
@@ -406,18 +437,29 @@ inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants&
   }
 }
 
-inline Lanes load_lanes(const double* p) { return *reinterpret_cast<const Lanes*>(p); }
+inline Lanes load_lanes(const double* p) {
+  return *reinterpret_cast<const Lanes*>(p);
+}
 
-inline void gather(Batch& e, const LineView& line, const double* q, int first) {
+inline void gather(Batch& e, const LineView& line, const LineShape& shape, int first) {
   e.h = load_lanes(line.length + first);
   e.inv_h = 1.0 / e.h;
   for (int l = 0; l < kLanes; ++l) {
     const int element = first + l < line.count ? first + l : line.count - 1;
-    const double* node = q + 6 * element;
+    const double* node = shape.q + 6 * element;
     for (int j = 0; j < 4; ++j) {
       e.q[j].x[l] = node[3 * j];
       e.q[j].y[l] = node[3 * j + 1];
       e.q[j].z[l] = node[3 * j + 2];
+    }
+  }
+  e.chord = e.q[2] - e.q[0];
+  if (shape.low != nullptr) {
+    for (int l = 0; l < kLanes; ++l) {
+      const double* low = shape.low + 6 * (first + l < line.count ? first + l : line.count - 1);
+      e.chord.x[l] += low[6] - low[0];
+      e.chord.y[l] += low[7] - low[1];
+      e.chord.z[l] += low[8] - low[2];
     }
   }
   e.q[1] = e.h * e.q[1];
@@ -427,7 +469,9 @@ inline void gather(Batch& e, const LineView& line, const double* q, int first) {
   }
 }
 
-inline bool is_tangent_dof(int dof) { return dof / 3 % 2 == 1; }
+inline bool is_tangent_dof(int dof) {
+  return dof / 3 % 2 == 1;
+}
 
 inline void scatter_force(Batch& e, const LineTarget& target, int first, int used) {
   for (int i = 0; i < kDofs; ++i) {
@@ -462,9 +506,10 @@ inline void scatter_tangent(Batch& e, const LineTarget& target, int first, int u
 }
 
 template <bool kTangent>
-void add_batch(const LineView& line, const LineEnvironment& env, const double* q, const LineTarget& target, int first) {
+void add_batch(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineTarget& target,
+               int first) {
   Batch e;
-  gather(e, line, q, first);
+  gather(e, line, shape, first);
   if constexpr (kTangent) {
     for (auto& row : e.k) {
       for (Lanes& k : row) {
@@ -479,9 +524,10 @@ void add_batch(const LineView& line, const LineEnvironment& env, const double* q
   add_membrane<kTangent>(e, load_lanes(line.EA + first),
                          {load_lanes(line.pressure_constant + first), load_lanes(line.pressure_slope + first),
                           load_lanes(line.pressure_external + first)});
-  add_loads<kTangent>(e, env,
-                      {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
-                       load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)});
+  add_loads<kTangent>(
+      e, env,
+      {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
+       load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)});
   const int used = line.count - first < kLanes ? line.count - first : kLanes;
   scatter_force(e, target, first, used);
   if constexpr (kTangent) {
@@ -491,12 +537,13 @@ void add_batch(const LineView& line, const LineEnvironment& env, const double* q
 
 }  // namespace
 
-void add_line_forces(const LineView& line, const LineEnvironment& env, const double* q, const LineTarget& target) {
+void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                     const LineTarget& target) {
   for (int first = 0; first < line.count; first += kLanes) {
     if (target.diag != nullptr) {
-      add_batch<true>(line, env, q, target, first);
+      add_batch<true>(line, env, shape, target, first);
     } else {
-      add_batch<false>(line, env, q, target, first);
+      add_batch<false>(line, env, shape, target, first);
     }
   }
 }

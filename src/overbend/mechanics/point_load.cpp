@@ -6,16 +6,22 @@
 namespace overbend {
 namespace {
 
-Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+Vec3 vector_of(const double (&v)[3]) {
+  return {v[0], v[1], v[2]};
+}
 
-void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, const Vec3& r) {
+void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, double submerged_weight, const Vec3& r) {
   const Vec3 normal = vector_of(env.bed_normal);
   load.penetration = std::max(0.0, radius - (normal.dot(r) - env.bed_offset));
   load.seabed_normal = env.bed_stiffness * load.penetration;
   const Vec3 across = vector_of(env.route_normal);
   const double limit = env.bed_friction_lateral * load.seabed_normal;
   const double stick = load.penetration > 0.0 ? -env.bed_stick * (across.dot(r) - env.route_offset) : 0.0;
-  load.seabed = load.seabed_normal * normal + std::clamp(stick, -limit, limit) * across;
+  const Vec3 along = vector_of(env.bed_along);
+  const double axial_limit = env.bed_friction_axial * load.seabed_normal;
+  const double pull = load.penetration > 0.0 ? submerged_weight * along.z() : 0.0;
+  load.seabed = load.seabed_normal * normal + std::clamp(stick, -limit, limit) * across +
+                std::clamp(pull, -axial_limit, axial_limit) * along;
 }
 
 }  // namespace
@@ -35,18 +41,20 @@ Vec3 current_velocity(const LineEnvironment& env, double z) {
   return env.current_scale * Vec3(x, y, 0.0);
 }
 
-PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r, const Vec3& a) {
+PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r,
+                     const Vec3& a) {
   const std::size_t e = static_cast<std::size_t>(element);
   PointLoad load;
   const double wet = wetted_fraction(r.z(), elements.radius[e]).value;
   load.weight = -elements.weight[e] * Vec3::UnitZ();
   load.buoyancy = elements.buoyancy[e] * wet * Vec3::UnitZ();
-  add_seabed(load, env, elements.radius[e], r);
+  add_seabed(load, env, elements.radius[e], elements.weight[e] - elements.buoyancy[e], r);
   const Vec3 u = current_velocity(env, r.z());
   const Vec3 t = a.normalized();
   const double along = u.dot(t);
   const Vec3 across = u - along * t;
-  load.current = wet * (elements.drag_normal[e] * across.norm() * across + elements.drag_axial[e] * std::abs(along) * along * t);
+  load.current =
+      wet * (elements.drag_normal[e] * across.norm() * across + elements.drag_axial[e] * std::abs(along) * along * t);
   return load;
 }
 

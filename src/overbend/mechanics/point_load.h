@@ -1,5 +1,5 @@
-/// External forces per unstressed length at a point of the line, plain scalar form: the reference for the element kernel and what
-/// results are summed from.
+/// External forces per unstressed length at a point of the line, plain scalar form: the reference for the element
+/// kernel and what results are summed from.
 #pragma once
 
 #include "base/vec.h"
@@ -17,7 +17,8 @@ struct PointLoad {
 };
 
 /// At axis position `r` with tangent `a` = dr/ds of element `element`.
-PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r, const Vec3& a);
+PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r,
+                     const Vec3& a);
 
 /// Current velocity at height z: linear between the rows of the table, constant beyond [m/s].
 Vec3 current_velocity(const LineEnvironment& env, double z);

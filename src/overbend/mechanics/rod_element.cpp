@@ -82,7 +82,9 @@ CentrelinePoint centreline(const ElementVector& q, double xi, double length) {
   return {nodes * n.value, nodes * n.first, nodes * n.second};
 }
 
-double curvature(const CentrelinePoint& at) { return at.a.cross(at.b).norm() / at.a.squaredNorm(); }
+double curvature(const CentrelinePoint& at) {
+  return at.a.cross(at.b).norm() / at.a.squaredNorm();
+}
 
 double membrane_strain(const ElementVector& q, double xi, double length) {
   const double e0 = q.segment<3>(3).norm() - 1.0;

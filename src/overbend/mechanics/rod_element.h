@@ -2,9 +2,10 @@
 ///
 ///   r1, t1 o=================o r2, t2      t = dr/ds, s = unstressed length, element length h
 ///
-/// Meier, Popp & Wall, CMAME 278 (2014) and 290 (2015): no rotations, C1 centreline, symmetric tangent. The membrane strain that
-/// enters the energy is the quadratic through the strains at both ends and the middle, which removes locking; four Gauss points
-/// integrate the bending. This form is the reference; `line_kernel` does the same for eight elements at once.
+/// Meier, Popp & Wall, CMAME 278 (2014) and 290 (2015): no rotations, C1 centreline, symmetric tangent. The membrane
+/// strain that enters the energy is the quadratic through the strains at both ends and the middle, which removes
+/// locking; four Gauss points integrate the bending. This form is the reference; `line_kernel` does the same for eight
+/// elements at once.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +14,7 @@
 
 namespace overbend {
 
-using ElementVector = Eigen::Matrix<double, 12, 1>;   ///< r1, t1, r2, t2.
+using ElementVector = Eigen::Matrix<double, 12, 1>;  ///< r1, t1, r2, t2.
 using ElementMatrix = Eigen::Matrix<double, 12, 12>;
 
 struct RodProperties {
@@ -23,9 +24,9 @@ struct RodProperties {
 };
 
 struct RodForce {
-  double energy = 0.0;                                ///< Strain energy [J].
-  ElementVector force = ElementVector::Zero();        ///< Derivative of the energy: internal force [N], [N m].
-  ElementMatrix stiffness = ElementMatrix::Zero();    ///< Second derivative.
+  double energy = 0.0;                              ///< Strain energy [J].
+  ElementVector force = ElementVector::Zero();      ///< Derivative of the energy: internal force [N], [N m].
+  ElementMatrix stiffness = ElementMatrix::Zero();  ///< Second derivative.
 };
 
 /// Values and derivatives in s of the Hermite functions of r1, t1, r2, t2 at xi in [0, 1].

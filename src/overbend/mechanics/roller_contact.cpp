@@ -39,7 +39,9 @@ double stationary_xi(const Projection& projection, const ElementVector& q, doubl
   return xi;
 }
 
-ElementVector dofs_of(const double* q, int element) { return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element)); }
+ElementVector dofs_of(const double* q, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element));
+}
 
 /// Among the elements over which the distance has a minimum, the one where it is smallest.
 ClosestPoint search(const Projection& projection, const double* q, const double* length, int first, int last) {
@@ -100,7 +102,8 @@ RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& a
 }
 
 RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
-                                                      const RollerDistance& distance, const ElementVector& q, double h) {
+                                                      const RollerDistance& distance, const ElementVector& q,
+                                                      double h) {
   const Projection projection{at.reference, roller.axis, at.beyond_face};
   const HermiteValues n = hermite(at.xi, h);
   RollerDistanceDerivatives d;
@@ -114,7 +117,8 @@ RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller
   const CentrelinePoint point = centreline(q, at.xi, h);
   const Vec3 e = projection.apply(point.r - at.reference);
   const Vec3 pa = projection.apply(point.a);
-  const Mat3 p = at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
+  const Mat3 p =
+      at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
   ElementVector f_xi_q;  // change of the stationarity condition with the unknowns, per metre of s
   for (int j = 0; j < 4; ++j) {
     f_xi_q.segment<3>(3 * j) = n.value(j) * pa + n.first(j) * e;

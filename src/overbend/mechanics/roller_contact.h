@@ -1,4 +1,5 @@
-/// Contact between the pipe's centreline and one roller: a rigid finite cylinder that holds the pipe on its desired side.
+/// Contact between the pipe's centreline and one roller: a rigid finite cylinder that holds the pipe on its desired
+/// side.
 ///
 ///      normal        o   pipe axis r(xi)
 ///        ^           |
@@ -6,9 +7,10 @@
 ///        |           |
 ///     ===|===========o=====   roller axis (C, a), half a face either way of C
 ///
-/// The closest point between the C1 centreline and the axis stands at a continuous xi along the element, so that sliding from one
-/// element to the next never changes the force. Within the face the distance is that of the centreline projected along the roller's
-/// axis (the axis is a line); beyond the face it is the distance to the end of the axis, so that the pipe runs off over a rounded end.
+/// The closest point between the C1 centreline and the axis stands at a continuous xi along the element, so that
+/// sliding from one element to the next never changes the force. Within the face the distance is that of the centreline
+/// projected along the roller's axis (the axis is a line); beyond the face it is the distance to the end of the axis,
+/// so that the pipe runs off over a rounded end.
 #pragma once
 
 #include "mechanics/rod_element.h"
@@ -18,23 +20,24 @@ namespace overbend {
 /// A roller placed in W.
 struct PlacedRoller {
   Vec3 center, axis, normal;
-  double half_face = 0.0;   ///< [m]
-  double radius = 0.0;      ///< [m]
-  double stiffness = 0.0;   ///< Normal penalty [N/m].
+  double half_face = 0.0;  ///< [m]
+  double radius = 0.0;     ///< [m]
+  double stiffness = 0.0;  ///< Normal penalty [N/m].
 };
 
 /// Closest point between centreline and roller axis.
 struct ClosestPoint {
-  bool found = false;   ///< False when the pipe does not pass the roller.
+  bool found = false;  ///< False when the pipe does not pass the roller.
   int element = -1;
   double xi = 0.0;
   Vec3 reference = Vec3::Zero();  ///< Point of the axis that distance and projection refer to.
   bool beyond_face = false;
-  double off_end = 0.0;           ///< How far beyond the face, else 0 [m].
+  double off_end = 0.0;  ///< How far beyond the face, else 0 [m].
 };
 
-/// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the closest point is
-/// the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and each passage is counted once.
+/// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the
+/// closest point is the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and
+/// each passage is counted once.
 ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last);
 
 /// Distance of centreline to axis at the closest point.
@@ -42,7 +45,8 @@ struct RollerDistance {
   double value = 0.0;             ///< Signed: negative on the wrong side [m].
   Vec3 direction = Vec3::Zero();  ///< Unit vector in which the roller pushes the pipe.
 };
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double length);
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q,
+                               double length);
 
 /// Gradient and Hessian of the distance in the element's unknowns with the closest point eliminated:
 /// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.
@@ -51,6 +55,7 @@ struct RollerDistanceDerivatives {
   ElementMatrix hessian = ElementMatrix::Zero();
 };
 RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
-                                                      const RollerDistance& distance, const ElementVector& q, double length);
+                                                      const RollerDistance& distance, const ElementVector& q,
+                                                      double length);
 
 }  // namespace overbend

@@ -18,11 +18,11 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   const double inner = outer - section.wall_thickness;
   const double po = loads.external_pressure, pi = loads.internal_pressure;
   const double wall = outer * outer - inner * inner;
-  const double mean = (pi * inner * inner - po * outer * outer) / wall;      // Lame: mean -+ difference r_i^2 r_o^2 / r^2
+  const double mean = (pi * inner * inner - po * outer * outer) / wall;  // Lame: mean -+ difference r_i^2 r_o^2 / r^2
   const double difference = (pi - po) * inner * inner * outer * outer / wall;
 
   SectionStress stress;
-  stress.wall_tension = loads.effective_tension - po * section.external_area + pi * section.internal_area;
+  stress.wall_tension = loads.effective_tension - po * section.pressure_area + pi * section.internal_area;
   stress.axial = stress.wall_tension / section.steel_area;
   stress.bending = section.youngs_modulus * loads.curvature * outer;
   stress.hoop = mean + difference / (inner * inner);
@@ -37,8 +37,9 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
   const double poisson = 1.0 - 2.0 * section.poissons_ratio;
   const double axial_strain =
-      (loads.effective_tension - poisson * (po * section.external_area - pi * section.internal_area)) / section.EA;
-  stress.strain = std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
+      (loads.effective_tension - poisson * (po * section.pressure_area - pi * section.internal_area)) / section.EA;
+  stress.strain =
+      std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
   return stress;
 }
 

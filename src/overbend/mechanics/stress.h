@@ -1,4 +1,8 @@
 /// Stresses of the steel section from the resultants of the rod.
+///
+/// Effective tension N and true wall tension differ by the pressures on the steel's own surfaces. The coating stands
+/// under water pressure all round, carries no axial force beyond that, and so drops out: A_e is the area of the steel's
+/// outside diameter.
 #pragma once
 
 #include "model/section.h"
@@ -13,12 +17,12 @@ struct SectionLoads {
 };
 
 struct SectionStress {
-  double wall_tension = 0.0;    ///< N - p_e A_e + p_i A_i [N]
-  double axial = 0.0;           ///< [Pa]
-  double bending = 0.0;         ///< At the outer fibre, E kappa D / 2 [Pa].
-  double hoop = 0.0;            ///< Lame, inner wall [Pa].
-  double von_mises = 0.0;       ///< Largest over inner and outer wall, both bending extremes [Pa].
-  double strain = 0.0;          ///< Largest longitudinal strain magnitude at the outer fibre.
+  double wall_tension = 0.0;  ///< N - p_e A_e + p_i A_i, of the steel [N].
+  double axial = 0.0;         ///< [Pa]
+  double bending = 0.0;       ///< At the outer fibre, E kappa D / 2 [Pa].
+  double hoop = 0.0;          ///< Lame, inner wall [Pa].
+  double von_mises = 0.0;     ///< Largest over inner and outer wall, both bending extremes [Pa].
+  double strain = 0.0;        ///< Largest longitudinal strain magnitude at the outer fibre.
 };
 
 /// Lame for hoop and radial stress; von Mises at the extreme fibres of outer and inner wall.

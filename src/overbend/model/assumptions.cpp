@@ -8,32 +8,45 @@
 namespace overbend {
 namespace {
 
-double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+double degrees(double radians) {
+  return radians * 180.0 / std::numbers::pi;
+}
 
 void assume_pipe(std::vector<std::string>& list, const Model& model) {
   const Section& pipe = model.sections.front();
   list.push_back("EA and EI are of the steel alone; coatings add weight, not stiffness. The steel is linear elastic.");
   if (model.description.pipe.section.joint) {
-    list.push_back("Field-joint infill replaces the outermost coating over its share of the pipe joint; weight is spread evenly along the joint.");
+    list.push_back(
+        "Field-joint infill replaces the outermost coating over its share of the pipe joint; weight is spread evenly "
+        "along the joint.");
   }
   if (pipe.contents_weight_density == 0.0 && pipe.internal_pressure == 0.0) {
     list.push_back("The pipe is empty, at atmospheric pressure.");
   }
-  list.push_back(fmt::format("Water weighs {:.4g} kN/m3; external pressure is hydrostatic from the mean water level.", 1e-3 * model.water_weight_density));
+  list.push_back(
+      fmt::format("Water weighs {:.4g} kN/m3; external pressure is hydrostatic from the mean water level and acts on "
+                  "the steel's outside: the coating stands under pressure all round and carries no axial force.",
+                  1e-3 * model.water_weight_density));
 }
 
 void assume_vessel(std::vector<std::string>& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
-  list.push_back(fmt::format("The stern shoe, origin of ramp and stinger, stands at x = {:.3f} m from midship and {:.3f} m above the mean water level.",
-                             vessel.stern_shoe_x, vessel.stern_shoe_z));
+  list.push_back(
+      fmt::format("The stern shoe, origin of ramp and stinger, stands at x = {:.3f} m from midship and {:.3f} m above "
+                  "the mean water level.",
+                  vessel.stern_shoe_x, vessel.stern_shoe_z));
   if (vessel.trim == 0.0 && vessel.heel == 0.0) {
     list.push_back("The vessel floats on even keel, without static trim or heel.");
   } else {
-    list.push_back(fmt::format("The vessel is trimmed {:.2f} deg (bow up) and heeled {:.2f} deg (starboard down) about midship at the water line.",
-                               degrees(vessel.trim), degrees(vessel.heel)));
+    list.push_back(
+        fmt::format("The vessel is trimmed {:.2f} deg (bow up) and heeled {:.2f} deg (starboard down) about midship at "
+                    "the water line.",
+                    degrees(vessel.trim), degrees(vessel.heel)));
   }
-  list.push_back(fmt::format("Water depth {:.2f} m is taken at the stern shoe{}.", model.description.environment.water_depth,
-                             model.description.environment.seabed.slope == 0.0 ? "; the sea bed is level" : "; the sea bed is a sloping plane"));
+  list.push_back(fmt::format("Water depth {:.2f} m is taken at the stern shoe{}.",
+                             model.description.environment.water_depth,
+                             model.description.environment.seabed.slope == 0.0 ? "; the sea bed is level"
+                                                                               : "; the sea bed is a sloping plane"));
 }
 
 void assume_supports(std::vector<std::string>& list, const Model& model) {
@@ -41,26 +54,38 @@ void assume_supports(std::vector<std::string>& list, const Model& model) {
     list.push_back("No supports: the pipe hangs straight from the tensioner (J-lay).");
     return;
   }
-  list.push_back("The X, Z of a roller box is the point where the underside of the coated pipe rests; the X, Z of the tensioner is the pipe's axis.");
-  list.push_back("Where a box has no inclination of its own it takes the tangent of the circle through its point and its neighbours'.");
-  list.push_back("Rollers are rigid finite cylinders; in statics they are frictionless: the pipe moves over them as it is laid and friction has no "
-                 "lasting direction.");
+  list.push_back(
+      "The X, Z of a roller box is the point where the underside of the coated pipe rests; the X, Z of the tensioner "
+      "is the pipe's axis.");
+  list.push_back(
+      "Where a box has no inclination of its own it takes the tangent of the circle through its point and its "
+      "neighbours'.");
+  list.push_back(
+      "Rollers are rigid finite cylinders; in statics they are frictionless: the pipe moves over them as it is laid "
+      "and friction has no "
+      "lasting direction.");
   bool penalty = false;
   for (const Roller& roller : model.supports.rollers) {
     penalty = penalty || roller.stiffness == 0.0;
   }
   if (penalty) {
-    list.push_back("Where no roller stiffness is given, contact is a penalty of the order of the pipe element's own stiffness; the largest "
-                   "penetration is reported.");
+    list.push_back(
+        "Where no roller stiffness is given, contact is a penalty of the order of the pipe element's own stiffness; "
+        "the largest "
+        "penetration is reported.");
   }
 }
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {
-  list.push_back(fmt::format("The sea bed carries the pipe by {:.4g} kN/m per metre length and penetration, without adhesion.", 1e-3 * model.seabed.stiffness));
+  list.push_back(
+      fmt::format("The sea bed carries the pipe by {:.4g} kN/m per metre length and penetration, without adhesion.",
+                  1e-3 * model.seabed.stiffness));
   list.push_back("The laid pipe rests under the lay tension: axial friction is not mobilised in statics.");
   if (model.seabed.friction_lateral > 0.0) {
-    list.push_back("Lateral friction resists displacement off the lay route: elastic stick as stiff as the bed itself, up to the coefficient times the "
-                   "normal force.");
+    list.push_back(
+        "Lateral friction resists displacement off the lay route: elastic stick as stiff as the bed itself, up to the "
+        "coefficient times the "
+        "normal force.");
   }
   list.push_back("The lay route is the vertical plane through the tensioner along the vessel's axis.");
 }
@@ -68,10 +93,12 @@ void assume_seabed(std::vector<std::string>& list, const Model& model) {
 void assume_tensioner(std::vector<std::string>& list, const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
   if (tensioner.tension) {
-    list.push_back(fmt::format("The tension of {:.4g} kN is the effective tension at the tensioner.", 1e-3 * *tensioner.tension));
+    list.push_back(
+        fmt::format("The tension of {:.4g} kN is the effective tension at the tensioner.", 1e-3 * *tensioner.tension));
   }
   if (tensioner.guide == Guide::clamped) {
-    list.push_back(fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.", degrees(tensioner.incline)));
+    list.push_back(fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.",
+                               degrees(tensioner.incline)));
   } else {
     list.push_back("The pipe is free to turn at the tensioner.");
   }
@@ -87,8 +114,10 @@ std::vector<std::string> assumptions(const Model& model) {
   assume_supports(list, model);
   assume_seabed(list, model);
   if (!model.current.z.empty()) {
-    list.push_back("The current is steady; drag by Morison with normal and axial coefficients on the outermost diameter; between the table's rows "
-                   "the velocity is interpolated as a vector, beyond its ends it stays constant.");
+    list.push_back(
+        "The current is steady; drag by Morison with normal and axial coefficients on the outermost diameter; between "
+        "the table's rows "
+        "the velocity is interpolated as a vector, beyond its ends it stays constant.");
   }
   return list;
 }

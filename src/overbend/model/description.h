@@ -1,8 +1,8 @@
 /// What the engineer described: a mirror of the model file in SI units, before frames, mesh and derived properties.
 ///
-/// Units are m, kg, s, N, Pa, rad. Azimuths stay as on a chart: clockwise from north, in rad. Vessel positions are in the
-/// vessel frame V (origin midship on the water, x forward, y port, z up); ramp, stinger and tensioner in the frame S
-/// (origin on the stern shoe, X astern, Z up). A member without a value in the file carries the default written here;
+/// Units are m, kg, s, N, Pa, rad. Azimuths stay as on a chart: clockwise from north, in rad. Vessel positions are in
+/// the vessel frame V (origin midship on the water, x forward, y port, z up); ramp, stinger and tensioner in the frame
+/// S (origin on the stern shoe, X astern, Z up). A member without a value in the file carries the default written here;
 /// `std::optional` is used only where "not given" has a meaning of its own.
 #pragma once
 
@@ -15,13 +15,13 @@
 namespace overbend {
 
 struct SteelDescription {
-  double outside_diameter = 0.0;             ///< [m]
-  double wall_thickness = 0.0;               ///< [m]
-  double youngs_modulus = 207e9;             ///< [Pa]
-  double poissons_ratio = 0.3;               ///< [-]
-  double yield_stress = 0.0;                 ///< SMYS [Pa]
-  std::optional<double> tensile_strength;    ///< SMTS [Pa]
-  double weight_density = 77e3;              ///< [N/m3]
+  double outside_diameter = 0.0;           ///< [m]
+  double wall_thickness = 0.0;             ///< [m]
+  double youngs_modulus = 207e9;           ///< [Pa]
+  double poissons_ratio = 0.3;             ///< [-]
+  double yield_stress = 0.0;               ///< SMYS [Pa]
+  std::optional<double> tensile_strength;  ///< SMTS [Pa]
+  double weight_density = 77e3;            ///< [N/m3]
 };
 
 struct CoatingDescription {
@@ -44,7 +44,8 @@ struct HydrodynamicsDescription {
   double added_mass_axial = 0.0;
 };
 
-/// Cross-section of a stretch of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic coefficients.
+/// Cross-section of a stretch of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic
+/// coefficients.
 struct SectionDescription {
   SteelDescription steel;
   std::vector<CoatingDescription> coatings;
@@ -87,23 +88,23 @@ enum class WaveType { none, airy, stokes5, jonswap, pierson_moskowitz, user };
 
 struct WavesDescription {
   WaveType type = WaveType::none;
-  double hs = 0.0;               ///< Significant wave height [m].
-  double tp = 0.0;               ///< Peak period [s].
-  double height = 0.0;           ///< Of a regular wave, crest to trough [m].
-  double period = 0.0;           ///< Of a regular wave [s].
-  double from = 0.0;             ///< Azimuth the waves come from [rad].
-  std::optional<double> gamma;   ///< JONSWAP peak enhancement; DNV-RP-C205 rule where not given.
+  double hs = 0.0;                  ///< Significant wave height [m].
+  double tp = 0.0;                  ///< Peak period [s].
+  double height = 0.0;              ///< Of a regular wave, crest to trough [m].
+  double period = 0.0;              ///< Of a regular wave [s].
+  double from = 0.0;                ///< Azimuth the waves come from [rad].
+  std::optional<double> gamma;      ///< JONSWAP peak enhancement; DNV-RP-C205 rule where not given.
   std::optional<double> spreading;  ///< Exponent s of cos^2s directional spreading; long-crested where not given.
   int components = 200;
   std::uint64_t seed = 1;
-  std::string spectrum_file;     ///< For `user`: CSV of frequency and spectral density.
+  std::string spectrum_file;  ///< For `user`: CSV of frequency and spectral density.
 };
 
 struct EnvironmentDescription {
-  double water_depth = 0.0;                 ///< At the stern shoe [m].
-  double water_weight_density = 10.05e3;    ///< [N/m3]
+  double water_depth = 0.0;               ///< At the stern shoe [m].
+  double water_weight_density = 10.05e3;  ///< [N/m3]
   SeabedDescription seabed;
-  std::vector<CurrentPoint> current;        ///< By increasing depth.
+  std::vector<CurrentPoint> current;  ///< By increasing depth.
   WavesDescription waves;
 };
 
@@ -117,17 +118,17 @@ struct HarmonicMotion {
 
 struct VesselDescription {
   std::string name = "barge";
-  double length = 120.0;       ///< [m]
-  double beam = 30.0;          ///< [m]
-  double depth = 9.0;          ///< Keel to deck [m].
-  double draught = 5.0;        ///< [m]
-  double heading = 0.0;        ///< Azimuth of the bow [rad].
-  double trim = 0.0;           ///< Static trim, bow up positive, about midship at the water line [rad].
-  double heel = 0.0;           ///< Static heel, starboard down positive, same point [rad].
-  double stern_shoe_x = 0.0;   ///< Frame V [m].
-  double stern_shoe_z = 0.0;   ///< Frame V, above the water [m].
+  double length = 120.0;      ///< [m]
+  double beam = 30.0;         ///< [m]
+  double depth = 9.0;         ///< Keel to deck [m].
+  double draught = 5.0;       ///< [m]
+  double heading = 0.0;       ///< Azimuth of the bow [rad].
+  double trim = 0.0;          ///< Static trim, bow up positive, about midship at the water line [rad].
+  double heel = 0.0;          ///< Static heel, starboard down positive, same point [rad].
+  double stern_shoe_x = 0.0;  ///< Frame V [m].
+  double stern_shoe_z = 0.0;  ///< Frame V, above the water [m].
   VesselMotion motion = VesselMotion::fixed;
-  std::string motion_file;     ///< For raos, history, coupled; resolved against the model file's folder.
+  std::string motion_file;  ///< For raos, history, coupled; resolved against the model file's folder.
   std::map<std::string, HarmonicMotion> harmonic;  ///< By degree of freedom: surge, sway, heave, roll, pitch, yaw.
 };
 
@@ -139,14 +140,14 @@ struct TensionerDescription {
   double z = 0.0;        ///< Frame S, pipe axis [m].
   double incline = 0.0;  ///< Of the pipe at the tensioner, positive when it dips astern [rad].
   Guide guide = Guide::clamped;
-  std::optional<double> tension;        ///< Wanted effective tension [N].
-  std::optional<double> range_low;      ///< Operational range [N].
-  std::optional<double> range_high;     ///< Operational range [N].
+  std::optional<double> tension;     ///< Wanted effective tension [N].
+  std::optional<double> range_low;   ///< Operational range [N].
+  std::optional<double> range_high;  ///< Operational range [N].
   TensionerMode mode = TensionerMode::locked;
-  double delay = 0.0;                   ///< Response delay [s].
-  double velocity = 0.0;                ///< Response velocity [m/s].
-  std::optional<double> acceleration;   ///< Response acceleration [m/s2].
-  std::optional<double> travel;         ///< Displacement limit either way [m].
+  double delay = 0.0;                  ///< Response delay [s].
+  double velocity = 0.0;               ///< Response velocity [m/s].
+  std::optional<double> acceleration;  ///< Response acceleration [m/s2].
+  std::optional<double> travel;        ///< Displacement limit either way [m].
 };
 
 struct BottomRollerDescription {
@@ -177,12 +178,13 @@ enum class Structure { ramp, stinger };
 struct BoxDescription {
   std::string name;
   Structure structure = Structure::ramp;
-  double x = 0.0;                 ///< Frame S: where the underside of the coated pipe rests, mid-box [m].
-  double z = 0.0;                 ///< Frame S [m].
-  double offset = 0.0;            ///< Raises the box along the outward normal of the support curve [m].
-  double length = 0.0;            ///< Along the pipe [m].
-  std::optional<double> incline;  ///< Of the box axis, positive when it dips astern [rad]; tangent of the curve if not given.
-  std::string roller;             ///< Name of a roller kind.
+  double x = 0.0;       ///< Frame S: where the underside of the coated pipe rests, mid-box [m].
+  double z = 0.0;       ///< Frame S [m].
+  double offset = 0.0;  ///< Raises the box along the outward normal of the support curve [m].
+  double length = 0.0;  ///< Along the pipe [m].
+  std::optional<double>
+      incline;         ///< Of the box axis, positive when it dips astern [rad]; tangent of the curve if not given.
+  std::string roller;  ///< Name of a roller kind.
   int rows = 1;
 };
 
@@ -207,12 +209,12 @@ struct StaticSettings {
 };
 
 struct DynamicSettings {
-  double duration = 0.0;                ///< [s]
-  double build_up = 60.0;               ///< [s]
-  std::optional<double> step;           ///< Fixed step [s].
-  std::optional<double> max_step;       ///< [s]
+  double duration = 0.0;           ///< [s]
+  double build_up = 60.0;          ///< [s]
+  std::optional<double> step;      ///< Fixed step [s].
+  std::optional<double> max_step;  ///< [s]
   double spectral_radius = 0.8;
-  double output_step = 0.5;             ///< [s]
+  double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
 };
 

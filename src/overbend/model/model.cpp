@@ -6,10 +6,14 @@
 namespace overbend {
 namespace {
 
-Vec3 azimuth_direction(double azimuth) { return {std::sin(azimuth), std::cos(azimuth), 0.0}; }
+Vec3 azimuth_direction(double azimuth) {
+  return {std::sin(azimuth), std::cos(azimuth), 0.0};
+}
 
 /// Ramp/stinger axes in V: X astern, Y starboard, Z up.
-Vec3 turn_S_to_V(const Vec3& d_S) { return {-d_S.x(), -d_S.y(), d_S.z()}; }
+Vec3 turn_S_to_V(const Vec3& d_S) {
+  return {-d_S.x(), -d_S.y(), d_S.z()};
+}
 
 SeabedPlane resolve_seabed(const EnvironmentDescription& environment, const Vec3& stern_shoe_W) {
   const SeabedDescription& bed = environment.seabed;
@@ -64,7 +68,9 @@ Vec3 astern_direction(const VesselPose& pose) {
   return -Vec3(forward.x(), forward.y(), 0.0).normalized();
 }
 
-Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S) { return pose.R_WV * turn_S_to_V(d_S); }
+Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S) {
+  return pose.R_WV * turn_S_to_V(d_S);
+}
 
 Vec3 point_from_ramp(const Model& model, const VesselPose& pose, const Vec3& p_S) {
   const VesselDescription& vessel = model.description.vessel;

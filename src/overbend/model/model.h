@@ -23,7 +23,7 @@ struct VesselPose {
 struct SeabedPlane {
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitZ();
-  double stiffness = 0.0;         ///< [N/m2]
+  double stiffness = 0.0;  ///< [N/m2]
   double friction_axial = 0.0, friction_lateral = 0.0;
 
   /// Height of the bed under a point [m].

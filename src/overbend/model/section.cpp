@@ -6,7 +6,9 @@
 namespace overbend {
 namespace {
 
-double disc(double diameter) { return 0.25 * std::numbers::pi * diameter * diameter; }
+double disc(double diameter) {
+  return 0.25 * std::numbers::pi * diameter * diameter;
+}
 
 /// Weight of all coatings per length [N/m]; `diameter` grows from the steel to the outermost layer.
 double coating_weight(const SectionDescription& description, double& diameter) {
@@ -41,7 +43,8 @@ Section derive_section(const std::string& name, const SectionDescription& descri
 
   const double bore = steel.outside_diameter - 2.0 * steel.wall_thickness;
   section.internal_area = disc(bore);
-  section.steel_area = disc(steel.outside_diameter) - section.internal_area;
+  section.pressure_area = disc(steel.outside_diameter);
+  section.steel_area = section.pressure_area - section.internal_area;
   section.second_moment = std::numbers::pi / 64.0 * (std::pow(steel.outside_diameter, 4) - std::pow(bore, 4));
   section.EA = steel.youngs_modulus * section.steel_area;
   section.EI = steel.youngs_modulus * section.second_moment;

@@ -10,7 +10,9 @@ using Vec2 = Eigen::Vector2d;
 
 const Vec3 kPort_S(0.0, -1.0, 0.0);
 
-double dip(const Vec2& chord) { return std::atan2(-chord.y(), chord.x()); }
+double dip(const Vec2& chord) {
+  return std::atan2(-chord.y(), chord.x());
+}
 
 /// Tangents at three points of the circle through them: the tangent-chord angle is half the arc's.
 struct ThreePointTangents {
@@ -43,7 +45,8 @@ Roller bottom_roller(const RollerKindDescription& kind, const RowFrame& row) {
 }
 
 /// A side roller leans outwards by its angle from horizontal; it stands off the centred pipe by its clearance.
-Roller side_roller(const SideRollerDescription& side, const RowFrame& row, double pipe_radius, RollerPosition position) {
+Roller side_roller(const SideRollerDescription& side, const RowFrame& row, double pipe_radius,
+                   RollerPosition position) {
   const double outward = position == RollerPosition::port ? 1.0 : -1.0;
   const Vec3 out_S = outward * kPort_S;
   Roller roller;
@@ -57,7 +60,8 @@ Roller side_roller(const SideRollerDescription& side, const RowFrame& row, doubl
   return roller;
 }
 
-void add_row(Supports& supports, const RollerKindDescription& kind, const RowFrame& frame, double pipe_radius, int box) {
+void add_row(Supports& supports, const RollerKindDescription& kind, const RowFrame& frame, double pipe_radius,
+             int box) {
   SupportRow row;
   row.box = box;
   row.point_S = frame.point_S;

@@ -15,12 +15,12 @@ enum class RollerPosition { bottom, port, starboard };
 struct Roller {
   int box = 0, row = 0;
   RollerPosition position = RollerPosition::bottom;
-  Vec3 center_S = Vec3::Zero();  ///< Middle of the axis [m].
-  Vec3 axis_S = Vec3::UnitY();   ///< Unit vector along the axis.
-  Vec3 normal_S = Vec3::UnitZ(); ///< Unit normal of the face towards the pipe.
-  double radius = 0.0;           ///< [m]
-  double face = 0.0;             ///< Length [m].
-  double stiffness = 0.0;        ///< Physical stiffness [N/m]; 0 = the engine's penalty.
+  Vec3 center_S = Vec3::Zero();   ///< Middle of the axis [m].
+  Vec3 axis_S = Vec3::UnitY();    ///< Unit vector along the axis.
+  Vec3 normal_S = Vec3::UnitZ();  ///< Unit normal of the face towards the pipe.
+  double radius = 0.0;            ///< [m]
+  double face = 0.0;              ///< Length [m].
+  double stiffness = 0.0;         ///< Physical stiffness [N/m]; 0 = the engine's penalty.
   double friction_axial = 0.0, friction_lateral = 0.0, restitution = 0.0;
 
   /// Middle of the face: the reference point R_i of the separation, [silva2009] figure 11.
@@ -36,11 +36,11 @@ struct SupportRow {
 struct SupportBox {
   std::string name;
   Structure structure = Structure::ramp;
-  Vec3 point_S = Vec3::Zero();      ///< Middle of the box, offset included [m].
-  Vec3 direction_S = Vec3::UnitX(); ///< Unit vector along the box, astern.
-  Vec3 normal_S = Vec3::UnitZ();    ///< Unit outward (upward) normal.
-  double inclination = 0.0;         ///< Positive dipping astern [rad].
-  double length = 0.0;              ///< [m]
+  Vec3 point_S = Vec3::Zero();       ///< Middle of the box, offset included [m].
+  Vec3 direction_S = Vec3::UnitX();  ///< Unit vector along the box, astern.
+  Vec3 normal_S = Vec3::UnitZ();     ///< Unit outward (upward) normal.
+  double inclination = 0.0;          ///< Positive dipping astern [rad].
+  double length = 0.0;               ///< [m]
   int first_row = 0, row_count = 0;
 };
 
@@ -50,12 +50,13 @@ struct Supports {
   std::vector<Roller> rollers;
 };
 
-/// Inclination (positive dipping astern) of the smooth support curve at each point: tangent of the circle through a point and
-/// its two neighbours, at the ends of the circle through the last three. Exact for a ramp and stinger of constant radius.
-/// Two points give their chord, one gives `fallback`. Points are (X, Z) in S, running astern.
+/// Inclination (positive dipping astern) of the smooth support curve at each point: tangent of the circle through a
+/// point and its two neighbours, at the ends of the circle through the last three. Exact for a ramp and stinger of
+/// constant radius. Two points give their chord, one gives `fallback`. Points are (X, Z) in S, running astern.
 std::vector<double> curve_inclinations(const std::vector<Eigen::Vector2d>& points, double fallback);
 
-/// Places every roller. `pipe_radius` is that of the coated pipe [m]: side rollers stand off a centred pipe by their clearance.
+/// Places every roller. `pipe_radius` is that of the coated pipe [m]: side rollers stand off a centred pipe by their
+/// clearance.
 Supports place_supports(const Description& description, double pipe_radius);
 
 }  // namespace overbend

@@ -32,6 +32,8 @@ BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
   return isa_baseline::solve_blocks(view);
 }
 
-BlockSolveReport solve(BlockTridiagonal& system) { return solve_on(system, best_isa()); }
+BlockSolveReport solve(BlockTridiagonal& system) {
+  return solve_on(system, best_isa());
+}
 
 }  // namespace overbend

@@ -4,9 +4,9 @@
 ///     [ L1 D1 U1    ] [x1 y1] = [b1 c1]
 ///     [    ..  ..   ] [.. ..]   [.. ..]
 ///
-/// Friction and drag make the tangent unsymmetric, so no symmetry is assumed. The second right-hand side carries the border of
-/// one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, which is what makes the
-/// elimination fast: every row operation is one multiply-add.
+/// Friction and drag make the tangent unsymmetric, so no symmetry is assumed. The second right-hand side carries the
+/// border of one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, which is
+/// what makes the elimination fast: every row operation is one multiply-add.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 namespace overbend {
 
 inline constexpr int kNodeDofs = 6;
-inline constexpr int kRowWidth = 8;                          ///< Six columns and two right-hand sides.
+inline constexpr int kRowWidth = 8;  ///< Six columns and two right-hand sides.
 inline constexpr int kDiagSize = kNodeDofs * kRowWidth;
 inline constexpr int kLowerSize = kNodeDofs * kNodeDofs;
 
@@ -48,8 +48,8 @@ class BlockTridiagonal {
   AlignedDoubles diag_, upper_, lower_;
 };
 
-/// Solves in place by block elimination with row pivoting inside each block; blocks and right-hand sides are overwritten, the
-/// solutions stand in the columns of the right-hand sides.
+/// Solves in place by block elimination with row pivoting inside each block; blocks and right-hand sides are
+/// overwritten, the solutions stand in the columns of the right-hand sides.
 BlockSolveReport solve(BlockTridiagonal& system);
 
 /// The same on a chosen instruction set, to compare them.

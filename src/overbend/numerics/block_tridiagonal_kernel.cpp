@@ -5,7 +5,9 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-inline double magnitude(double x) { return x < 0.0 ? -x : x; }
+inline double magnitude(double x) {
+  return x < 0.0 ? -x : x;
+}
 
 constexpr int kNodeDofs = 6;
 constexpr int kLowerSize = kNodeDofs * kNodeDofs;
@@ -84,7 +86,9 @@ inline void substitute_back(Lanes* d, const Lanes* u, const Lanes* d_next) {
   }
 }
 
-inline Lanes* rows(double* blocks, int node) { return reinterpret_cast<Lanes*>(blocks + node * kDiagSize); }
+inline Lanes* rows(double* blocks, int node) {
+  return reinterpret_cast<Lanes*>(blocks + node * kDiagSize);
+}
 
 }  // namespace
 

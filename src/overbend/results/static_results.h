@@ -1,5 +1,6 @@
-/// Results of a static analysis: plain data, SI units, world frame W (x east, y north, z up, origin midship at z = 0 = mean
-/// water level) unless a member says otherwise. Reports, files and checks read this and compute no mechanics of their own.
+/// Results of a static analysis: plain data, SI units, world frame W (x east, y north, z up, origin midship at z = 0 =
+/// mean water level) unless a member says otherwise. Reports, files and checks read this and compute no mechanics of
+/// their own.
 #pragma once
 
 #include <optional>
@@ -23,16 +24,16 @@ struct Station {
   double wall_tension = 0.0;       ///< True wall tension [N].
   double bending_moment = 0.0;     ///< Magnitude [N m].
   double vertical_moment = 0.0;    ///< Part in the vertical plane of the pipe, sagging positive [N m].
-  double lateral_moment = 0.0;     ///< Part out of that plane, positive when the pipe curves to port going astern [N m].
-  double curvature = 0.0;          ///< Magnitude [1/m].
-  double axial_stress = 0.0;       ///< From wall tension [Pa].
-  double bending_stress = 0.0;     ///< At the steel's outer fibre [Pa].
-  double hoop_stress = 0.0;        ///< At the inner wall, tension positive [Pa].
-  double von_mises = 0.0;          ///< Largest over the section [Pa].
-  double strain = 0.0;             ///< Largest longitudinal strain magnitude at the outer fibre [-].
-  double seabed_reaction = 0.0;    ///< Per length [N/m].
-  double penetration = 0.0;        ///< Into the seabed [m].
-  double yield_stress = 0.0;       ///< Of the section here [Pa].
+  double lateral_moment = 0.0;   ///< Part out of that plane, positive when the pipe curves to port going astern [N m].
+  double curvature = 0.0;        ///< Magnitude [1/m].
+  double axial_stress = 0.0;     ///< From wall tension [Pa].
+  double bending_stress = 0.0;   ///< At the steel's outer fibre [Pa].
+  double hoop_stress = 0.0;      ///< At the inner wall, tension positive [Pa].
+  double von_mises = 0.0;        ///< Largest over the section [Pa].
+  double strain = 0.0;           ///< Largest longitudinal strain magnitude at the outer fibre [-].
+  double seabed_reaction = 0.0;  ///< Per length [N/m].
+  double penetration = 0.0;      ///< Into the seabed [m].
+  double yield_stress = 0.0;     ///< Of the section here [Pa].
   Region region = Region::sagbend;
 };
 
@@ -48,8 +49,8 @@ struct RollerResult {
   Vec3 p_W = Vec3::Zero();    ///< Reference point: middle of the roller's face [m].
   Vec3 normal_W = Vec3::UnitZ();  ///< Unit normal of the roller towards the pipe.
   Vec3 axis_W = Vec3::UnitY();    ///< Unit vector along the roller's axis.
-  double radius = 0.0;        ///< [m]
-  double face = 0.0;          ///< [m]
+  double radius = 0.0;            ///< [m]
+  double face = 0.0;              ///< [m]
 };
 
 /// The rollers of one row of a box: bottom first, then port and starboard where the kind has sides.
@@ -63,20 +64,21 @@ struct RowResult {
 /// One roller box.
 struct SupportResult {
   std::string name;
-  bool stinger = false;       ///< On the stinger (else the ramp).
-  Vec3 p_W = Vec3::Zero();    ///< Box point [m].
-  double astern = 0.0;        ///< Frame S, X of the box point [m].
-  double inclination = 0.0;   ///< Of the box axis, positive dipping astern [rad].
-  double length = 0.0;        ///< [m]
-  double s = 0.0;             ///< Arc length of the pipe at the box middle [m].
-  double reaction = 0.0;      ///< Magnitude of the resultant of all its rollers [N].
-  double vertical = 0.0;      ///< World z [N].
-  double longitudinal = 0.0;  ///< Along the box axis, astern positive [N].
-  double lateral = 0.0;       ///< Across, port positive [N].
-  double separation = 0.0;    ///< Smallest over its bottom rollers [m].
+  bool stinger = false;             ///< On the stinger (else the ramp).
+  Vec3 p_W = Vec3::Zero();          ///< Box point [m].
+  double astern = 0.0;              ///< Frame S, X of the box point [m].
+  double inclination = 0.0;         ///< Of the box axis, positive dipping astern [rad].
+  double length = 0.0;              ///< [m]
+  double s = 0.0;                   ///< Arc length of the pipe at the box middle [m].
+  double reaction = 0.0;            ///< Magnitude of the resultant of all its rollers [N].
+  double vertical = 0.0;            ///< World z [N].
+  double longitudinal = 0.0;        ///< Along the box axis, astern positive [N].
+  double lateral = 0.0;             ///< Across, port positive [N].
+  double separation = 0.0;          ///< Smallest over its bottom rollers [m].
   double separation_lateral = 0.0;  ///< Smallest over its side rollers; infinity-free: 0 with no sides [m].
   bool has_sides = false;
-  double effective_tension = 0.0, bending_moment = 0.0, bending_stress = 0.0, von_mises = 0.0, strain = 0.0;  ///< Pipe at the box: maxima over its length.
+  double effective_tension = 0.0, bending_moment = 0.0, bending_stress = 0.0, von_mises = 0.0,
+         strain = 0.0;  ///< Pipe at the box: maxima over its length.
   std::vector<RowResult> rows;
 };
 
@@ -100,8 +102,8 @@ struct Touchdown {
 
 /// How the solver got there.
 struct SolveReport {
-  std::string method;                ///< "newton", "dynamic_relaxation + newton", ...
-  int iterations = 0;                ///< Newton iterations, all stages.
+  std::string method;  ///< "newton", "dynamic_relaxation + newton", ...
+  int iterations = 0;  ///< Newton iterations, all stages.
   int relaxation_steps = 0;
   double force_residual = 0.0;       ///< Largest unbalanced nodal force over the total weight.
   double wall_time = 0.0;            ///< Inside the solver [s].
@@ -110,13 +112,13 @@ struct SolveReport {
 
 struct DerivedSection {
   std::string name;
-  double EA = 0.0, EI = 0.0;          ///< [N], [N m2]
-  double weight_in_air = 0.0;         ///< [N/m]
-  double weight_submerged = 0.0;      ///< [N/m]
-  double steel_area = 0.0;            ///< [m2]
-  double second_moment = 0.0;         ///< [m4]
-  double outer_diameter = 0.0;        ///< Over the coatings = hydrodynamic diameter [m].
-  double mass = 0.0;                  ///< [kg/m]
+  double EA = 0.0, EI = 0.0;      ///< [N], [N m2]
+  double weight_in_air = 0.0;     ///< [N/m]
+  double weight_submerged = 0.0;  ///< [N/m]
+  double steel_area = 0.0;        ///< [m2]
+  double second_moment = 0.0;     ///< [m4]
+  double outer_diameter = 0.0;    ///< Over the coatings = hydrodynamic diameter [m].
+  double mass = 0.0;              ///< [kg/m]
 };
 
 /// Everything a static run hands on.
@@ -125,44 +127,45 @@ struct StaticResults {
   std::vector<std::string> assumptions, warnings;
   std::vector<DerivedSection> sections;  ///< First the line's own, then the segments'.
 
-  double top_tension = 0.0;            ///< Effective, at the tensioner [N].
-  double bottom_tension = 0.0;         ///< Horizontal, at touchdown [N].
-  double largest_tension = 0.0;        ///< Effective [N].
-  double lay_back = 0.0;               ///< Horizontal, stern shoe to touchdown [m].
-  double top_to_touchdown = 0.0;       ///< Horizontal, tensioner to touchdown [m].
-  double length_top_to_touchdown = 0.0;  ///< Unstressed length [m].
-  double total_length = 0.0;           ///< Unstressed, tensioner to anchor [m].
-  double suspended_length = 0.0;       ///< Last support in contact to touchdown [m].
-  double departure_angle = 0.0;        ///< At the last support in contact, or the tensioner in J-lay [rad].
+  double top_tension = 0.0;                     ///< Effective, at the tensioner [N].
+  double bottom_tension = 0.0;                  ///< Horizontal, at touchdown [N].
+  double largest_tension = 0.0;                 ///< Effective [N].
+  double lay_back = 0.0;                        ///< Horizontal, stern shoe to touchdown [m].
+  double top_to_touchdown = 0.0;                ///< Horizontal, tensioner to touchdown [m].
+  double length_top_to_touchdown = 0.0;         ///< Unstressed length [m].
+  double total_length = 0.0;                    ///< Unstressed, tensioner to anchor [m].
+  double suspended_length = 0.0;                ///< Last support in contact to touchdown [m].
+  double departure_angle = 0.0;                 ///< At the last support in contact, or the tensioner in J-lay [rad].
   std::optional<double> stinger_tip_clearance;  ///< Separation at the last row of the stinger [m].
-  std::string last_support;            ///< Name of the last support in contact; empty in J-lay.
+  std::string last_support;                     ///< Name of the last support in contact; empty in J-lay.
   std::string largest_reaction_support;
-  double largest_reaction = 0.0;       ///< Of a single roller [N].
-  double smallest_separation = 0.0;    ///< Of all bottom rollers [m].
-  double largest_penetration = 0.0;    ///< Pipe into rollers, by the penalty [m].
-  double roller_stiffness = 0.0;       ///< Largest in use [N/m].
+  double largest_reaction = 0.0;     ///< Of a single roller [N].
+  double smallest_separation = 0.0;  ///< Of all bottom rollers [m].
+  double largest_penetration = 0.0;  ///< Pipe into rollers, by the penalty [m].
+  double roller_stiffness = 0.0;     ///< Largest in use [N/m].
   Touchdown touchdown;
   Vec3 anchor_W = Vec3::Zero();
-  /// Extremes from the tensioner to the inflection below the last support in contact; absent when no support carries the pipe (J-lay).
+  /// Extremes from the tensioner to the inflection below the last support in contact; absent when no support carries
+  /// the pipe (J-lay).
   std::optional<RegionResult> overbend;
   RegionResult sagbend;  ///< Extremes from that inflection to touchdown.
 
   std::vector<Station> stations;
   std::vector<SupportResult> supports;
 
-  double force_residual = 0.0;  ///< Largest unbalanced nodal force over the total weight.
-  double global_residual = 0.0; ///< |sum of external forces and reactions| over the total weight.
-  double total_weight = 0.0;    ///< Of the line in air [N].
+  double force_residual = 0.0;   ///< Largest unbalanced nodal force over the total weight.
+  double global_residual = 0.0;  ///< |sum of external forces and reactions| over the total weight.
+  double total_weight = 0.0;     ///< Of the line in air [N].
   Vec3 sum_weight = Vec3::Zero(), sum_buoyancy = Vec3::Zero(), sum_current = Vec3::Zero(), sum_seabed = Vec3::Zero(),
        sum_rollers = Vec3::Zero(), top_reaction = Vec3::Zero(), anchor_reaction = Vec3::Zero();  ///< [N]
   SolveReport solve;
 
   // What pictures need beside the numbers above.
   Vec3 stern_shoe_W = Vec3::Zero(), tensioner_W = Vec3::Zero();
-  Mat3 R_WV = Mat3::Identity();    ///< Vessel axes in W.
+  Mat3 R_WV = Mat3::Identity();                                                             ///< Vessel axes in W.
   double vessel_length = 0.0, vessel_beam = 0.0, vessel_depth = 0.0, vessel_draught = 0.0;  ///< [m]
   std::string vessel_name;
-  double water_depth = 0.0;        ///< At the stern shoe [m].
+  double water_depth = 0.0;                                      ///< At the stern shoe [m].
   double pipe_outer_diameter = 0.0, steel_outer_diameter = 0.0;  ///< Of the line's own section [m].
   double wanted_tension = 0.0;
 };

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <numbers>
+
+#include "analysis/recovery.h"
+#include "analysis/statics.h"
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "io/results_writer.h"
+#include "io/staged_folder.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+void line(const std::string& name, const std::string& value) {
+  std::cout << fmt::format("  {:<28}{}\n", name, value);
+}
+
+void number(const std::string& name, double value, const char* unit, int digits = 2) {
+  line(name, fmt::format("{:>12.{}f} {}", value, digits, unit));
+}
+
+void print_region(const char* name, const RegionResult& region) {
+  const auto stress = [](const Extreme& extreme) {
+    return fmt::format("{:>12.2f} MPa at s = {:.1f} m", extreme.value / 1e6, extreme.s);
+  };
+  line(fmt::format("{} bending stress", name), stress(region.bending_stress));
+  line(fmt::format("{} von Mises stress", name), stress(region.von_mises));
+}
+
+void print_results(const StaticResults& r) {
+  std::cout << r.title << "\n";
+  number("top tension", r.top_tension / 1e3, "kN");
+  number("horizontal tension", r.bottom_tension / 1e3, "kN");
+  number("lay-back", r.lay_back, "m");
+  number("suspended length", r.suspended_length, "m");
+  number("departure angle", r.departure_angle * kDegrees, "deg");
+  if (r.overbend) print_region("overbend", *r.overbend);
+  print_region("sagbend", r.sagbend);
+  if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
+  if (!r.supports.empty()) {
+    line("largest roller reaction",
+         fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
+  }
+  line("balance of forces",
+       fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
+  line("solver", fmt::format("{:>12.3f} s, {} iterations, {}", r.solve.wall_time, r.solve.iterations, r.solve.method));
+  for (const std::string& warning : r.warnings) std::cout << "  warning: " << warning << "\n";
+}
+
+int tell(const StaticFailure& failure) {
+  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
+  std::cerr << "overbend: no solution: " << failure.what << where << ": " << failure.why << "\n";
+  return kNoSolution;
+}
+
+fs::path default_folder(const std::string& model_file) {
+  return fs::path(model_file).stem().string() + ".results";
+}
+
+}  // namespace
+
+int run_static(const std::string& model_file, const std::string& output) {
+  const std::optional<Description> description = load_model(model_file);
+  if (!description) return kWrongInput;
+  const Model model = build_model(*description);
+  const StaticOutcome outcome = solve_statics(model);
+  if (outcome.failure) return tell(*outcome.failure);
+  const StaticResults results = recover_statics(model, *outcome.solution);
+  const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
+  std::optional<StagedFolder> staged;
+  try {
+    staged.emplace(folder);
+  } catch (const std::runtime_error& fault) {  // a folder that can not be is the user's to mend
+    std::cerr << "overbend: " << fault.what() << "\n";
+    return kWrongInput;
+  }
+  write_static_files(results, *description, staged->path());
+  // Further files of the folder, the report first of all, are written here: they appear together with the others.
+  staged->commit("summary.json");
+  print_results(results);
+  std::cout << "Results are in " << folder.string() << "\n";
+  return kDone;
+}
+
+}  // namespace overbend

@@ -1,0 +1,11 @@
+/// No number that is none leaves the program.
+#pragma once
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Throws std::runtime_error that names the first quantity that is not finite: "stations[12].bending_moment".
+void require_finite(const StaticResults& results);
+
+}  // namespace overbend

@@ -1,0 +1,172 @@
+#include "io/hdf5_file.h"
+
+#include <hdf5_hl.h>
+
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+void require(herr_t code, const std::string& what) {
+  if (code < 0) throw std::runtime_error(what);
+}
+
+/// The library prints its own stack of errors unless told otherwise.
+void silence_library() {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// UTF-8 of any length, which h5py gives as str.
+Hdf5Handle text_type() {
+  Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "HDF5 has no text type");
+  require(H5Tset_size(type, H5T_VARIABLE), "HDF5 text size");
+  require(H5Tset_cset(type, H5T_CSET_UTF8), "HDF5 text encoding");
+  return type;
+}
+
+std::size_t count_of(hid_t dataset) {
+  const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "HDF5 dataspace");
+  const hssize_t count = H5Sget_simple_extent_npoints(space);
+  require(count < 0 ? -1 : 0, "HDF5 dataspace without a size");
+  return static_cast<std::size_t>(count);
+}
+
+}  // namespace
+
+Hdf5Handle::Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what) : id_(id), close_(close) {
+  if (id < 0) throw std::runtime_error(what);
+}
+
+Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
+  if (this != &other) {
+    reset();
+    id_ = std::exchange(other.id_, -1);
+    close_ = other.close_;
+  }
+  return *this;
+}
+
+bool Hdf5Handle::reset() noexcept {
+  const hid_t id = std::exchange(id_, -1);
+  return id < 0 || close_(id) >= 0;
+}
+
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) {
+  silence_library();
+  file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
+                     "the file " + file.filename().string() + " can not be created");
+}
+
+Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
+  return {H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "results.h5 has no dataset " + path};
+}
+
+void Hdf5Writer::group(const std::string& path, const std::string& description) {
+  Hdf5Handle group(H5Gcreate2(file_, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                   "group " + path + " can not be made in results.h5");
+  attribute(path, "description", description);
+}
+
+void Hdf5Writer::attribute(const std::string& object, const std::string& name, const std::string& text) {
+  const std::string what = "attribute " + name + " of " + object + " can not be written to results.h5";
+  const Hdf5Handle type = text_type();
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
+  const Hdf5Handle attribute(
+      H5Acreate_by_name(file_, object.c_str(), name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, what);
+  const char* pointer = text.c_str();
+  require(H5Awrite(attribute, type, static_cast<const void*>(&pointer)), what);
+}
+
+void Hdf5Writer::write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
+                           const std::vector<hsize_t>& shape, const void* values) {
+  const std::string what = "dataset " + path + " can not be written to results.h5";
+  const Hdf5Handle space(
+      shape.empty() ? H5Screate(H5S_SCALAR) : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+      H5Sclose, what);
+  Hdf5Handle set(H5Dcreate2(file_, path.c_str(), file_type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+                 what);
+  if (H5Sget_simple_extent_npoints(space) > 0) {
+    require(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
+  }
+  set.reset();
+  attribute(path, "units", field.units);
+  attribute(path, "frame", field.frame);
+  attribute(path, "description", field.description);
+}
+
+void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<double>& values,
+                       const std::vector<hsize_t>& shape) {
+  write_raw(path, field, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, shape, values.data());
+}
+
+void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<int>& values,
+                       const std::vector<hsize_t>& shape) {
+  write_raw(path, field, H5T_NATIVE_INT, H5T_STD_I32LE, shape, values.data());
+}
+
+void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::string>& values,
+                       const std::vector<hsize_t>& shape) {
+  std::vector<const char*> pointers;
+  pointers.reserve(values.size());
+  for (const std::string& text : values) pointers.push_back(text.c_str());
+  const Hdf5Handle type = text_type();
+  write_raw(path, field, type, type, shape, static_cast<const void*>(pointers.data()));
+}
+
+void Hdf5Writer::make_scale(const std::string& path, const std::string& name) {
+  require(H5DSset_scale(dataset(path), name.c_str()), path + " can not be a dimension scale");
+}
+
+void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale) {
+  require(H5DSattach_scale(dataset(path), dataset(scale), 0), scale + " can not be the scale of " + path);
+}
+
+void Hdf5Writer::close() {
+  const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  if (!file_.reset() || !flushed) throw std::runtime_error("results.h5 can not be written to the end");
+}
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {
+  silence_library();
+  file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
+                     "the file '" + name_ + "' can not be read as HDF5");
+}
+
+Hdf5Handle Hdf5Reader::dataset(const std::string& path) const {
+  return {H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose, "the file '" + name_ + "' has no dataset " + path};
+}
+
+bool Hdf5Reader::has(const std::string& path) const {
+  return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  std::vector<double> values(count_of(set));
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no numbers");
+  return values;
+}
+
+std::vector<int> Hdf5Reader::ints(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  std::vector<int> values(count_of(set));
+  require(H5Dread(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no integers");
+  return values;
+}
+
+std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  const Hdf5Handle type = text_type();
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
+  std::vector<char*> pointers(count_of(set), nullptr);
+  if (pointers.empty()) return {};
+  require(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(pointers.data())),
+          path + " holds no texts");
+  std::vector<std::string> values;
+  for (const char* text : pointers) values.emplace_back(text == nullptr ? "" : text);
+  H5Dvlen_reclaim(type, space, H5P_DEFAULT, static_cast<void*>(pointers.data()));
+  return values;
+}
+
+}  // namespace overbend

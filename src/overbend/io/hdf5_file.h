@@ -1,0 +1,86 @@
+/// The little of HDF5 that results need, with handles that close themselves and faults as std::runtime_error.
+#pragma once
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/result_field.h"
+
+namespace overbend {
+
+/// Owns one HDF5 identifier.
+class Hdf5Handle {
+ public:
+  Hdf5Handle() = default;
+  /// Takes the identifier; throws with `what` when it is none.
+  Hdf5Handle(hid_t id, herr_t (*close)(hid_t), const std::string& what);
+  ~Hdf5Handle() { reset(); }
+  Hdf5Handle(Hdf5Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept;
+  Hdf5Handle(const Hdf5Handle&) = delete;
+  Hdf5Handle& operator=(const Hdf5Handle&) = delete;
+
+  operator hid_t() const { return id_; }
+  /// Closes; false when that failed.
+  bool reset() noexcept;
+
+ private:
+  hid_t id_ = -1;
+  herr_t (*close_)(hid_t) = nullptr;
+};
+
+/// A file being written. Datasets carry the attributes units, frame and description.
+class Hdf5Writer {
+ public:
+  explicit Hdf5Writer(const std::filesystem::path& file);
+
+  void group(const std::string& path, const std::string& description);
+  void attribute(const std::string& object, const std::string& name, const std::string& text);
+
+  /// Numbers of any shape, row by row; an empty shape is a scalar. `path` is the dataset's.
+  void write(const std::string& path, const Field& field, const std::vector<double>& values,
+             const std::vector<hsize_t>& shape);
+  void write(const std::string& path, const Field& field, const std::vector<int>& values,
+             const std::vector<hsize_t>& shape);
+  /// UTF-8 texts.
+  void write(const std::string& path, const Field& field, const std::vector<std::string>& values,
+             const std::vector<hsize_t>& shape);
+
+  /// Makes a 1-D dataset the dimension scale `name`, and attaches it to the first dimension of others.
+  void make_scale(const std::string& path, const std::string& name);
+  void attach_scale(const std::string& path, const std::string& scale);
+
+  /// Closes the file; throws when it could not be written to the end (disk full).
+  void close();
+
+ private:
+  Hdf5Handle dataset(const std::string& path) const;
+  void write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
+                 const std::vector<hsize_t>& shape, const void* values);
+
+  Hdf5Handle file_;
+};
+
+/// A file being read.
+class Hdf5Reader {
+ public:
+  explicit Hdf5Reader(const std::filesystem::path& file);
+
+  bool has(const std::string& path) const;
+  /// All values of a dataset, row by row.
+  std::vector<double> doubles(const std::string& path) const;
+  std::vector<int> ints(const std::string& path) const;
+  std::vector<std::string> texts(const std::string& path) const;
+
+ private:
+  Hdf5Handle dataset(const std::string& path) const;
+
+  Hdf5Handle file_;
+  std::string name_;
+};
+
+}  // namespace overbend

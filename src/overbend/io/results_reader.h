@@ -1,0 +1,21 @@
+/// Reads results.h5 back.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Static results with the model file they came from.
+struct StoredStatics {
+  StaticResults results;
+  std::string model_text;
+};
+
+/// Gives back what write_static_results wrote, bit for bit. Throws std::runtime_error that says what is missing where
+/// the file is none of ours.
+StoredStatics read_static_results(const std::filesystem::path& h5);
+
+}  // namespace overbend

@@ -1,0 +1,38 @@
+#include "io/results_writer.h"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "io/finite_check.h"
+#include "io/staged_folder.h"
+
+namespace overbend {
+namespace {
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error("the file " + file.filename().string() + " can not be written");
+}
+
+}  // namespace
+
+void write_static_files(const StaticResults& results, const Description& description,
+                        const std::filesystem::path& folder) {
+  require_finite(results);
+  write_static_hdf5(results, description, folder / "results.h5");
+  write_text(folder / "pipe.csv", pipe_table(results));
+  write_text(folder / "supports.csv", supports_table(results));
+  write_text(folder / "summary.json", static_summary(results));
+}
+
+void write_static_results(const StaticResults& results, const Description& description,
+                          const std::filesystem::path& dir) {
+  require_finite(results);
+  StagedFolder staged(dir);
+  write_static_files(results, description, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

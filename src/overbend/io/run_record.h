@@ -1,0 +1,17 @@
+/// Where and from what results came: what makes a run traceable.
+#pragma once
+
+#include <string>
+
+namespace overbend {
+
+/// FNV-1a, 64 bit, as "fnv1a64:" and 16 hexadecimal digits. Tells texts apart; no protection against intent.
+std::string text_hash(const std::string& text);
+
+/// Operating system, its release and the processor's architecture.
+std::string machine_name();
+
+/// Compiler and its version.
+std::string compiler_name();
+
+}  // namespace overbend

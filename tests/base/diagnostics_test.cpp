@@ -1,0 +1,32 @@
+#include "base/diagnostics.h"
+
+#include <gtest/gtest.h>
+
+namespace overbend {
+namespace {
+
+TEST(diagnostics, a_fault_reads_as_place_key_found_expected_and_hint) {
+  EXPECT_EQ(render({Severity::error, "a.yaml", 12, 3, "pipe.length", "'3 kN'", "a length", "write m"}),
+            "a.yaml:12: pipe.length: found '3 kN', expected a length; write m");
+  EXPECT_EQ(render({Severity::error, "a.yaml", 0, 0, "", "there is no such file", "", ""}),
+            "a.yaml: there is no such file");
+  EXPECT_EQ(render({Severity::warning, "a.yaml", 4, 0, "x", "odd", "", ""}), "a.yaml:4: warning: x: odd");
+}
+
+TEST(diagnostics, faults_come_in_the_order_of_the_file) {
+  Diagnostics diagnostics;
+  diagnostics.add({Severity::error, "a", 9, 0, "", "late", "", ""});
+  diagnostics.add({Severity::warning, "a", 5, 0, "", "odd", "", ""});
+  diagnostics.add({Severity::error, "a", 2, 0, "", "early", "", ""});
+  EXPECT_EQ(diagnostics.lines(Severity::error), (std::vector<std::string>{"a:2: early", "a:9: late"}));
+  EXPECT_EQ(diagnostics.error_count(), 2);
+}
+
+TEST(diagnostics, warnings_alone_are_no_error) {
+  Diagnostics diagnostics;
+  diagnostics.add({Severity::warning, "a", 5, 0, "", "odd", "", ""});
+  EXPECT_FALSE(diagnostics.has_errors());
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,157 @@
+#include "io/results_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "io/results_writer.h"
+#include "io/static_columns.h"
+#include "io/static_scalars.h"
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+using testing::solved_case;
+using testing::TemporaryFolder;
+
+/// The bytes that the visited members take in their struct, flags and words with the padding that follows them.
+struct SizeVisitor {
+  std::size_t bytes = 0;
+  template <class Value>
+  void operator()(const Field&, const Value&) {
+    const bool padded = std::is_enum_v<Value> || std::is_same_v<Value, bool>;
+    bytes += padded ? sizeof(double) : sizeof(Value);
+  }
+};
+
+TEST(field_lists, hold_every_member_of_the_tables) {
+  SizeVisitor station, roller, row, support, section;
+  visit_station<const Station>(Station{}, station);
+  visit_roller<const RollerResult>(RollerResult{}, roller);
+  visit_row<const RowResult>(RowResult{}, row);
+  visit_support<const SupportResult>(SupportResult{}, support);
+  visit_section<const DerivedSection>(DerivedSection{}, section);
+  EXPECT_EQ(station.bytes, sizeof(Station));
+  EXPECT_EQ(roller.bytes, sizeof(RollerResult));
+  EXPECT_EQ(row.bytes + sizeof(RowResult::rollers), sizeof(RowResult));
+  EXPECT_EQ(support.bytes + sizeof(SupportResult::rows), sizeof(SupportResult));
+  EXPECT_EQ(section.bytes, sizeof(DerivedSection));
+}
+
+TEST(field_lists, hold_every_single_value) {
+  const StaticResults results;
+  SizeVisitor all, touchdown, solve, extreme;
+  visit_key_results(results, all);
+  visit_sums(results, all);
+  visit_scene(results, all);
+  visit_touchdown(results.touchdown, touchdown);
+  visit_solve(results.solve, solve);
+  visit_extreme_fields<const Extreme>("", "", Extreme{}, extreme);
+  int extremes = 0;
+  visit_region(results.sagbend, [&](const char*, const char*, const char*, const Extreme&) { ++extremes; });
+  EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
+                sizeof(results.sagbend) + sizeof(results.stations) + sizeof(results.supports) +
+                sizeof(results.sections),
+            sizeof(StaticResults));
+  EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
+  EXPECT_EQ(solve.bytes, sizeof(SolveReport));
+  EXPECT_EQ(extreme.bytes, sizeof(Extreme));
+  EXPECT_EQ(extremes * sizeof(Extreme), sizeof(RegionResult));
+}
+
+/// Everything as one text, numbers by their bits.
+struct BitsVisitor {
+  std::string text;
+  void operator()(const Field& field, double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    text += field.name + "=" + std::to_string(bits) + "\n";
+  }
+  void operator()(const Field& field, int value) { text += field.name + "=" + std::to_string(value) + "\n"; }
+  void operator()(const Field& field, bool value) { (*this)(field, value ? 1 : 0); }
+  void operator()(const Field& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
+  void operator()(const Field& field, Region value) { (*this)(field, std::string(word(value))); }
+  void operator()(const Field& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
+  void operator()(const Field& field, const std::optional<double>& value) {
+    if (value) (*this)(field, *value);
+  }
+  void operator()(const Field& field, const std::vector<std::string>& values) {
+    for (const std::string& value : values) (*this)(field, value);
+  }
+  template <int Rows, int Columns>
+  void operator()(const Field& field, const Eigen::Matrix<double, Rows, Columns>& value) {
+    for (double number : value.reshaped()) (*this)(field, number);
+  }
+};
+
+std::string bits_of(const StaticResults& results) {
+  BitsVisitor bits;
+  visit_key_results(results, bits);
+  visit_sums(results, bits);
+  visit_scene(results, bits);
+  visit_touchdown(results.touchdown, bits);
+  visit_solve(results.solve, bits);
+  const auto extreme = [&](const char*, const char*, const char*, const Extreme& e) {
+    visit_extreme_fields("", "", e, bits);
+  };
+  if (results.overbend) visit_region(*results.overbend, extreme);
+  visit_region(results.sagbend, extreme);
+  for (const DerivedSection& section : results.sections) visit_section(section, bits);
+  for (const Station& station : results.stations) visit_station(station, bits);
+  for (const SupportResult& support : results.supports) {
+    visit_support(support, bits);
+    for (const RowResult& row : support.rows) {
+      visit_row(row, bits);
+      for (const RollerResult& roller : row.rollers) visit_roller(roller, bits);
+    }
+  }
+  return bits.text;
+}
+
+StoredStatics through_file(const StaticResults& results, const Description& description) {
+  const TemporaryFolder folder;
+  write_static_hdf5(results, description, folder / "results.h5");
+  return read_static_results(folder / "results.h5");
+}
+
+TEST(results_reader, gives_back_an_s_lay_bit_for_bit) {
+  const auto& [description, results] = solved_case("BGL1-T250");
+  const StoredStatics stored = through_file(results, description);
+  EXPECT_EQ(bits_of(stored.results), bits_of(results));
+  EXPECT_EQ(stored.model_text, testing::file_text(testing::case_file("BGL1-T250")));
+}
+
+TEST(results_reader, gives_back_a_j_lay_without_supports_and_overbend) {
+  const auto& [description, results] = solved_case("J12-D400-T560");
+  const StoredStatics stored = through_file(results, description);
+  EXPECT_EQ(bits_of(stored.results), bits_of(results));
+  EXPECT_FALSE(stored.results.overbend);
+  EXPECT_FALSE(stored.results.stinger_tip_clearance);
+  EXPECT_TRUE(stored.results.supports.empty());
+}
+
+TEST(results_reader, keeps_rollers_with_their_rows_and_boxes) {
+  StaticResults results = solved_case("BGL1-T250").results;
+  RollerResult port;
+  port.position = RollerPosition::port;
+  port.lateral = -3.25;
+  results.supports.at(1).rows.at(0).rollers.push_back(port);
+  RowResult second;
+  second.rollers.resize(3);
+  second.rollers[2].position = RollerPosition::starboard;
+  results.supports.at(1).rows.push_back(second);
+  results.supports.at(1).has_sides = true;
+  results.title = "Größe \"A\", 16\xe2\x80\xb3";
+  EXPECT_EQ(bits_of(through_file(results, {}).results), bits_of(results));
+}
+
+TEST(results_reader, refuses_a_file_that_is_none_of_ours) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "a.h5", "not HDF5");
+  EXPECT_THROW(read_static_results(folder / "a.h5"), std::runtime_error);
+  EXPECT_THROW(read_static_results(folder / "missing.h5"), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace overbend
