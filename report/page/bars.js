@@ -59,6 +59,7 @@
         frame.plot.append('rect').attr('x', frame.x(at - 0.36)).attr('width', frame.x(0.72) - frame.x(0))
           .attr('y', frame.y(below + value)).attr('height', frame.y(below) - frame.y(below + value)).attr('fill', position.colour)
           .append('title').text(`${box.name}, ${position.name}: ${Report.fixed(value, 2)} kN`);
+        frame.used.push({ x0: frame.x(at - 0.36), x1: frame.x(at + 0.36), y0: frame.y(below + value), y1: frame.y(below) });
         below += value;
         if (value > largest.value) largest = { value, at, top: below, box, position };
       }
@@ -90,12 +91,13 @@
         frame.plot.append('rect').attr('x', frame.x(at - 0.36 + k * wide)).attr('width', frame.x(wide) - frame.x(0))
           .attr('y', y[0]).attr('height', Math.max(y[1] - y[0], 0.5)).attr('fill', position.colour)
           .append('title').text(`${box.name}, ${position.name}: ${Report.fixed(value, 2)} mm`);
+        frame.used.push({ x0: frame.x(at - 0.36 + k * wide), x1: frame.x(at - 0.36 + (k + 1) * wide), y0: y[0], y1: y[1] });
         if (value < smallest.value) smallest = { value, at, box, position };
       });
     }
     zero_line(frame);
     if (shown.length > 1) Report.legend(frame, shown.map((p) => ({ text: p.name, colour: p.colour, block: true })));
-    Report.mark(frame, smallest.at, smallest.value, `smallest ${Report.fixed(smallest.value, 2)} mm (${smallest.box.name}, ${smallest.position.name})`, colours.accent, { below: smallest.value < 0 });
+    Report.mark(frame, smallest.at, smallest.value, `smallest ${Report.fixed(smallest.value, 2)} mm (${smallest.box.name}, ${smallest.position.name})`, colours.accent);
   }
 
   Report.separation_bars = function (panel) {

@@ -56,13 +56,38 @@
   let ids = 0;
   Report.next_id = function () { return ++ids; };
 
+  // Width of a text as this browser sets it.
+  Report.text_width = function (frame, text, css) {
+    const probe = frame.over.append('text').attr('class', css).text(text);
+    const wide = probe.node().getComputedTextLength();
+    probe.remove();
+    return wide;
+  };
+
+  // Labels keep clear of a curve through these pixels.
+  Report.keep_clear = function (frame, pixels) {
+    pixels.forEach(([x1, y1], i) => {
+      const [x0, y0] = pixels[Math.max(i - 1, 0)];
+      const steps = Math.min(40, Math.ceil(Math.max(Math.abs(x1 - x0), Math.abs(y1 - y0)) / 8));
+      for (let k = 0; k <= steps; ++k) {
+        const x = x0 + (x1 - x0) * k / Math.max(steps, 1);
+        const y = y0 + (y1 - y0) * k / Math.max(steps, 1);
+        frame.used.push({ x0: x - 1, x1: x + 1, y0: y - 2, y1: y + 2 });
+      }
+    });
+  };
+
   // A label near a point that stays inside the frame and clear of labels set before.
   Report.label = function (frame, px, py, text, options = {}) {
-    const wide = 7.4 * text.length;
+    const wide = Report.text_width(frame, text, (options.css || 'mark'));
     const tall = 16;
     const places = options.below ? [[8, 20], [-wide - 8, 20], [8, -10], [-wide - 8, -10]]
                                  : [[8, -10], [-wide - 8, -10], [8, 20], [-wide - 8, 20]];
-    for (let far = 1; far <= 4; ++far) places.push([8, -10 - 18 * far], [-wide - 8, -10 - 18 * far], [8, 20 + 18 * far], [-wide - 8, 20 + 18 * far]);
+    for (let far = 0; far <= 5; ++far) {
+      const up = -10 - 16 * far;
+      const down = 20 + 16 * far;
+      places.push([-wide / 2, up], [8, up], [-wide - 8, up], [-wide / 2, down], [8, down], [-wide - 8, down]);
+    }
     const box = ([dx, dy]) => ({ x0: px + dx, x1: px + dx + wide, y0: py + dy - tall + 3, y1: py + dy + 3 });
     const inside = (b) => b.x0 >= frame.margin.left + 2 && b.x1 <= frame.width - 4 && b.y0 >= frame.margin.top - 2 && b.y1 <= frame.height - frame.margin.bottom;
     const clear = (b) => frame.used.every((u) => b.x1 < u.x0 || b.x0 > u.x1 || b.y1 < u.y0 || b.y0 > u.y1);
@@ -85,7 +110,7 @@
   Report.legend = function (frame, entries) {
     let right = frame.width - frame.margin.right;
     for (const entry of [...entries].reverse()) {
-      const wide = 7.2 * entry.text.length;
+      const wide = Report.text_width(frame, entry.text, '');
       frame.over.append('text').attr('x', right).attr('y', 20).attr('text-anchor', 'end').text(entry.text);
       if (entry.block) {
         frame.over.append('rect').attr('x', right - wide - 22).attr('y', 9).attr('width', 14).attr('height', 12).attr('fill', entry.colour);

@@ -33,6 +33,7 @@
       frame.over.append('line').attr('x1', x).attr('x2', x).attr('y1', top).attr('y2', bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
       frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${x - 5},${top + 6}) rotate(-90)`).attr('text-anchor', 'end')
         .style('font-size', '12px').text('touchdown');
+      frame.used.push({ x0: x - 18, x1: x, y0: top, y1: top + 78 });
     }
   }
 
@@ -40,6 +41,7 @@
     const line = d3.line().x((i) => frame.x(st.s[i])).y((i) => frame.y(values(i)));
     frame.plot.append('path').attr('d', line(indices)).attr('fill', 'none').attr('stroke', colour).attr('stroke-width', width)
       .attr('stroke-linejoin', 'round').attr('stroke-dasharray', dash || null);
+    Report.keep_clear(frame, indices.map((i) => [frame.x(st.s[i]), frame.y(values(i))]));
   }
 
   function yield_line(frame, kind, indices, hi) {
@@ -54,13 +56,18 @@
         .attr('transform', `translate(${frame.width - 12},${frame.margin.top + frame.inner_height / 2}) rotate(-90)`).text('% of yield stress');
     }
     curve(frame, indices, (i) => st.yield[i] * kind.factor, colours.accent, '8 4', 1.3);
-    const px = frame.width - frame.margin.right - 200;
-    Report.label(frame, px, frame.y(lowest), `yield ${Report.fixed(lowest, 0)} MPa`, { fill: colours.accent, css: 'soft', below: true });
+    Report.label(frame, frame.margin.left + 0.6 * frame.inner_width, frame.y(lowest), `yield ${Report.fixed(lowest, 0)} MPa`, { fill: colours.accent, css: 'soft', below: true });
   }
 
   // The extremes of the regions that lie in the range.
   function marks(frame, kind, end) {
-    for (const region of ['overbend', 'sagbend']) {
+    const tension = kind.key === 'tension';
+    if (tension && data.touchdown.s <= end) {
+      const value = Report.at('tension', data.touchdown.s) * kind.factor;
+      Report.mark(frame, data.touchdown.s, value, `${Report.fixed(value, 1)} kN at touchdown`, colours.pipe);
+    }
+    // The tension of the sagbend is largest where it begins, which tells nothing.
+    for (const region of tension && data.overbend ? ['overbend'] : ['overbend', 'sagbend']) {
       const extreme = data[region] && data[region][kind.extreme];
       if (!extreme || extreme.s > end) continue;
       const value = extreme.value * kind.factor;

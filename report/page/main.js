@@ -31,9 +31,12 @@
     const group = svg.append('g');
     const draw = () => {
       const { painter, fit } = build(new Report.Camera(azimuth, elevation));
-      group.html(painter.svg(fit, kWidth, height, { left: 20, right: 20, top: 44, bottom: 64 }));
+      group.html(painter.svg(fit, kWidth, height, { left: 20, right: 20, top: 74, bottom: 64 }));
     };
     draw();
+    const clip = 'clip-' + Report.next_id();
+    svg.append('clipPath').attr('id', clip).append('rect').attr('y', 32).attr('width', kWidth).attr('height', height - 32);
+    group.attr('clip-path', `url(#${clip})`);
     svg.append('text').attr('class', 'title').attr('x', 16).attr('y', 20).text(title);
     key(svg, height, data.supports.length > 0);
     d3.select(panel).append('div').attr('class', 'hint').text('drag to turn');

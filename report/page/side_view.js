@@ -151,10 +151,11 @@
     const boxes = part === 'overbend' || stinger.length === 0 ? data.supports : stinger;
     if (part === 'stinger' && stinger.length === 0) return;
     if (part === 'tip') {
-      true_scale(panel, `End of the supports at ${data.tip.name}: reaction of a bottom roller in contact [kN], else its separation [mm]`, range_of([data.tip], 1.5, 3), 1.2, 1.6, true);
+      true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [kN] or, without contact, the separation [mm]`, range_of([data.tip], 1.5, 3), 1.2, 1.6, true);
     } else {
-      const frame = true_scale(panel, part === 'overbend' ? 'Whole overbend' : 'Stinger', range_of(boxes, part === 'overbend' ? 3 : 2, 4), 3, part === 'overbend' ? 8 : 3.5, false);
-      if (part === 'overbend') frame.over.append('text').attr('class', 'soft halo').attr('x', frame.x(data.tensioner[0])).attr('y', frame.y(data.tensioner[2]) + 30).text('');
+      const whole = part === 'overbend';
+      const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 8 : 3.5, false);
+      Report.legend(frame, [{ text: 'roller in contact', colour: '#e08a3c', block: true }, { text: 'without contact', colour: '#c4ccd4', block: true }]);
     }
   };
 
@@ -180,6 +181,7 @@
       frame.plot.append('polyline').attr('points', polygon(frame, data.supports.map((b) => [b.p[0], b.p[2]]))).attr('fill', 'none').attr('stroke', '#7b8794').attr('stroke-width', 3);
     }
     frame.plot.append('path').attr('d', path(frame, indices, 'z')).attr('fill', 'none').attr('stroke', colours.pipe).attr('stroke-width', 2.2);
+    Report.keep_clear(frame, indices.map((i) => [frame.x(st.x[i]), frame.y(st.z[i])]));
     Report.mark(frame, data.tensioner[0], data.tensioner[2], 'tensioner', colours.pipe);
     if (overbend) {
       box_labels(frame);
@@ -187,7 +189,7 @@
     } else {
       const t = data.touchdown.p;
       Report.mark(frame, t[0], t[2], `touchdown, X = ${Report.fixed(t[0], 1)} m`, colours.accent);
-      Report.label(frame, frame.x(bow) + 6, frame.y(0), 'water level', { css: 'soft', below: true });
+      Report.label(frame, frame.x(0.6 * last), frame.y(0), 'water level', { css: 'soft', below: true });
     }
   };
 
@@ -212,6 +214,7 @@
       frame.back.append('rect').attr('class', 'support').attr('x', frame.x(box.p[0] - box.length / 2)).attr('width', frame.x(box.length) - frame.x(0)).attr('y', frame.margin.top).attr('height', frame.inner_height);
     }
     frame.plot.append('path').attr('d', path(frame, indices, 'y')).attr('fill', 'none').attr('stroke', colours.pipe).attr('stroke-width', 2.2);
+    Report.keep_clear(frame, indices.map((i) => [frame.x(st.x[i]), frame.y(st.y[i])]));
     const far = d3.greatest(indices, (i) => Math.abs(st.y[i]));
     Report.mark(frame, st.x[far], st.y[far], `${Report.fixed(st.y[far], 2)} m at X = ${Report.fixed(st.x[far], 1)} m`, colours.pipe);
     Report.mark(frame, data.touchdown.p[0], data.touchdown.p[1], `touchdown ${Report.fixed(data.touchdown.p[1], 2)} m`, colours.accent);

@@ -9,8 +9,8 @@ namespace {
 using html::fixed;
 
 std::string force_table(const StaticResults& r) {
-  html::Table table("Forces on the line",
-                    {{"Force", "", true}, {"east", "kN"}, {"north", "kN"}, {"up", "kN"}}, "plain");
+  html::Table table("Forces on the line", {{"Force", "", true}, {"east", "kN"}, {"north", "kN"}, {"up", "kN"}},
+                    "plain");
   const auto row = [&](const std::string& name, const Vec3& f, const std::string& css = "") {
     table.row({name, fixed(f.x() / 1e3, 3), fixed(f.y() / 1e3, 3), fixed(f.z() / 1e3, 3)}, css);
   };

@@ -17,14 +17,20 @@ struct Figure {
 
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> kFigures = {
-      {"configuration", "Configuration in three dimensions", false, {"whole", "overbend"}},
-      {"stinger", "Ramp and stinger seen from starboard, true to scale", true, {"overbend", "stinger", "tip"}},
+      {"configuration",
+       "Configuration in three dimensions: vessel, ramp, stinger and every roller (frames are schematic)",
+       false,
+       {"whole", "overbend", "stinger"}},
+      {"stinger",
+       "Ramp and stinger seen from port, true to scale; side rollers in outline",
+       true,
+       {"overbend", "stinger", "tip"}},
       {"geometry", "Geometry: elevation and plan", false, {"whole", "overbend", "plan"}},
-      {"tension", "Effective tension", false, {"whole", "overbend"}},
+      {"tension", "Effective tension and wall tension", false, {"whole", "overbend"}},
       {"moment", "Bending moment", false, {"whole", "overbend"}},
       {"bending", "Bending stress", false, {"whole", "overbend"}},
       {"mises", "von Mises stress", false, {"whole", "overbend"}},
-      {"strain", "Longitudinal strain", false, {"whole", "overbend"}},
+      {"strain", "Longitudinal strain, largest over the section", false, {"whole", "overbend"}},
       {"reactions", "Reactions of the rollers, row by row", true, {"bars"}},
       {"separations", "Separation of pipe and rollers, row by row", true, {"bars"}},
   };
@@ -50,10 +56,11 @@ std::string figures_section(const StaticResults& results) {
     }
     body += fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++number, html::escape(figure.caption));
   }
-  return html::section("figures", "Figures",
-                       "<noscript><p>The figures are drawn by scripts, which this browser does not run. The tables below "
-                       "hold the same results.</p></noscript>\n" +
-                           body);
+  return html::section(
+      "figures", "Figures",
+      "<noscript><p>The figures are drawn by scripts, which this browser does not run. The tables below "
+      "hold the same results.</p></noscript>\n" +
+          body);
 }
 
 }  // namespace overbend

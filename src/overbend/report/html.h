@@ -23,9 +23,9 @@ std::string section(const std::string& id, const std::string& heading, const std
 std::string list(const std::vector<std::string>& items);
 
 struct Head {
-  std::string name;  ///< Plain text.
-  std::string unit;  ///< Plain text; empty: none. Shown below the name.
-  bool text = false; ///< A column of words: set flush left.
+  std::string name;   ///< Plain text.
+  std::string unit;   ///< Plain text; empty: none. Shown below the name.
+  bool text = false;  ///< A column of words: set flush left.
 };
 
 /// A table with a caption, units in the head, numbers flush right.

@@ -12,14 +12,18 @@ using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::string general(double value) { return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value); }
+std::string general(double value) {
+  return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+}
 
 /// Rows of name, value, unit.
 class Listing {
  public:
   explicit Listing(const std::string& caption)
       : table_(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain") {}
-  Listing& add(const std::string& name, double value, const std::string& unit) { return add(name, general(value), unit); }
+  Listing& add(const std::string& name, double value, const std::string& unit) {
+    return add(name, general(value), unit);
+  }
   Listing& add(const std::string& name, const std::string& value, const std::string& unit = "") {
     table_.row({name, value, unit});
     return *this;
@@ -46,7 +50,8 @@ std::string pipe_table(const SectionDescription& pipe, const std::string& name) 
     list.add("Pipe joint, field joint", general(pipe.joint->length) + ", " + general(pipe.joint->field_joint), "m")
         .add("Field joint infill", 1e-3 * pipe.joint->infill_weight_density, "kN/m3");
   }
-  list.add("Drag, normal and axial", general(pipe.hydrodynamics.drag_normal) + ", " + general(pipe.hydrodynamics.drag_axial));
+  list.add("Drag, normal and axial",
+           general(pipe.hydrodynamics.drag_normal) + ", " + general(pipe.hydrodynamics.drag_axial));
   if (pipe.contents_weight_density != 0.0 || pipe.internal_pressure != 0.0) {
     list.add("Contents", 1e-3 * pipe.contents_weight_density, "kN/m3")
         .add("Internal pressure at the water level", 1e-6 * pipe.internal_pressure, "MPa");
@@ -62,8 +67,10 @@ std::string environment_table(const EnvironmentDescription& sea) {
       .add("Seabed friction, axial and lateral",
            general(sea.seabed.friction_axial) + ", " + general(sea.seabed.friction_lateral));
   if (sea.seabed.slope != 0.0) {
-    list.add("Seabed slope", fixed(sea.seabed.slope * kDegrees, 2) + " deg, falling towards " +
-                                 fixed(sea.seabed.slope_towards * kDegrees, 1), "deg");
+    list.add("Seabed slope",
+             fixed(sea.seabed.slope * kDegrees, 2) + " deg, falling towards " +
+                 fixed(sea.seabed.slope_towards * kDegrees, 1),
+             "deg");
   }
   for (const CurrentPoint& at : sea.current) {
     list.add("Current at " + general(at.depth) + " m depth",
@@ -76,7 +83,8 @@ std::string vessel_table(const Description& model) {
   const VesselDescription& vessel = model.vessel;
   Listing list("Vessel and tensioner");
   list.add("Vessel", vessel.name)
-      .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth), "m")
+      .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth),
+           "m")
       .add("Draught", vessel.draught, "m")
       .add("Heading", vessel.heading * kDegrees, "deg")
       .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg")
@@ -117,8 +125,14 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
 
 std::string derived_table(const StaticResults& results) {
   html::Table table("Derived section properties",
-                    {{"Section", "", true}, {"EA", "kN"}, {"EI", "kN m2"}, {"Weight in air", "kN/m"},
-                     {"Submerged", "kN/m"}, {"Steel area", "mm2"}, {"Second moment", "cm4"}, {"Outer diameter", "mm"},
+                    {{"Section", "", true},
+                     {"EA", "kN"},
+                     {"EI", "kN m2"},
+                     {"Weight in air", "kN/m"},
+                     {"Submerged", "kN/m"},
+                     {"Steel area", "mm2"},
+                     {"Second moment", "cm4"},
+                     {"Outer diameter", "mm"},
                      {"Mass", "kg/m"}},
                     "plain");
   for (const DerivedSection& s : results.sections) {

@@ -39,15 +39,18 @@ std::string tiles(const StaticResults& r) {
     out += tile("Overbend von Mises", fixed(r.overbend->von_mises.value / 1e6, 1), "MPa",
                 stress_note(r, r.overbend->von_mises));
   }
-  out += tile("Sagbend von Mises", fixed(r.sagbend.von_mises.value / 1e6, 1), "MPa", stress_note(r, r.sagbend.von_mises));
+  out +=
+      tile("Sagbend von Mises", fixed(r.sagbend.von_mises.value / 1e6, 1), "MPa", stress_note(r, r.sagbend.von_mises));
   out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
   out += tile("Departure angle", fixed(r.departure_angle * kDegrees, 2), "deg",
               "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
   if (!r.supports.empty()) {
-    out += tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
+    out +=
+        tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
   }
   if (r.stinger_tip_clearance) {
-    out += tile("Stinger tip clearance", fixed(*r.stinger_tip_clearance * 1e3, 1), "mm", "pipe to the last bottom roller");
+    out +=
+        tile("Stinger tip clearance", fixed(*r.stinger_tip_clearance * 1e3, 1), "mm", "pipe to the last bottom roller");
   }
   return out + "</div>\n";
 }
@@ -98,13 +101,18 @@ std::string region_table(const StaticResults& results, const std::string& captio
       {"von Mises stress", "MPa", 1e-6, 1, &RegionResult::von_mises, true},
   };
   html::Table table(caption,
-                    {{"Largest", "", true}, {"Value", ""}, {"Unit", "", true}, {"Yield", "%"}, {"Along pipe", "m"},
-                     {"X", "m"}, {"Z", "m"}, {"Place", "", true}},
+                    {{"Largest", "", true},
+                     {"Value", ""},
+                     {"Yield", "%"},
+                     {"Along pipe", "m"},
+                     {"X", "m"},
+                     {"Z", "m"},
+                     {"Place", "", true}},
                     "plain");
   for (const ExtremeRow& row : kRows) {
     const Extreme& extreme = region.*(row.member);
     const Vec3 p = ship_point(results, extreme.p_W);
-    table.row({row.name, fixed(extreme.value * row.factor, row.digits), row.unit,
+    table.row({fmt::format("{} [{}]", row.name, row.unit), fixed(extreme.value * row.factor, row.digits),
                row.stress ? fixed(utilisation(results, extreme), 1) : "", fixed(from_tensioner(results, extreme.s), 2),
                fixed(p.x(), 2), fixed(p.z(), 2), place_name(results, extreme.s)});
   }
@@ -131,16 +139,18 @@ std::string title_block(const StaticResults& results, const std::string& written
 }
 
 std::string key_results(const StaticResults& results) {
-  std::string body = tiles(results);
+  std::string body = tiles(results) + "<div class=\"results\">\n<div>\n";
   if (results.overbend) {
     body += region_table(results, "Overbend: tensioner to the inflection below the last support in contact",
                          *results.overbend);
   }
-  body += region_table(results, results.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
+  body += region_table(results,
+                       results.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
                        results.sagbend);
-  body += lay_table(results);
-  body += "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
-          "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
+  body += "</div>\n" + lay_table(results) + "</div>\n";
+  body +=
+      "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
+      "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
   return html::section("results", "Key results", body);
 }
 
@@ -148,7 +158,8 @@ std::string warnings_section(const StaticResults& results) {
   if (results.warnings.empty()) {
     return "";
   }
-  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(results.warnings) + "</section>\n";
+  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(results.warnings) +
+         "</section>\n";
 }
 
 }  // namespace overbend

@@ -6,7 +6,9 @@
 namespace overbend {
 namespace {
 
-double mix(double a, double b, double t) { return (1.0 - t) * a + t * b; }
+double mix(double a, double b, double t) {
+  return (1.0 - t) * a + t * b;
+}
 
 }  // namespace
 
@@ -44,7 +46,9 @@ Station station_at(const StaticResults& results, double s) {
   return at;
 }
 
-double from_tensioner(const StaticResults& results, double s) { return results.stations.back().s - s; }
+double from_tensioner(const StaticResults& results, double s) {
+  return results.stations.back().s - s;
+}
 
 std::string place_name(const StaticResults& results, double s) {
   constexpr double kSlack = 0.5;  // an extreme just off the end of a box is still that box's [m]

@@ -18,7 +18,9 @@
 namespace overbend {
 namespace {
 
-std::string script(std::string_view text) { return "<script>\n" + std::string(text) + "\n</script>\n"; }
+std::string script(std::string_view text) {
+  return "<script>\n" + std::string(text) + "\n</script>\n";
+}
 
 std::string head(const StaticResults& results) {
   return "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -30,14 +32,15 @@ std::string head(const StaticResults& results) {
 std::string scripts(const StaticResults& results) {
   std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(report_data(results)) +
                     "</script>\n";
-  for (const char* name :
-       {"d3", "data", "chart", "diagrams", "bars", "side_view", "painter", "scene", "main"}) {
+  for (const char* name : {"d3", "data", "chart", "diagrams", "bars", "side_view", "painter", "scene", "main"}) {
     out += script(report_asset(name));
   }
   return out;
 }
 
-std::string now() { return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr))); }
+std::string now() {
+  return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+}
 
 }  // namespace
 

@@ -127,8 +127,11 @@ json region(const StaticResults& results, const RegionResult& r) {
                 {"p", point(results, e.p_W)},
                 {"place", place_name(results, e.s)}};
   };
-  return {{"moment", extreme(r.bending_moment)}, {"bending", extreme(r.bending_stress)},  {"mises", extreme(r.von_mises)},
-          {"strain", extreme(r.strain)},         {"tension", extreme(r.effective_tension)}};
+  return {{"moment", extreme(r.bending_moment)},
+          {"bending", extreme(r.bending_stress)},
+          {"mises", extreme(r.von_mises)},
+          {"strain", extreme(r.strain)},
+          {"tension", extreme(r.effective_tension)}};
 }
 
 }  // namespace
@@ -139,28 +142,29 @@ std::string report_data(const StaticResults& results) {
     vessel_axes.push_back(direction(results, results.R_WV.col(i)));
   }
   const Vec3 north = Vec3::UnitY();
-  json data = {{"stations", stations(results)},
-               {"supports", supports(results)},
-               {"overbend", results.overbend ? region(results, *results.overbend) : json(nullptr)},
-               {"sagbend", region(results, results.sagbend)},
-               {"touchdown", {{"s", number(from_tensioner(results, results.touchdown.s))},
-                              {"p", point(results, results.touchdown.p_W)}}},
-               {"anchor", point(results, results.anchor_W)},
-               {"tensioner", point(results, results.tensioner_W)},
-               {"stern_shoe", point(results, results.stern_shoe_W)},
-               {"last_support", results.last_support},
-               {"vessel",
-                {{"name", results.vessel_name},
-                 {"axes", vessel_axes},
-                 {"origin", point(results, Vec3::Zero())},
-                 {"length", results.vessel_length},
-                 {"beam", results.vessel_beam},
-                 {"depth", results.vessel_depth},
-                 {"draught", results.vessel_draught}}},
-               {"north", direction(results, north)},
-               {"water_depth", results.water_depth},
-               {"diameter", results.pipe_outer_diameter},
-               {"steel_diameter", results.steel_outer_diameter}};
+  json data = {
+      {"stations", stations(results)},
+      {"supports", supports(results)},
+      {"overbend", results.overbend ? region(results, *results.overbend) : json(nullptr)},
+      {"sagbend", region(results, results.sagbend)},
+      {"touchdown",
+       {{"s", number(from_tensioner(results, results.touchdown.s))}, {"p", point(results, results.touchdown.p_W)}}},
+      {"anchor", point(results, results.anchor_W)},
+      {"tensioner", point(results, results.tensioner_W)},
+      {"stern_shoe", point(results, results.stern_shoe_W)},
+      {"last_support", results.last_support},
+      {"vessel",
+       {{"name", results.vessel_name},
+        {"axes", vessel_axes},
+        {"origin", point(results, Vec3::Zero())},
+        {"length", results.vessel_length},
+        {"beam", results.vessel_beam},
+        {"depth", results.vessel_depth},
+        {"draught", results.vessel_draught}}},
+      {"north", direction(results, north)},
+      {"water_depth", results.water_depth},
+      {"diameter", results.pipe_outer_diameter},
+      {"steel_diameter", results.steel_outer_diameter}};
   return data.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
