@@ -15,6 +15,8 @@ namespace {
 using testing::solved_case;
 using testing::TemporaryFolder;
 
+constexpr std::size_t kListBytes = sizeof(std::vector<double>);  // the same for any vector
+
 /// The bytes that the visited members take in their struct, flags and words with the padding that follows them.
 struct SizeVisitor {
   std::size_t bytes = 0;
@@ -34,8 +36,8 @@ TEST(field_lists, hold_every_member_of_the_tables) {
   visit_section<const DerivedSection>(DerivedSection{}, section);
   EXPECT_EQ(station.bytes, sizeof(Station));
   EXPECT_EQ(roller.bytes, sizeof(RollerResult));
-  EXPECT_EQ(row.bytes + sizeof(RowResult::rollers), sizeof(RowResult));
-  EXPECT_EQ(support.bytes + sizeof(SupportResult::rows), sizeof(SupportResult));
+  EXPECT_EQ(row.bytes + kListBytes, sizeof(RowResult));
+  EXPECT_EQ(support.bytes + kListBytes, sizeof(SupportResult));
   EXPECT_EQ(section.bytes, sizeof(DerivedSection));
 }
 
@@ -51,8 +53,7 @@ TEST(field_lists, hold_every_single_value) {
   int extremes = 0;
   visit_region(results.sagbend, [&](const char*, const char*, const char*, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
-                sizeof(results.sagbend) + sizeof(results.stations) + sizeof(results.supports) +
-                sizeof(results.sections),
+                sizeof(results.sagbend) + kListBytes + kListBytes + kListBytes,
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));

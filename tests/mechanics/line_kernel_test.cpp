@@ -48,7 +48,11 @@ Setting setting(double z, bool loads) {
 
 std::vector<double> residual(const Setting& s, const std::vector<double>& q, BlockTridiagonal* tangent, Isa isa) {
   std::vector<double> r(q.size(), 0.0);
-  add_line_forces(s.elements, s.env, {q.data(), nullptr}, r.data(), tangent, isa);
+  LineTarget target{r.data(), nullptr, nullptr, nullptr};
+  if (tangent != nullptr) {
+    target = {r.data(), tangent->diag(0), tangent->upper(0), tangent->lower(0)};
+  }
+  add_line_forces(s.elements, s.env, {q.data(), nullptr}, target, isa);
   return r;
 }
 

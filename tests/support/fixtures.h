@@ -7,6 +7,7 @@
 #include "mechanics/line_elements.h"
 #include "mechanics/rod_element.h"
 #include "model/model.h"
+#include "numerics/block_tridiagonal.h"
 
 namespace overbend::testing {
 

@@ -176,8 +176,11 @@ void LineSystem::evaluate(const LineState& state, bool with_tangent) {
   if (with_tangent) {
     tangent_.set_zero();
   }
-  add_line_forces(elements_, environment_, state.shape(), residual_.data(), with_tangent ? &tangent_ : nullptr,
-                  best_isa());
+  LineTarget target{residual_.data(), nullptr, nullptr, nullptr};
+  if (with_tangent) {
+    target = {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0)};
+  }
+  add_line_forces(elements_, environment_, state.shape(), target, best_isa());
   for (int i = 0; i < 3; ++i) {
     residual_[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
   }

@@ -39,8 +39,8 @@ ElementVector element_residual(const LineSystem& system, const LineState& state,
   alignas(kLineBytes) double out[12] = {};
   const LineElements one = single(system.elements(), static_cast<std::size_t>(element));
   add_line_forces(one, system.environment(),
-                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element}, out, nullptr,
-                  best_isa());
+                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
+                  {out, nullptr, nullptr, nullptr}, best_isa());
   ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   for (const RollerState& roller : system.roller_states()) {

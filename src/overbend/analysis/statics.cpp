@@ -214,8 +214,6 @@ StaticOutcome fail(StaticFailure failure) {
 }
 
 StaticOutcome give_up(const Case& at) {
-  if (getenv("OVERBEND_TRACE"))
-    for (auto& h : at.report.history) puts(h.c_str());
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
                                      : fmt::format("node {} at s = {:.1f} m from the anchor", node,

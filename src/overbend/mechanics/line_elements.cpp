@@ -72,15 +72,8 @@ LineView LineElements::view() const {
   return v;
 }
 
-void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape, double* residual,
-                     BlockTridiagonal* tangent, Isa isa) {
-  LineTarget target;
-  target.residual = residual;
-  if (tangent != nullptr) {
-    target.diag = tangent->diag(0);
-    target.upper = tangent->upper(0);
-    target.lower = tangent->lower(0);
-  }
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                     const LineTarget& target, Isa isa) {
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) {
     return isa_avx512::add_line_forces(elements.view(), env, shape, target);

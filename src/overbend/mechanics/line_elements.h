@@ -8,7 +8,6 @@
 #include "base/vec.h"
 #include "mechanics/line_kernel.h"
 #include "model/model.h"
-#include "numerics/block_tridiagonal.h"
 
 namespace overbend {
 
@@ -44,9 +43,9 @@ struct WettedFraction {
 };
 WettedFraction wetted_fraction(double z, double radius);
 
-/// Adds internal minus external forces of every element to `residual` (six per node) and, where `tangent` is given,
-/// their exact derivative to its blocks.
-void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape, double* residual,
-                     BlockTridiagonal* tangent, Isa isa);
+/// Adds internal minus external forces of every element to the residual (six per node) and, where `target` has blocks,
+/// their exact derivative to these.
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                     const LineTarget& target, Isa isa);
 
 }  // namespace overbend

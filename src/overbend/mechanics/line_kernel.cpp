@@ -335,7 +335,8 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
   const Lanes normal = stiffness * penetration;
   load.f = load.f + normal * n;
   add_outer(load.in_r, -stiffness, n, n);
-  if (env.bed_friction_axial > 0.0 && env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
+  if (env.bed_friction_axial > 0.0 &&
+      env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
     const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
     const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
     const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
