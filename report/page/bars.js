@@ -72,6 +72,13 @@
     }
   };
 
+  // In words: among so many bars a label would find no room.
+  function smallest_of(shown) {
+    const all = data.supports.flatMap((box) => box.rows.flatMap((row) => row.rollers.map((roller) => ({ box, roller }))));
+    const least = d3.least(all.filter(({ roller }) => shown.some((p) => p.name === roller.position)), ({ roller }) => roller.separation);
+    return `${Report.fixed(1e3 * least.roller.separation, 2)} mm at ${least.box.name}, ${least.roller.position}`;
+  }
+
   // Bottom rollers as bars; sides, whose gap is of another size, in a panel of their own.
   function separation_panel(panel, title, shown) {
     const values = data.supports.flatMap((b) => b.rows.flatMap((row) => row.rollers.filter((r) => shown.some((p) => p.name === r.position)).map((r) => 1e3 * r.separation)));
@@ -79,9 +86,8 @@
     const lo = Math.min(0, d3.min(values));
     const hi = Math.max(0, d3.max(values));
     const room = 0.12 * (hi - lo || 1);
-    const { frame, list } = base(panel, { y: [lo < 0 ? lo - room : 0, hi + room], title, y_label: 'Separation [mm]', height: 300 });
+    const { frame, list } = base(panel, { y: [lo < 0 ? lo - room : 0, hi + room], title: `${title}; smallest ${smallest_of(shown)}`, y_label: 'Separation [mm]', height: 300 });
     const wide = 0.72 / shown.length;
-    let smallest = { value: Infinity };
     for (const { box, row, at } of list) {
       shown.forEach((position, k) => {
         const roller = of(row, position.name);
@@ -91,17 +97,14 @@
         frame.plot.append('rect').attr('x', frame.x(at - 0.36 + k * wide)).attr('width', frame.x(wide) - frame.x(0))
           .attr('y', y[0]).attr('height', Math.max(y[1] - y[0], 0.5)).attr('fill', position.colour)
           .append('title').text(`${box.name}, ${position.name}: ${Report.fixed(value, 2)} mm`);
-        frame.used.push({ x0: frame.x(at - 0.36 + k * wide), x1: frame.x(at - 0.36 + (k + 1) * wide), y0: y[0], y1: y[1] });
-        if (value < smallest.value) smallest = { value, at, box, position };
       });
     }
     zero_line(frame);
     if (shown.length > 1) Report.legend(frame, shown.map((p) => ({ text: p.name, colour: p.colour, block: true })));
-    Report.mark(frame, smallest.at, smallest.value, `smallest ${Report.fixed(smallest.value, 2)} mm (${smallest.box.name}, ${smallest.position.name})`, colours.accent);
   }
 
   Report.separation_bars = function (panel) {
-    separation_panel(panel, 'Bottom rollers: daylight positive, penetration by the contact stiffness negative', [positions[0]]);
+    separation_panel(panel, 'Bottom rollers', [positions[0]]);
     separation_panel(panel, 'Side rollers', [positions[1], positions[2]]);
   };
 })();

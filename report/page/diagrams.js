@@ -16,7 +16,7 @@
   };
 
   // Boxes as grey bands with their names, touchdown as a line.
-  function furniture(frame, end, overbend) {
+  function furniture(frame, end, overbend, key) {
     const top = frame.margin.top;
     const bottom = frame.height - frame.margin.bottom;
     for (const box of data.supports) {
@@ -31,9 +31,11 @@
     if (!overbend && data.touchdown.s <= end) {
       const x = frame.x(data.touchdown.s);
       frame.over.append('line').attr('x1', x).attr('x2', x).attr('y1', top).attr('y2', bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
-      frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${x - 5},${top + 6}) rotate(-90)`).attr('text-anchor', 'end')
-        .style('font-size', '12px').text('touchdown');
-      frame.used.push({ x0: x - 18, x1: x, y0: top, y1: top + 78 });
+      // Written in the half where the curve is not.
+      const low = frame.y(Report.at(key, data.touchdown.s) * kinds[key].factor) < (top + bottom) / 2;
+      frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${x - 5},${low ? bottom - 6 : top + 6}) rotate(-90)`)
+        .attr('text-anchor', low ? 'start' : 'end').style('font-size', '12px').text('touchdown');
+      frame.used.push(low ? { x0: x - 18, x1: x, y0: bottom - 78, y1: bottom } : { x0: x - 18, x1: x, y0: top, y1: top + 78 });
     }
   }
 
@@ -56,7 +58,7 @@
         .attr('transform', `translate(${frame.width - 12},${frame.margin.top + frame.inner_height / 2}) rotate(-90)`).text('% of yield stress');
     }
     curve(frame, indices, (i) => st.yield[i] * kind.factor, colours.accent, '8 4', 1.3);
-    Report.label(frame, frame.margin.left + 0.6 * frame.inner_width, frame.y(lowest), `yield ${Report.fixed(lowest, 0)} MPa`, { fill: colours.accent, css: 'soft', below: true });
+    Report.label(frame, frame.margin.left + 0.68 * frame.inner_width, frame.y(lowest), `yield ${Report.fixed(lowest, 0)} MPa`, { fill: colours.accent, css: 'soft', below: true });
   }
 
   // The extremes of the regions that lie in the range.
@@ -104,13 +106,13 @@
     const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield[i]) * kind.factor : 0;
     if (yield_stress > 0 && hi > 0.5 * yield_stress) hi = Math.max(hi, yield_stress);
     const room = 0.1 * (hi - lo || 1);
-    const range = [lo < 0 ? lo - room : lo, hi + room];
+    const range = [lo < 0 ? lo - room : lo, hi + (kind.yield ? 1 : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
       height: 310, x: [0, end], y: range, right: kind.yield ? 74 : 24,
       title: `${kind.name}, ${overbend ? 'overbend' : 'whole line'}`,
       x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.name} [${kind.unit}]`,
     });
-    furniture(frame, end, overbend);
+    furniture(frame, end, overbend, kind.key);
     if (lo < 0) frame.plot.append('line').attr('x1', frame.x(0)).attr('x2', frame.x(end)).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#8794a0');
     for (const more of kind.more || []) curve(frame, indices, (i) => st[more.key][i] * kind.factor, more.colour, more.dash, 1.6);
     curve(frame, indices, (i) => st[kind.key][i] * kind.factor, colours.pipe, null, 2.2);

@@ -39,9 +39,10 @@
   }
 
   // Schematic chords and posts under the boxes of ramp and stinger.
-  function structure(painter, layer, width) {
+  function structure(painter, layer, width, shown) {
     for (const on of [false, true]) {
-      const boxes = data.supports.filter((b) => b.stinger === on);
+      const boxes = shown.filter((b) => b.stinger === on);
+      if (boxes.length === 0) continue;
       const chord = (across, down) => boxes.flatMap((b) => [-0.5, 0.5].map((k) => hand(add(Report.below_box(b, k * b.length, down), [0, across, 0]))));
       const deep = on ? 1.9 : 0.9;
       const chords = [[1, 0.6], [-1, 0.6], [0.8, deep], [-0.8, deep]].map(([a, d]) => chord(a, d));
@@ -162,8 +163,8 @@
       const v = data.vessel;
       hull_box(painter, -v.draught, v.depth - v.draught, [kLayer.behind, kLayer.before], 0.1);
     }
-    structure(painter, kLayer.things, boxes.length === data.supports.length ? 1.1 : 1.8);
-    all_rollers(painter, kLayer.things, data.supports);
+    structure(painter, kLayer.things, boxes.length === data.supports.length ? 1.1 : 1.8, boxes);
+    all_rollers(painter, kLayer.things, boxes);
     pipe_body(painter, kLayer.things, s0, s1);
     for (const box of boxes) painter.text(hand(box.p), box.name, 0, 56);
     const fit = boxes.flatMap((b) => [hand(add(b.p, [-b.length / 2, 1.5, -1])), hand(add(b.p, [b.length / 2, -1.5, 1.5]))]);

@@ -134,7 +134,7 @@
   }
 
   function true_scale(panel, title, range, below, above, detail) {
-    const frame = Report.frame(panel, { ...labels, equal: true, x: range.x, y: [range.z[0] - below, range.z[1] + above], title });
+    const frame = Report.frame(panel, { ...labels, equal: true, most: detail ? 330 : 420, x: range.x, y: [range.z[0] - below, range.z[1] + above], title });
     surroundings(frame);
     structure(frame);
     rollers(frame, 'starboard', 'behind');
@@ -154,7 +154,7 @@
       true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [kN] or, without contact, the separation [mm]`, range_of([data.tip], 1.5, 3), 1.2, 1.6, true);
     } else {
       const whole = part === 'overbend';
-      const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 8 : 3.5, false);
+      const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 7 : 2, false);
       Report.legend(frame, [{ text: 'roller in contact', colour: '#e08a3c', block: true }, { text: 'without contact', colour: '#c4ccd4', block: true }]);
     }
   };
@@ -204,7 +204,6 @@
     const indices = Report.indices(data.whole_end);
     const lo = d3.min(indices, (i) => st.y[i]);
     const hi = d3.max(indices, (i) => st.y[i]);
-    if (hi - lo < 0.05) return;
     const room = 0.12 * (hi - lo);
     const last = st.x[indices[indices.length - 1]];
     const frame = Report.frame(panel, { height: 280, x: [st.x[0] - 4, last], y: [lo - room, hi + 1.5 * room], x_label: labels.x_label, y_label: 'Y, to port [m]',

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "report/html.h"
+#include "report/places.h"
 
 namespace overbend {
 namespace {
@@ -37,6 +41,26 @@ const std::vector<Figure>& all_figures() {
   return kFigures;
 }
 
+/// Whether the line leaves the vertical plane by more than a plan would show as a stroke.
+bool drifts(const StaticResults& results) {
+  constexpr double kVisible = 0.05;  // [m]
+  return std::any_of(results.stations.begin(), results.stations.end(),
+                     [&](const Station& at) { return std::abs(ship_point(results, at.p_W).y()) > kVisible; });
+}
+
+/// Whether there is something to show in this panel.
+bool makes_sense(const std::string& part, const StaticResults& results) {
+  if (part == "whole") {
+    return true;
+  }
+  if (part == "plan") {
+    return drifts(results);
+  }
+  const bool stinger = std::any_of(results.supports.begin(), results.supports.end(),
+                                   [](const SupportResult& box) { return box.stinger; });
+  return part == "stinger" ? stinger : !results.supports.empty();
+}
+
 }  // namespace
 
 std::string figures_section(const StaticResults& results) {
@@ -48,8 +72,7 @@ std::string figures_section(const StaticResults& results) {
     }
     body += fmt::format("<figure id=\"fig-{}\">\n", figure.id);
     for (const char* part : figure.parts) {
-      const bool overbend_only = std::string(part) != "whole" && std::string(part) != "plan";
-      if (overbend_only && results.supports.empty()) {
+      if (!makes_sense(part, results)) {
         continue;
       }
       body += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", figure.id, part);

@@ -28,7 +28,9 @@ double utilisation(const StaticResults& results, const Extreme& extreme) {
 }
 
 std::string stress_note(const StaticResults& results, const Extreme& extreme) {
-  return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), place_name(results, extreme.s));
+  const std::string place = place_name(results, extreme.s);
+  const std::string where = place == "sagbend" ? "X = " + fixed(ship_point(results, extreme.p_W).x(), 1) + " m" : place;
+  return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), where);
 }
 
 std::string tiles(const StaticResults& r) {

@@ -50,8 +50,11 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   }
   // The inputs are told as the program understands them; what it can not read any more is still printed at the end.
   const std::optional<Description> description = read_model_text(model_text, "model.yaml").description;
-  const std::string tables =
-      html::section("tables", "Tables", static_summary_table(results) + support_table(results) + roller_table(results));
+  const std::string tables = "<div class=\"wide\">\n" +
+                             html::section("summary", "Static summary", static_summary_table(results)) + "</div>\n" +
+                             (results.supports.empty() ? ""
+                                                       : html::section("supports", "Supports",
+                                                                       support_table(results) + roller_table(results)));
   return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(results) + "<body>\n<main>\n" + title_block(results, now()) +
          key_results(results) + warnings_section(results) + figures_section(results) + tables +
          inputs_section(results, description) + assumptions_section(results) + balance_section(results) +

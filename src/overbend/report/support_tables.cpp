@@ -63,7 +63,7 @@ const char* word(RollerPosition position) {
 }  // namespace
 
 std::string static_summary_table(const StaticResults& results) {
-  html::Table table("Static summary",
+  html::Table table("",
                     {{"Station", "", true},
                      {"Pipe section", "", true},
                      {"Along pipe", "m"},
@@ -115,7 +115,7 @@ std::string support_table(const StaticResults& results) {
                      {"Rows loaded", ""},
                      {"bottom", "m"},
                      {"sides", "m"}},
-                    "dense");
+                    "dense boxes");
   table.groups({{"", 6}, {"Reaction on the pipe", 4}, {"", 2}, {"Smallest separation", 2}});
   for (const SupportResult& box : results.supports) {
     const Vec3 p = ship_point(results, box.p_W);
