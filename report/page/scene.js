@@ -146,8 +146,8 @@
     pipe_line(painter, data.whole_end, 3);
     const touch = hand(data.touchdown.p);
     painter.text(touch, 'touchdown', 0, -36);
-    painter.text(hand(data.tensioner), 'tensioner', -20, -44);
-    painter.text(hand(Report.hull_corner(1, 0, 1, 0, data.vessel.depth - data.vessel.draught)), data.vessel.name, 30, -28);
+    painter.text(hand(data.tensioner), 'tensioner', 24, -46);
+    painter.text(hand(Report.hull_corner(1, 0, 1, 0, data.vessel.depth - data.vessel.draught)), data.vessel.name, -6, -20);
     if (data.supports.some((b) => b.stinger)) painter.text(hand(data.tip.p), 'stinger', 50, -52);
     const fit = [];
     for (const x of [bow - 10, x1 + 5]) for (const y of [-wide, wide]) fit.push([x, y, Report.bed(x)], [x, y, 0]);

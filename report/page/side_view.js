@@ -112,12 +112,11 @@
     }
   }
 
-  // Separation in mm beneath each bottom roller.
+  // Reaction or separation beneath each bottom roller of the last box.
   function separations(frame) {
-    const [x0, x1] = frame.x.domain();
-    for (const box of data.supports) for (const row of box.rows) {
+    for (const row of data.tip.rows) {
       const r = row.rollers.find((one) => one.position === 'bottom');
-      if (!r || r.p[0] < x0 || r.p[0] > x1) continue;
+      if (!r) continue;
       const down = 2 * r.radius * (frame.x(1) - frame.x(0)) + 18;
       const text = r.reaction > 0 ? `${Report.fixed(r.reaction / 1e3, 1)} kN` : `${Report.fixed(1e3 * r.separation, 1)} mm`;
       frame.over.append('text').attr('class', 'halo').attr('text-anchor', 'middle').attr('x', frame.x(r.p[0])).attr('y', frame.y(r.p[2]) + down)

@@ -22,7 +22,7 @@ struct Figure {
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> kFigures = {
       {"configuration",
-       "Configuration in three dimensions: vessel, ramp, stinger and every roller (frames are schematic)",
+       "Configuration in three dimensions: vessel, ramp, stinger, rollers (frames schematic)",
        false,
        {"whole", "overbend", "stinger"}},
       {"stinger",

@@ -73,8 +73,8 @@ std::string environment_table(const EnvironmentDescription& sea) {
              "deg");
   }
   for (const CurrentPoint& at : sea.current) {
-    list.add("Current at " + general(at.depth) + " m depth",
-             general(at.speed) + " m/s towards " + general(at.towards * kDegrees), "deg");
+    list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kDegrees) + " deg", at.speed,
+             "m/s");
   }
   return list.str();
 }
