@@ -21,7 +21,7 @@ inline SectionDescription sixteen_inch_pipe() {
   return pipe;
 }
 
-/// That pipe, a barge heading east and a plain sea bed; no supports.
+/// That pipe, a barge heading east and a plain seabed; no supports.
 inline Description plain_description() {
   Description d;
   d.title = "test";

@@ -1,4 +1,4 @@
-/// First guess of the S: over the supports, then a catenary down to the sea bed.
+/// First guess of the S: over the supports, then a catenary down to the seabed.
 #pragma once
 
 #include <string>

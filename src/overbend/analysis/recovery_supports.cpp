@@ -71,7 +71,7 @@ RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, co
 struct RowTotals {
   Vec3 force = Vec3::Zero();
   bool contact = false;
-  double last_s = kInfinity;  ///< Of the contact nearest to the sea bed.
+  double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
 };
 
 RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state,

@@ -12,21 +12,21 @@ namespace {
 
 StaticFailure floats(const Section& pipe) {
   return {"the pipe floats", "the whole line",
-          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the sea bed only if that is positive: add "
+          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the seabed only if that is positive: add "
                       "weight coating",
                       pipe.weight_submerged)};
 }
 
 StaticFailure too_little_tension(double tension, double least) {
   return {"the tension is too low to carry the pipe", "at the tensioner",
-          fmt::format("{:.1f} kN is given, but the pipe between tensioner and sea bed alone hangs with {:.1f} kN "
+          fmt::format("{:.1f} kN is given, but the pipe between tensioner and seabed alone hangs with {:.1f} kN "
                       "(weight in air above the "
-                      "water, submerged weight below); anything less leaves it in compression at the sea bed",
+                      "water, submerged weight below); anything less leaves it in compression at the seabed",
                       1e-3 * tension, 1e-3 * least)};
 }
 
 StaticFailure no_curve(const std::string& problem) {
-  return {"the pipe does not reach the sea bed", "sagbend", problem};
+  return {"the pipe does not reach the seabed", "sagbend", problem};
 }
 
 std::size_t touchdown_index(const LayShape& shape) {
@@ -60,8 +60,8 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     return start;
   }
   if (plane.tensioner_W.z() <= plane.bed_at_tensioner) {
-    start.failure = StaticFailure{"the tensioner stands below the sea bed", "at the tensioner",
-                                  "check water depth and tensioner.z"};
+    start.failure =
+        StaticFailure{"the tensioner stands below the seabed", "at the tensioner", "check water depth and tensioner.z"};
     return start;
   }
   const double least = hanging_weight(model, plane, plane.bed_at_tensioner);
@@ -165,13 +165,13 @@ std::optional<StaticFailure> check_supports(const Model& model, const LineSystem
   }
   return StaticFailure{
       "the pipe lifts off every support", "ramp and stinger",
-      "it hangs clear of all rollers from the tensioner to the sea bed: the tension is too high for this depth, or the "
+      "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
       "supports stand too low"};
 }
 
 StaticFailure never_touches(const Model& model, double length) {
   const std::string given = model.description.pipe.length ? "pipe.length" : "the length tried";
-  return {"the pipe does not reach the sea bed", "sagbend",
+  return {"the pipe does not reach the seabed", "sagbend",
           fmt::format("{} of {:.0f} m ends before touchdown: give more length, or less tension", given, length)};
 }
 

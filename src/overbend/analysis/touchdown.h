@@ -1,4 +1,4 @@
-/// Where the line meets the sea bed.
+/// Where the line meets the seabed.
 #pragma once
 
 #include <optional>

@@ -75,7 +75,7 @@ std::vector<Field> waves() {
 
 std::vector<Field> environment() {
   return {
-      {.path = "environment", .text = "Water, sea bed, current and waves.", .required = true},
+      {.path = "environment", .text = "Water, seabed, current and waves.", .required = true},
       {.path = "environment.water_depth",
        .kind = FieldKind::quantity,
        .text = "Water depth at the stern shoe.",
@@ -91,7 +91,7 @@ std::vector<Field> environment() {
        .fallback = "10.05 kN/m^3",
        .range = {.low = 0.0, .high = 20e3, .low_open = true},
        .usual = {.low = 9.7e3, .high = 10.4e3}},
-      {.path = "environment.seabed", .text = "Sea bed under the line.", .required = true},
+      {.path = "environment.seabed", .text = "Seabed under the line.", .required = true},
       {.path = "environment.seabed.stiffness",
        .kind = FieldKind::quantity,
        .text = "Normal force per length of pipe and penetration.",

@@ -124,7 +124,7 @@ void check_current(Checker& check) {
                   "the current goes by increasing depth");
     }
     if (water_depth && depth->number > *water_depth * (1.0 + 1e-12)) {
-      check.warn(*depth, depth->shown + " is below the sea bed at the stern shoe");
+      check.warn(*depth, depth->shown + " is below the seabed at the stern shoe");
     }
     before = depth;
   }

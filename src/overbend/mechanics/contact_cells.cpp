@@ -17,7 +17,7 @@ Cell empty_cell() {
 void enclose(Cell& cell, const Roller& roller, double pipe_radius) {
   const double reach = roller.radius + pipe_radius;
   const double half = 0.5 * roller.face;
-  const double half_x = half * std::abs(roller.axis_S.x()) + reach;
+  const double half_x = half * std::abs(roller.axis_S.x()) + reach + kWrongSideReach;
   const double half_z = half * std::abs(roller.axis_S.z()) + reach;
   cell.x_low = std::min(cell.x_low, roller.center_S.x() - half_x);
   cell.x_high = std::max(cell.x_high, roller.center_S.x() + half_x);

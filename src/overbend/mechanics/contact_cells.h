@@ -2,8 +2,9 @@
 /// [silva2009] figures 6 and 7. Cells stand in the ramp/stinger frame S and so move with the vessel.
 ///
 /// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe
-/// on its desired side, so a pipe that stands on the wrong side, however far, must be found. An element that meets no
-/// cell costs two comparisons.
+/// on its desired side, so a pipe that stands on the wrong side must be found. Along the vessel it reaches far enough
+/// for every closest point whose distance to the roller's axis is less than both radii and kWrongSideReach together. An
+/// element that meets no cell costs two comparisons.
 #pragma once
 
 #include <vector>
@@ -11,6 +12,9 @@
 #include "model/supports.h"
 
 namespace overbend {
+
+inline constexpr double kWrongSideReach =
+    1.0;  ///< How far on the wrong side of a roller the search promises to look [m].
 
 struct Cell {
   double x_low = 0.0, x_high = 0.0, z_high = 0.0;  ///< Frame S [m].

@@ -402,7 +402,7 @@ struct LoadConstants {
   Lanes weight, buoyancy, radius, drag_normal, drag_axial;
 };
 
-/// Weight, buoyancy, sea bed and current by Gauss points; external forces enter the residual with a minus sign.
+/// Weight, buoyancy, seabed and current by Gauss points; external forces enter the residual with a minus sign.
 template <bool kTangent>
 inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants& c) {
   for (int i = 0; i < kGaussPoints; ++i) {

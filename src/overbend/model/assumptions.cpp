@@ -43,10 +43,9 @@ void assume_vessel(std::vector<std::string>& list, const Model& model) {
                     "the water line.",
                     degrees(vessel.trim), degrees(vessel.heel)));
   }
-  list.push_back(fmt::format("Water depth {:.2f} m is taken at the stern shoe{}.",
-                             model.description.environment.water_depth,
-                             model.description.environment.seabed.slope == 0.0 ? "; the sea bed is level"
-                                                                               : "; the sea bed is a sloping plane"));
+  list.push_back(fmt::format(
+      "Water depth {:.2f} m is taken at the stern shoe{}.", model.description.environment.water_depth,
+      model.description.environment.seabed.slope == 0.0 ? "; the seabed is level" : "; the seabed is a sloping plane"));
 }
 
 void assume_supports(std::vector<std::string>& list, const Model& model) {
@@ -78,7 +77,7 @@ void assume_supports(std::vector<std::string>& list, const Model& model) {
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {
   list.push_back(
-      fmt::format("The sea bed carries the pipe by {:.4g} kN/m per metre length and penetration, without adhesion.",
+      fmt::format("The seabed carries the pipe by {:.4g} kN/m per metre length and penetration, without adhesion.",
                   1e-3 * model.seabed.stiffness));
   list.push_back("The laid pipe rests under the lay tension: axial friction is not mobilised in statics.");
   if (model.seabed.friction_lateral > 0.0) {
@@ -98,7 +97,7 @@ void assume_tensioner(std::vector<std::string>& list, const Model& model) {
   }
   if (tensioner.guide == Guide::clamped) {
     list.push_back(fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.",
-                               degrees(tensioner.incline)));
+                               degrees(tensioner.incline) + 0.0));
   } else {
     list.push_back("The pipe is free to turn at the tensioner.");
   }

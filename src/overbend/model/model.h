@@ -19,7 +19,7 @@ struct VesselPose {
   Mat3 R_WV = Mat3::Identity();
 };
 
-/// The sea bed as a plane.
+/// The seabed as a plane.
 struct SeabedPlane {
   Vec3 point_W = Vec3::Zero();
   Vec3 normal_W = Vec3::UnitZ();

@@ -22,10 +22,10 @@ struct ThreePointTangents {
 ThreePointTangents circle_tangents(const Vec2& a, const Vec2& b, const Vec2& c) {
   const Vec2 ab = b - a;
   const Vec2 bc = c - b;
+  // The two tangent-chord angles add up to the turn and their sines are as the chords.
   const double turn = dip(bc) - dip(ab);
-  const double share = ab.norm() / (ab.norm() + bc.norm());
-  const double half_ab = share * turn;
-  const double half_bc = (1.0 - share) * turn;
+  const double half_ab = std::atan2(ab.norm() * std::sin(turn), bc.norm() + ab.norm() * std::cos(turn));
+  const double half_bc = turn - half_ab;
   return {dip(ab) - half_ab, dip(ab) + half_ab, dip(bc) + half_bc};
 }
 

@@ -1,0 +1,48 @@
+/// Statics of the BGL-1 example: from the parsed model, and with a start from the neighbour.
+#include <benchmark/benchmark.h>
+
+#include "analysis/recovery.h"
+#include "analysis/statics.h"
+#include "io/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+Description bgl1() { return read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value(); }
+
+void bgl1_from_nothing(benchmark::State& state) {
+  const Model model = build_model(bgl1());
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solve_statics(model));
+  }
+}
+BENCHMARK(bgl1_from_nothing)->Unit(benchmark::kMillisecond);
+
+void bgl1_hundred_tensions(benchmark::State& state) {
+  Description d = bgl1();
+  const StaticSolution first = solve_statics(build_model(d)).solution.value();
+  int failures = 0;
+  for (auto _ : state) {
+    StaticSolution at = first;
+    for (int i = 0; i < 100; ++i) {
+      d.tensioner.tension = 250e3 + 1e3 * i;
+      const StaticOutcome outcome = solve_statics(build_model(d), &at);
+      failures += outcome.solution ? 0 : 1;
+      at = outcome.solution.value_or(at);
+    }
+  }
+  state.counters["failures"] = failures;
+}
+BENCHMARK(bgl1_hundred_tensions)->Unit(benchmark::kMillisecond);
+
+void bgl1_recovery(benchmark::State& state) {
+  const Model model = build_model(bgl1());
+  const StaticSolution solution = solve_statics(model).solution.value();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(recover_statics(model, solution));
+  }
+}
+BENCHMARK(bgl1_recovery)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace overbend
