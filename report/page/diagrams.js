@@ -106,7 +106,7 @@
     const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield[i]) * kind.factor : 0;
     if (yield_stress > 0 && hi > 0.5 * yield_stress) hi = Math.max(hi, yield_stress);
     const room = 0.1 * (hi - lo || 1);
-    const range = [lo < 0 ? lo - room : lo, hi + (kind.yield ? 1 : 2) * room];  // labels stand above the curve
+    const range = [lo < 0 ? lo - room : lo, hi + (hi === yield_stress ? 1 : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
       height: 310, x: [0, end], y: range, right: kind.yield ? 74 : 24,
       title: `${kind.name}, ${overbend ? 'overbend' : 'whole line'}`,

@@ -107,6 +107,7 @@
     for (const box of data.supports) {
       if (box.p[0] < x0 || box.p[0] > x1) continue;
       const up = data.diameter * px + 16;
+      if (frame.y(box.p[2]) - up < frame.margin.top + 20) continue;
       frame.over.append('text').attr('class', 'halo').attr('transform', `translate(${frame.x(box.p[0]) + 5},${frame.y(box.p[2]) - up}) rotate(-55)`)
         .style('font-size', '13px').text(box.name);
     }

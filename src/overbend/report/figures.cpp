@@ -21,15 +21,12 @@ struct Figure {
 
 const std::vector<Figure>& all_figures() {
   static const std::vector<Figure> kFigures = {
-      {"configuration",
-       "Configuration in three dimensions: vessel, ramp, stinger, rollers (frames schematic)",
-       false,
-       {"whole", "overbend", "stinger"}},
+      {"configuration", "Configuration in three dimensions", false, {"whole", "overbend", "stinger"}},
       {"stinger",
        "Ramp and stinger seen from port, true to scale; side rollers in outline",
        true,
        {"overbend", "stinger", "tip"}},
-      {"geometry", "Geometry: elevation and plan", false, {"whole", "overbend", "plan"}},
+      {"geometry", "Geometry", false, {"whole", "overbend", "plan"}},
       {"tension", "Effective tension and wall tension", false, {"whole", "overbend"}},
       {"moment", "Bending moment", false, {"whole", "overbend"}},
       {"bending", "Bending stress", false, {"whole", "overbend"}},
