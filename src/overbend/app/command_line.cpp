@@ -29,6 +29,13 @@ void add_static(CLI::App& program, int& code) {
   command->callback([model, output, &code] { code = run_static(*model, *output); });
 }
 
+void add_report(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand("report", "Write report.html again from results.h5.");
+  auto place = std::make_shared<std::string>();
+  command->add_option("RESULTS", *place, "Folder of results, or its results.h5")->required();
+  command->callback([place, &code] { code = run_report(*place); });
+}
+
 void add_schema(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema of the model file.");
   auto reference = std::make_shared<bool>(false);
@@ -70,6 +77,7 @@ int run_command_line(int count, const char* const* words) {
   program.failure_message(CLI::FailureMessage::simple);
   add_check(program, code);
   add_static(program, code);
+  add_report(program, code);
   add_new(program, code);
   add_schema(program, code);
   try {

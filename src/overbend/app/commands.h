@@ -16,6 +16,9 @@ int run_check(const std::string& model_file);
 /// Statics of a model into the folder `output`; empty: "<stem>.results" in the current folder.
 int run_static(const std::string& model_file, const std::string& output);
 
+/// Writes report.html beside a results.h5, given that file or its folder.
+int run_report(const std::string& place);
+
 int run_schema(bool reference);
 int run_new(const NewOptions& options);
 

@@ -9,6 +9,7 @@
 #include "app/exit_code.h"
 #include "io/results_writer.h"
 #include "io/staged_folder.h"
+#include "report/report.h"
 
 namespace overbend {
 namespace {
@@ -81,7 +82,7 @@ int run_static(const std::string& model_file, const std::string& output) {
     return kWrongInput;
   }
   write_static_files(results, *description, staged->path());
-  // Further files of the folder, the report first of all, are written here: they appear together with the others.
+  write_report(results, description->source_text, staged->path() / "report.html");
   staged->commit("summary.json");
   print_results(results);
   std::cout << "Results are in " << folder.string() << "\n";

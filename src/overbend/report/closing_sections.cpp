@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include "report/html.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+std::string force_table(const StaticResults& r) {
+  html::Table table("Forces on the line", {{"Force", "", true}, {"east", "kN"}, {"north", "kN"}, {"up", "kN"}},
+                    "plain");
+  const auto row = [&](const std::string& name, const Vec3& f, const std::string& css = "") {
+    table.row({name, fixed(f.x() / 1e3, 3), fixed(f.y() / 1e3, 3), fixed(f.z() / 1e3, 3)}, css);
+  };
+  row("Weight", r.sum_weight);
+  row("Buoyancy", r.sum_buoyancy);
+  row("Current", r.sum_current);
+  row("Rollers", r.sum_rollers);
+  row("Seabed", r.sum_seabed);
+  row("Tensioner", r.top_reaction);
+  row("Anchor", r.anchor_reaction);
+  row("Sum",
+      r.sum_weight + r.sum_buoyancy + r.sum_current + r.sum_rollers + r.sum_seabed + r.top_reaction + r.anchor_reaction,
+      "total");
+  return table.str();
+}
+
+std::string solver_table(const StaticResults& r) {
+  html::Table table("Solver", {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
+  table.row({"Method", r.solve.method, ""})
+      .row({"Newton iterations", std::to_string(r.solve.iterations), ""})
+      .row({"Relaxation steps", std::to_string(r.solve.relaxation_steps), ""})
+      .row({"Largest unbalanced nodal force", fmt::format("{:.1e}", r.force_residual), "of the line's weight"})
+      .row({"Sum of all forces and reactions", fmt::format("{:.1e}", r.global_residual), "of the line's weight"})
+      .row({"Weight of the line in air", fixed(r.total_weight / 1e3, 2), "kN"})
+      .row({"Stations", std::to_string(r.stations.size()), ""})
+      .row({"Time in the solver", fixed(r.solve.wall_time * 1e3, 1), "ms"});
+  if (!r.supports.empty()) {
+    table.row({"Largest contact stiffness", fmt::format("{:.4g}", r.roller_stiffness / 1e3), "kN/m"})
+        .row({"Largest penetration into a roller", fixed(r.largest_penetration * 1e3, 3), "mm"});
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string balance_section(const StaticResults& results) {
+  std::string body = "<div class=\"columns\">\n" + force_table(results) + solver_table(results) + "</div>\n";
+  if (!results.solve.history.empty()) {
+    body += "<h3>Course of the solution</h3>\n<ol class=\"history\">\n";
+    for (const std::string& stage : results.solve.history) {
+      body += "<li>" + html::escape(stage) + "</li>\n";
+    }
+    body += "</ol>\n";
+  }
+  return html::section("balance", "Force balance and solver", body);
+}
+
+std::string model_text_section(const std::string& model_text) {
+  return "<section id=\"model\">\n<h2>Model file</h2>\n<details class=\"print-open\"><summary>The input as it was "
+         "given</summary>\n<pre>" +
+         html::escape(model_text) + "</pre></details>\n</section>\n";
+}
+
+}  // namespace overbend

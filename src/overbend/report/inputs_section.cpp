@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "report/html.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string general(double value) {
+  return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+}
+
+/// Rows of name, value, unit.
+class Listing {
+ public:
+  explicit Listing(const std::string& caption)
+      : table_(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain") {}
+  Listing& add(const std::string& name, double value, const std::string& unit) {
+    return add(name, general(value), unit);
+  }
+  Listing& add(const std::string& name, const std::string& value, const std::string& unit = "") {
+    table_.row({name, value, unit});
+    return *this;
+  }
+  std::string str() const { return table_.str(); }
+
+ private:
+  html::Table table_;
+};
+
+std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
+  Listing list("Pipe: " + name);
+  list.add("Steel outside diameter", 1e3 * pipe.steel.outside_diameter, "mm")
+      .add("Wall thickness", 1e3 * pipe.steel.wall_thickness, "mm")
+      .add("Young's modulus", 1e-6 * pipe.steel.youngs_modulus, "MPa")
+      .add("Poisson's ratio", pipe.steel.poissons_ratio, "")
+      .add("Yield stress", 1e-6 * pipe.steel.yield_stress, "MPa")
+      .add("Steel weight density", 1e-3 * pipe.steel.weight_density, "kN/m3");
+  for (const CoatingDescription& coating : pipe.coatings) {
+    list.add("Coating: " + coating.name,
+             general(1e3 * coating.thickness) + " mm at " + general(1e-3 * coating.weight_density), "kN/m3");
+  }
+  if (pipe.joint) {
+    list.add("Pipe joint, field joint", general(pipe.joint->length) + ", " + general(pipe.joint->field_joint), "m")
+        .add("Field joint infill", 1e-3 * pipe.joint->infill_weight_density, "kN/m3");
+  }
+  list.add("Drag, normal and axial",
+           general(pipe.hydrodynamics.drag_normal) + ", " + general(pipe.hydrodynamics.drag_axial));
+  if (pipe.contents_weight_density != 0.0 || pipe.internal_pressure != 0.0) {
+    list.add("Contents", 1e-3 * pipe.contents_weight_density, "kN/m3")
+        .add("Internal pressure at the water level", 1e-6 * pipe.internal_pressure, "MPa");
+  }
+  return list.str();
+}
+
+std::string environment_table(const EnvironmentDescription& sea) {
+  Listing list("Environment");
+  list.add("Water depth at the stern shoe", sea.water_depth, "m")
+      .add("Water weight density", 1e-3 * sea.water_weight_density, "kN/m3")
+      .add("Seabed stiffness", 1e-3 * sea.seabed.stiffness, "kN/m2")
+      .add("Seabed friction, axial and lateral",
+           general(sea.seabed.friction_axial) + ", " + general(sea.seabed.friction_lateral));
+  if (sea.seabed.slope != 0.0) {
+    list.add("Seabed slope",
+             fixed(sea.seabed.slope * kDegrees, 2) + " deg, falling towards " +
+                 fixed(sea.seabed.slope_towards * kDegrees, 1),
+             "deg");
+  }
+  for (const CurrentPoint& at : sea.current) {
+    list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kDegrees) + " deg", at.speed,
+             "m/s");
+  }
+  return list.str();
+}
+
+std::string vessel_table(const Description& model) {
+  const VesselDescription& vessel = model.vessel;
+  Listing list("Vessel and tensioner");
+  list.add("Vessel", vessel.name)
+      .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth),
+           "m")
+      .add("Draught", vessel.draught, "m")
+      .add("Heading", vessel.heading * kDegrees, "deg")
+      .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg")
+      .add("Stern shoe, x from midship and z", general(vessel.stern_shoe_x) + ", " + general(vessel.stern_shoe_z), "m")
+      .add("Tensioner X, Z from the stern shoe", general(model.tensioner.x) + ", " + general(model.tensioner.z), "m")
+      .add("Tensioner incline", model.tensioner.incline * kDegrees, "deg")
+      .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction held" : "pinned");
+  if (model.tensioner.tension) {
+    list.add("Wanted tension", 1e-3 * *model.tensioner.tension, "kN");
+  }
+  if (model.supports.ramp_radius) {
+    list.add("Ramp radius", *model.supports.ramp_radius, "m");
+  }
+  if (model.supports.stinger_radius) {
+    list.add("Stinger radius", *model.supports.stinger_radius, "m");
+  }
+  return list.str();
+}
+
+std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) {
+  if (kinds.empty()) {
+    return "";
+  }
+  Listing list("Rollers");
+  for (const RollerKindDescription& kind : kinds) {
+    list.add(kind.name + ": bottom radius, face", general(kind.bottom.radius) + ", " + general(kind.bottom.face), "m");
+    if (kind.sides) {
+      list.add(kind.name + ": side radius, face", general(kind.sides->radius) + ", " + general(kind.sides->face), "m")
+          .add(kind.name + ": side angle, clearance",
+               general(kind.sides->angle * kDegrees) + " deg, " + general(kind.sides->clearance), "m");
+    }
+    if (kind.stiffness) {
+      list.add(kind.name + ": stiffness", 1e-3 * *kind.stiffness, "kN/m");
+    }
+  }
+  return list.str();
+}
+
+std::string derived_table(const StaticResults& results) {
+  html::Table table("Derived section properties",
+                    {{"Section", "", true},
+                     {"EA", "kN"},
+                     {"EI", "kN m2"},
+                     {"Weight in air", "kN/m"},
+                     {"Submerged", "kN/m"},
+                     {"Steel area", "mm2"},
+                     {"Second moment", "cm4"},
+                     {"Outer diameter", "mm"},
+                     {"Mass", "kg/m"}},
+                    "plain");
+  for (const DerivedSection& s : results.sections) {
+    table.row({s.name, fixed(s.EA / 1e3, 0), fixed(s.EI / 1e3, 1), fixed(s.weight_in_air / 1e3, 6),
+               fixed(s.weight_submerged / 1e3, 6), fixed(s.steel_area * 1e6, 1), fixed(s.second_moment * 1e8, 1),
+               fixed(s.outer_diameter * 1e3, 1), fixed(s.mass, 2)});
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string inputs_section(const StaticResults& results, const std::optional<Description>& description) {
+  std::string body;
+  if (description) {
+    body += "<div class=\"columns\">\n" + pipe_table(description->pipe.section, "the line");
+    for (const SegmentDescription& segment : description->pipe.segments) {
+      body += pipe_table(segment.section, segment.name + ", " + general(segment.length) + " m");
+    }
+    body += vessel_table(*description) + environment_table(description->environment) +
+            roller_kinds_table(description->rollers) + "</div>\n";
+  }
+  body += derived_table(results);
+  return html::section("inputs", "Inputs", body);
+}
+
+std::string assumptions_section(const StaticResults& results) {
+  return results.assumptions.empty() ? ""
+                                     : html::section("assumptions", "Assumptions", html::list(results.assumptions));
+}
+
+}  // namespace overbend

@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "report/html.h"
+#include "report/places.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note) {
+  return fmt::format(
+      "<div class=\"tile\"><div class=\"name\">{}</div><div class=\"value\">{} <span>{}</span></div>"
+      "<div class=\"note\">{}</div></div>\n",
+      html::escape(name), html::escape(value), html::escape(unit), html::escape(note));
+}
+
+/// Share of the yield stress where the extreme stands [%].
+double utilisation(const StaticResults& results, const Extreme& extreme) {
+  const double yield = station_at(results, extreme.s).yield_stress;
+  return yield > 0.0 ? 100.0 * extreme.value / yield : 0.0;
+}
+
+std::string stress_note(const StaticResults& results, const Extreme& extreme) {
+  const std::string place = place_name(results, extreme.s);
+  const std::string where = place == "sagbend" ? "X = " + fixed(ship_point(results, extreme.p_W).x(), 1) + " m" : place;
+  return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), where);
+}
+
+std::string tiles(const StaticResults& r) {
+  std::string out = "<div class=\"tiles\">\n";
+  out += tile("Top tension", fixed(r.top_tension / 1e3, 1), "kN", "effective, at the tensioner");
+  out += tile("Bottom tension", fixed(r.bottom_tension / 1e3, 1), "kN", "horizontal, at touchdown");
+  if (r.overbend) {
+    out += tile("Overbend von Mises", fixed(r.overbend->von_mises.value / 1e6, 1), "MPa",
+                stress_note(r, r.overbend->von_mises));
+  }
+  out +=
+      tile("Sagbend von Mises", fixed(r.sagbend.von_mises.value / 1e6, 1), "MPa", stress_note(r, r.sagbend.von_mises));
+  out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
+  out += tile("Departure angle", fixed(r.departure_angle * kDegrees, 2), "deg",
+              "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
+  if (!r.supports.empty()) {
+    out +=
+        tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
+  }
+  if (r.stinger_tip_clearance) {
+    out +=
+        tile("Stinger tip clearance", fixed(*r.stinger_tip_clearance * 1e3, 1), "mm", "pipe to the last bottom roller");
+  }
+  return out + "</div>\n";
+}
+
+/// Lay quantities in words, value and unit.
+std::string lay_table(const StaticResults& r) {
+  html::Table table("Lay configuration", {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
+  const auto row = [&](const std::string& name, const std::string& value, const std::string& unit) {
+    table.row({name, value, unit});
+  };
+  row("Tension at the tensioner (effective)", fixed(r.top_tension / 1e3, 2), "kN");
+  row("Largest effective tension", fixed(r.largest_tension / 1e3, 2), "kN");
+  row("Horizontal tension at touchdown", fixed(r.bottom_tension / 1e3, 2), "kN");
+  row("Lay-back, stern shoe to touchdown", fixed(r.lay_back, 2), "m");
+  row("Tensioner to touchdown, horizontal", fixed(r.top_to_touchdown, 2), "m");
+  row("Tensioner to touchdown, along the pipe", fixed(r.length_top_to_touchdown, 2), "m");
+  row("Suspended length", fixed(r.suspended_length, 2), "m");
+  row("Tensioner to anchor, along the pipe", fixed(r.total_length, 2), "m");
+  row(r.last_support.empty() ? "Departure angle, at the tensioner" : "Departure angle, at " + r.last_support,
+      fixed(r.departure_angle * kDegrees, 3), "deg");
+  row("Touchdown, drift to port of the vessel's axis", fixed(ship_point(r, r.touchdown.p_W).y(), 2), "m");
+  if (r.stinger_tip_clearance) {
+    row("Stinger tip clearance (negative: in contact)", fixed(*r.stinger_tip_clearance, 4), "m");
+  }
+  if (!r.supports.empty()) {
+    row("Largest reaction of one roller, at " + r.largest_reaction_support, fixed(r.largest_reaction / 1e3, 2), "kN");
+    row("Smallest separation of a bottom roller", fixed(r.smallest_separation, 4), "m");
+  }
+  return table.str();
+}
+
+struct ExtremeRow {
+  const char* name;
+  const char* unit;
+  double factor;
+  int digits;
+  Extreme RegionResult::*member;
+  bool stress;  ///< Compared with yield.
+};
+
+/// Largest values of a region with their places.
+std::string region_table(const StaticResults& results, const std::string& caption, const RegionResult& region) {
+  static constexpr ExtremeRow kRows[] = {
+      {"Effective tension", "kN", 1e-3, 1, &RegionResult::effective_tension, false},
+      {"Bending moment", "kN m", 1e-3, 1, &RegionResult::bending_moment, false},
+      {"Bending stress", "MPa", 1e-6, 1, &RegionResult::bending_stress, true},
+      {"Strain", "%", 1e2, 4, &RegionResult::strain, false},
+      {"von Mises stress", "MPa", 1e-6, 1, &RegionResult::von_mises, true},
+  };
+  html::Table table(caption,
+                    {{"Largest", "", true},
+                     {"Value", ""},
+                     {"Yield", "%"},
+                     {"Along pipe", "m"},
+                     {"X", "m"},
+                     {"Z", "m"},
+                     {"Place", "", true}},
+                    "plain");
+  for (const ExtremeRow& row : kRows) {
+    const Extreme& extreme = region.*(row.member);
+    const Vec3 p = ship_point(results, extreme.p_W);
+    table.row({fmt::format("{} [{}]", row.name, row.unit), fixed(extreme.value * row.factor, row.digits),
+               row.stress ? fixed(utilisation(results, extreme), 1) : "", fixed(from_tensioner(results, extreme.s), 2),
+               fixed(p.x(), 2), fixed(p.z(), 2), place_name(results, extreme.s)});
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string title_block(const StaticResults& results, const std::string& written) {
+  const auto entry = [](const std::string& name, const std::string& value) {
+    return "<div><dt>" + name + "</dt><dd>" + html::escape(value) + "</dd></div>";
+  };
+  std::string out = "<header>\n<div class=\"kind\">Static pipelay analysis</div>\n";
+  out += "<h1>" + html::escape(results.title) + "</h1>\n<dl>";
+  out += entry("Vessel", results.vessel_name);
+  out += entry("Pipe", fmt::format("{} mm steel, {} mm over the coating", fixed(1e3 * results.steel_outer_diameter, 1),
+                                   fixed(1e3 * results.pipe_outer_diameter, 1)));
+  out += entry("Water depth", fixed(results.water_depth, 2) + " m");
+  out += entry("Method", results.supports.empty() ? "J-lay" : "S-lay");
+  out += entry("Status", "converged");
+  out += entry("Program", "Overbend " + results.version);
+  out += entry("Written", written);
+  return out + "</dl>\n</header>\n";
+}
+
+std::string key_results(const StaticResults& results) {
+  std::string body = tiles(results) + "<div class=\"results\">\n<div>\n";
+  if (results.overbend) {
+    body += region_table(results, "Overbend: tensioner to the inflection below the last support in contact",
+                         *results.overbend);
+  }
+  body += region_table(results,
+                       results.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
+                       results.sagbend);
+  body += "</div>\n" + lay_table(results) + "</div>\n";
+  body +=
+      "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
+      "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
+  return html::section("results", "Key results", body);
+}
+
+std::string warnings_section(const StaticResults& results) {
+  if (results.warnings.empty()) {
+    return "";
+  }
+  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(results.warnings) +
+         "</section>\n";
+}
+
+}  // namespace overbend

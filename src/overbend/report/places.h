@@ -1,0 +1,22 @@
+/// Where things are, in the axes that people aboard use.
+#pragma once
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// X astern of the stern shoe, Y to port of the vessel's centre plane, both horizontal; Z above the mean water level
+/// [m].
+Vec3 ship_point(const StaticResults& results, const Vec3& p_W);
+
+/// The pipe at arc length s from the anchor, linear between stations; at the ends the end stations.
+Station station_at(const StaticResults& results, double s);
+
+/// Distance along the pipe from the tensioner [m].
+double from_tensioner(const StaticResults& results, double s);
+
+/// Name of the box whose length holds a place, or "between A and B", "tensioner" side and the like; "sagbend", "seabed"
+/// behind.
+std::string place_name(const StaticResults& results, double s);
+
+}  // namespace overbend

@@ -1,0 +1,21 @@
+/// The HTML report of a static analysis: one file that opens offline in any browser and prints on A4.
+///
+///     results ---> tables (HTML, made here) + figures' data (one JSON block) + page (style, scripts, d3; embedded)
+///
+/// Tables do not need scripts; figures are drawn as SVG when the page is opened. Nothing is fetched from anywhere.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// The whole page. `model_text` is the model file as the user wrote it; it is printed, and its inputs are listed.
+std::string report_html(const StaticResults& results, const std::string& model_text);
+
+/// Writes the page to `file`, beside it first and then renamed. Throws std::runtime_error where that fails.
+void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file);
+
+}  // namespace overbend

@@ -1,0 +1,166 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "report/html.h"
+#include "report/places.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string percent_of_yield(double stress, double yield) {
+  return yield > 0.0 ? fixed(100.0 * stress / yield, 1) : "";
+}
+
+/// A line of the static summary where no support stands.
+void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
+               const std::string& place) {
+  const Vec3 p = ship_point(results, at.p_W);
+  table.row({place, part, fixed(from_tensioner(results, at.s), 2), fixed(p.x(), 2), fixed(p.y(), 2), fixed(p.z(), 2),
+             "", "", "", "", fixed(at.effective_tension / 1e3, 1), fixed(at.bending_moment / 1e3, 1),
+             fixed(at.bending_stress / 1e6, 1), fixed(at.strain * 1e2, 4), fixed(at.von_mises / 1e6, 1),
+             percent_of_yield(at.von_mises, at.yield_stress)});
+}
+
+/// A line of the static summary at a box: the pipe's place at its middle, the pipe's largest values over its length.
+void support_row(html::Table& table, const StaticResults& results, const SupportResult& box) {
+  const Station at = station_at(results, box.s);
+  const Vec3 p = ship_point(results, at.p_W);
+  table.row({box.name, box.stinger ? "STINGER" : "LAYBARGE", fixed(from_tensioner(results, box.s), 2), fixed(p.x(), 2),
+             fixed(p.y(), 2), fixed(p.z(), 2), fixed(box.vertical / 1e3, 1), fixed(box.lateral / 1e3, 1),
+             fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : "",
+             fixed(box.effective_tension / 1e3, 1), fixed(box.bending_moment / 1e3, 1),
+             fixed(box.bending_stress / 1e6, 1), fixed(box.strain * 1e2, 4), fixed(box.von_mises / 1e6, 1),
+             percent_of_yield(box.von_mises, at.yield_stress)});
+}
+
+int rows_in_contact(const SupportResult& box) {
+  return static_cast<int>(
+      std::count_if(box.rows.begin(), box.rows.end(), [](const RowResult& row) { return row.reaction > 0.0; }));
+}
+
+double largest_roller(const SupportResult& box) {
+  double largest = 0.0;
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      largest = std::max(largest, roller.reaction);
+    }
+  }
+  return largest;
+}
+
+const char* word(RollerPosition position) {
+  static constexpr const char* kWords[] = {"bottom", "port", "starboard"};
+  return kWords[static_cast<int>(position)];
+}
+
+}  // namespace
+
+std::string static_summary_table(const StaticResults& results) {
+  html::Table table("",
+                    {{"Station", "", true},
+                     {"Pipe section", "", true},
+                     {"Along pipe", "m"},
+                     {"X", "m"},
+                     {"Y", "m"},
+                     {"Z", "m"},
+                     {"vert.", "kN"},
+                     {"horiz.", "kN"},
+                     {"vert.", "m"},
+                     {"horiz.", "m"},
+                     {"Tension", "kN"},
+                     {"Moment", "kN m"},
+                     {"Bending stress", "MPa"},
+                     {"Strain", "%"},
+                     {"von Mises", "MPa"},
+                     {"Yield", "%"}},
+                    "dense");
+  table.groups({{"", 2}, {"Pipe axis", 4}, {"Support reaction", 2}, {"Support separation", 2}, {"Pipe", 6}});
+  plain_row(table, results, results.stations.back(), "TENSIONER", "tensioner");
+  for (const SupportResult& box : results.supports) {
+    support_row(table, results, box);
+  }
+  plain_row(table, results, station_at(results, results.sagbend.von_mises.s), "SAGBEND", "sagbend max.");
+  plain_row(table, results, station_at(results, results.touchdown.s), "SEABED", "touchdown");
+  plain_row(table, results, results.stations.front(), "SEABED", "anchor");
+  return table.str() +
+         "<p class=\"small\">Pipe at a support: place at the middle of the box, largest values over its length. "
+         "Separation: "
+         "clear distance of pipe and roller, the smallest of the box's bottom rollers (vertical) and side rollers "
+         "(horizontal); negative is penetration by the contact stiffness.</p>\n";
+}
+
+std::string support_table(const StaticResults& results) {
+  if (results.supports.empty()) {
+    return "";
+  }
+  html::Table table("Roller boxes",
+                    {{"Box", "", true},
+                     {"On", "", true},
+                     {"X", "m"},
+                     {"Z", "m"},
+                     {"Incline", "deg"},
+                     {"Length", "m"},
+                     {"resultant", "kN"},
+                     {"vertical", "kN"},
+                     {"longit.", "kN"},
+                     {"lateral", "kN"},
+                     {"Largest roller", "kN"},
+                     {"Rows loaded", ""},
+                     {"bottom", "m"},
+                     {"sides", "m"}},
+                    "dense boxes");
+  table.groups({{"", 6}, {"Reaction on the pipe", 4}, {"", 2}, {"Smallest separation", 2}});
+  for (const SupportResult& box : results.supports) {
+    const Vec3 p = ship_point(results, box.p_W);
+    table.row({box.name, box.stinger ? "stinger" : "ramp", fixed(p.x(), 3), fixed(p.z(), 3),
+               fixed(box.inclination * kDegrees, 2), fixed(box.length, 3), fixed(box.reaction / 1e3, 1),
+               fixed(box.vertical / 1e3, 1), fixed(box.longitudinal / 1e3, 1), fixed(box.lateral / 1e3, 1),
+               fixed(largest_roller(box) / 1e3, 1), fmt::format("{} of {}", rows_in_contact(box), box.rows.size()),
+               fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : ""});
+  }
+  return table.str() +
+         "<p class=\"small\">X, Z: middle of the box, where the underside of the coated pipe rests; Z above the mean "
+         "water "
+         "level. Longitudinal: along the box, astern positive; lateral: to port positive.</p>\n";
+}
+
+std::string roller_table(const StaticResults& results) {
+  if (results.supports.empty()) {
+    return "";
+  }
+  html::Table table("",
+                    {{"Box", "", true},
+                     {"Row", ""},
+                     {"Roller", "", true},
+                     {"normal", "kN"},
+                     {"vertical", "kN"},
+                     {"longit.", "kN"},
+                     {"lateral", "kN"},
+                     {"Separation", "m"},
+                     {"Off end", "m"}},
+                    "dense rollers");
+  table.groups({{"", 3}, {"Reaction on the pipe", 4}, {"", 2}});
+  int count = 0;
+  for (const SupportResult& box : results.supports) {
+    for (std::size_t row = 0; row < box.rows.size(); ++row) {
+      for (const RollerResult& r : box.rows[row].rollers) {
+        ++count;
+        table.row({box.name, std::to_string(row + 1), word(r.position), fixed(r.reaction / 1e3, 2),
+                   fixed(r.vertical / 1e3, 2), fixed(r.longitudinal / 1e3, 2), fixed(r.lateral / 1e3, 2),
+                   fixed(r.separation, 4), fixed(r.off_end, 3)},
+                  r.reaction > 0.0 ? "loaded" : "");
+      }
+    }
+  }
+  return fmt::format("<details class=\"print-open\"><summary>Rollers one by one ({})</summary>\n{}</details>\n", count,
+                     table.str());
+}
+
+}  // namespace overbend

@@ -1,0 +1,38 @@
+/// The example as the engine solves it: real results for tests of the report.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "analysis/recovery.h"
+#include "analysis/statics.h"
+#include "io/yaml_reader.h"
+#include "model/model.h"
+
+namespace overbend::testing {
+
+struct SolvedExample {
+  StaticResults results;
+  std::string model_text;
+};
+
+/// Solved once for all tests.
+inline const SolvedExample& bgl1() {
+  static const SolvedExample kSolved = [] {
+    const ModelReading reading = read_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml");
+    if (!reading.description) {
+      throw std::runtime_error("the example can not be read");
+    }
+    const Model model = build_model(*reading.description);
+    const StaticOutcome outcome = solve_statics(model);
+    if (!outcome.solution) {
+      throw std::runtime_error("the example can not be solved");
+    }
+    return SolvedExample{recover_statics(model, *outcome.solution), reading.description->source_text};
+  }();
+  return kSolved;
+}
+
+}  // namespace overbend::testing

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Solves an example, opens its report in headless Chromium and looks whether every figure was drawn.
+
+    render_report.py PROGRAM MODEL.yaml
+
+Fails on any error of the page's scripts, on an empty panel, on a figure without axis labels and on marks of missing
+numbers (NaN, undefined) in what was drawn.
+"""
+
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+FLAGS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync", "--enable-logging=stderr",
+]
+
+
+def rendered(page, profile):
+    """The page's document after its scripts have run, and what they complained about."""
+    done = subprocess.run(
+        ["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=5000", "--dump-dom", page.as_uri()],
+        capture_output=True, text=True, timeout=120, check=True)
+    return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
+
+
+def faults_of(document):
+    """What is wrong with the drawn page."""
+    if 'data-drawn="yes"' not in document:
+        yield "the scripts did not run to their end"
+    body = document[document.index("<body>"):]
+    drawn = re.sub(r"<script.*?</script>", "", body, flags=re.S)
+    panels = re.findall(r'<div class="panel" data-figure="(\w+)" data-part="(\w+)">(.*?)</div>', drawn, flags=re.S)
+    if not panels:
+        yield "there are no panels"
+    for figure, part, content in panels:
+        shapes = len(re.findall(r"<(path|rect|polygon|polyline|circle)\b", content))
+        if "<svg" not in content or shapes < 5:
+            yield f"{figure}/{part}: nothing drawn"
+    for word in ("NaN", "undefined", "Infinity"):
+        for found in re.finditer(word, drawn):
+            yield f"'{word}' in: ...{drawn[max(0, found.start() - 80):found.end() + 20]!r}"
+
+
+def main():
+    program, model = sys.argv[1:]
+    if not shutil.which("chromium"):
+        sys.exit("chromium is not installed")
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
+        page = pathlib.Path(folder, "out", "report.html")
+        document, complaints = rendered(page, folder + "/profile")
+        faults = complaints + list(faults_of(document))
+    for fault in faults[:20]:
+        print(fault)
+    sys.exit(1 if faults else 0)
+
+
+main()

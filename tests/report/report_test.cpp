@@ -1,0 +1,164 @@
+#include "report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "report/bgl1_results.h"
+#include "report/html.h"
+#include "report/places.h"
+#include "report/report_data.h"
+
+namespace overbend {
+namespace {
+
+using testing::bgl1;
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+    ++found;
+  }
+  return found;
+}
+
+/// The part before the scripts and after the style: what a reader without scripts sees.
+std::string visible(const std::string& page) {
+  const std::size_t body = page.find("<body>");
+  return page.substr(body, page.find("<script", body) - body);
+}
+
+TEST(report, stands_alone_without_any_outside_address) {
+  const std::string page = report_html(bgl1().results, bgl1().model_text);
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?\s*(https?:|//))")));
+  EXPECT_EQ(count(page, "@import"), 0u);
+  EXPECT_EQ(count(page, "type=\"module\""), 0u);
+  EXPECT_EQ(count(page, "fetch(\""), 0u);
+}
+
+TEST(report, stays_below_a_size_that_mail_carries) {
+  EXPECT_LT(report_html(bgl1().results, bgl1().model_text).size(), 1'500'000u);
+}
+
+TEST(report, shows_its_numbers_without_scripts) {
+  const StaticResults& results = bgl1().results;
+  const std::string text = visible(report_html(results, bgl1().model_text));
+  EXPECT_NE(text.find(html::fixed(results.lay_back, 2)), std::string::npos);
+  EXPECT_NE(text.find(html::fixed(results.overbend->von_mises.value / 1e6, 1)), std::string::npos);
+  EXPECT_NE(text.find(html::fixed(results.bottom_tension / 1e3, 2)), std::string::npos);
+  for (const SupportResult& box : results.supports) {
+    EXPECT_NE(text.find("<td class=\"t\">" + box.name + "</td>"), std::string::npos) << box.name;
+  }
+  for (const std::string& assumption : results.assumptions) {
+    EXPECT_NE(text.find(html::escape(assumption)), std::string::npos) << assumption;
+  }
+  EXPECT_NE(text.find("concrete"), std::string::npos);  // inputs are read from the model text
+}
+
+TEST(report, has_a_line_for_every_roller) {
+  const std::string text = visible(report_html(bgl1().results, bgl1().model_text));
+  std::size_t rollers = 0;
+  for (const SupportResult& box : bgl1().results.supports) {
+    for (const RowResult& row : box.rows) {
+      rollers += row.rollers.size();
+    }
+  }
+  ASSERT_GT(rollers, 100u);
+  const std::string table = text.substr(text.find("dense rollers"));
+  EXPECT_EQ(count(table.substr(0, table.find("</table>")), "<tr"), rollers + 2);  // and two lines of head
+}
+
+TEST(report, hostile_words_of_the_user_are_harmless) {
+  const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
+  StaticResults results = bgl1().results;
+  results.title = attack;
+  results.vessel_name = attack;
+  results.warnings = {attack};
+  results.supports.front().name = attack;
+  const std::string page = report_html(results, "title: " + attack);
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+}
+
+TEST(report, a_model_text_that_can_not_be_read_is_printed_all_the_same) {
+  const std::string page = report_html(bgl1().results, "no: [model");
+  EXPECT_NE(page.find("no: [model"), std::string::npos);
+}
+
+TEST(report, without_supports_shows_no_empty_overbend) {
+  StaticResults results = bgl1().results;
+  results.supports.clear();
+  results.overbend.reset();
+  results.stinger_tip_clearance.reset();
+  results.last_support.clear();
+  const std::string text = visible(report_html(results, ""));
+  EXPECT_EQ(text.find("data-part=\"overbend\""), std::string::npos);
+  EXPECT_EQ(text.find("Roller boxes"), std::string::npos);
+  EXPECT_NE(text.find("J-lay"), std::string::npos);
+}
+
+TEST(report, is_written_beside_and_renamed) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "overbend_report_test";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  write_report(bgl1().results, bgl1().model_text, folder / "report.html");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+  EXPECT_GT(std::filesystem::file_size(folder / "report.html"), 100'000u);
+  // A folder in the way: an error that names it, and no half-written file.
+  std::filesystem::create_directories(folder / "taken" / "inside");
+  EXPECT_THROW(write_report(bgl1().results, bgl1().model_text, folder / "taken"), std::runtime_error);
+  EXPECT_FALSE(std::filesystem::exists(folder / ".taken.part"));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(report_data, keeps_the_extremes_and_runs_from_the_tensioner) {
+  const StaticResults& results = bgl1().results;
+  const nlohmann::json data = nlohmann::json::parse(report_data(results));
+  const std::vector<double> s = data["stations"]["s"];
+  const std::vector<double> mises = data["stations"]["mises"];
+  EXPECT_DOUBLE_EQ(s.front(), 0.0);
+  EXPECT_TRUE(std::is_sorted(s.begin(), s.end()));
+  // Seven digits are kept.
+  EXPECT_NEAR(*std::max_element(mises.begin(), mises.end()), results.overbend->von_mises.value,
+              1e-6 * results.overbend->von_mises.value);
+  EXPECT_EQ(data["supports"].size(), results.supports.size());
+}
+
+TEST(report_data, thins_a_very_long_line_but_keeps_its_peaks) {
+  StaticResults results = bgl1().results;
+  const std::vector<Station> few = results.stations;
+  results.stations.clear();
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    Station at = few.front();
+    at.s = 0.1 * static_cast<double>(i);
+    at.von_mises = i == 12'345 ? 300e6 : 50e6;
+    at.region = Region::sagbend;
+    results.stations.push_back(at);
+  }
+  const nlohmann::json data = nlohmann::json::parse(report_data(results));
+  const std::vector<double> mises = data["stations"]["mises"];
+  EXPECT_LT(mises.size(), 3000u);
+  EXPECT_DOUBLE_EQ(*std::max_element(mises.begin(), mises.end()), 300e6);
+}
+
+TEST(places, ship_axes_run_astern_and_to_port) {
+  const StaticResults& results = bgl1().results;  // heading east: astern is west, port is north
+  const Vec3 p = ship_point(results, results.stern_shoe_W + Vec3(-10.0, 3.0, 1.0));
+  EXPECT_NEAR(p.x(), 10.0, 1e-9);
+  EXPECT_NEAR(p.y(), 3.0, 1e-9);
+}
+
+TEST(places, a_place_between_stations_is_interpolated) {
+  const StaticResults& results = bgl1().results;
+  const Station& a = results.stations[10];
+  const Station& b = results.stations[11];
+  const Station middle = station_at(results, 0.5 * (a.s + b.s));
+  EXPECT_NEAR(middle.effective_tension, 0.5 * (a.effective_tension + b.effective_tension), 1e-6);
+  EXPECT_NEAR((middle.p_W - 0.5 * (a.p_W + b.p_W)).norm(), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace overbend
