@@ -88,19 +88,19 @@ struct ExtremeRow {
   const char* name;
   const char* unit;
   double factor;
-  int digits;
   Extreme RegionResult::*member;
+  int digits;
   bool stress;  ///< Compared with yield.
 };
 
 /// Largest values of a region with their places.
 std::string region_table(const StaticResults& results, const std::string& caption, const RegionResult& region) {
   static constexpr ExtremeRow kRows[] = {
-      {"Effective tension", "kN", 1e-3, 1, &RegionResult::effective_tension, false},
-      {"Bending moment", "kN m", 1e-3, 1, &RegionResult::bending_moment, false},
-      {"Bending stress", "MPa", 1e-6, 1, &RegionResult::bending_stress, true},
-      {"Strain", "%", 1e2, 4, &RegionResult::strain, false},
-      {"von Mises stress", "MPa", 1e-6, 1, &RegionResult::von_mises, true},
+      {"Effective tension", "kN", 1e-3, &RegionResult::effective_tension, 1, false},
+      {"Bending moment", "kN m", 1e-3, &RegionResult::bending_moment, 1, false},
+      {"Bending stress", "MPa", 1e-6, &RegionResult::bending_stress, 1, true},
+      {"Strain", "%", 1e2, &RegionResult::strain, 4, false},
+      {"von Mises stress", "MPa", 1e-6, &RegionResult::von_mises, 1, true},
   };
   html::Table table(caption,
                     {{"Largest", "", true},
