@@ -109,8 +109,10 @@ bool ease_in_current(Case& at) {
   }
   at.system.use_side_rollers(true);
   at.system.limit_roller_stiffness(1e300);
-  for (double scale = 0.02; scale < 1.0; scale = std::min(1.0, 1.5 * scale)) {
+  double scale = 0.02;
+  while (scale < 1.0) {
     at.system.scale_current(scale);
+    scale *= 1.5;
     if (!run_newton(at, finally(at), "rising current")) {
       return false;
     }
