@@ -1,0 +1,10 @@
+/// The parts of the page, one file each.
+#pragma once
+
+#include "comparison.h"
+
+namespace overbend::validation {
+
+Group static_cases();
+
+}  // namespace overbend::validation
