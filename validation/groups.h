@@ -6,5 +6,6 @@
 namespace overbend::validation {
 
 Group static_cases();
+Group cantilevers();
 
 }  // namespace overbend::validation
