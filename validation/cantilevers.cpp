@@ -2,10 +2,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "benchmarks.h"
 #include "groups.h"
 #include "rod.h"
 
@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr RodPipe kUnitRod{1e10, 1.0, 0.0, 0.01};  ///< EA L2/EI = 1e10 for a length of 1 m: stretches by 1e-9.
-
-nlohmann::json benchmark(const char* name) {
-  std::ifstream stream(OVERBEND_SOURCE_DIR "/validation/cases_public.json");
-  return nlohmann::json::parse(stream)["benchmarks"][name]["expected"];
-}
 
 /// A cantilever that stands askew in space, so that no direction is special.
 struct Askew {

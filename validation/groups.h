@@ -7,5 +7,6 @@ namespace overbend::validation {
 
 Group static_cases();
 Group cantilevers();
+Group beams();
 
 }  // namespace overbend::validation
