@@ -1,0 +1,133 @@
+#include "comparison.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace overbend::validation {
+namespace {
+
+constexpr int kOursColumn = 3, kDifferenceColumn = 5, kAllowedColumn = 6;  ///< Of a table line split at its bars.
+
+std::string table_line(const Row& row) {
+  return fmt::format("| {} | {}{} | {:.6g} | {:.6g} | {:.1g} | {:.2g} | {} | {} |\n", row.subject, row.quantity,
+                     row.unit.empty() ? "" : " [" + row.unit + "]", row.ours, row.reference, row.ours - row.reference,
+                     row.allowed, row.holds() ? "yes" : "**no**", row.basis);
+}
+
+std::string table_text(const Table& table) {
+  std::string out = table.heading.empty() ? "" : "### " + table.heading + "\n\n";
+  out += table.text.empty() ? "" : table.text + "\n\n";
+  if (table.rows.empty()) {
+    return out;
+  }
+  out += "| case | quantity | ours | reference | difference | allowed | holds | reference and tolerance |\n";
+  out += "|---|---|---:|---:|---:|---:|---|---|\n";
+  for (const Row& row : table.rows) {
+    out += table_line(row);
+  }
+  return out + "\n";
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, at);) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+bool same_line(const std::string& written, const std::string& fresh) {
+  const std::vector<std::string> a = split(written, '|'), b = split(fresh, '|');
+  if (a.size() != b.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i] == b[i] || (i == kDifferenceColumn && a.size() > kAllowedColumn)) {
+      continue;
+    }
+    if (i != kOursColumn || a.size() <= kAllowedColumn) {
+      return false;
+    }
+    const double x = std::atof(a[i].c_str()), y = std::atof(b[i].c_str());
+    const double slack = std::max(0.1 * std::atof(b[kAllowedColumn].c_str()), 1e-4 * std::abs(y));
+    if (std::abs(x - y) > slack) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool Row::holds() const {
+  return std::abs(ours - reference) <= allowed;  // false for NaN
+}
+
+double share_of(double reference, double share, double least) {
+  return std::max(share * std::abs(reference), least);
+}
+
+std::string page(const std::vector<Group>& groups) {
+  std::size_t count = 0, outside = 0;
+  std::string body;
+  for (const Group& group : groups) {
+    body += "## " + group.heading + "\n\n" + (group.text.empty() ? "" : group.text + "\n\n");
+    for (const Table& table : group.tables) {
+      body += table_text(table);
+      count += table.rows.size();
+      outside += static_cast<std::size_t>(
+          std::count_if(table.rows.begin(), table.rows.end(), [](const Row& row) { return !row.holds(); }));
+    }
+  }
+  while (body.size() > 1 && body[body.size() - 2] == '\n') {
+    body.pop_back();
+  }
+  return fmt::format(
+      "# Validation\n\n"
+      "<!-- Generated: `build/release/overbend_validate > docs/validation.md`. Do not edit. -->\n\n"
+      "The engine's statics beside answers found by other means: closed forms, tables from the literature, and "
+      "solutions "
+      "computed\nwith other methods ([where they come from](../validation/README.md)). Every value of ours is computed "
+      "when this page is\ngenerated, with the element, contact and solver that lay the pipe; the test run checks each "
+      "against its tolerance and that\nthis page is current. To regenerate it:\n\n"
+      "```sh\ncmake --preset release\ncmake --build --preset release --target overbend_validate\n"
+      "build/release/overbend_validate > docs/validation.md\n```\n\n"
+      "`overbend_validate --check` prints only what is outside its tolerance and fails if anything is. {} values are "
+      "compared,\n{} of them {} outside.\n\n{}",
+      count, outside, outside == 1 ? "is" : "are", body);
+}
+
+std::vector<std::string> failures(const std::vector<Group>& groups) {
+  std::vector<std::string> lines;
+  for (const Group& group : groups) {
+    for (const Table& table : group.tables) {
+      for (const Row& row : table.rows) {
+        if (!row.holds()) {
+          lines.push_back(fmt::format("{}, {}: {} [{}] is {:.8g}, reference {:.8g}, difference {:.2g}, allowed {:.2g}",
+                                      group.heading, row.subject, row.quantity, row.unit, row.ours, row.reference,
+                                      row.ours - row.reference, row.allowed));
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> stale_lines(const std::string& written, const std::string& fresh) {
+  const std::vector<std::string> a = split(written, '\n'), b = split(fresh, '\n');
+  std::vector<std::string> stale;
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
+    const std::string was = i < a.size() ? a[i] : "(nothing)", is = i < b.size() ? b[i] : "(nothing)";
+    if (!same_line(was, is)) {
+      stale.push_back(fmt::format("line {}: {}\n    should be: {}", i + 1, was, is));
+    }
+  }
+  return stale;
+}
+
+}  // namespace overbend::validation

@@ -1,0 +1,12 @@
+/// The parts of the page, one file each.
+#pragma once
+
+#include "comparison.h"
+
+namespace overbend::validation {
+
+Group static_cases();
+Group cantilevers();
+Group beams();
+
+}  // namespace overbend::validation

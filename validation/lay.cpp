@@ -1,0 +1,45 @@
+#include "lay.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "io/yaml_reader.h"
+
+namespace overbend::validation {
+
+Lay::Lay(Model model) : model_(std::make_unique<Model>(std::move(model))) {
+  StaticOutcome outcome = solve_statics(*model_);
+  if (!outcome.solution) {
+    throw std::runtime_error(model_->description.title + ": " + outcome.failure->what + ": " + outcome.failure->why);
+  }
+  solution_ = std::move(*outcome.solution);
+  results_ = recover_statics(*model_, solution_);
+  system_ = std::make_unique<LineSystem>(*model_, model_->mean_pose, solution_.mesh);
+  cuts_ = cut_forces(*system_, solution_.state);
+}
+
+Station Lay::at(double from_top) const {
+  const LineMesh& mesh = system_->mesh();
+  const double s = std::clamp(mesh.total_length() - from_top, 0.0, mesh.total_length());
+  const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
+  const int element = std::clamp(static_cast<int>(after - mesh.s.begin()) - 1, 0, mesh.elements() - 1);
+  const std::size_t e = static_cast<std::size_t>(element);
+  const double xi = (s - mesh.s[e]) / mesh.length[e];
+  return make_station(*system_, solution_.state, cut_at(*system_, solution_.state, cuts_, element, xi), element, xi);
+}
+
+Station Lay::at_roller(std::size_t roller) const {
+  const ClosestPoint& at = system_->roller_states()[roller].at;
+  return make_station(*system_, solution_.state, cut_at(*system_, solution_.state, cuts_, at.element, at.xi),
+                      at.element, at.xi);
+}
+
+Description case_description(const std::string& name) {
+  const ModelReading reading = read_model(OVERBEND_SOURCE_DIR "/validation/static_cases/" + name + ".yaml");
+  if (!reading.description) {
+    throw std::runtime_error("cannot read the case " + name);
+  }
+  return *reading.description;
+}
+
+}  // namespace overbend::validation

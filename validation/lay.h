@@ -1,0 +1,40 @@
+/// A solved lay that can be looked at anywhere along the line.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "analysis/recovery_parts.h"
+#include "analysis/statics.h"
+#include "model/model.h"
+
+namespace overbend::validation {
+
+/// Solves a model and keeps all that is needed to evaluate it. Throws std::runtime_error with the engine's reason where
+/// there is no equilibrium.
+class Lay {
+ public:
+  explicit Lay(Model model);
+
+  const StaticResults& results() const { return results_; }
+  const LineSystem& system() const { return *system_; }
+  const StaticSolution& solution() const { return solution_; }
+
+  /// The line at an unstressed length from the top, by the balance of what lies beside it [m].
+  Station at(double from_top) const;
+  /// The line where a roller pushes it: exactly at the contact.
+  Station at_roller(std::size_t roller) const;
+  double from_top(const Station& station) const { return system_->mesh().total_length() - station.s; }
+
+ private:
+  std::unique_ptr<Model> model_;  ///< Its address is kept by the system.
+  StaticSolution solution_;
+  StaticResults results_;
+  std::unique_ptr<LineSystem> system_;
+  std::vector<CutForces> cuts_;
+};
+
+/// Reads validation/static_cases/NAME.yaml.
+Description case_description(const std::string& name);
+
+}  // namespace overbend::validation
