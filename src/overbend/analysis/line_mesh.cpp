@@ -10,20 +10,11 @@ namespace {
 constexpr double kGrowth = 0.25;          ///< Element length may grow by this per unit of distance from a fine zone.
 constexpr double kShortestElement = 0.1;  ///< [m]
 
-struct Spacings {
-  double box = std::numeric_limits<double>::infinity();
-  double row = std::numeric_limits<double>::infinity();
-};
-
-Spacings support_spacings(const Supports& supports) {
-  Spacings least;
-  for (std::size_t i = 1; i < supports.boxes.size(); ++i) {
-    least.box = std::min(least.box, (supports.boxes[i].point_S - supports.boxes[i - 1].point_S).norm());
-  }
-  for (const SupportBox& box : supports.boxes) {
-    if (box.row_count > 1) {
-      least.row = std::min(least.row, box.length / box.row_count);
-    }
+/// Closest distance of two rows of rollers along the supports [m].
+double row_spacing(const Supports& supports) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < supports.rows.size(); ++i) {
+    least = std::min(least, (supports.rows[i].point_S - supports.rows[i - 1].point_S).norm());
   }
   return least;
 }
@@ -66,13 +57,12 @@ void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   const Section& pipe = model.sections.front();
   const MeshDescription& given = model.description.mesh;
-  const Spacings spacing = support_spacings(model.supports);
   const double top_bending = std::sqrt(pipe.EI / zones.top_tension);
   const double bottom_bending = std::sqrt(pipe.EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
   const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
 
   MeshSizes sizes;
-  sizes.overbend = std::max(kShortestElement, std::min({top_bending / 20.0, spacing.box / 8.0, 0.4 * spacing.row}));
+  sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.4 * row_spacing(model.supports)));
   sizes.touchdown = std::max(kShortestElement, std::min(bottom_bending / 20.0, soil / 8.0));
   const double suspended = std::max(zones.touchdown - zones.last_support, 1.0);
   sizes.longest =
