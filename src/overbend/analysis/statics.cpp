@@ -216,18 +216,18 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
-StaticOutcome give_up(const Case& at) {
+StaticOutcome give_up(const Case& at, double least_tension) {
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
                                      : fmt::format("node {} at s = {:.1f} m from the anchor", node,
                                                    at.system.mesh().s[static_cast<std::size_t>(node)]);
   return fail({"no equilibrium found", where,
-               fmt::format("neither Newton's method, nor lowering the tension step by step, nor dynamic relaxation "
-                           "settled (last residual "
-                           "{:.1e} of the line's weight); look at the supports: a box far off the curve of its "
-                           "neighbours, or a tension "
-                           "near the least the pipe can hang from",
-                           at.report.force_residual)});
+               fmt::format("neither Newton's method, nor raising the current or lowering the tension in steps, nor "
+                           "dynamic relaxation settled (last residual {:.1e} of the line's weight). The tension is "
+                           "{:.2f} times the weight that hangs from it; near 1 the pipe goes into compression at the "
+                           "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
+                           "strong for so light a pipe",
+                           at.report.force_residual, at.target.value / least_tension)});
 }
 
 }  // namespace
@@ -275,7 +275,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     solved = follow(at, "mesh moved to the touchdown found");
   }
   if (!solved) {
-    return give_up(at);
+    return give_up(at, hanging_weight(model, plane, plane.bed_at_tensioner));
   }
   if (auto failure = check_supports(model, at.system)) {
     return fail(*failure);
