@@ -34,10 +34,10 @@ struct MeshSizes {
          touchdown_after = 0.0;  ///< Extent of the fine zone, towards the tensioner and the anchor.
 };
 
-/// The rule. Over the supports: a twenty-fifth of the bending length sqrt(EI/T) or two fifths of the closest distance of two
-/// rows of rollers, whichever is less. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of the soil length
-/// (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of sqrt(EI/H), or what gives 300
-/// elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
+/// The rule. Over the supports: a twenty-fifth of the bending length sqrt(EI/T) or two fifths of the closest distance
+/// of two rows of rollers, whichever is less. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of the soil
+/// length (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of sqrt(EI/H), or what
+/// gives 300 elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones);
 
 /// Fine over the supports, at the waterline, at the tensioner and around touchdown; nodes on section boundaries.

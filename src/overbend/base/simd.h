@@ -1,13 +1,14 @@
-/// Portable vectors of eight doubles, and which instruction set runs them.
+/// Portable vectors of doubles, and which instruction set runs them.
 ///
-/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own; compiler
-/// vectors spread a batch of eight over whatever registers the set has. `best_isa` chooses at run time, so that one
-/// program runs on any x86-64 machine and is fast on a new one.
+/// Kernels (files named *_kernel.cpp) are compiled once per instruction set into a namespace of their own, with
+/// compiler vectors as wide as the set's registers (8, 4 or 2 doubles); data is laid out in batches of eight, which
+/// every width divides. `best_isa` chooses at run time, so that one program runs on any x86-64 machine and is fast on a
+/// new one.
 #pragma once
 
 namespace overbend {
 
-inline constexpr int kLanes = 8;
+inline constexpr int kLanes = 8;  ///< Elements in a batch of data.
 
 enum class Isa { baseline, avx2, avx512 };
 
@@ -19,6 +20,7 @@ Isa best_isa();
 
 #if defined(OVERBEND_ISA_NAMESPACE)
 namespace overbend::OVERBEND_ISA_NAMESPACE {
-using Lanes = double __attribute__((vector_size(64)));
-}
+inline constexpr int kWidth = OVERBEND_ISA_WIDTH;  ///< Doubles in a register.
+using Lanes = double __attribute__((vector_size(8 * OVERBEND_ISA_WIDTH), may_alias));
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE
 #endif

@@ -44,7 +44,7 @@ inline Lanes dot(const Vec& a, const Vec& b) {
 
 inline Lanes root(const Lanes& a) {
   Lanes r;
-  for (int l = 0; l < kLanes; ++l) {
+  for (int l = 0; l < kWidth; ++l) {
     r[l] = __builtin_sqrt(a[l]);
   }
   return r;
@@ -65,7 +65,7 @@ constexpr Shape kGaussShape[kGaussPoints] = {shape_at(kGaussXi[0]), shape_at(kGa
                                              shape_at(kGaussXi[3])};
 constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
 
-/// Eight elements: unknowns, constants, force and tangent.
+/// As many elements as a register holds: unknowns, constants, force and tangent.
 struct Batch {
   Vec q[4];   ///< r1, h t1, r2, h t2.
   Vec chord;  ///< r2 - r1: derivatives need no more, and the difference keeps digits that positions of hundreds of
@@ -251,7 +251,7 @@ struct Wetting {
 
 inline Wetting wetting(const Lanes& z, const Lanes& radius) {
   Wetting wet;
-  for (int l = 0; l < kLanes; ++l) {  // almost every point is wholly under or wholly above the water
+  for (int l = 0; l < kWidth; ++l) {  // almost every point is wholly under or wholly above the water
     const double c = z[l] / radius[l];
     if (c <= -1.0 || c >= 1.0) {
       wet.share[l] = c < 0.0 ? 1.0 : 0.0;
@@ -272,7 +272,7 @@ struct Current {
 inline Current current_at(const LineEnvironment& env, const Lanes& z) {
   Current now{};
   const int last = env.current_rows - 1;
-  for (int l = 0; l < kLanes; ++l) {
+  for (int l = 0; l < kWidth; ++l) {
     if (z[l] <= env.current_z[0] || last == 0) {
       now.velocity.x[l] = env.current_vx[0];
       now.velocity.y[l] = env.current_vy[0];
@@ -315,7 +315,7 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
 
 inline bool any(const Lanes& x) {
   bool found = false;
-  for (int l = 0; l < kLanes; ++l) {
+  for (int l = 0; l < kWidth; ++l) {
     found = found || x[l] > 0.0;
   }
   return found;
@@ -445,7 +445,7 @@ inline Lanes load_lanes(const double* p) {
 inline void gather(Batch& e, const LineView& line, const LineShape& shape, int first) {
   e.h = load_lanes(line.length + first);
   e.inv_h = 1.0 / e.h;
-  for (int l = 0; l < kLanes; ++l) {
+  for (int l = 0; l < kWidth; ++l) {
     const int element = first + l < line.count ? first + l : line.count - 1;
     const double* node = shape.q + 6 * element;
     for (int j = 0; j < 4; ++j) {
@@ -456,7 +456,7 @@ inline void gather(Batch& e, const LineView& line, const LineShape& shape, int f
   }
   e.chord = e.q[2] - e.q[0];
   if (shape.low != nullptr) {
-    for (int l = 0; l < kLanes; ++l) {
+    for (int l = 0; l < kWidth; ++l) {
       const double* low = shape.low + 6 * (first + l < line.count ? first + l : line.count - 1);
       e.chord.x[l] += low[6] - low[0];
       e.chord.y[l] += low[7] - low[1];
@@ -529,7 +529,7 @@ void add_batch(const LineView& line, const LineEnvironment& env, const LineShape
       e, env,
       {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
        load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)});
-  const int used = line.count - first < kLanes ? line.count - first : kLanes;
+  const int used = line.count - first < kWidth ? line.count - first : kWidth;
   scatter_force(e, target, first, used);
   if constexpr (kTangent) {
     scatter_tangent(e, target, first, used);
@@ -540,7 +540,7 @@ void add_batch(const LineView& line, const LineEnvironment& env, const LineShape
 
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target) {
-  for (int first = 0; first < line.count; first += kLanes) {
+  for (int first = 0; first < line.count; first += kWidth) {
     if (target.diag != nullptr) {
       add_batch<true>(line, env, shape, target, first);
     } else {

@@ -12,13 +12,32 @@ inline double magnitude(double x) {
 constexpr int kNodeDofs = 6;
 constexpr int kLowerSize = kNodeDofs * kNodeDofs;
 constexpr int kDiagSize = kNodeDofs * kLanes;
+constexpr int kParts = kLanes / kWidth;
+
+/// A row of eight in as many registers as it takes.
+struct Row {
+  Lanes part[kParts];
+
+  double& operator[](int i) { return reinterpret_cast<double*>(part)[i]; }
+  double operator[](int i) const { return reinterpret_cast<const double*>(part)[i]; }
+  void scale(double factor) {
+    for (Lanes& p : part) {
+      p *= factor;
+    }
+  }
+  void subtract(double factor, const Row& row) {
+    for (int i = 0; i < kParts; ++i) {
+      part[i] -= factor * row.part[i];
+    }
+  }
+};
 
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
 constexpr double kPivotFloor = 1e-14;
 
 /// Gauss-Jordan on [D | b c] and U together: D becomes the identity, b, c and U become D^-1 b, D^-1 c, D^-1 U.
 /// Returns the sign of the determinant, 0 when singular.
-int eliminate(Lanes* d, Lanes* u) {
+int eliminate(Row* d, Row* u) {
   double largest = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
     for (int j = 0; j < kNodeDofs; ++j) {
@@ -35,8 +54,8 @@ int eliminate(Lanes* d, Lanes* u) {
       return 0;
     }
     if (pivot != k) {
-      const Lanes d_row = d[k];
-      const Lanes u_row = u[k];
+      const Row d_row = d[k];
+      const Row u_row = u[k];
       d[k] = d[pivot];
       u[k] = u[pivot];
       d[pivot] = d_row;
@@ -45,13 +64,13 @@ int eliminate(Lanes* d, Lanes* u) {
     }
     sign = d[k][k] < 0.0 ? -sign : sign;
     const double inverse = 1.0 / d[k][k];
-    d[k] *= inverse;
-    u[k] *= inverse;
+    d[k].scale(inverse);
+    u[k].scale(inverse);
     for (int i = 0; i < kNodeDofs; ++i) {
       if (i != k) {
         const double factor = d[i][k];
-        d[i] -= factor * d[k];
-        u[i] -= factor * u[k];
+        d[i].subtract(factor, d[k]);
+        u[i].subtract(factor, u[k]);
       }
     }
   }
@@ -59,21 +78,21 @@ int eliminate(Lanes* d, Lanes* u) {
 }
 
 /// [D | b c] of the next node loses L times [X | x y] of this one.
-inline void update_next(Lanes* d_next, const double* lower, const Lanes* d, Lanes* u) {
+inline void update_next(Row* d_next, const double* lower, const Row* d, Row* u) {
   for (int k = 0; k < kNodeDofs; ++k) {
     u[k][6] = d[k][6];
     u[k][7] = d[k][7];
   }
   for (int i = 0; i < kNodeDofs; ++i) {
-    Lanes row = d_next[i];
+    Row row = d_next[i];
     for (int k = 0; k < kNodeDofs; ++k) {
-      row -= lower[i * kNodeDofs + k] * u[k];
+      row.subtract(lower[i * kNodeDofs + k], u[k]);
     }
     d_next[i] = row;
   }
 }
 
-inline void substitute_back(Lanes* d, const Lanes* u, const Lanes* d_next) {
+inline void substitute_back(Row* d, const Row* u, const Row* d_next) {
   for (int i = 0; i < kNodeDofs; ++i) {
     double x = d[i][6];
     double y = d[i][7];
@@ -86,8 +105,8 @@ inline void substitute_back(Lanes* d, const Lanes* u, const Lanes* d_next) {
   }
 }
 
-inline Lanes* rows(double* blocks, int node) {
-  return reinterpret_cast<Lanes*>(blocks + node * kDiagSize);
+inline Row* rows(double* blocks, int node) {
+  return reinterpret_cast<Row*>(blocks + node * kDiagSize);
 }
 
 }  // namespace
@@ -96,8 +115,8 @@ BlockSolveReport solve_blocks(const BlockView& system) {
   BlockSolveReport report;
   const int n = system.nodes;
   for (int i = 0; i < n; ++i) {
-    Lanes* d = rows(system.diag, i);
-    Lanes* u = rows(system.upper, i);
+    Row* d = rows(system.diag, i);
+    Row* u = rows(system.upper, i);
     const int sign = eliminate(d, u);
     if (sign == 0) {
       report.singular_node = i;
