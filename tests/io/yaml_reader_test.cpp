@@ -145,6 +145,17 @@ TEST(yaml_reader, tensioner_is_controlled_with_a_range_and_locked_without) {
   EXPECT_EQ(read_good(text).tensioner.mode, TensionerMode::locked);
 }
 
+TEST(yaml_reader, a_range_that_does_not_hold_the_tension_is_a_warning_for_statics_sweep_the_tension) {
+  std::string text(kGoodModel);
+  const std::string tension = "tension: 250 kN";
+  ASSERT_NE(text.find(tension), std::string::npos);
+  text.replace(text.find(tension), tension.size(), "tension: 300 kN");
+  const Description d = read_good(text);
+  ASSERT_FALSE(d.warnings.empty());
+  EXPECT_NE(d.warnings.back().find("does not hold the wanted tension, '300 kN'"), std::string::npos)
+      << d.warnings.back();
+}
+
 TEST(yaml_reader, length_and_anchor_serve_in_place_of_the_tension) {
   std::string text = kGoodModel;
   text.replace(text.find("  tension: 250 kN\n"), 18, "");

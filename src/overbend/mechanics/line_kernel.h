@@ -1,5 +1,6 @@
-/// Forces and tangents of all elements of a line, eight at a time. Compiled once per instruction set; raw pointers
-/// only, so that no inline function of another header is compiled for an instruction set that the machine may lack.
+/// Forces and tangents of all elements of a line, as many at a time as a register holds. Compiled once per instruction
+/// set; raw pointers only, so that no inline function of another header is compiled for an instruction set that the
+/// machine may lack.
 #pragma once
 
 namespace overbend {
