@@ -1,0 +1,119 @@
+/// Vector algebra of the element kernel and the batch of elements it works on. For line_kernel.cpp alone: everything
+/// stands in the unnamed namespace of one instruction set.
+///
+/// Inside, the unknowns t are scaled by the element length, so that the Hermite functions are the same numbers for all
+/// elements of a batch; force and tangent are scaled back at the end.
+#pragma once
+
+#include "base/simd.h"
+#include "mechanics/line_kernel.h"
+#include "mechanics/quadrature.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+constexpr int kDofs = 12;
+constexpr double kPi = 3.14159265358979323846;
+
+struct Vec {
+  Lanes x, y, z;
+};
+
+struct Sym {  ///< Symmetric 3x3.
+  Lanes xx, xy, xz, yy, yz, zz;
+};
+
+struct Mat {
+  Lanes m[3][3];
+};
+
+inline Lanes all(double value) {
+  return Lanes{} + value;
+}
+inline Vec operator+(const Vec& a, const Vec& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec operator-(const Vec& a, const Vec& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec operator*(const Lanes& s, const Vec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Vec operator*(double s, const Vec& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+inline Lanes dot(const Vec& a, const Vec& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+inline Lanes root(const Lanes& a) {
+  Lanes r;
+  for (int l = 0; l < kWidth; ++l) {
+    r[l] = __builtin_sqrt(a[l]);
+  }
+  return r;
+}
+
+/// Hermite functions of (r1, h t1, r2, h t2) at xi: values, first derivatives times h, second times h^2.
+struct Shape {
+  double n[4], c[4], d[4];
+};
+
+constexpr Shape shape_at(double x) {
+  return {{1 - 3 * x * x + 2 * x * x * x, x - 2 * x * x + x * x * x, 3 * x * x - 2 * x * x * x, x * x * x - x * x},
+          {-6 * x + 6 * x * x, 1 - 4 * x + 3 * x * x, 6 * x - 6 * x * x, 3 * x * x - 2 * x},
+          {-6 + 12 * x, -4 + 6 * x, 6 - 12 * x, 6 * x - 2}};
+}
+
+constexpr Shape kGaussShape[kGaussPoints] = {shape_at(kGaussXi[0]), shape_at(kGaussXi[1]), shape_at(kGaussXi[2]),
+                                             shape_at(kGaussXi[3])};
+constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
+
+/// As many elements as a register holds: unknowns, constants, force and tangent.
+struct Batch {
+  Vec q[4];   ///< r1, h t1, r2, h t2.
+  Vec chord;  ///< r2 - r1: derivatives need no more, and the difference keeps digits that positions of hundreds of
+              ///< metres lose.
+  Lanes h, inv_h;
+  Lanes f[kDofs];
+  Lanes k[kDofs][kDofs];
+};
+
+inline Vec combine(const Batch& e, const double (&s)[4]) {
+  return s[0] * e.q[0] + s[1] * e.q[1] + s[2] * e.q[2] + s[3] * e.q[3];
+}
+
+/// A derivative of the centreline: the functions of r1 and r2 are opposite.
+inline Vec combine_derivative(const Batch& e, const double (&s)[4]) {
+  return s[1] * e.q[1] + s[2] * e.chord + s[3] * e.q[3];
+}
+
+inline void add_force(Batch& e, int j, double s, const Vec& v) {
+  e.f[3 * j] += s * v.x;
+  e.f[3 * j + 1] += s * v.y;
+  e.f[3 * j + 2] += s * v.z;
+}
+
+inline void add_block(Batch& e, int j, int k, double s, const Mat& a) {
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      e.k[3 * j + r][3 * k + c] += s * a.m[r][c];
+    }
+  }
+}
+
+inline Mat full(const Sym& s) {
+  return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
+}
+
+/// alpha I + beta a a' + gamma b b' + delta (a b' + b a')
+inline Sym dyads(const Lanes& alpha, const Lanes& beta, const Vec& a, const Lanes& gamma, const Vec& b,
+                 const Lanes& delta) {
+  const Vec u = beta * a + delta * b;
+  const Vec v = gamma * b + delta * a;
+  return {alpha + u.x * a.x + v.x * b.x, u.x * a.y + v.x * b.y, u.x * a.z + v.x * b.z,
+          alpha + u.y * a.y + v.y * b.y, u.y * a.z + v.y * b.z, alpha + u.z * a.z + v.z * b.z};
+}
+
+}  // namespace
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE
