@@ -8,5 +8,6 @@ namespace overbend::validation {
 Group static_cases();
 Group cantilevers();
 Group beams();
+Group roller_deck();
 
 }  // namespace overbend::validation
