@@ -9,5 +9,8 @@ Group static_cases();
 Group cantilevers();
 Group beams();
 Group roller_deck();
+Group jlays();
+Group bgl1_example();
+Group convergence();
 
 }  // namespace overbend::validation
