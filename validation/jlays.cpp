@@ -59,7 +59,7 @@ Table deep_water() {
   return {
       "Deep water",
       "323.9 x 19.1 mm, empty, steel 7850 kg/m3, water 1025 kg/m3, bed 100 kN/m2, top pinned at the surface; the top "
-      "tension is sought\\nso that the bed's is 200 kN.",
+      "tension is sought\nso that the bed's is 200 kN.",
       {{name, "submerged weight", "kN/m", 1e-3 * w, 0.579714, 1e-6, "arithmetic"},
        {name, "tension at the top", "kN", 1e-3 * top.effective_tension, 779.62, 0.78,
         "catenary T = H + w h, which the rod shares; 0.1 %"},
