@@ -43,8 +43,8 @@ std::string page(const std::vector<Group>& groups);
 std::vector<std::string> failures(const std::vector<Group>& groups);
 
 /// Lines in which `written` says something else than `fresh`. Digits in which two machines may differ do not count: our
-/// values may differ by a tenth of what the row allows or by 1e-4, and differences and smallest errors are not looked
-/// at.
+/// values may differ by a tenth of what the row allows or by 1e-4, errors of the meshes by a fifth; differences are not
+/// looked at.
 std::vector<std::string> stale_lines(const std::string& written, const std::string& fresh);
 
 }  // namespace overbend::validation

@@ -8,5 +8,9 @@ namespace overbend::validation {
 Group static_cases();
 Group cantilevers();
 Group beams();
+Group roller_deck();
+Group jlays();
+Group bgl1_example();
+Group convergence();
 
 }  // namespace overbend::validation

@@ -225,7 +225,7 @@ Group static_cases() {
       "extensible elastica by\nspectral collocation with an active set of rollers, their own error below 1e-8; "
       "the tolerances are the spread that a chain of\nrigid links of 0.25 to 1 m leaves. Moments are taken at the "
       "contact itself. What differs more than rounding has two\ncauses: our rollers give way at 1e6 kN/m where "
-      "the references' are rigid (not in S16-T300-kc1e4, where both give way), and our\npipe is lengthened by "
+      "the references' are rigid (not in S16-T300-kc1e4, where both give way), and our\npipe is shortened by "
       "the water's pressure (Poisson's ratio), theirs is not.",
       {}};
   for (const char* name : {"S16-T250", "S16-T300", "S16-T400", "S16-T300-kc1e4", "S16-T300-2roll", "S16-T300-z2printed",
