@@ -5,7 +5,7 @@
   const colours = Report.colours;
   const positions = [
     { name: 'bottom', colour: colours.pipe },
-    { name: 'port', colour: colours.accent },
+    { name: 'port', colour: colours.port },
     { name: 'starboard', colour: colours.third },
   ];
 

@@ -168,8 +168,9 @@
     const lowest = d3.min(indices, (i) => st.z[i]);
     const highest = Math.max(d3.max(indices, (i) => st.z[i]), overbend ? -1e9 : v.depth - v.draught);
     const room = 0.07 * (highest - lowest);
+    const head = Math.max(1.6 * room, overbend ? 0 : 0.036 * (last - bow));  // for the word above the tensioner
     const frame = Report.frame(panel, { ...labels, equal: !overbend, height: 330, x: [bow, last + 0.02 * (last - bow)],
-      y: [(overbend ? lowest : Math.min(lowest, Report.bed(last))) - room, highest + 1.6 * room],
+      y: [(overbend ? lowest : Math.min(lowest, Report.bed(last))) - room, highest + head],
       title: overbend ? 'Elevation, overbend (heights enlarged)' : 'Elevation, whole line (true to scale)' });
     surroundings(frame);
     if (overbend) {

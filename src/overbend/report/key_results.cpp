@@ -46,6 +46,12 @@ std::string tiles(const StaticResults& r) {
   out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
   out += tile("Departure angle", fixed(r.departure_angle * kDegrees, 2), "deg",
               "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
+  if (r.supports.empty()) {  // in J-lay the sagbend is all there is
+    out += tile("Suspended length", fixed(r.suspended_length, 1), "m", "along the pipe, to touchdown");
+    out += tile("Sagbend moment", fixed(r.sagbend.bending_moment.value / 1e3, 1), "kN m",
+                fixed(from_tensioner(r, r.sagbend.bending_moment.s), 1) + " m along the pipe");
+    out += tile("Sagbend strain", fixed(r.sagbend.strain.value * 1e2, 4), "%", "longitudinal, largest");
+  }
   if (!r.supports.empty()) {
     out +=
         tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
@@ -121,6 +127,12 @@ std::string region_table(const StaticResults& results, const std::string& captio
   return table.str();
 }
 
+/// The page exists only for an equilibrium that was found; warnings stand further down and must not be missed.
+std::string status(const StaticResults& results) {
+  const std::size_t count = results.warnings.size();
+  return count == 0 ? "converged" : fmt::format("converged, {} warning{}", count, count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 std::string title_block(const StaticResults& results, const std::string& written) {
@@ -134,7 +146,7 @@ std::string title_block(const StaticResults& results, const std::string& written
                                    fixed(1e3 * results.pipe_outer_diameter, 1)));
   out += entry("Water depth", fixed(results.water_depth, 2) + " m");
   out += entry("Method", results.supports.empty() ? "J-lay" : "S-lay");
-  out += entry("Status", "converged");
+  out += entry("Status", status(results));
   out += entry("Program", "Overbend " + results.version);
   out += entry("Written", written);
   return out + "</dl>\n</header>\n";
