@@ -60,7 +60,7 @@
       view(panel, 'Overbend, with every roller (frames are schematic)', (c) => Report.overbend_scene(c, data.supports, 8, 10), -62 * degrees, 20 * degrees, 390);
     } else {
       const stinger = data.supports.filter((b) => b.stinger);
-      if (stinger.length > 0) view(panel, 'Stinger (frames are schematic)', (c) => Report.overbend_scene(c, stinger, 2, 6), -55 * degrees, 24 * degrees, 405);
+      if (stinger.length > 0) view(panel, 'Stinger (frames are schematic)', (c) => Report.overbend_scene(c, stinger, 2, 6), -62 * degrees, 9 * degrees, 405);
     }
   }
 

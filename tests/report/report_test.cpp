@@ -71,6 +71,28 @@ TEST(report, has_a_line_for_every_roller) {
   EXPECT_EQ(count(table.substr(0, table.find("</table>")), "<tr"), rollers + 2);  // and two lines of head
 }
 
+TEST(report, has_a_panel_of_every_diagram_for_whole_line_and_overbend) {
+  const std::string text = visible(report_html(bgl1().results, bgl1().model_text));
+  for (const std::string figure : {"configuration", "geometry", "tension", "moment", "bending", "mises", "strain"}) {
+    for (const std::string part : {"whole", "overbend"}) {
+      EXPECT_EQ(count(text, "data-figure=\"" + figure + "\" data-part=\"" + part + "\""), 1u) << figure << " " << part;
+    }
+  }
+  for (const std::string figure : {"stinger", "reactions", "separations"}) {
+    EXPECT_GE(count(text, "data-figure=\"" + figure + "\""), 1u) << figure;
+  }
+}
+
+TEST(report, says_in_its_head_how_many_warnings_there_are) {
+  StaticResults results = bgl1().results;
+  results.warnings.clear();
+  EXPECT_NE(report_html(results, "").find("<dd>converged</dd>"), std::string::npos);
+  results.warnings = {"one", "two"};
+  const std::string page = report_html(results, "");
+  EXPECT_NE(page.find("<dd>converged, 2 warnings</dd>"), std::string::npos);
+  EXPECT_NE(page.find("<li>two</li>"), std::string::npos);
+}
+
 TEST(report, hostile_words_of_the_user_are_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   StaticResults results = bgl1().results;
@@ -98,6 +120,7 @@ TEST(report, without_supports_shows_no_empty_overbend) {
   EXPECT_EQ(text.find("data-part=\"overbend\""), std::string::npos);
   EXPECT_EQ(text.find("Roller boxes"), std::string::npos);
   EXPECT_NE(text.find("J-lay"), std::string::npos);
+  EXPECT_NE(text.find("Suspended length"), std::string::npos);
 }
 
 TEST(report, is_written_beside_and_renamed) {
