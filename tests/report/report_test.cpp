@@ -93,6 +93,16 @@ TEST(report, says_in_its_head_how_many_warnings_there_are) {
   EXPECT_NE(page.find("<li>two</li>"), std::string::npos);
 }
 
+TEST(report, warns_of_stress_beyond_yield_and_only_then) {
+  StaticResults results = bgl1().results;
+  EXPECT_EQ(report_html(results, "").find("linear elastic, so what lies beyond yield"), std::string::npos);
+  EXPECT_EQ(report_html(results, "").find("class=\"tile over\""), std::string::npos);
+  results.overbend->von_mises.value = 2.0 * results.stations.back().yield_stress;
+  const std::string page = report_html(results, "");
+  EXPECT_NE(page.find("<div class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+  EXPECT_NE(page.find("overbend von Mises stress: 200.0 % of yield"), std::string::npos);
+}
+
 TEST(report, hostile_words_of_the_user_are_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   StaticResults results = bgl1().results;

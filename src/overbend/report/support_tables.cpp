@@ -96,7 +96,8 @@ std::string static_summary_table(const StaticResults& results) {
          "of the box, largest values over its length. "
          "Separation: "
          "clear distance of pipe and roller, the smallest of the box's bottom rollers (vertical) and side rollers "
-         "(horizontal); negative is penetration by the contact stiffness.</p>\n";
+         "(horizontal); negative is penetration by the contact stiffness or, where a pipe has passed the end of a side "
+         "roller, its distance beyond that roller's line.</p>\n";
 }
 
 std::string support_table(const StaticResults& results) {
