@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace overbend {
 namespace {
@@ -281,7 +282,11 @@ double LineSystem::relative_residual() const {
     const std::size_t right = std::min(node, mesh_.length.size() - 1);
     const double h = std::min(mesh_.length[left], mesh_.length[right]);
     const double* r = residual_.data() + 6 * node;
-    worst = std::max({worst, Vec3Map(r).norm(), Vec3Map(r + 3).norm() / h});
+    const double force = std::max(Vec3Map(r).norm(), Vec3Map(r + 3).norm() / h);
+    if (!(force < std::numeric_limits<double>::infinity())) {  // a maximum would pass over what is not a number
+      return std::numeric_limits<double>::infinity();
+    }
+    worst = std::max(worst, force);
   }
   return worst / total_weight_;
 }
