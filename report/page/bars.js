@@ -5,7 +5,7 @@
   const colours = Report.colours;
   const positions = [
     { name: 'bottom', colour: colours.pipe },
-    { name: 'port', colour: colours.accent },
+    { name: 'port', colour: colours.port },
     { name: 'starboard', colour: colours.third },
   ];
 
@@ -72,19 +72,23 @@
     }
   };
 
+  // Past the end of a roller and behind it: the pipe is no longer between the rollers, and a distance would mislead.
+  const passed = (roller) => roller.off_end > 0 && roller.reaction <= 0 && roller.separation < 0;
+
   // In words: among so many bars a label would find no room.
   function smallest_of(shown) {
-    const all = data.supports.flatMap((box) => box.rows.flatMap((row) => row.rollers.map((roller) => ({ box, roller }))));
+    const all = data.supports.flatMap((box) => box.rows.flatMap((row) => row.rollers.filter((roller) => !passed(roller)).map((roller) => ({ box, roller }))));
     const least = d3.least(all.filter(({ roller }) => shown.some((p) => p.name === roller.position)), ({ roller }) => roller.separation);
+    if (!least) return 'none, the pipe lies outside the rollers';
     return `${Report.fixed(1e3 * least.roller.separation, 2)} mm at ${least.box.name}, ${least.roller.position}`;
   }
 
   // Bottom rollers as bars; sides, whose gap is of another size, in a panel of their own.
   function separation_panel(panel, title, shown) {
-    const values = data.supports.flatMap((b) => b.rows.flatMap((row) => row.rollers.filter((r) => shown.some((p) => p.name === r.position)).map((r) => 1e3 * r.separation)));
-    if (values.length === 0) return;
-    const lo = Math.min(0, d3.min(values));
-    const hi = Math.max(0, d3.max(values));
+    const values = data.supports.flatMap((b) => b.rows.flatMap((row) => row.rollers.filter((r) => shown.some((p) => p.name === r.position) && !passed(r)).map((r) => 1e3 * r.separation)));
+    if (!data.supports.some((b) => b.rows.some((row) => shown.some((p) => of(row, p.name))))) return;
+    const lo = Math.min(0, d3.min(values) || 0);
+    const hi = Math.max(0, d3.max(values) || 0);
     const room = 0.12 * (hi - lo || 1);
     const { frame, list } = base(panel, { y: [lo < 0 ? lo - room : 0, hi + room], title: `${title}; smallest ${smallest_of(shown)}`, y_label: 'Separation [mm]', height: 300 });
     const wide = 0.72 / shown.length;
@@ -92,6 +96,11 @@
       shown.forEach((position, k) => {
         const roller = of(row, position.name);
         if (!roller) return;
+        if (passed(roller)) {
+          frame.plot.append('text').attr('text-anchor', 'middle').attr('x', frame.x(at - 0.36 + (k + 0.5) * wide)).attr('y', frame.y(0) - 3)
+            .style('font-size', '15px').style('fill', position.colour).text('\u00d7').append('title').text(`${box.name}, ${position.name}: the pipe has passed the end of the roller`);
+          return;
+        }
         const value = 1e3 * roller.separation;
         const y = [frame.y(Math.max(value, 0)), frame.y(Math.min(value, 0))];
         frame.plot.append('rect').attr('x', frame.x(at - 0.36 + k * wide)).attr('width', frame.x(wide) - frame.x(0))
@@ -100,7 +109,9 @@
       });
     }
     zero_line(frame);
+    const outside = list.some(({ row }) => row.rollers.some((r) => shown.some((p) => p.name === r.position) && passed(r)));
     if (shown.length > 1) Report.legend(frame, shown.map((p) => ({ text: p.name, colour: p.colour, block: true })));
+    if (outside) frame.over.append('text').attr('class', 'soft').attr('x', frame.margin.left + 8).attr('y', frame.margin.top + 16).text('\u00d7  the pipe has passed the end of the roller');
   }
 
   Report.separation_bars = function (panel) {

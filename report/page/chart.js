@@ -3,11 +3,11 @@
 (function () {
   const kWidth = 960;
 
-  // options: {height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right}
+  // options: {height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, lane: room for names above the plot}
   Report.frame = function (panel, options) {
-    const margin = { left: options.left || 78, right: options.right || 24, top: options.title ? 34 : 16, bottom: 50 };
+    const margin = { left: options.left || 78, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: 50 };
     const inner_width = kWidth - margin.left - margin.right;
-    let inner_height = (options.height || 300) - margin.top - margin.bottom;
+    let inner_height = (options.height || 300) + (options.lane || 0) - margin.top - margin.bottom;
     let [x0, x1] = options.x;
     let [y0, y1] = options.y;
     if (options.equal) {  // the same scale both ways: the height follows from the range
@@ -89,7 +89,7 @@
       places.push([-wide / 2, up], [8, up], [-wide - 8, up], [-wide / 2, down], [8, down], [-wide - 8, down]);
     }
     const box = ([dx, dy]) => ({ x0: px + dx, x1: px + dx + wide, y0: py + dy - tall + 3, y1: py + dy + 3 });
-    const inside = (b) => b.x0 >= frame.margin.left + 2 && b.x1 <= frame.width - 4 && b.y0 >= frame.margin.top - 2 && b.y1 <= frame.height - frame.margin.bottom;
+    const inside = (b) => b.x0 >= frame.margin.left + 2 && b.x1 <= frame.width - (frame.margin.right > 40 ? frame.margin.right : 4) && b.y0 >= frame.margin.top - 2 && b.y1 <= frame.height - frame.margin.bottom;
     const clear = (b) => frame.used.every((u) => b.x1 < u.x0 || b.x0 > u.x1 || b.y1 < u.y0 || b.y0 > u.y1);
     const place = places.find((p) => inside(box(p)) && clear(box(p))) || places.find((p) => inside(box(p))) || places[0];
     frame.used.push(box(place));

@@ -6,37 +6,55 @@
   const colours = Report.colours;
 
   const kinds = {
-    tension: { key: 'tension', extreme: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', zero: true,
+    tension: { key: 'tension', extreme: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension', zero: true,
                more: [{ key: 'wall', name: 'wall tension', colour: colours.second, dash: '6 4' }], own: 'effective tension' },
     moment: { key: 'moment', extreme: 'moment', factor: 1e-3, unit: 'kN m', digits: 1, name: 'Bending moment', zero: true, own: 'magnitude',
-              more: [{ key: 'lateral_moment', name: 'lateral part', colour: colours.second, dash: '6 4' }] },
+              more: [{ key: 'vertical_moment', name: 'vertical part, sagging +', colour: colours.third, dash: '9 3' },
+                     { key: 'lateral_moment', name: 'lateral part, to port +', colour: colours.second, dash: '5 3', mark: 'lateral' }] },
     bending: { key: 'bending', extreme: 'bending', factor: 1e-6, unit: 'MPa', digits: 1, name: 'Bending stress', zero: true, yield: true },
     mises: { key: 'mises', extreme: 'mises', factor: 1e-6, unit: 'MPa', digits: 1, name: 'von Mises stress', zero: true, yield: true },
     strain: { key: 'strain', extreme: 'strain', factor: 100, unit: '%', digits: 4, name: 'Strain', zero: true },
   };
 
-  // Boxes as grey bands with their names, touchdown as a line.
-  function furniture(frame, end, overbend, key) {
+  // Room for the names of the boxes, written aslant above the plot.
+  const kSlant = 50;
+  const shortened = (name) => (name.length > 16 ? name.slice(0, 15) + '\u2026' : name);
+  function lane() {
+    const letters = d3.max(data.supports, (box) => shortened(box.name).length) || 0;
+    return letters > 0 ? Math.ceil(6.8 * letters * Math.sin(kSlant * Math.PI / 180)) + 8 : 0;
+  }
+
+  // Boxes as grey bands with their names.
+  function furniture(frame, overbend) {
     const top = frame.margin.top;
     const bottom = frame.height - frame.margin.bottom;
+    let named = -1e9;
     for (const box of data.supports) {
       const x0 = frame.x(box.s - box.length / 2);
       const x1 = frame.x(box.s + box.length / 2);
       frame.back.append('rect').attr('class', 'support').attr('x', x0).attr('y', top).attr('width', x1 - x0).attr('height', bottom - top);
-      if (overbend) {
-        frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${(x0 + x1) / 2 + 4},${bottom - 6}) rotate(-90)`)
-          .style('font-size', '11.5px').attr('opacity', 0.8).text(box.name);
+      const middle = (x0 + x1) / 2;
+      if (overbend && middle - named > 15) {
+        named = middle;
+        frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${middle + 3},${top - 5}) rotate(${-kSlant})`)
+          .style('font-size', '12.5px').text(shortened(box.name));
       }
     }
-    if (!overbend && data.touchdown.s <= end) {
-      const x = frame.x(data.touchdown.s);
-      frame.over.append('line').attr('x1', x).attr('x2', x).attr('y1', top).attr('y2', bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
-      // Written in the half where the curve is not.
-      const low = frame.y(Report.at(key, data.touchdown.s) * kinds[key].factor) < (top + bottom) / 2;
-      frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${x - 5},${low ? bottom - 6 : top + 6}) rotate(-90)`)
-        .attr('text-anchor', low ? 'start' : 'end').style('font-size', '12px').text('touchdown');
-      frame.used.push(low ? { x0: x - 18, x1: x, y0: bottom - 78, y1: bottom } : { x0: x - 18, x1: x, y0: top, y1: top + 78 });
-    }
+  }
+
+  // A line with its name upright beside it, where no curve runs: called after the curves.
+  function touchdown(frame, end) {
+    if (data.touchdown.s > end) return;
+    const top = frame.margin.top;
+    const bottom = frame.height - frame.margin.bottom;
+    const x = frame.x(data.touchdown.s);
+    frame.over.append('line').attr('x1', x).attr('x2', x).attr('y1', top).attr('y2', bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
+    const long = 66;
+    const places = d3.range(top + 4, bottom - long - 3, 12).flatMap((y) => [-5, 14].map((dx) => ({ dx, x0: x + dx - 13, x1: x + dx + 3, y0: y, y1: y + long })));
+    const clear = (b) => frame.used.every((u) => b.x1 < u.x0 || b.x0 > u.x1 || b.y1 < u.y0 || b.y0 > u.y1);
+    const place = places.find(clear) || places[0];
+    frame.used.push(place);
+    frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${x + place.dx},${place.y1}) rotate(-90)`).style('font-size', '12.5px').text('touchdown');
   }
 
   function curve(frame, indices, values, colour, dash, width) {
@@ -78,6 +96,16 @@
     }
   }
 
+  // The largest of the other curves that ask for it, where it is more than a trifle of the first.
+  function more_marks(frame, kind, indices) {
+    for (const more of (kind.more || []).filter((m) => m.mark)) {
+      const far = d3.greatest(indices, (i) => Math.abs(st[more.key][i]));
+      if (Math.abs(st[more.key][far]) < 0.1 * d3.max(indices, (i) => st[kind.key][i])) continue;
+      const value = st[more.key][far] * kind.factor;
+      Report.mark(frame, st.s[far], value, `${more.mark} ${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(st.s[far], 1)} m`, more.colour);
+    }
+  }
+
   function hover(frame, kind, indices) {
     const group = frame.svg.append('g').attr('display', 'none').attr('pointer-events', 'none');
     group.append('line').attr('y1', frame.margin.top).attr('y2', frame.height - frame.margin.bottom).attr('stroke', colours.soft);
@@ -108,17 +136,19 @@
     const room = 0.1 * (hi - lo || 1);
     const range = [lo < 0 ? lo - room : lo, hi + (hi === yield_stress ? 1 : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
-      height: 310, x: [0, end], y: range, right: kind.yield ? 74 : 24,
+      height: 284, x: [0, end], y: range, right: kind.yield ? 74 : 24, lane: overbend ? lane() : 0,
       title: `${kind.name}, ${overbend ? 'overbend' : 'whole line'}`,
-      x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.name} [${kind.unit}]`,
+      x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.axis || kind.name} [${kind.unit}]`,
     });
-    furniture(frame, end, overbend, kind.key);
+    furniture(frame, overbend);
     if (lo < 0) frame.plot.append('line').attr('x1', frame.x(0)).attr('x2', frame.x(end)).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#8794a0');
     for (const more of kind.more || []) curve(frame, indices, (i) => st[more.key][i] * kind.factor, more.colour, more.dash, 1.6);
     curve(frame, indices, (i) => st[kind.key][i] * kind.factor, colours.pipe, null, 2.2);
     if (kind.yield) yield_line(frame, kind, indices, range[1]);
     if (kind.more) Report.legend(frame, [{ text: kind.own, colour: colours.pipe }, ...kind.more.map((m) => ({ text: m.name, colour: m.colour, dash: m.dash }))]);
+    if (!overbend) touchdown(frame, end);
     marks(frame, kind, end);
+    more_marks(frame, kind, indices);
     hover(frame, kind, indices);
   };
 })();

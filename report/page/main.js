@@ -54,12 +54,13 @@
   function configuration(panel, part) {
     const degrees = Math.PI / 180;
     if (part === 'whole') {
-      view(panel, 'Whole line', Report.whole_scene, -62 * degrees, 22 * degrees, 385);
+      const steep = data.water_depth > 0.4 * (data.whole_end || 1);
+      view(panel, 'Whole line', Report.whole_scene, (steep ? -62 : -70) * degrees, 20 * degrees, steep ? 520 : 385);
     } else if (part === 'overbend') {
       view(panel, 'Overbend, with every roller (frames are schematic)', (c) => Report.overbend_scene(c, data.supports, 8, 10), -62 * degrees, 20 * degrees, 390);
     } else {
       const stinger = data.supports.filter((b) => b.stinger);
-      if (stinger.length > 0) view(panel, 'Stinger (frames are schematic)', (c) => Report.overbend_scene(c, stinger, 2, 6), -55 * degrees, 24 * degrees, 405);
+      if (stinger.length > 0) view(panel, 'Stinger (frames are schematic)', (c) => Report.overbend_scene(c, stinger, 2, 6), -62 * degrees, 9 * degrees, 405);
     }
   }
 

@@ -57,7 +57,7 @@
     for (const label of this.labels) {
       const [x, y] = place(label.at).split(',').map(Number);
       const lead = Math.hypot(label.dx, label.dy) > 24 ? `<line x1="${x}" y1="${y}" x2="${x + 0.85 * label.dx}" y2="${y + 0.85 * label.dy}" stroke="#5b6b7a" stroke-width="0.8"/>` : '';
-      parts.push(`${lead}<text class="halo" x="${x + label.dx}" y="${y + label.dy + 4}" text-anchor="${label.anchor || 'middle'}">${Report.escape(label.text)}</text>`);
+      parts.push(`${lead}<text class="halo" x="${x + label.dx}" y="${y + label.dy + 4}" text-anchor="${label.anchor || 'middle'}" style="font-size:13px">${Report.escape(label.text)}</text>`);
     }
     this.scale = scale;
     return parts.join('');

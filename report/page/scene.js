@@ -5,7 +5,7 @@
   const st = data.stations;
   const { cross, unit, add, hand, dot } = Report.vector;
   const kLayer = { bed: 0, under: 1, water: 2, behind: 3, things: 4, before: 5 };
-  const stress_colour = d3.scaleSequential([0, d3.max(st.mises) / 1e6], (t) => d3.interpolateTurbo(0.08 + 0.84 * t));
+  const stress_colour = d3.scaleSequential([0, d3.max(st.mises) / 1e6], (t) => d3.interpolateViridis(0.88 - 0.83 * t));
   const point = (i) => hand([st.x[i], st.y[i], st.z[i]]);
 
   function sea(painter, x0, x1, wide) {
@@ -166,7 +166,7 @@
     structure(painter, kLayer.things, boxes.length === data.supports.length ? 1.1 : 1.8, boxes);
     all_rollers(painter, kLayer.things, boxes);
     pipe_body(painter, kLayer.things, s0, s1);
-    for (const box of boxes) painter.text(hand(box.p), box.name, 0, 56);
+    for (const box of boxes) painter.text(hand(box.p), box.name, -12, 44, 'end');
     const fit = boxes.flatMap((b) => [hand(add(b.p, [-b.length / 2, 1.5, -1])), hand(add(b.p, [b.length / 2, -1.5, 1.5]))]);
     for (const s of [s0, s1]) fit.push(hand(['x', 'y', 'z'].map((c) => Report.at(c, s))));
     return { painter, fit };

@@ -113,6 +113,13 @@
     }
   }
 
+  function water_name(frame) {
+    const [y0, y1] = frame.y.domain();
+    if (y0 > 0 || y1 < 0 || frame.y(0) < frame.margin.top + 16) return;
+    frame.over.append('text').attr('class', 'soft').attr('text-anchor', 'end').attr('x', frame.width - frame.margin.right - 6).attr('y', frame.y(0) - 5)
+      .style('font-size', '13px').text('mean water level');
+  }
+
   // Reaction or separation beneath each bottom roller of the last box.
   function separations(frame) {
     for (const row of data.tip.rows) {
@@ -142,6 +149,7 @@
     true_pipe(frame, Report.indices(data.whole_end));
     rollers(frame, 'port', 'front');
     box_names(frame);
+    water_name(frame);
     if (detail) separations(frame);
     return frame;
   }
@@ -168,8 +176,9 @@
     const lowest = d3.min(indices, (i) => st.z[i]);
     const highest = Math.max(d3.max(indices, (i) => st.z[i]), overbend ? -1e9 : v.depth - v.draught);
     const room = 0.07 * (highest - lowest);
+    const head = Math.max(1.6 * room, overbend ? 0 : 0.036 * (last - bow));  // for the word above the tensioner
     const frame = Report.frame(panel, { ...labels, equal: !overbend, height: 330, x: [bow, last + 0.02 * (last - bow)],
-      y: [(overbend ? lowest : Math.min(lowest, Report.bed(last))) - room, highest + 1.6 * room],
+      y: [(overbend ? lowest : Math.min(lowest, Report.bed(last))) - room, highest + head],
       title: overbend ? 'Elevation, overbend (heights enlarged)' : 'Elevation, whole line (true to scale)' });
     surroundings(frame);
     if (overbend) {
@@ -189,7 +198,7 @@
     } else {
       const t = data.touchdown.p;
       Report.mark(frame, t[0], t[2], `touchdown, X = ${Report.fixed(t[0], 1)} m`, colours.accent);
-      Report.label(frame, frame.x(0.6 * last), frame.y(0), 'water level', { css: 'soft', below: true });
+      Report.label(frame, frame.x(0.6 * last), frame.y(0), 'mean water level', { css: 'soft', below: true });
     }
   };
 

@@ -71,6 +71,38 @@ TEST(report, has_a_line_for_every_roller) {
   EXPECT_EQ(count(table.substr(0, table.find("</table>")), "<tr"), rollers + 2);  // and two lines of head
 }
 
+TEST(report, has_a_panel_of_every_diagram_for_whole_line_and_overbend) {
+  const std::string text = visible(report_html(bgl1().results, bgl1().model_text));
+  for (const std::string figure : {"configuration", "geometry", "tension", "moment", "bending", "mises", "strain"}) {
+    for (const std::string part : {"whole", "overbend"}) {
+      EXPECT_EQ(count(text, "data-figure=\"" + figure + "\" data-part=\"" + part + "\""), 1u) << figure << " " << part;
+    }
+  }
+  for (const std::string figure : {"stinger", "reactions", "separations"}) {
+    EXPECT_GE(count(text, "data-figure=\"" + figure + "\""), 1u) << figure;
+  }
+}
+
+TEST(report, says_in_its_head_how_many_warnings_there_are) {
+  StaticResults results = bgl1().results;
+  results.warnings.clear();
+  EXPECT_NE(report_html(results, "").find("<dd>converged</dd>"), std::string::npos);
+  results.warnings = {"one", "two"};
+  const std::string page = report_html(results, "");
+  EXPECT_NE(page.find("<dd>converged, 2 warnings</dd>"), std::string::npos);
+  EXPECT_NE(page.find("<li>two</li>"), std::string::npos);
+}
+
+TEST(report, warns_of_stress_beyond_yield_and_only_then) {
+  StaticResults results = bgl1().results;
+  EXPECT_EQ(report_html(results, "").find("linear elastic, so what lies beyond yield"), std::string::npos);
+  EXPECT_EQ(report_html(results, "").find("class=\"tile over\""), std::string::npos);
+  results.overbend->von_mises.value = 2.0 * results.stations.back().yield_stress;
+  const std::string page = report_html(results, "");
+  EXPECT_NE(page.find("<div class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+  EXPECT_NE(page.find("overbend von Mises stress: 200.0 % of yield"), std::string::npos);
+}
+
 TEST(report, hostile_words_of_the_user_are_harmless) {
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
   StaticResults results = bgl1().results;
@@ -98,6 +130,7 @@ TEST(report, without_supports_shows_no_empty_overbend) {
   EXPECT_EQ(text.find("data-part=\"overbend\""), std::string::npos);
   EXPECT_EQ(text.find("Roller boxes"), std::string::npos);
   EXPECT_NE(text.find("J-lay"), std::string::npos);
+  EXPECT_NE(text.find("Suspended length"), std::string::npos);
 }
 
 TEST(report, is_written_beside_and_renamed) {

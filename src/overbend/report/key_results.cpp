@@ -14,11 +14,12 @@ using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note) {
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
+                 const char* css_class = "tile") {
   return fmt::format(
-      "<div class=\"tile\"><div class=\"name\">{}</div><div class=\"value\">{} <span>{}</span></div>"
+      "<div class=\"{}\"><div class=\"name\">{}</div><div class=\"value\">{} <span>{}</span></div>"
       "<div class=\"note\">{}</div></div>\n",
-      html::escape(name), html::escape(value), html::escape(unit), html::escape(note));
+      css_class, html::escape(name), html::escape(value), html::escape(unit), html::escape(note));
 }
 
 /// Share of the yield stress where the extreme stands [%].
@@ -33,19 +34,45 @@ std::string stress_note(const StaticResults& results, const Extreme& extreme) {
   return fmt::format("{} % of yield, at {}", fixed(utilisation(results, extreme), 1), where);
 }
 
+std::string stress_tile(const StaticResults& results, const std::string& name, const Extreme& extreme) {
+  return tile(name, fixed(extreme.value / 1e6, 1), "MPa", stress_note(results, extreme),
+              utilisation(results, extreme) > 100.0 ? "tile over" : "tile");
+}
+
+/// The warnings of the run, and what its numbers call for in words.
+std::vector<std::string> remarks(const StaticResults& results) {
+  std::vector<std::string> all = results.warnings;
+  const auto judge = [&](const char* name, const RegionResult& region) {
+    if (utilisation(results, region.von_mises) > 100.0) {
+      all.push_back(
+          fmt::format("{} von Mises stress: {}. The steel is taken as linear elastic, so what lies beyond yield only "
+                      "indicates that "
+                      "the lay is not feasible as given",
+                      name, stress_note(results, region.von_mises)));
+    }
+  };
+  if (results.overbend) judge("overbend", *results.overbend);
+  judge("sagbend", results.sagbend);
+  return all;
+}
+
 std::string tiles(const StaticResults& r) {
   std::string out = "<div class=\"tiles\">\n";
   out += tile("Top tension", fixed(r.top_tension / 1e3, 1), "kN", "effective, at the tensioner");
   out += tile("Bottom tension", fixed(r.bottom_tension / 1e3, 1), "kN", "horizontal, at touchdown");
   if (r.overbend) {
-    out += tile("Overbend von Mises", fixed(r.overbend->von_mises.value / 1e6, 1), "MPa",
-                stress_note(r, r.overbend->von_mises));
+    out += stress_tile(r, "Overbend von Mises", r.overbend->von_mises);
   }
-  out +=
-      tile("Sagbend von Mises", fixed(r.sagbend.von_mises.value / 1e6, 1), "MPa", stress_note(r, r.sagbend.von_mises));
+  out += stress_tile(r, "Sagbend von Mises", r.sagbend.von_mises);
   out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
   out += tile("Departure angle", fixed(r.departure_angle * kDegrees, 2), "deg",
               "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
+  if (r.supports.empty()) {  // in J-lay the sagbend is all there is
+    out += tile("Suspended length", fixed(r.suspended_length, 1), "m", "along the pipe, to touchdown");
+    out += tile("Sagbend moment", fixed(r.sagbend.bending_moment.value / 1e3, 1), "kN m",
+                fixed(from_tensioner(r, r.sagbend.bending_moment.s), 1) + " m along the pipe");
+    out += tile("Sagbend strain", fixed(r.sagbend.strain.value * 1e2, 4), "%", "longitudinal, largest");
+  }
   if (!r.supports.empty()) {
     out +=
         tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
@@ -121,6 +148,12 @@ std::string region_table(const StaticResults& results, const std::string& captio
   return table.str();
 }
 
+/// The page exists only for an equilibrium that was found; warnings stand further down and must not be missed.
+std::string status(const StaticResults& results) {
+  const std::size_t count = remarks(results).size();
+  return count == 0 ? "converged" : fmt::format("converged, {} warning{}", count, count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 std::string title_block(const StaticResults& results, const std::string& written) {
@@ -134,7 +167,7 @@ std::string title_block(const StaticResults& results, const std::string& written
                                    fixed(1e3 * results.pipe_outer_diameter, 1)));
   out += entry("Water depth", fixed(results.water_depth, 2) + " m");
   out += entry("Method", results.supports.empty() ? "J-lay" : "S-lay");
-  out += entry("Status", "converged");
+  out += entry("Status", status(results));
   out += entry("Program", "Overbend " + results.version);
   out += entry("Written", written);
   return out + "</dl>\n</header>\n";
@@ -157,11 +190,11 @@ std::string key_results(const StaticResults& results) {
 }
 
 std::string warnings_section(const StaticResults& results) {
-  if (results.warnings.empty()) {
+  const std::vector<std::string> all = remarks(results);
+  if (all.empty()) {
     return "";
   }
-  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(results.warnings) +
-         "</section>\n";
+  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(all) + "</section>\n";
 }
 
 }  // namespace overbend

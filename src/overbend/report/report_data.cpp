@@ -93,7 +93,8 @@ json roller(const StaticResults& results, const RollerResult& r) {
           {"radius", number(r.radius)},
           {"face", number(r.face)},
           {"reaction", number(r.reaction)},
-          {"separation", number(r.separation)}};
+          {"separation", number(r.separation)},
+          {"off_end", number(r.off_end)}};
 }
 
 json supports(const StaticResults& results) {

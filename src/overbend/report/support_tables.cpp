@@ -90,10 +90,14 @@ std::string static_summary_table(const StaticResults& results) {
   plain_row(table, results, station_at(results, results.touchdown.s), "SEABED", "touchdown");
   plain_row(table, results, results.stations.front(), "SEABED", "anchor");
   return table.str() +
-         "<p class=\"small\">Pipe at a support: place at the middle of the box, largest values over its length. "
+         "<p class=\"small\">X: horizontal, astern of the stern shoe; Y: to port of the vessel's axis; Z: above the "
+         "mean "
+         "water level. Horizontal reaction: across the box, to port positive. Pipe at a support: place at the middle "
+         "of the box, largest values over its length. "
          "Separation: "
          "clear distance of pipe and roller, the smallest of the box's bottom rollers (vertical) and side rollers "
-         "(horizontal); negative is penetration by the contact stiffness.</p>\n";
+         "(horizontal); negative is penetration by the contact stiffness or, where a pipe has passed the end of a side "
+         "roller, its distance beyond that roller's line.</p>\n";
 }
 
 std::string support_table(const StaticResults& results) {
