@@ -94,13 +94,13 @@ class DeckPipe {
     }
   }
   void place_rollers() {
-    constexpr double kPinch = 1e-6;  ///< Both rollers of a pair press this deep, so that both stay in contact [m].
+    constexpr double kPinch = 1e-6;  ///< Rollers press this deep at the start: pairs stay in contact, single ones begin so [m].
     for (int i = 1 - kBefore; i < deck_.after(); ++i) {
       const Vec3 point = axis_point(deck_.R, i * deck_.L);
       const double angle = std::max(i, 0) * deck_.L / deck_.R;
       const Vec3 normal(std::sin(angle), 0.0, std::cos(angle));
       if (!deck_.two_sided) {
-        rod_.rollers.push_back(roller_at(point, normal, kRadius, 1e8));
+        rod_.rollers.push_back(roller_at(point + kPinch * normal, normal, kRadius, 1e8));
         continue;
       }
       rod_.rollers.push_back(roller_at(point + kPinch * normal, normal, kRadius, 1e11));
