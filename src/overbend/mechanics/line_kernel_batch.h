@@ -12,8 +12,8 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-constexpr int kDofs = 12;
-constexpr double kPi = 3.14159265358979323846;
+inline constexpr int kDofs = 12;
+inline constexpr double kPi = 3.14159265358979323846;
 
 struct Vec {
   Lanes x, y, z;
@@ -65,9 +65,9 @@ constexpr Shape shape_at(double x) {
           {-6 + 12 * x, -4 + 6 * x, 6 - 12 * x, 6 * x - 2}};
 }
 
-constexpr Shape kGaussShape[kGaussPoints] = {shape_at(kGaussXi[0]), shape_at(kGaussXi[1]), shape_at(kGaussXi[2]),
-                                             shape_at(kGaussXi[3])};
-constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
+inline constexpr Shape kGaussShape[kGaussPoints] = {shape_at(kGaussXi[0]), shape_at(kGaussXi[1]), shape_at(kGaussXi[2]),
+                                                    shape_at(kGaussXi[3])};
+inline constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
 
 /// As many elements as a register holds: unknowns, constants, force and tangent.
 struct Batch {
