@@ -81,10 +81,10 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       report.end = NewtonEnd::lost;
       return report;
     }
-    const double force_error = settings.free_far_force && target.kind == LineTargetValue::Kind::top_tension
-                                   ? std::abs(system.target_error(state, target)) / system.total_weight()
-                                   : 0.0;
-    if (std::max(report.residual, force_error) < settings.tolerance) {
+    const double scale =
+        target.kind == LineTargetValue::Kind::top_tension ? system.total_weight() : system.mesh().total_length();
+    const double target_error = settings.free_far_force ? std::abs(system.target_error(state, target)) / scale : 0.0;
+    if (std::max(report.residual, target_error) < settings.tolerance) {
       report.end = NewtonEnd::converged;
       return report;
     }

@@ -310,7 +310,7 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   results.bottom_tension = landing.effective_tension * std::cos(landing.inclination);
   results.anchor_W = results.stations.front().p_W;
 
-  const Departure departure = recover_supports(results, system, state, cuts);
+  const Departure departure = recover_supports(results, system, state);
   const Station leaving = departure.carried ? station_at(results.stations, departure.s) : top;
   results.departure_angle = leaving.inclination;
   results.last_support = departure.support;

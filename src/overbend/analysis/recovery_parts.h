@@ -23,7 +23,6 @@ struct Departure {
 
 /// Separation and reaction of every roller, row and box, [silva2009] equations 19 to 21; uses the contacts of the last
 /// evaluation.
-Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state,
-                           const std::vector<CutForces>& cuts);
+Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state);
 
 }  // namespace overbend

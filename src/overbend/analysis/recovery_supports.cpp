@@ -138,9 +138,8 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
   for (const RowResult& row : box.rows) {
     for (const RollerResult& roller : row.rollers) {
       if (roller.off_end > 0.0 && roller.reaction > 0.0) {
-        const char* names[] = {"bottom", "port", "starboard"};
-        results.warnings.push_back("the pipe runs off the end of a roller: " + box.name + ", " +
-                                   names[static_cast<int>(roller.position)] + " roller, by " +
+        results.warnings.push_back("the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
+                                   " roller, by " +
                                    std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm");
       }
     }
@@ -168,8 +167,7 @@ void note_extremes(StaticResults& results, const LineSystem& system) {
 
 }  // namespace
 
-Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state,
-                           const std::vector<CutForces>&) {
+Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state) {
   const Model& model = system.model();
   Departure departure;
   departure.s = kInfinity;

@@ -45,23 +45,11 @@ void print_places(const Model& model) {
   place("tensioner (pipe axis)", {tensioner.x, 0.0, tensioner.z});
 }
 
-const char* position_word(RollerPosition position) {
-  switch (position) {
-    case RollerPosition::bottom:
-      return "bottom";
-    case RollerPosition::port:
-      return "port";
-    case RollerPosition::starboard:
-      break;
-  }
-  return "starboard";
-}
-
 /// The rollers of a row by their place: "bottom", "bottom, port, starboard".
 std::string rollers_of(const Supports& supports, const SupportRow& row) {
   std::string words;
   for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
-    words += (words.empty() ? "" : ", ") + std::string(position_word(supports.rollers[i].position));
+    words += (words.empty() ? "" : ", ") + std::string(word(supports.rollers[i].position));
   }
   return words;
 }

@@ -38,18 +38,6 @@ inline const char* word(Region region) {
   return "seabed";
 }
 
-inline const char* word(RollerPosition position) {
-  switch (position) {
-    case RollerPosition::bottom:
-      return "bottom";
-    case RollerPosition::port:
-      return "port";
-    case RollerPosition::starboard:
-      break;
-  }
-  return "starboard";
-}
-
 /// Back from the word; false where there is no such word.
 inline bool from_word(const std::string& text, Region& region) {
   for (const Region candidate : {Region::overbend, Region::sagbend, Region::seabed}) {

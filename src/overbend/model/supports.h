@@ -11,6 +11,18 @@ namespace overbend {
 
 enum class RollerPosition { bottom, port, starboard };
 
+inline const char* word(RollerPosition position) {
+  switch (position) {
+    case RollerPosition::bottom:
+      return "bottom";
+    case RollerPosition::port:
+      return "port";
+    case RollerPosition::starboard:
+      break;
+  }
+  return "starboard";
+}
+
 /// A roller is a rigid finite cylinder. It touches the pipe on one side only, the side its normal points to.
 struct Roller {
   int box = 0, row = 0;

@@ -55,11 +55,6 @@ double largest_roller(const SupportResult& box) {
   return largest;
 }
 
-const char* word(RollerPosition position) {
-  static constexpr const char* kWords[] = {"bottom", "port", "starboard"};
-  return kWords[static_cast<int>(position)];
-}
-
 }  // namespace
 
 std::string static_summary_table(const StaticResults& results) {
