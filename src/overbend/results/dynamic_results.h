@@ -1,0 +1,151 @@
+/// Results of a dynamic analysis: plain data, SI units, world frame W unless a member says otherwise. Statistics count
+/// from t = 0, the end of the build-up, to the end of the run, weighted by time.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// A quantity over time.
+struct Spread {
+  double min = 0.0, max = 0.0, mean = 0.0, std = 0.0;
+};
+
+/// The same for every station of the line, arrays of one length.
+struct Envelope {
+  std::vector<double> min, max, mean, std;
+};
+
+/// Largest of a region over time, with where and when.
+struct DynamicExtreme {
+  Spread over_time;         ///< Of the region's largest value at each instant.
+  double s = 0.0;           ///< Arc length from the anchor, of the largest of all [m].
+  double time = 0.0;        ///< When it stood there [s].
+  Vec3 p_W = Vec3::Zero();  ///< Place of that station in the static state [m].
+};
+
+struct DynamicRegion {
+  DynamicExtreme bending_moment, bending_stress, von_mises, strain;
+};
+
+/// One impact of the pipe on a roller: from first touch until the pipe leaves it or rests on it.
+struct Impact {
+  int roller = 0;                  ///< Index in Supports::rollers.
+  double time = 0.0;               ///< Of first touch [s].
+  double approach_velocity = 0.0;  ///< Normal, at first touch [m/s].
+  double peak_force = 0.0;         ///< [N]
+  double duration = 0.0;           ///< To separation, or to where the force has passed its peak and the pipe stays [s].
+  double impulse = 0.0;            ///< Integral of the normal force over the duration [N s].
+  double dent_depth = 0.0;         ///< Of bare steel under the peak force, see contact_damage.h [m].
+  double line_load = 0.0;          ///< Peak force over the length of the coating under the roller [N/m].
+};
+
+/// What one roller saw.
+struct RollerDynamics {
+  int roller = 0;        ///< Index in Supports::rollers.
+  int box = 0, row = 0;  ///< Indices; `row` counts within the box.
+  RollerPosition position = RollerPosition::bottom;
+  Spread reaction;    ///< Normal force [N].
+  Spread separation;  ///< Positive for daylight [m].
+  double static_reaction = 0.0, static_separation = 0.0;
+  double contact_share = 0.0;  ///< Share of time in contact [-].
+  std::int64_t impact_count = 0;
+  double largest_approach_velocity = 0.0, largest_impact_force = 0.0, largest_impulse = 0.0;
+  double dent_depth = 0.0;  ///< Under the largest force [m].
+  double line_load = 0.0;   ///< Under the largest force [N/m].
+};
+
+struct SupportDynamics {
+  std::string name;
+  bool stinger = false;
+  double s = 0.0;                                    ///< Arc length of the pipe at mid-box in the static state [m].
+  Spread reaction, vertical, longitudinal, lateral;  ///< As in SupportResult [N].
+  Spread separation;                                 ///< Smallest over its bottom rollers [m].
+  double static_reaction = 0.0, static_separation = 0.0;
+  double contact_share = 0.0;  ///< Share of time in which any of its rollers carries.
+  std::int64_t impact_count = 0;
+  std::vector<RollerDynamics> rollers;
+};
+
+/// A quantity in time, thinned for drawing: least and greatest of each of at most 2,000 equal stretches of time.
+struct HistorySummary {
+  std::string name;         ///< For scripts: "top_tension", "heave", "support/stinger 8/reaction".
+  std::string units;        ///< SI.
+  std::string description;  ///< One line.
+  Spread over_time;
+  std::vector<double> low, high;  ///< Of each stretch; from -build_up to the end.
+};
+
+/// Variance density of a history from t = 0 (Welch 1967).
+struct Spectrum {
+  std::string name, units;        ///< Of the history.
+  std::vector<double> frequency;  ///< [Hz]
+  std::vector<double> density;    ///< [units^2/Hz]
+};
+
+/// Most probable largest value in three hours, by two fits.
+struct ExtremeEstimate {
+  std::string name, units;
+  int peaks = 0;                                                ///< Between mean up-crossings, from t = 0.
+  double observed = 0.0;                                        ///< Largest of the run.
+  double weibull = 0.0, weibull_low = 0.0, weibull_high = 0.0;  ///< Estimate, 95 % confidence.
+  double gumbel = 0.0, gumbel_low = 0.0, gumbel_high = 0.0;
+  bool enough = false;  ///< False: too few peaks to fit; the estimates are the observed value.
+};
+
+/// Energies [J]: what went in, where it is, what is lost; see docs/theory/dynamics.md.
+struct EnergyBalance {
+  double kinetic = 0.0, strain = 0.0, gravity = 0.0, contact = 0.0, seabed = 0.0;  ///< Stored, change since the start.
+  double fluid = 0.0, rollers = 0.0, top = 0.0, anchor = 0.0;                      ///< Work done on the pipe.
+  double contact_loss = 0.0, friction_loss = 0.0, seabed_loss = 0.0;               ///< Dissipated.
+  double error = 0.0;                                                              ///< Stored + lost - work in.
+  double throughput = 0.0;  ///< What has passed: sum of absolute work in and losses.
+  double drift() const { return throughput > 0.0 ? error / throughput : 0.0; }
+};
+
+struct TensionerDynamics {
+  std::string mode;
+  Spread tension, travel;
+  double time_out_of_range = 0.0, time_at_limit = 0.0;  ///< [s]
+  std::int64_t pay_out_count = 0, haul_in_count = 0;
+};
+
+struct DynamicRunReport {
+  std::int64_t steps = 0, rejected_steps = 0, newton_iterations = 0, factorisations = 0;
+  double smallest_step = 0.0, largest_step = 0.0;  ///< [s]
+  double wall_time = 0.0;                          ///< Of the time loop, all sittings together [s].
+  double real_time_ratio = 0.0;                    ///< Simulated over wall time.
+  std::string integrator;                          ///< "generalized-alpha, spectral radius 0.8".
+};
+
+/// Everything a dynamic run hands on, beside the static results it started from.
+struct DynamicResults {
+  double duration = 0.0, build_up = 0.0, output_step = 0.0;  ///< [s]
+  std::uint64_t seed = 0;
+  std::vector<std::string> assumptions, warnings;
+  std::vector<double> station_s;                                                  ///< Arc length from the anchor [m].
+  Envelope effective_tension, bending_moment, bending_stress, von_mises, strain;  ///< Per station.
+  Envelope x, y, z;                                                               ///< Places of the stations, W [m].
+  /// The static state at the same stations, by the same recovery.
+  std::vector<double> static_tension, static_moment, static_bending_stress, static_von_mises, static_strain;
+  std::vector<Vec3> static_place;
+  Spread top_tension, bottom_tension, lay_back, departure_angle, stinger_tip_clearance;
+  DynamicRegion overbend, sagbend;
+  std::vector<SupportDynamics> supports;
+  std::vector<Impact> hardest_impacts;  ///< The 200 with the largest peak force, hardest first.
+  std::int64_t impact_count = 0;
+  TensionerDynamics tensioner;
+  EnergyBalance energy;
+  DynamicRunReport run;
+  // From the stored histories, made when the run ends.
+  std::vector<HistorySummary> histories;
+  std::vector<Spectrum> spectra;
+  std::vector<ExtremeEstimate> extremes;
+};
+
+}  // namespace overbend
