@@ -16,7 +16,7 @@ enum class RestitutionForm {
 };
 
 /// Largest damping ratio that `damping_ratio` answers. A perfectly plastic impact would take an infinite one; at this
-/// the mass keeps 0.2 % of its speed, 5e-6 of its energy.
+/// the mass keeps 0.24 % of its speed, 6e-6 of its energy.
 inline constexpr double kLargestDampingRatio = 10.0;
 
 /// Coefficient of restitution of a linear spring-dashpot that never pulls, for any damping ratio >= 0 [-].
