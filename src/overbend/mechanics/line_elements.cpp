@@ -9,9 +9,9 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
   LineElements e;
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
-  for (AlignedDoubles* array : {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.radius, &e.drag_normal, &e.drag_axial,
-                                &e.pressure_constant, &e.pressure_slope, &e.pressure_external, &e.mass,
-                                &e.displaced_mass, &e.added_normal, &e.added_axial}) {
+  for (AlignedDoubles* array :
+       {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.radius, &e.drag_normal, &e.drag_axial, &e.pressure_constant,
+        &e.pressure_slope, &e.pressure_external, &e.mass, &e.displaced_mass, &e.added_normal, &e.added_axial}) {
     array->assign(padded, 0.0);
   }
   e.length.assign(padded, 1.0);
