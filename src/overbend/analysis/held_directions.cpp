@@ -77,13 +77,17 @@ void remove_component(double* v, const Vec3& d) {
 
 }  // namespace
 
-std::vector<Vec3> across(const Vec3& direction) {
+HeldVectors all_directions() {
+  return {{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()}, 3};
+}
+
+HeldVectors across(const Vec3& direction) {
   const Vec3 side = direction.unitOrthogonal();
-  return {side, direction.cross(side)};
+  return {{side, direction.cross(side), Vec3::Zero()}, 2};
 }
 
 void hold_node(int node, const HeldDirections& held, std::vector<double>& residual, BlockTridiagonal* tangent) {
-  const auto apply = [&](const std::vector<Vec3>& directions, int first_dof) {
+  const auto apply = [&](const HeldVectors& directions, int first_dof) {
     for (const Vec3& d : directions) {
       remove_component(residual.data() + 6 * node + first_dof, d);
       if (tangent != nullptr) {

@@ -1,6 +1,7 @@
 /// Directions of a node's unknowns that a guide or an anchor holds.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/vec.h"
@@ -8,13 +9,23 @@
 
 namespace overbend {
 
-/// Unit vectors in which position and tangent of a node are held.
-struct HeldDirections {
-  std::vector<Vec3> position, tangent;
+/// Unit vectors in which a position or a tangent is held; at most three.
+struct HeldVectors {
+  std::array<Vec3, 3> direction;
+  int count = 0;
+
+  const Vec3* begin() const { return direction.data(); }
+  const Vec3* end() const { return direction.data() + count; }
 };
 
+struct HeldDirections {
+  HeldVectors position, tangent;
+};
+
+/// Nothing moves.
+HeldVectors all_directions();
 /// Two unit vectors across a direction and each other.
-std::vector<Vec3> across(const Vec3& direction);
+HeldVectors across(const Vec3& direction);
 
 /// Removes the held directions of `node` from the residual (six per node) and, where `tangent` is not null, from its
 /// blocks: their increments come out as zero.

@@ -89,9 +89,9 @@ void LineSystem::place_rollers(const VesselPose& pose) {
 void LineSystem::hold_ends() {
   const Vec3 up = model_->seabed.normal_W;
   far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();
-  held_far_.position = {plane_.port_W};
+  held_far_.position = {{plane_.port_W, Vec3::Zero(), Vec3::Zero()}, 1};
   held_far_.tangent = across(far_direction_);
-  held_top_.position = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  held_top_.position = all_directions();
   if (model_->description.tensioner.guide == Guide::clamped) {
     const double incline = model_->description.tensioner.incline;
     held_top_.tangent = across(direction_from_ramp(pose_, Vec3(std::cos(incline), 0.0, -std::sin(incline))));
