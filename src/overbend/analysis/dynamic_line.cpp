@@ -85,7 +85,7 @@ LineMotion DynamicSystem::motion_of(const DynamicState& state, const DynamicStat
 }
 
 void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares,
-                             bool with_tangent) {
+                             bool with_tangent, ContactMode contacts) {
   std::fill(residual_.begin(), residual_.end(), 0.0);
   LineTarget target{residual_.data(), nullptr, nullptr, nullptr};
   if (with_tangent) {
@@ -94,7 +94,7 @@ void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, co
   }
   const LineMotion motion = motion_of(state, before, shares, state.bed_slip.data());
   add_line_forces(line_->elements, line_->environment, {state.q.data(), nullptr}, motion, target, best_isa());
-  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts,
+  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts,
                      {&residual_, with_tangent ? &tangent_ : nullptr});
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
   std::copy_n(residual_.end() - 6, 6, top_residual_.begin());

@@ -80,6 +80,7 @@ class DynamicSystem {
   const Surroundings& surroundings() const { return surroundings_; }
   const std::vector<MovingContact>& contacts() const { return contacts_.contacts(); }
   std::uint64_t contact_signature() const { return contacts_.signature(); }
+  bool contacts_settled() const { return contacts_.settled(); }
   const std::vector<double>& residual() const { return residual_; }
   BlockTridiagonal& tangent() { return tangent_; }
 
@@ -90,7 +91,10 @@ class DynamicSystem {
 
   /// Inertia plus internal minus external forces at `state`; its memories receive what those of `before` have become
   /// after the step.
-  void evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares, bool with_tangent);
+  void evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares, bool with_tangent,
+                ContactMode contacts = ContactMode::free);
+  /// Before a correction that the last evaluation led to; see MovingContacts.
+  void end_iteration(const DynamicState& state) { contacts_.end_iteration(state.contacts); }
   /// Removes held directions from residual and, where asked, blocks.
   void hold(bool with_tangent);
   /// Largest unbalanced force over the force scale; moments over the length of the shortest element beside the node.

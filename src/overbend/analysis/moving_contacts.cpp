@@ -71,7 +71,8 @@ MovingContacts::MovingContacts(std::vector<MovingRoller> rollers, ContactCells c
       placed_(rollers_.size()),
       bounds_(length.size()),
       ranges_(cells_.boxes.size()),
-      contacts_(rollers_.size()) {}
+      contacts_(rollers_.size()),
+      iterate_(rollers_.size()) {}
 
 void MovingContacts::place(const RigidMotion& vessel, const double* q, double reach) {
   vessel_ = vessel;
@@ -103,24 +104,34 @@ void MovingContacts::place(const RigidMotion& vessel, const double* q, double re
   search_cells(cells_, bounds_, ranges_);
 }
 
+void MovingContacts::end_iteration(const std::vector<ContactMemory>& now) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    iterate_[i] = {now[i].axial, now[i].lateral};
+  }
+}
+
 void MovingContacts::evaluate(const double* q, const double* v, const StepShares& shares,
                               const std::vector<ContactMemory>& before, std::vector<ContactMemory>& after,
-                              const ContactTarget& target) {
+                              ContactMode mode, const ContactTarget& target) {
   signature_ = 0xcbf29ce484222325ull;
+  settled_ = mode == ContactMode::free;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    evaluate_one(i, q, v, shares, before[i], after[i], target);
+    evaluate_one(i, q, v, shares, before[i], after[i], mode, target);
   }
 }
 
 void MovingContacts::evaluate_one(std::size_t index, const double* q, const double* v, const StepShares& shares,
-                                  const ContactMemory& before, ContactMemory& after, const ContactTarget& target) {
+                                  const ContactMemory& before, ContactMemory& after, ContactMode mode,
+                                  const ContactTarget& target) {
   const MovingRoller& roller = rollers_[index];
   const PlacedRoller& placed = placed_[index];
   MovingContact& contact = contacts_[index];
   contact = MovingContact{};
   const ElementRange range = ranges_[static_cast<std::size_t>(roller.box)];
   contact.at = closest_point_near(placed, q, length_->data(), range.first, range.last, after.element, after.xi);
-  after.slip_axial = after.slip_lateral = 0.0;
+  const int last_element = after.element;
+  const double last_xi = after.xi;
+  after = {0.0, 0.0, false, Slip::stick, Slip::stick, last_element, last_xi};
   if (!contact.at.found) {
     return;
   }
@@ -139,9 +150,14 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   contact.roller_velocity = vessel_.velocity + vessel_.omega.cross(arm);
   const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
-  const NormalForce normal = normal_force(roller.law, contact.penetration, contact.rate);
+  const bool kept = mode == ContactMode::kept;
+  if (kept && !before.carries) {
+    return;
+  }
+  const NormalForce normal = kept ? attached_force(roller.law, contact.penetration, contact.rate)
+                                  : normal_force(roller.law, contact.penetration, contact.rate);
   contact.normal = normal.force;
-  if (normal.force <= 0.0) {
+  if (normal.by_penetration <= 0.0) {
     return;
   }
   const CentrelinePoint point = centreline(dofs, contact.at.xi, h);
@@ -149,16 +165,27 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   contact.lateral_direction = distance.direction.cross(contact.axial_direction);
   contact.slip_rate_axial = slip_rate.dot(contact.axial_direction);
   contact.slip_rate_lateral = slip_rate.dot(contact.lateral_direction);
-  const FrictionForce axial = friction_force(roller.law, roller.law.friction_axial, before.slip_axial,
-                                             contact.slip_rate_axial, shares.step, normal.force);
-  const FrictionForce lateral = friction_force(roller.law, roller.law.friction_lateral, before.slip_lateral,
-                                               contact.slip_rate_lateral, shares.step, normal.force);
+  const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last) {
+    const SlipStep step{slip, rate, shares.step, normal.force};
+    if (kept) {
+      return friction_in_state(roller.law, mu, step, at_start);
+    }
+    const FrictionForce force = friction_force(roller.law, mu, step);
+    if (static_cast<int>(force.state) * static_cast<int>(last) < 0) {  // between sliding either way the contact sticks
+      settled_ = false;
+      return friction_in_state(roller.law, mu, step, Slip::stick);
+    }
+    return force;
+  };
+  const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, contact.slip_rate_axial,
+                                       before.axial, iterate_[index].axial);
+  const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, contact.slip_rate_lateral,
+                                         before.lateral, iterate_[index].lateral);
   contact.axial = axial.force;
   contact.lateral = lateral.force;
-  after.slip_axial = axial.slip;
-  after.slip_lateral = lateral.slip;
+  after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
   signature_ =
-      mixed(signature_, 16 * index + (axial.by_normal != 0.0 ? 1u : 0u) + (lateral.by_normal != 0.0 ? 2u : 0u));
+      mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
   add_force(target, element, n, contact.force());
   if (target.tangent == nullptr) {
     return;
@@ -169,9 +196,9 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const double by_normal_motion = normal.by_penetration + normal.by_rate * shares.velocity;
   ElementMatrix k = -normal.force * d.hessian;
   Mat3 a = by_normal_motion * distance.direction * distance.direction.transpose();
-  const auto add_friction = [&](const FrictionForce& friction, const Vec3& direction) {
-    a -= friction.by_rate * shares.velocity * direction * direction.transpose();
-    a += friction.by_normal * by_normal_motion * direction * distance.direction.transpose();
+  const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
+    a -= force.by_rate * shares.velocity * direction * direction.transpose();
+    a += force.by_normal * by_normal_motion * direction * distance.direction.transpose();
   };
   add_friction(axial, contact.axial_direction);
   add_friction(lateral, contact.lateral_direction);

@@ -16,7 +16,9 @@ namespace overbend {
 /// What a contact remembers from step to step.
 struct ContactMemory {
   double slip_axial = 0.0, slip_lateral = 0.0;  ///< Elastic part of the slip since contact began [m].
-  int element = 0;                              ///< Where the closest point was: the search begins here.
+  bool carries = false;                         ///< Whether the contact carried.
+  Slip axial = Slip::stick, lateral = Slip::stick;
+  int element = 0;  ///< Where the closest point was: the search begins here.
   double xi = 0.5;
 };
 
@@ -38,6 +40,7 @@ struct MovingRoller {
   Vec3 center_V = Vec3::Zero(), axis_V = Vec3::UnitY(), normal_V = Vec3::UnitZ();
   double half_face = 0.0, radius = 0.0;  ///< [m]
   int box = 0;
+  double mass = 0.0;  ///< Of the pipe that the contact moves [kg].
   ContactLaw law;
 };
 
@@ -45,6 +48,10 @@ struct MovingRoller {
 struct StepShares {
   double velocity = 0.0, acceleration = 0.0, step = 0.0;
 };
+
+/// Whether contacts open, close, stick and slide as they will, or stay as they were before the step. The first
+/// iteration of a step keeps them: a predictor knows nothing of stiff springs, and would open contacts that carry.
+enum class ContactMode { free, kept };
 
 /// Where contact forces go: residual (six per node) and, unless null, blocks.
 struct ContactTarget {
@@ -70,14 +77,20 @@ class MovingContacts {
   /// Forces of all rollers that the line may meet, added to `target`. `before` is the memory at the start of the step,
   /// `after` receives that at its end.
   void evaluate(const double* q, const double* v, const StepShares& shares, const std::vector<ContactMemory>& before,
-                std::vector<ContactMemory>& after, const ContactTarget& target);
+                std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
+
+  /// Tells which states the correction that now follows was made with: a contact that slid one way may not slide the
+  /// other way at the next evaluation, it sticks in between.
+  void end_iteration(const std::vector<ContactMemory>& now);
 
   /// Changes when a contact opens or closes, sticks or slides: the tangent is then another.
   std::uint64_t signature() const { return signature_; }
+  /// False while a contact stands in a state that its law would not have it in: no equilibrium yet.
+  bool settled() const { return settled_; }
 
  private:
   void evaluate_one(std::size_t roller, const double* q, const double* v, const StepShares& shares,
-                    const ContactMemory& before, ContactMemory& after, const ContactTarget& target);
+                    const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
 
   std::vector<MovingRoller> rollers_;
   ContactCells cells_;
@@ -89,8 +102,13 @@ class MovingContacts {
   std::vector<ElementBounds> bounds_;
   std::vector<ElementRange> ranges_;
   std::vector<MovingContact> contacts_;
+  struct SlipStates {
+    Slip axial = Slip::stick, lateral = Slip::stick;
+  };
+  std::vector<SlipStates> iterate_;
   RigidMotion vessel_;
   std::uint64_t signature_ = 0;
+  bool settled_ = true;
 };
 
 }  // namespace overbend

@@ -92,7 +92,8 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
   bool factor = must_factor(h);
   double before = std::numeric_limits<double>::infinity();
   while (report.iterations <= settings_.max_iterations) {
-    system_->evaluate(next, now, shares, factor);
+    const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
+    system_->evaluate(next, now, shares, factor, contacts);
     system_->hold(factor);
     report.residual = system_->relative_residual();
     report.worst_node = system_->worst_node();
@@ -100,7 +101,7 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
       report.end = StepEnd::lost;
       break;
     }
-    if (report.residual < settings_.tolerance) {
+    if (report.residual < settings_.tolerance && system_->contacts_settled()) {
       report.end = StepEnd::converged;
       break;
     }
@@ -125,6 +126,7 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
     factored_ = true;
     factored_step_ = h;
     factor = false;
+    system_->end_iteration(next);
     correct(next, h);
     system_->impose_ends(next);
   }

@@ -26,14 +26,21 @@ struct NormalForce {
   double by_rate = 0.0;         ///< [N s/m]
 };
 
+/// Spring and dashpot as they are, pulling where they would: for contacts known to carry.
+inline NormalForce attached_force(const ContactLaw& law, double penetration, double rate) {
+  return {law.stiffness * penetration + law.damping * rate, law.stiffness, law.damping};
+}
+
 /// `penetration` g [m], positive in contact; `rate` = dg/dt [m/s].
 inline NormalForce normal_force(const ContactLaw& law, double penetration, double rate) {
   if (penetration <= 0.0) {
     return {};
   }
-  const double force = law.stiffness * penetration + law.damping * rate;
-  return force > 0.0 ? NormalForce{force, law.stiffness, law.damping} : NormalForce{};
+  const NormalForce attached = attached_force(law, penetration, rate);
+  return attached.force > 0.0 ? attached : NormalForce{};
 }
+
+enum class Slip { backward = -1, stick = 0, forward = 1 };
 
 /// Friction in one direction, with its derivatives and the new slip.
 struct FrictionForce {
@@ -41,20 +48,35 @@ struct FrictionForce {
   double by_rate = 0.0;    ///< [N s/m]
   double by_normal = 0.0;  ///< [-]
   double slip = 0.0;       ///< Elastic part at the end of the step [m].
+  Slip state = Slip::stick;
 };
 
-/// `slip` at the start of a step of `dt` [s], `rate` of slip at its end [m/s], `normal` force at its end [N].
-inline FrictionForce friction_force(const ContactLaw& law, double mu, double slip, double rate, double dt,
-                                    double normal) {
-  const double trial_slip = slip + dt * rate;
-  const double trial = law.tangential_stiffness * trial_slip + law.tangential_damping * rate;
-  const double limit = mu * normal;
-  if (trial > limit || trial < -limit) {
-    const double side = trial > 0.0 ? 1.0 : -1.0;
-    const double kept = law.tangential_stiffness > 0.0 ? side * limit / law.tangential_stiffness : 0.0;
-    return {-side * limit, 0.0, -side * mu, kept};
+/// The slip of a step of `dt` [s] and what it is measured against: `slip` at its start [m], `rate` at its end [m/s],
+/// `normal` force at its end [N].
+struct SlipStep {
+  double slip = 0.0, rate = 0.0, dt = 0.0, normal = 0.0;
+};
+
+/// Friction of a contact known to stick or to slide.
+inline FrictionForce friction_in_state(const ContactLaw& law, double mu, const SlipStep& step, Slip state) {
+  if (state == Slip::stick) {
+    const double slip = step.slip + step.dt * step.rate;
+    return {-(law.tangential_stiffness * slip + law.tangential_damping * step.rate),
+            -(law.tangential_stiffness * step.dt + law.tangential_damping), 0.0, slip, state};
   }
-  return {-trial, -(law.tangential_stiffness * dt + law.tangential_damping), 0.0, trial_slip};
+  const double side = static_cast<int>(state);
+  const double limit = mu * step.normal;
+  return {-side * limit, 0.0, -side * mu,
+          law.tangential_stiffness > 0.0 ? side * limit / law.tangential_stiffness : 0.0, state};
+}
+
+inline FrictionForce friction_force(const ContactLaw& law, double mu, const SlipStep& step) {
+  const FrictionForce stick = friction_in_state(law, mu, step, Slip::stick);
+  const double limit = mu * step.normal;
+  if (stick.force <= limit && stick.force >= -limit) {
+    return stick;
+  }
+  return friction_in_state(law, mu, step, stick.force < 0.0 ? Slip::forward : Slip::backward);
 }
 
 }  // namespace overbend
