@@ -100,7 +100,9 @@ double stokes_wave_number(double height, double period, double depth) {
     const double change = (stokes_omega(k, height, depth) - omega) / slope;
     k -= change;
     if (!(k > 0.0)) break;
-    if (std::abs(change) < 1e-14 * k) return k;
+    if (std::abs(change) > 1e-14 * k) continue;
+    if (height > highest_wave(2.0 * std::numbers::pi / k, depth)) break;
+    return k;
   }
   throw std::domain_error("no Stokes wave has this height and period in this depth");
 }

@@ -16,7 +16,7 @@ struct StokesCoefficients {
 StokesCoefficients stokes_coefficients(double kd);
 
 /// Wave number [1/m] of the fifth-order Stokes wave of this height and period over water without mean Eulerian current
-/// [fenton1985, eq. 23]. Throws std::domain_error where there is none: the wave is far beyond the theory.
+/// [fenton1985, eq. 23]. Throws std::domain_error where there is none, or it would break.
 double stokes_wave_number(double height, double period, double depth);
 
 /// Height [m] at which a regular wave of this length breaks on a level bed: fit of the highest waves computed exactly
