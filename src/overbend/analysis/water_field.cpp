@@ -10,10 +10,10 @@ namespace overbend {
 namespace {
 
 constexpr double kMomentsPerPeriod = 16.0;
-constexpr double kLongestInterval = 0.5;   ///< [s]
-constexpr double kClosestStations = 1.5;   ///< [m]
-constexpr double kFarthestStations = 15.0; ///< [m]
-constexpr double kSpacingByDepth = 0.1;    ///< Waves that reach a depth z are longer than about 2 z.
+constexpr double kLongestInterval = 0.5;    ///< [s]
+constexpr double kClosestStations = 1.5;    ///< [m]
+constexpr double kFarthestStations = 15.0;  ///< [m]
+constexpr double kSpacingByDepth = 0.1;     ///< Waves that reach a depth z are longer than about 2 z.
 
 double spacing_at(double z) {
   return std::clamp(kSpacingByDepth * std::abs(z), kClosestStations, kFarthestStations);
