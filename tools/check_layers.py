@@ -29,6 +29,7 @@ MAY_INCLUDE = {
 # How a library's headers begin -> the layers that may use it. A library that is not here may not be used anywhere.
 LIBRARIES = [
     ("Eigen/", EVERYTHING),
+    ("unsupported/Eigen/", {"numerics"}),
     ("fmt/", EVERYTHING),
     ("hwy/", {"numerics", "mechanics"}),
     ("yaml-cpp/", {"io"}),

@@ -65,6 +65,18 @@ TEST(block_tridiagonal, solves_what_a_dense_solver_solves_on_every_instruction_s
   }
 }
 
+TEST(block_tridiagonal, solves_again_for_another_right_hand_side) {
+  for (const Isa isa : available_isas()) {
+    DenseTwin twin = random_system(40, 11);
+    const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
+    const Eigen::VectorXd expected = twin.matrix.fullPivLu().solve(other);
+    ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
+    Eigen::VectorXd x = other;
+    resolve_on(twin.blocks, x.data(), isa);
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.cwiseAbs().maxCoeff());  // rounding
+  }
+}
+
 TEST(block_tridiagonal, names_the_singular_node) {
   DenseTwin twin = random_system(10, 3);
   for (int j = 0; j < kRowWidth; ++j) {  // node 6 loses an equation

@@ -20,80 +20,6 @@ ElementVector dofs_of(const std::vector<double>& q, int element) {
   return ElementVector(Eigen::Map<const ElementVector>(q.data() + 6 * element));
 }
 
-/// Removes the component along `d` from three consecutive rows of a block of `width` columns.
-void project_rows(double* block, int first_row, int width, const Vec3& d) {
-  for (int c = 0; c < width; ++c) {
-    double part = 0.0;
-    for (int r = 0; r < 3; ++r) {
-      part += d(r) * block[(first_row + r) * width + c];
-    }
-    for (int r = 0; r < 3; ++r) {
-      block[(first_row + r) * width + c] -= d(r) * part;
-    }
-  }
-}
-
-void project_columns(double* block, int first_column, int width, const Vec3& d) {
-  for (int r = 0; r < kNodeDofs; ++r) {
-    double* row = block + r * width + first_column;
-    const double part = d(0) * row[0] + d(1) * row[1] + d(2) * row[2];
-    for (int c = 0; c < 3; ++c) {
-      row[c] -= d(c) * part;
-    }
-  }
-}
-
-double largest_diagonal(const double* block) {
-  double largest = 0.0;
-  for (int i = 0; i < kNodeDofs; ++i) {
-    largest = std::max(largest, std::abs(block[i * kRowWidth + i]));
-  }
-  return largest;
-}
-
-std::vector<Vec3> across(const Vec3& direction) {
-  const Vec3 side = direction.unitOrthogonal();
-  return {side, direction.cross(side)};
-}
-
-/// Blocks that a node's equations stand in; neighbours are null at the ends.
-struct NodeBlocks {
-  double *diag, *upper, *lower, *upper_before, *lower_before;
-};
-
-NodeBlocks blocks_of(BlockTridiagonal& k, int node) {
-  const bool first = node == 0;
-  const bool last = node == k.nodes() - 1;
-  return {k.diag(node), last ? nullptr : k.upper(node), last ? nullptr : k.lower(node),
-          first ? nullptr : k.upper(node - 1), first ? nullptr : k.lower(node - 1)};
-}
-
-void hold_direction(const NodeBlocks& at, int first_dof, const Vec3& d) {
-  const double scale = largest_diagonal(at.diag);
-  project_rows(at.diag, first_dof, kRowWidth, d);
-  project_columns(at.diag, first_dof, kRowWidth, d);
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      at.diag[(first_dof + r) * kRowWidth + first_dof + c] += scale * d(r) * d(c);
-    }
-  }
-  if (at.upper != nullptr) {
-    project_rows(at.upper, first_dof, kRowWidth, d);
-    project_columns(at.lower, first_dof, kNodeDofs, d);
-  }
-  if (at.upper_before != nullptr) {
-    project_columns(at.upper_before, first_dof, kRowWidth, d);
-    project_rows(at.lower_before, first_dof, kNodeDofs, d);
-  }
-}
-
-void remove_component(double* v, const Vec3& d) {
-  const double part = d(0) * v[0] + d(1) * v[1] + d(2) * v[2];
-  for (int i = 0; i < 3; ++i) {
-    v[i] -= d(i) * part;
-  }
-}
-
 /// Bounds in S of the Bezier hull of an element.
 ElementBounds element_bounds(const Vec3& r1_S, const Vec3& t1_S, const Vec3& r2_S, const Vec3& t2_S, double h) {
   const Vec3 b1 = r1_S + h / 3.0 * t1_S;
@@ -163,9 +89,9 @@ void LineSystem::place_rollers(const VesselPose& pose) {
 void LineSystem::hold_ends() {
   const Vec3 up = model_->seabed.normal_W;
   far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();
-  held_far_.position = {plane_.port_W};
+  held_far_.position = {{plane_.port_W, Vec3::Zero(), Vec3::Zero()}, 1};
   held_far_.tangent = across(far_direction_);
-  held_top_.position = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  held_top_.position = all_directions();
   if (model_->description.tensioner.guide == Guide::clamped) {
     const double incline = model_->description.tensioner.incline;
     held_top_.tangent = across(direction_from_ramp(pose_, Vec3(std::cos(incline), 0.0, -std::sin(incline))));
@@ -256,23 +182,9 @@ Vec3 LineSystem::end_reaction(int node) const {
 }
 
 void LineSystem::hold(bool with_blocks) {
-  const int last = mesh_.nodes() - 1;
-  const auto apply = [&](int node, const HeldDirections& held, bool blocks) {
-    for (const Vec3& d : held.position) {
-      remove_component(residual_.data() + 6 * node, d);
-      if (blocks) {
-        hold_direction(blocks_of(tangent_, node), 0, d);
-      }
-    }
-    for (const Vec3& d : held.tangent) {
-      remove_component(residual_.data() + 6 * node + 3, d);
-      if (blocks) {
-        hold_direction(blocks_of(tangent_, node), 3, d);
-      }
-    }
-  };
-  apply(0, held_far_, with_blocks);
-  apply(last, held_top_, with_blocks);
+  BlockTridiagonal* blocks = with_blocks ? &tangent_ : nullptr;
+  hold_node(0, held_far_, residual_, blocks);
+  hold_node(mesh_.nodes() - 1, held_top_, residual_, blocks);
 }
 
 double LineSystem::relative_residual() const {

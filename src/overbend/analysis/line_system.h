@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "analysis/held_directions.h"
 #include "analysis/lay_shape.h"
 #include "analysis/line_mesh.h"
 #include "mechanics/contact_cells.h"
@@ -42,11 +43,6 @@ struct RollerState {
   double penetration = 0.0;       ///< Positive in contact [m].
   Vec3 direction = Vec3::Zero();  ///< In which the roller pushes the pipe.
   double force = 0.0;             ///< Normal force [N].
-};
-
-/// Directions of a node's position and tangent that are held, as unit vectors.
-struct HeldDirections {
-  std::vector<Vec3> position, tangent;
 };
 
 class LineSystem {

@@ -30,6 +30,10 @@ LineElements single(const LineElements& all, std::size_t e) {
   copy(all.pressure_constant, one.pressure_constant);
   copy(all.pressure_slope, one.pressure_slope);
   copy(all.pressure_external, one.pressure_external);
+  copy(all.mass, one.mass);
+  copy(all.displaced_mass, one.displaced_mass);
+  copy(all.added_normal, one.added_normal);
+  copy(all.added_axial, one.added_axial);
   return one;
 }
 

@@ -40,6 +40,13 @@ std::vector<Field> waves() {
        .unit = "s",
        .show = "s",
        .range = {.low = 0.0, .high = 1000.0, .low_open = true}},
+      {.path = p + ".phase",
+       .kind = FieldKind::quantity,
+       .text = "Phase of a regular wave: 0 has a crest at the origin at t = 0, 90 deg a quarter period later.",
+       .unit = "rad",
+       .show = "deg",
+       .fallback = "0 deg",
+       .range = azimuth()},
       {.path = p + ".from",
        .kind = FieldKind::quantity,
        .text = "Azimuth the waves come from, clockwise from north.",
@@ -54,7 +61,7 @@ std::vector<Field> waves() {
        .range = {.low = 1.0, .high = 10.0}},
       {.path = p + ".spreading",
        .kind = FieldKind::number,
-       .text = "Exponent s of cos^2s directional spreading.",
+       .text = "Exponent s of the directional spreading cos^2s(angle/2).",
        .fallback_text = "long-crested",
        .range = {.low = 0.0, .high = 1000.0, .low_open = true}},
       {.path = p + ".components",
@@ -69,7 +76,7 @@ std::vector<Field> waves() {
        .range = {.low = 0.0, .high = 9e15}},
       {.path = p + ".spectrum_file",
        .kind = FieldKind::text,
-       .text = "For type user: CSV file of frequency [Hz] and spectral density [m2/Hz], beside the model file."},
+       .text = "For type user: CSV file with the columns omega_rad_s,density_m2s or frequency_hz,density_m2_hz."},
   };
 }
 

@@ -1,47 +1,17 @@
 #include "io/finite_check.h"
 
-#include <cmath>
-#include <optional>
-#include <stdexcept>
-#include <string>
-
+#include "io/finite_visitor.h"
 #include "io/static_columns.h"
 #include "io/static_scalars.h"
 
 namespace overbend {
 namespace {
 
-/// Visits fields, `place` before their names.
-struct FiniteVisitor {
-  std::string place;
-
-  void operator()(const Field& field, double value) const {
-    if (!std::isfinite(value)) {
-      throw std::runtime_error(place + field.name + " is not a finite number; nothing is written");
-    }
-  }
-  void operator()(const Field& field, const std::optional<double>& value) const {
-    if (value) (*this)(field, *value);
-  }
-  void operator()(const Field& field, const Vec3& value) const {
-    for (int i = 0; i < 3; ++i) (*this)(Field{component_name(field, i)}, value(i));
-  }
-  void operator()(const Field& field, const Mat3& value) const {
-    for (int i = 0; i < 9; ++i) (*this)(field, value(i / 3, i % 3));
-  }
-  template <class Other>
-  void operator()(const Field&, const Other&) const {}  // text, flags and counts are always finite
-};
-
 void check_region(const std::string& name, const RegionResult& region) {
   visit_region(region, [&](const char* quantity, const char* units, const char* description, const Extreme& extreme) {
     FiniteVisitor visit{name + "." + quantity + "."};
     visit_extreme_fields(units, description, extreme, visit);
   });
-}
-
-std::string indexed(const std::string& name, std::size_t index) {
-  return name + "[" + std::to_string(index) + "].";
 }
 
 void check_support(const SupportResult& support, const std::string& place) {

@@ -1,11 +1,15 @@
 /// No number that is none leaves the program.
 #pragma once
 
+#include "results/dynamic_results.h"
 #include "results/static_results.h"
 
 namespace overbend {
 
 /// Throws std::runtime_error that names the first quantity that is not finite: "stations[12].bending_moment".
 void require_finite(const StaticResults& results);
+
+/// The same: "dynamic.supports[3].reaction_max".
+void require_finite(const DynamicResults& results);
 
 }  // namespace overbend

@@ -2,10 +2,26 @@
 
 #include <hdf5_hl.h>
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
+#include <type_traits>
 
 namespace overbend {
 namespace {
+
+constexpr unsigned kCompression = 4;  // of deflate: more takes longer and gains little
+
+// The library's types are looked up when first used, so they are no constants.
+template <class Number>
+hid_t memory_type() {
+  return std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE;
+}
+template <class Number>
+hid_t file_type() {
+  return std::is_same_v<Number, int> ? H5T_STD_I32LE : H5T_IEEE_F64LE;
+}
 
 void require(herr_t code, const std::string& what) {
   if (code < 0) throw std::runtime_error(what);
@@ -90,19 +106,77 @@ void Hdf5Writer::write_raw(const std::string& path, const Field& field, hid_t me
     require(H5Dwrite(set, memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), what);
   }
   set.reset();
+  describe(path, field);
+}
+
+void Hdf5Writer::describe(const std::string& path, const Field& field) {
   attribute(path, "units", field.units);
   attribute(path, "frame", field.frame);
   attribute(path, "description", field.description);
 }
 
+template <class Number>
+void Hdf5Writer::create(const std::string& path, const Field& field, const std::vector<hsize_t>& shape,
+                        hsize_t chunk_rows) {
+  const std::string what = "dataset " + path + " can not be made in results.h5";
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
+  std::vector<hsize_t> chunk = shape;
+  chunk[0] = std::clamp<hsize_t>(chunk_rows, 1, shape[0]);
+  require(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), what);
+  if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) {
+    require(H5Pset_shuffle(properties), what);  // like bytes together: smooth histories take half the space
+    require(H5Pset_deflate(properties, kCompression), what);
+  }
+  Hdf5Handle set(H5Dcreate2(file_, path.c_str(), file_type<Number>(), space, H5P_DEFAULT, properties, H5P_DEFAULT),
+                 H5Dclose, what);
+  set.reset();
+  describe(path, field);
+}
+
+template <class Number>
+void Hdf5Writer::write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values) {
+  const std::string what = "dataset " + path + " can not be written to results.h5";
+  const Hdf5Handle set = dataset(path);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, what);
+  std::vector<hsize_t> count(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 1)));
+  H5Sget_simple_extent_dims(space, count.data(), nullptr);
+  const hsize_t row = std::accumulate(count.begin() + 1, count.end(), hsize_t{1}, std::multiplies<>());
+  std::vector<hsize_t> start(count.size(), 0);
+  start[0] = first;
+  count[0] = values.size() / row;
+  require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), what);
+  const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, what);
+  require(H5Dwrite(set, memory_type<Number>(), memory, space, H5P_DEFAULT, values.data()), what);
+}
+
+template void Hdf5Writer::create<double>(const std::string&, const Field&, const std::vector<hsize_t>&, hsize_t);
+template void Hdf5Writer::create<int>(const std::string&, const Field&, const std::vector<hsize_t>&, hsize_t);
+template void Hdf5Writer::write_rows<double>(const std::string&, hsize_t, const std::vector<double>&);
+template void Hdf5Writer::write_rows<int>(const std::string&, hsize_t, const std::vector<int>&);
+
+bool Hdf5Writer::has(const std::string& path) const {
+  return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
+}
+
 void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<double>& values,
                        const std::vector<hsize_t>& shape) {
-  write_raw(path, field, H5T_NATIVE_DOUBLE, H5T_IEEE_F64LE, shape, values.data());
+  write_raw(path, field, memory_type<double>(), file_type<double>(), shape, values.data());
 }
 
 void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<int>& values,
                        const std::vector<hsize_t>& shape) {
-  write_raw(path, field, H5T_NATIVE_INT, H5T_STD_I32LE, shape, values.data());
+  write_raw(path, field, memory_type<int>(), file_type<int>(), shape, values.data());
+}
+
+void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::int64_t>& values,
+                       const std::vector<hsize_t>& shape) {
+  write_raw(path, field, H5T_NATIVE_INT64, H5T_STD_I64LE, shape, values.data());
+}
+
+void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::uint64_t>& values,
+                       const std::vector<hsize_t>& shape) {
+  write_raw(path, field, H5T_NATIVE_UINT64, H5T_STD_U64LE, shape, values.data());
 }
 
 void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::string>& values,
@@ -118,8 +192,8 @@ void Hdf5Writer::make_scale(const std::string& path, const std::string& name) {
   require(H5DSset_scale(dataset(path), name.c_str()), path + " can not be a dimension scale");
 }
 
-void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale) {
-  require(H5DSattach_scale(dataset(path), dataset(scale), 0), scale + " can not be the scale of " + path);
+void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale, unsigned dimension) {
+  require(H5DSattach_scale(dataset(path), dataset(scale), dimension), scale + " can not be the scale of " + path);
 }
 
 void Hdf5Writer::close() {
@@ -153,6 +227,21 @@ std::vector<int> Hdf5Reader::ints(const std::string& path) const {
   std::vector<int> values(count_of(set));
   require(H5Dread(set, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no integers");
   return values;
+}
+
+std::vector<std::int64_t> Hdf5Reader::counts(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  std::vector<std::int64_t> values(count_of(set));
+  require(H5Dread(set, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path + " holds no integers");
+  return values;
+}
+
+std::uint64_t Hdf5Reader::seed(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  std::uint64_t value = 0;
+  if (count_of(set) != 1) throw std::runtime_error(path + " is no single number");
+  require(H5Dread(set, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value), path + " holds no integer");
+  return value;
 }
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {

@@ -3,6 +3,7 @@
 
 #include <hdf5.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -46,13 +47,26 @@ class Hdf5Writer {
              const std::vector<hsize_t>& shape);
   void write(const std::string& path, const Field& field, const std::vector<int>& values,
              const std::vector<hsize_t>& shape);
+  void write(const std::string& path, const Field& field, const std::vector<std::int64_t>& values,
+             const std::vector<hsize_t>& shape);
+  void write(const std::string& path, const Field& field, const std::vector<std::uint64_t>& values,
+             const std::vector<hsize_t>& shape);
   /// UTF-8 texts.
   void write(const std::string& path, const Field& field, const std::vector<std::string>& values,
              const std::vector<hsize_t>& shape);
 
-  /// Makes a 1-D dataset the dimension scale `name`, and attaches it to the first dimension of others.
+  /// Makes a compressed dataset in chunks of `chunk_rows` along its first dimension, to be filled by write_rows().
+  template <class Number>
+  void create(const std::string& path, const Field& field, const std::vector<hsize_t>& shape, hsize_t chunk_rows);
+  /// Fills the rows from `first` on with as many as there are values for.
+  template <class Number>
+  void write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values);
+
+  bool has(const std::string& path) const;
+
+  /// Makes a 1-D dataset the dimension scale `name`, and attaches it to a dimension of others.
   void make_scale(const std::string& path, const std::string& name);
-  void attach_scale(const std::string& path, const std::string& scale);
+  void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0);
 
   /// Closes the file; throws when it could not be written to the end (disk full).
   void close();
@@ -61,6 +75,7 @@ class Hdf5Writer {
   Hdf5Handle dataset(const std::string& path) const;
   void write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
                  const std::vector<hsize_t>& shape, const void* values);
+  void describe(const std::string& path, const Field& field);
 
   Hdf5Handle file_;
 };
@@ -74,6 +89,9 @@ class Hdf5Reader {
   /// All values of a dataset, row by row.
   std::vector<double> doubles(const std::string& path) const;
   std::vector<int> ints(const std::string& path) const;
+  std::vector<std::int64_t> counts(const std::string& path) const;
+  /// A single integer without sign.
+  std::uint64_t seed(const std::string& path) const;
   std::vector<std::string> texts(const std::string& path) const;
 
  private:

@@ -58,6 +58,7 @@ WavesDescription bind_waves(const FieldValue& group, const std::string& source_f
   take(group, "tp", waves.tp);
   take(group, "height", waves.height);
   take(group, "period", waves.period);
+  take(group, "phase", waves.phase);
   take(group, "from", waves.from);
   take(group, "gamma", waves.gamma);
   take(group, "spreading", waves.spreading);

@@ -1,6 +1,5 @@
 #include "io/model_checks.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/text.h"
@@ -131,28 +130,6 @@ void check_current(Checker& check) {
   }
 }
 
-void check_waves(Checker& check) {
-  const FieldValue* waves = check.root().find("environment.waves");
-  const FieldValue* type = waves != nullptr ? waves->find("type") : nullptr;
-  if (type == nullptr || type->text == "none") return;
-  const bool regular = type->text == "airy" || type->text == "stokes5";
-  const bool user = type->text == "user";
-  const std::vector<std::string> needed = regular ? std::vector<std::string>{"height", "period"}
-                                          : user  ? std::vector<std::string>{"spectrum_file"}
-                                                  : std::vector<std::string>{"hs", "tp"};
-  for (const std::string& key : needed) {
-    if (!waves->mentions(key)) check.missing(*waves, key, "it for waves of type " + type->text);
-  }
-  for (const std::string key : {"hs", "tp", "height", "period", "spectrum_file"}) {
-    const FieldValue* extra = waves->find(key);
-    if (extra != nullptr && std::find(needed.begin(), needed.end(), key) == needed.end()) {
-      check.warn(*extra, "has no meaning for waves of type " + type->text + " and is left unused");
-    }
-  }
-  const FieldValue* from = waves->find("from");
-  if (from != nullptr && !from->given) check.warn(*waves, "no direction given (from): the waves come from the north");
-}
-
 void check_vessel(Checker& check) {
   const FieldValue* vessel = check.root().find("vessel");
   if (vessel == nullptr) return;
@@ -197,7 +174,7 @@ void check_dynamics(Checker& check) {
 void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);
   check_current(check);
-  check_waves(check);
+  check_waves(root, file, diagnostics);
   check_pipe(check);
   check_tension(check);
   check_tensioner_range(check);

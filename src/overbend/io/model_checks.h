@@ -12,6 +12,9 @@ namespace overbend {
 /// passed over: their complaint is there already.
 void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
+/// Waves: what each type needs, breaking, validity of the theory. Part of check_model.
+void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
 /// Supports, rollers and tensioner: part of check_model.
 void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 

@@ -15,8 +15,8 @@ inline constexpr const char* kBoxFrame =
 /// Name, unit, meaning and frame of a quantity.
 struct Field {
   std::string name;
-  const char* units = "1";
-  const char* description = "";
+  std::string units = "1";
+  std::string description = {};
   const char* frame = kNoFrame;
 };
 

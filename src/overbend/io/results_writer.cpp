@@ -7,16 +7,12 @@
 #include "io/staged_folder.h"
 
 namespace overbend {
-namespace {
-
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;
   stream.close();
   if (!stream) throw std::runtime_error("the file " + file.filename().string() + " can not be written");
 }
-
-}  // namespace
 
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder) {

@@ -19,6 +19,9 @@ void write_static_results(const StaticResults& results, const Description& descr
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder);
 
+/// A file with that content. Throws std::runtime_error when it can not be written.
+void write_text(const std::filesystem::path& file, const std::string& text);
+
 /// The text of summary.json: key results in SI.
 std::string static_summary(const StaticResults& results);
 

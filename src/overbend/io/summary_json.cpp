@@ -1,4 +1,4 @@
-#include <nlohmann/json.hpp>
+#include "io/summary_json.h"
 
 #include "io/result_field.h"
 #include "io/results_writer.h"
@@ -6,13 +6,7 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json place(const Vec3& p_W) {
-  return {{"x", p_W.x()}, {"y", p_W.y()}, {"z", p_W.z()}};
-}
-
-Json place(const Extreme& extreme) {
+Json place_of(const Extreme& extreme) {
   Json json = {{"s", extreme.s}};
   json.update(place(extreme.p_W));
   json["astern"] = extreme.astern;
@@ -37,11 +31,11 @@ Json region(const RegionResult& r) {
           {"max_von_mises", r.von_mises.value},
           {"max_strain", r.strain.value},
           {"max_effective_tension", r.effective_tension.value},
-          {"at", place(r.bending_moment)},
-          {"at_bending_stress", place(r.bending_stress)},
-          {"at_von_mises", place(r.von_mises)},
-          {"at_strain", place(r.strain)},
-          {"at_effective_tension", place(r.effective_tension)}};
+          {"at", place_of(r.bending_moment)},
+          {"at_bending_stress", place_of(r.bending_stress)},
+          {"at_von_mises", place_of(r.von_mises)},
+          {"at_strain", place_of(r.strain)},
+          {"at_effective_tension", place_of(r.effective_tension)}};
 }
 
 Json row(const RowResult& r) {
@@ -117,7 +111,11 @@ Json solution(const StaticResults& r) {
 
 }  // namespace
 
-std::string static_summary(const StaticResults& r) {
+Json place(const Vec3& p_W) {
+  return {{"x", p_W.x()}, {"y", p_W.y()}, {"z", p_W.z()}};
+}
+
+Json static_summary_json(const StaticResults& r) {
   Json statics = lay(r);
   statics["overbend"] = r.overbend ? region(*r.overbend) : Json(nullptr);
   statics["sagbend"] = region(r.sagbend);
@@ -125,13 +123,20 @@ std::string static_summary(const StaticResults& r) {
   statics.update(solution(r));
   Json sections = Json::array();
   for (const DerivedSection& s : r.sections) sections.push_back(section(s));
-  const Json summary = {{"status", "converged"},  {"title", r.title},
-                        {"version", r.version},   {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
-                        {"frame", kWorldFrame},   {"assumptions", r.assumptions},
-                        {"warnings", r.warnings}, {"derived", r.sections.empty() ? Json::object() : sections.front()},
-                        {"sections", sections},   {"static", statics}};
+  return {{"status", "converged"},  {"title", r.title},
+          {"version", r.version},   {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
+          {"frame", kWorldFrame},   {"assumptions", r.assumptions},
+          {"warnings", r.warnings}, {"derived", r.sections.empty() ? Json::object() : sections.front()},
+          {"sections", sections},   {"static", statics}};
+}
+
+std::string summary_text(const Json& summary) {
   // A title may hold bytes that are no UTF-8; they become the replacement character.
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string static_summary(const StaticResults& results) {
+  return summary_text(static_summary_json(results));
 }
 
 }  // namespace overbend

@@ -9,6 +9,7 @@
 #include "io/field_value.h"
 #include "io/model_binder.h"
 #include "io/model_checks.h"
+#include "io/spectrum_reader.h"
 #include "io/yaml_document.h"
 
 namespace overbend {
@@ -74,6 +75,11 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
   check_model(values, path, reading.diagnostics);
   if (reading.diagnostics.has_errors()) return reading;
   reading.description = bind_model(values, path);
+  read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+  if (reading.diagnostics.has_errors()) {
+    reading.description.reset();
+    return reading;
+  }
   reading.description->source_text = text;
   reading.description->warnings = reading.diagnostics.lines(Severity::warning);
   return reading;

@@ -9,8 +9,9 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
   LineElements e;
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
-  for (AlignedDoubles* array : {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.radius, &e.drag_normal, &e.drag_axial,
-                                &e.pressure_constant, &e.pressure_slope, &e.pressure_external}) {
+  for (AlignedDoubles* array :
+       {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.radius, &e.drag_normal, &e.drag_axial, &e.pressure_constant,
+        &e.pressure_slope, &e.pressure_external, &e.mass, &e.displaced_mass, &e.added_normal, &e.added_axial}) {
     array->assign(padded, 0.0);
   }
   e.length.assign(padded, 1.0);
@@ -29,6 +30,10 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
     e.pressure_constant[i] = -poisson * section.internal_pressure * section.internal_area;
     e.pressure_slope[i] = poisson * section.contents_weight_density * section.internal_area;
     e.pressure_external[i] = poisson * model.water_weight_density * section.pressure_area;
+    e.mass[i] = section.mass();
+    e.displaced_mass[i] = model.water_density * section.external_area;
+    e.added_normal[i] = section.added_mass_normal * e.displaced_mass[i];
+    e.added_axial[i] = section.added_mass_axial * e.displaced_mass[i];
   }
   return e;
 }
@@ -47,6 +52,7 @@ LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, 
   env.bed_friction_lateral = model.seabed.friction_lateral;
   env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
+  env.bed_damping = model.description.environment.seabed.damping;
   env.route_offset = route_normal_W.dot(route_point_W);
   env.current_rows = static_cast<int>(model.current.z.size());
   env.current_z = model.current.z.data();
@@ -69,6 +75,10 @@ LineView LineElements::view() const {
   v.pressure_constant = pressure_constant.data();
   v.pressure_slope = pressure_slope.data();
   v.pressure_external = pressure_external.data();
+  v.mass = mass.data();
+  v.displaced_mass = displaced_mass.data();
+  v.added_normal = added_normal.data();
+  v.added_axial = added_axial.data();
   return v;
 }
 
@@ -84,6 +94,34 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
 #endif
   (void)isa;
   isa_baseline::add_line_forces(elements.view(), env, shape, target);
+}
+
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                     const LineMotion& motion, const LineTarget& target, Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) {
+    return isa_avx512::add_moving_line_forces(elements.view(), env, shape, motion, target);
+  }
+  if (isa == Isa::avx2) {
+    return isa_avx2::add_moving_line_forces(elements.view(), env, shape, motion, target);
+  }
+#endif
+  (void)isa;
+  isa_baseline::add_moving_line_forces(elements.view(), env, shape, motion, target);
+}
+
+LineEnergy line_energy(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion, Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) {
+    return isa_avx512::line_energy(elements.view(), env, shape, motion);
+  }
+  if (isa == Isa::avx2) {
+    return isa_avx2::line_energy(elements.view(), env, shape, motion);
+  }
+#endif
+  (void)isa;
+  return isa_baseline::line_energy(elements.view(), env, shape, motion);
 }
 
 WettedFraction wetted_fraction(double z, double radius) {

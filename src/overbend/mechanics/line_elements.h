@@ -25,6 +25,12 @@ struct LineElements {
   AlignedDoubles pressure_constant;  ///< Effective tension of pressure and Poisson's ratio: constant part [N],
   AlignedDoubles pressure_slope;     ///< part in z, from contents [N/m],
   AlignedDoubles pressure_external;  ///< part in depth, from the water [N/m].
+  AlignedDoubles mass;               ///< With coatings and contents [kg/m].
+  AlignedDoubles displaced_mass;     ///< Of the water that the pipe displaces [kg/m].
+  AlignedDoubles added_normal;       ///< Added mass across the pipe, fully submerged [kg/m].
+  AlignedDoubles added_axial;        ///< Along the pipe [kg/m].
+
+  std::size_t padded() const { return length.size(); }
 
   LineView view() const;
 };
@@ -47,5 +53,15 @@ WettedFraction wetted_fraction(double z, double radius);
 /// their exact derivative to these.
 void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target, Isa isa);
+
+/// The same in motion: inertia, Morison's forces of waves and current on the moving pipe, damping and Coulomb friction
+/// of the bed with return mapping. The derivative is the total one in the unknowns: velocities and accelerations
+/// follow them by the shares given in `motion`.
+void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                     const LineMotion& motion, const LineTarget& target, Isa isa);
+
+/// Energies and powers at one instant.
+LineEnergy line_energy(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion, Isa isa);
 
 }  // namespace overbend

@@ -2,6 +2,7 @@
 
 #include "mechanics/line_kernel_batch.h"
 #include "mechanics/line_kernel_loads.h"
+#include "mechanics/line_kernel_motion.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -140,22 +141,10 @@ inline void mirror(Batch& e) {
   }
 }
 
-inline Lanes load_lanes(const double* p) {
-  return *reinterpret_cast<const Lanes*>(p);
-}
-
 inline void gather(Batch& e, const LineView& line, const LineShape& shape, int first) {
   e.h = load_lanes(line.length + first);
   e.inv_h = 1.0 / e.h;
-  for (int l = 0; l < kWidth; ++l) {
-    const int element = first + l < line.count ? first + l : line.count - 1;
-    const double* node = shape.q + 6 * element;
-    for (int j = 0; j < 4; ++j) {
-      e.q[j].x[l] = node[3 * j];
-      e.q[j].y[l] = node[3 * j + 1];
-      e.q[j].z[l] = node[3 * j + 2];
-    }
-  }
+  gather_nodes(e.q, shape.q, first, line.count);
   e.chord = e.q[2] - e.q[0];
   if (shape.low != nullptr) {
     for (int l = 0; l < kWidth; ++l) {
@@ -208,9 +197,29 @@ inline void scatter_tangent(Batch& e, const LineTarget& target, int first, int u
   }
 }
 
-template <bool kTangent>
-void add_batch(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineTarget& target,
-               int first) {
+inline LoadConstants load_constants(const LineView& line, int first) {
+  return {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
+          load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)};
+}
+
+inline InertiaConstants inertia_constants(const LineView& line, int first) {
+  return {load_lanes(line.mass + first), load_lanes(line.displaced_mass + first), load_lanes(line.added_normal + first),
+          load_lanes(line.added_axial + first)};
+}
+
+inline PressureTension pressure_tension(const LineView& line, int first) {
+  return {load_lanes(line.pressure_constant + first), load_lanes(line.pressure_slope + first),
+          load_lanes(line.pressure_external + first)};
+}
+
+inline int padded_count(const LineView& line) {
+  return (line.count + kLanes - 1) / kLanes * kLanes;
+}
+
+/// `motion` is null in statics.
+template <bool kTangent, bool kMoving>
+void add_batch(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineMotion* motion,
+               const LineTarget& target, int first) {
   Batch e;
   gather(e, line, shape, first);
   if constexpr (kTangent) {
@@ -224,13 +233,15 @@ void add_batch(const LineView& line, const LineEnvironment& env, const LineShape
   if constexpr (kTangent) {
     mirror(e);
   }
-  add_membrane<kTangent>(e, load_lanes(line.EA + first),
-                         {load_lanes(line.pressure_constant + first), load_lanes(line.pressure_slope + first),
-                          load_lanes(line.pressure_external + first)});
-  add_loads<kTangent>(
-      e, env,
-      {load_lanes(line.weight + first), load_lanes(line.buoyancy + first), load_lanes(line.radius + first),
-       load_lanes(line.drag_normal + first), load_lanes(line.drag_axial + first)});
+  add_membrane<kTangent>(e, load_lanes(line.EA + first), pressure_tension(line, first));
+  if constexpr (kMoving) {
+    BatchMotion m;
+    gather_motion(m, e.h, *motion, first, line.count);
+    add_moving_loads<kTangent>(e, env, *motion, m, load_constants(line, first), inertia_constants(line, first), first,
+                               padded_count(line));
+  } else {
+    add_loads<kTangent>(e, env, load_constants(line, first));
+  }
   const int used = line.count - first < kWidth ? line.count - first : kWidth;
   scatter_force(e, target, first, used);
   if constexpr (kTangent) {
@@ -238,17 +249,65 @@ void add_batch(const LineView& line, const LineEnvironment& env, const LineShape
   }
 }
 
+template <bool kMoving>
+void add_batches(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineMotion* motion,
+                 const LineTarget& target) {
+  for (int first = 0; first < line.count; first += kWidth) {
+    if (target.diag != nullptr) {
+      add_batch<true, kMoving>(line, env, shape, motion, target, first);
+    } else {
+      add_batch<false, kMoving>(line, env, shape, motion, target, first);
+    }
+  }
+}
+
+/// Membrane energy, and the power of pressure on the changing length, which counts as the water's.
+inline void add_membrane_energy(LineEnergy& sum, const Batch& e, const BatchMotion& m, const Lanes& EA,
+                                const PressureTension& pressure, int used) {
+  Lanes strain[3], rate[3], tension_p[3];
+  for (int k = 0; k < 3; ++k) {
+    const Vec a = e.inv_h * combine_derivative(e, kStrainShape[k].c);
+    const Lanes norm = root(dot(a, a));
+    strain[k] = norm - 1.0;
+    rate[k] = dot(a, e.inv_h * combine_nodes(m.v, kStrainShape[k].c)) / norm;
+    const Lanes z = combine(e, kStrainShape[k].n).z;
+    tension_p[k] = pressure.constant + pressure.slope * z + pressure.external * (z < 0.0 ? -z : Lanes{});
+  }
+  for (int k = 0; k < 3; ++k) {
+    for (int l = 0; l < 3; ++l) {
+      const Lanes w = kStrainMass[k][l] * e.h;
+      sum.strain += sum_of(0.5 * w * EA * strain[k] * strain[l], used);
+      sum.fluid_power -= sum_of(w * tension_p[k] * rate[l], used);
+    }
+  }
+}
+
 }  // namespace
 
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target) {
+  add_batches<false>(line, env, shape, nullptr, target);
+}
+
+void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                            const LineMotion& motion, const LineTarget& target) {
+  add_batches<true>(line, env, shape, &motion, target);
+}
+
+LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion) {
+  LineEnergy sum;
   for (int first = 0; first < line.count; first += kWidth) {
-    if (target.diag != nullptr) {
-      add_batch<true>(line, env, shape, target, first);
-    } else {
-      add_batch<false>(line, env, shape, target, first);
-    }
+    Batch e;
+    BatchMotion m;
+    gather(e, line, shape, first);
+    gather_motion(m, e.h, motion, first, line.count);
+    const int used = line.count - first < kWidth ? line.count - first : kWidth;
+    add_membrane_energy(sum, e, m, load_lanes(line.EA + first), pressure_tension(line, first), used);
+    add_energy(sum, e, env, motion, m, load_constants(line, first), inertia_constants(line, first),
+               load_lanes(line.EI + first), first, padded_count(line), used);
   }
+  return sum;
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

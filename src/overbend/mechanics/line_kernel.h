@@ -10,6 +10,7 @@ struct LineView {
   int count = 0;
   const double *length, *EA, *EI, *weight, *buoyancy, *radius, *drag_normal, *drag_axial;
   const double *pressure_constant, *pressure_slope, *pressure_external;
+  const double *mass, *displaced_mass, *added_normal, *added_axial;
 };
 
 /// What acts on every element. Directions and points in W.
@@ -20,6 +21,7 @@ struct LineEnvironment {
   double bed_friction_lateral = 0.0;
   double bed_friction_axial = 0.0;
   double bed_stick = 0.0;                    ///< Elastic stick per length [N/m2].
+  double bed_damping = 0.0;                  ///< On approach, in motion only [N s/m2].
   double route_normal[3] = {0.0, 1.0, 0.0};  ///< Horizontal, across the lay route, to port.
   double bed_along[3] = {1.0, 0.0, 0.0};     ///< Along the laid line on the bed, away from the barge.
   double route_offset = 0.0;                 ///< route_normal . point of the route [m].
@@ -37,6 +39,33 @@ struct LineShape {
   const double* low = nullptr;
 };
 
+/// Doubles per node that describe the water: velocity, acceleration, elevation of the surface, one unused.
+inline constexpr int kWaterValues = 8;
+/// Directions in which the bed holds by friction: across the route, along it.
+inline constexpr int kBedDirections = 2;
+
+/// What motion adds to a shape. In statics there is none.
+struct LineMotion {
+  const double* v = nullptr;        ///< Velocities of all unknowns, six per node [m/s], [1/s].
+  const double* acc = nullptr;      ///< Accelerations of all unknowns.
+  double velocity_share = 0.0;      ///< Change of a velocity with its unknown, by the integrator's formula [1/s].
+  double acceleration_share = 0.0;  ///< The same for the acceleration [1/s2].
+  double step = 0.0;                ///< Time since the stretch of the bed's friction was `bed_slip` [s].
+  /// Waves at every node, kWaterValues each, current not included; null in calm water. Linear along an element.
+  const double* water = nullptr;
+  /// Elastic stretch of the bed's friction, by Gauss point, direction and element (padded count) [m]: at the start of
+  /// the step, and where what it has become is put.
+  const double* bed_slip = nullptr;
+  double* bed_slip_next = nullptr;
+};
+
+/// Sums over the line at one instant.
+struct LineEnergy {
+  double kinetic = 0.0, strain = 0.0, gravity = 0.0, seabed = 0.0;  ///< [J]
+  double fluid_power = 0.0;  ///< Of buoyancy, drag, inertia forces of the water and pressure on the pipe [W].
+  double seabed_loss = 0.0;  ///< Damping and friction of the bed, stored stretch included [W].
+};
+
 /// Where the results are added: residual (six per node) and, unless null, the blocks of the tangent.
 struct LineTarget {
   double* residual = nullptr;
@@ -46,14 +75,26 @@ struct LineTarget {
 namespace isa_baseline {
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target);
-}
+void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                            const LineMotion& motion, const LineTarget& target);
+LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion);
+}  // namespace isa_baseline
 namespace isa_avx2 {
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target);
-}
+void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                            const LineMotion& motion, const LineTarget& target);
+LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion);
+}  // namespace isa_avx2
 namespace isa_avx512 {
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target);
-}
+void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                            const LineMotion& motion, const LineTarget& target);
+LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
+                       const LineMotion& motion);
+}  // namespace isa_avx512
 
 }  // namespace overbend

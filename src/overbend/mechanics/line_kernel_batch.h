@@ -79,6 +79,24 @@ struct Batch {
   Lanes k[kDofs][kDofs];
 };
 
+inline Lanes load_lanes(const double* p) {
+  return *reinterpret_cast<const Lanes*>(p);
+}
+
+/// Values of six per node at both nodes of every element of a batch; beyond the last element, of the last.
+inline void gather_nodes(Vec (&out)[4], const double* from, int first, int count) {
+  alignas(64) double values[kDofs][kWidth];
+  for (int l = 0; l < kWidth; ++l) {
+    const double* node = from + 6 * (first + l < count ? first + l : count - 1);
+    for (int i = 0; i < kDofs; ++i) {
+      values[i][l] = node[i];
+    }
+  }
+  for (int j = 0; j < 4; ++j) {
+    out[j] = {load_lanes(values[3 * j]), load_lanes(values[3 * j + 1]), load_lanes(values[3 * j + 2])};
+  }
+}
+
 inline Vec combine(const Batch& e, const double (&s)[4]) {
   return s[0] * e.q[0] + s[1] * e.q[1] + s[2] * e.q[2] + s[3] * e.q[3];
 }

@@ -164,6 +164,30 @@ struct LoadConstants {
   Lanes weight, buoyancy, radius, drag_normal, drag_axial;
 };
 
+/// Adds a load at Gauss point i; external forces enter the residual with a minus sign.
+template <bool kTangent>
+inline void add_point_load(Batch& e, int i, const PointLoad& load) {
+  const Shape& s = kGaussShape[i];
+  const Lanes w = kGaussWeight[i] * e.h;
+  for (int j = 0; j < 4; ++j) {
+    add_force(e, j, -s.n[j], w * load.f);
+  }
+  if constexpr (kTangent) {
+    for (int r3 = 0; r3 < 3; ++r3) {
+      for (int c3 = 0; c3 < 3; ++c3) {
+        const Lanes in_r = w * load.in_r.m[r3][c3];
+        const Lanes in_a = w * e.inv_h * load.in_a.m[r3][c3];
+        for (int k = 0; k < 4; ++k) {
+          const Lanes x = s.n[k] * in_r + s.c[k] * in_a;
+          for (int j = 0; j < 4; ++j) {
+            e.k[3 * j + r3][3 * k + c3] -= s.n[j] * x;
+          }
+        }
+      }
+    }
+  }
+}
+
 /// Weight, buoyancy, seabed and current by Gauss points; external forces enter the residual with a minus sign.
 template <bool kTangent>
 inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants& c) {
@@ -179,24 +203,7 @@ inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants&
     if (env.current_rows > 0) {
       add_drag(load, env, r.z, a, wet, c.drag_normal, c.drag_axial);
     }
-    const Lanes w = kGaussWeight[i] * e.h;
-    for (int j = 0; j < 4; ++j) {
-      add_force(e, j, -s.n[j], w * load.f);
-    }
-    if constexpr (kTangent) {
-      for (int r3 = 0; r3 < 3; ++r3) {
-        for (int c3 = 0; c3 < 3; ++c3) {
-          const Lanes in_r = w * load.in_r.m[r3][c3];
-          const Lanes in_a = w * e.inv_h * load.in_a.m[r3][c3];
-          for (int k = 0; k < 4; ++k) {
-            const Lanes x = s.n[k] * in_r + s.c[k] * in_a;
-            for (int j = 0; j < 4; ++j) {
-              e.k[3 * j + r3][3 * k + c3] -= s.n[j] * x;
-            }
-          }
-        }
-      }
-    }
+    add_point_load<kTangent>(e, i, load);
   }
 }
 

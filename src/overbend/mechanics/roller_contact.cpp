@@ -17,10 +17,9 @@ struct Projection {
   Vec3 apply(const Vec3& v) const { return along_axis_counts ? v : Vec3(v - v.dot(axis) * axis); }
 };
 
-/// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton; the function changes sign over the element.
-double stationary_xi(const Projection& projection, const ElementVector& q, double h) {
+/// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton from `xi`; the function changes sign over the element.
+double stationary_xi(const Projection& projection, const ElementVector& q, double h, double xi = 0.5) {
   double low = 0.0, high = 1.0;
-  double xi = 0.5;
   for (int iteration = 0; iteration < 60; ++iteration) {
     const CentrelinePoint at = centreline(q, xi, h);
     const Vec3 e = projection.apply(at.r - projection.reference);
@@ -70,10 +69,37 @@ ClosestPoint search(const Projection& projection, const double* q, const double*
   return best;
 }
 
-}  // namespace
+/// From `element` outwards to where the distance stops falling.
+ClosestPoint search_near(const Projection& projection, const double* q, const double* length, int first, int last,
+                         int element, double xi) {
+  const auto along = [&](int node) {
+    return projection.apply(Vec3Map(q + 6 * node) - projection.reference).dot(Vec3Map(q + 6 * node + 3));
+  };
+  int e = std::clamp(element, first, last - 1);
+  double before = along(e), after = along(e + 1);
+  while (before >= 0.0 && e > first) {
+    after = before;
+    before = along(--e);
+  }
+  while (after < 0.0 && e + 1 < last) {
+    before = after;
+    after = along(++e + 1);
+  }
+  if (!(before < 0.0 && after >= 0.0)) {
+    return search(projection, q, length, first, last);
+  }
+  ClosestPoint at;
+  at.found = true;
+  at.element = e;
+  at.xi = stationary_xi(projection, dofs_of(q, e), length[e], e == element ? xi : 0.5);
+  at.reference = projection.reference;
+  return at;
+}
 
-ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last) {
-  ClosestPoint at = search({roller.center, roller.axis, false}, q, length, first, last);
+/// Goes over to the end of the roller where the point lies beyond the face.
+template <class Search>
+ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* length, const Search& find) {
+  ClosestPoint at = find(Projection{roller.center, roller.axis, false});
   if (!at.found) {
     return at;
   }
@@ -83,10 +109,27 @@ ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const do
     return at;
   }
   const Vec3 end = roller.center + std::copysign(roller.half_face, eta) * roller.axis;
-  ClosestPoint beyond = search({end, roller.axis, true}, q, length, first, last);
+  ClosestPoint beyond = find(Projection{end, roller.axis, true});
   beyond.beyond_face = true;
   beyond.off_end = std::abs(eta) - roller.half_face;
   return beyond;
+}
+
+}  // namespace
+
+ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last) {
+  return closest(roller, q, length,
+                 [&](const Projection& projection) { return search(projection, q, length, first, last); });
+}
+
+ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, const double* length, int first, int last,
+                                int element, double xi) {
+  if (first >= last) {
+    return {};
+  }
+  return closest(roller, q, length, [&](const Projection& projection) {
+    return search_near(projection, q, length, first, last, element, xi);
+  });
 }
 
 RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {

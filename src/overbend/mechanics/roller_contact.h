@@ -40,6 +40,10 @@ struct ClosestPoint {
 /// each passage is counted once.
 ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const double* length, int first, int last);
 
+/// The same, begun at the element and xi where the point was before: the element is looked for from there outwards.
+ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, const double* length, int first, int last,
+                                int element, double xi);
+
 /// Distance of centreline to axis at the closest point.
 struct RollerDistance {
   double value = 0.0;             ///< Signed: negative on the wrong side [m].

@@ -18,8 +18,16 @@ void BlockTridiagonal::set_zero() {
   std::fill(lower_.begin(), lower_.end(), 0.0);
 }
 
+namespace {
+
+BlockView view_of(BlockTridiagonal& system) {
+  return {system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
+}
+
+}  // namespace
+
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
-  const BlockView view{system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
+  const BlockView view = view_of(system);
 #if defined(OVERBEND_X86_KERNELS)
   if (isa == Isa::avx512) {
     return isa_avx512::solve_blocks(view);
@@ -30,6 +38,24 @@ BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
 #endif
   (void)isa;
   return isa_baseline::solve_blocks(view);
+}
+
+void resolve_on(BlockTridiagonal& solved, double* x, Isa isa) {
+  const BlockView view = view_of(solved);
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) {
+    return isa_avx512::resolve_blocks(view, x);
+  }
+  if (isa == Isa::avx2) {
+    return isa_avx2::resolve_blocks(view, x);
+  }
+#endif
+  (void)isa;
+  isa_baseline::resolve_blocks(view, x);
+}
+
+void resolve(BlockTridiagonal& solved, double* x) {
+  resolve_on(solved, x, best_isa());
 }
 
 BlockSolveReport solve(BlockTridiagonal& system) {

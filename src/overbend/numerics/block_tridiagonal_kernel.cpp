@@ -35,8 +35,8 @@ struct Row {
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
 constexpr double kPivotFloor = 1e-14;
 
-/// Gauss-Jordan on [D | b c] and U together: D becomes the identity, b, c and U become D^-1 b, D^-1 c, D^-1 U.
-/// Returns the sign of the determinant, 0 when singular.
+/// Gauss-Jordan on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse, which serves
+/// further right-hand sides. Returns the sign of the determinant, 0 when singular.
 int eliminate(Row* d, Row* u) {
   double largest = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
@@ -45,6 +45,7 @@ int eliminate(Row* d, Row* u) {
     }
   }
   int sign = 1;
+  int swapped_with[kNodeDofs];
   for (int k = 0; k < kNodeDofs; ++k) {
     int pivot = k;
     for (int i = k + 1; i < kNodeDofs; ++i) {
@@ -53,6 +54,7 @@ int eliminate(Row* d, Row* u) {
     if (!(magnitude(d[pivot][k]) > kPivotFloor * largest)) {
       return 0;
     }
+    swapped_with[k] = pivot;
     if (pivot != k) {
       const Row d_row = d[k];
       const Row u_row = u[k];
@@ -64,13 +66,24 @@ int eliminate(Row* d, Row* u) {
     }
     sign = d[k][k] < 0.0 ? -sign : sign;
     const double inverse = 1.0 / d[k][k];
+    d[k][k] = 1.0;
     d[k].scale(inverse);
     u[k].scale(inverse);
     for (int i = 0; i < kNodeDofs; ++i) {
       if (i != k) {
         const double factor = d[i][k];
+        d[i][k] = 0.0;
         d[i].subtract(factor, d[k]);
         u[i].subtract(factor, u[k]);
+      }
+    }
+  }
+  for (int k = kNodeDofs - 1; k >= 0; --k) {  // exchanged rows of D are exchanged columns of its inverse
+    if (swapped_with[k] != k) {
+      for (int i = 0; i < kNodeDofs; ++i) {
+        const double kept = d[i][k];
+        d[i][k] = d[i][swapped_with[k]];
+        d[i][swapped_with[k]] = kept;
       }
     }
   }
@@ -105,6 +118,18 @@ inline void substitute_back(Row* d, const Row* u, const Row* d_next) {
   }
 }
 
+/// y = A x for the first six columns of rows `stride` apart.
+template <int kStride>
+inline void multiply(const double* a, const double* x, double* y) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    double sum = a[i * kStride] * x[0];
+    for (int k = 1; k < kNodeDofs; ++k) {
+      sum += a[i * kStride + k] * x[k];
+    }
+    y[i] = sum;
+  }
+}
+
 inline Row* rows(double* blocks, int node) {
   return reinterpret_cast<Row*>(blocks + node * kDiagSize);
 }
@@ -131,6 +156,31 @@ BlockSolveReport solve_blocks(const BlockView& system) {
     substitute_back(rows(system.diag, i), rows(system.upper, i), rows(system.diag, i + 1));
   }
   return report;
+}
+
+void resolve_blocks(const BlockView& system, double* x) {
+  const int n = system.nodes;
+  double product[kNodeDofs];
+  for (int i = 0; i < n; ++i) {
+    double* at = x + i * kNodeDofs;
+    if (i > 0) {
+      multiply<kNodeDofs>(system.lower + (i - 1) * kLowerSize, at - kNodeDofs, product);
+      for (int k = 0; k < kNodeDofs; ++k) {
+        at[k] -= product[k];
+      }
+    }
+    multiply<kLanes>(system.diag + i * kDiagSize, at, product);
+    for (int k = 0; k < kNodeDofs; ++k) {
+      at[k] = product[k];
+    }
+  }
+  for (int i = n - 2; i >= 0; --i) {
+    double* at = x + i * kNodeDofs;
+    multiply<kLanes>(system.upper + i * kDiagSize, at + kNodeDofs, product);
+    for (int k = 0; k < kNodeDofs; ++k) {
+      at[k] -= product[k];
+    }
+  }
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

@@ -1,0 +1,135 @@
+/// A line in motion: constant data, state, and the equations at one instant.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "analysis/held_directions.h"
+#include "analysis/line_mesh.h"
+#include "analysis/moving_contacts.h"
+#include "mechanics/line_elements.h"
+#include "numerics/generalized_alpha.h"
+
+namespace overbend {
+
+/// Prescribed motion of an end: place and direction of the guide with their rates, W.
+struct EndMotion {
+  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
+  Vec3 direction = Vec3::UnitX(), direction_rate = Vec3::Zero(), direction_acceleration = Vec3::Zero();
+};
+
+/// What holds an end of the line.
+struct LineEnd {
+  bool hold_place = false;
+  bool hold_direction = false;  ///< The tangent keeps the guide's direction; its length stays free.
+};
+
+/// The surroundings that move: everything that depends on time alone.
+struct Surroundings {
+  RigidMotion vessel;
+  EndMotion anchor, top;
+  /// Waves at the nodes, kWaterValues each; empty in calm water.
+  std::vector<double> water;
+};
+
+/// Sets the surroundings for a time. Called once per step, must not allocate after the first call.
+using SurroundingsAt = std::function<void(double time, Surroundings& now)>;
+
+/// Constant data of a run.
+struct DynamicLine {
+  LineMesh mesh;
+  LineElements elements;
+  LineEnvironment environment;
+  LineEnd anchor, top;
+  std::vector<MovingRoller> rollers;
+  ContactCells cells;
+  Vec3 shoe_V = Vec3::Zero();  ///< Origin of the ramp's frame, for the cells [m].
+  SurroundingsAt surroundings;
+  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the line's weight in air [N].
+};
+
+/// Length of the tangent in a guide, the one unknown left there.
+using GuideValues = MotionValues;
+
+/// What the equations of motion change.
+struct DynamicState {
+  double time = 0.0;              ///< [s]
+  std::vector<double> q, v, acc;  ///< Six per node: r, t and their rates; W.
+  std::vector<double> alg;        ///< Algorithmic accelerations, see GeneralizedAlpha.
+  GuideValues anchor_guide{}, top_guide{};
+  double last_step = 0.0;   ///< That led here; 0 at the start [s].
+  AlignedDoubles bed_slip;  ///< See LineMotion.
+  std::vector<ContactMemory> contacts;
+};
+
+/// Sums of energies and powers at one instant; see EnergyBalance.
+struct InstantEnergy {
+  LineEnergy line;
+  double contact = 0.0;                            ///< In the springs of the rollers [J].
+  double roller_power = 0.0;                       ///< Of the moving rollers on the pipe [W].
+  double contact_loss = 0.0, friction_loss = 0.0;  ///< [W]
+  double top_power = 0.0, anchor_power = 0.0;      ///< [W]
+};
+
+class DynamicSystem {
+ public:
+  explicit DynamicSystem(const DynamicLine& line);
+
+  const DynamicLine& line() const { return *line_; }
+  const Surroundings& surroundings() const { return surroundings_; }
+  const std::vector<MovingContact>& contacts() const { return contacts_.contacts(); }
+  std::uint64_t contact_signature() const { return contacts_.signature(); }
+  bool contacts_settled() const { return contacts_.settled(); }
+  const std::vector<double>& residual() const { return residual_; }
+  BlockTridiagonal& tangent() { return tangent_; }
+
+  /// Brings the surroundings to a time, and the rollers to the line as it is in `near`.
+  void set_time(double time, const DynamicState& near);
+  /// Puts prescribed places, directions and their rates into the ends of a state.
+  void impose_ends(DynamicState& state) const;
+
+  /// Inertia plus internal minus external forces at `state`; its memories receive what those of `before` have become
+  /// after the step.
+  void evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares, bool with_tangent,
+                ContactMode contacts = ContactMode::free);
+  /// Before a correction that the last evaluation led to; see MovingContacts.
+  void end_iteration(const DynamicState& state) { contacts_.end_iteration(state.contacts); }
+  /// Removes held directions from residual and, where asked, blocks.
+  void hold(bool with_tangent);
+  /// Largest unbalanced force over the force scale; moments over the length of the shortest element beside the node.
+  double relative_residual() const;
+  int worst_node() const { return worst_node_; }
+
+  /// Factors the blocks and solves for the increments of the unknowns; false where they are singular.
+  bool solve_factored(std::vector<double>& dq);
+  /// The same with the factors of the last `solve_factored`.
+  void solve_again(std::vector<double>& dq);
+
+  /// Of the state evaluated last.
+  InstantEnergy energy(const DynamicState& state) const;
+  /// Force on the line by what holds its top, at the state evaluated last [N].
+  Vec3 top_force() const;
+
+  /// True accelerations from the balance of forces at rest or in motion; false where the mass is singular.
+  bool find_accelerations(DynamicState& state);
+
+ private:
+  LineMotion motion_of(const DynamicState& state, const DynamicState& before, const StepShares& shares,
+                       double* next_slip) const;
+  HeldDirections held_by(const LineEnd& end, const EndMotion& motion) const;
+
+  const DynamicLine* line_;
+  Surroundings surroundings_;
+  MovingContacts contacts_;
+  std::vector<double> residual_;
+  std::array<double, 6> anchor_residual_{}, top_residual_{};  ///< Before hold().
+  BlockTridiagonal tangent_;
+  HeldDirections held_anchor_, held_top_;
+  mutable int worst_node_ = 0;
+};
+
+/// A state at rest in the given shape, memories empty, at `time`.
+DynamicState state_at_rest(const DynamicLine& line, const std::vector<double>& q, double time);
+
+}  // namespace overbend

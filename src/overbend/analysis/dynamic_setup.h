@@ -1,0 +1,25 @@
+/// From a model and its static equilibrium to a line in motion.
+#pragma once
+
+#include "analysis/dynamic_line.h"
+#include "analysis/statics.h"
+#include "mechanics/restitution.h"
+
+namespace overbend {
+
+/// Rollers of the supports in the vessel's frame with their laws. `tributary` is the length of pipe that a contact
+/// moves [m]: that of the elements over the supports.
+///
+/// Damping follows from the coefficient of restitution and the mass of the tributary length, with added mass under
+/// water, against a rigid roller ([silva2009] equations 16 to 18; Schwager & Poeschel 2007 for contacts that never
+/// pull). Tangential stiffness is a tenth of the normal one.
+std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary,
+                                         RestitutionForm form);
+
+/// Everything but what depends on time: `surroundings` is left to the caller.
+DynamicLine dynamic_line(const Model& model, const StaticSolution& solution);
+
+/// The equilibrium as a state at rest at `time`: the bed's friction stretched as statics left it, accelerations zero.
+DynamicState static_state(const DynamicLine& line, const StaticSolution& solution, double time);
+
+}  // namespace overbend

@@ -1,0 +1,157 @@
+#include "analysis/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace overbend {
+namespace {
+
+constexpr double kPoorContraction = 0.3;  ///< Old factors that leave more of the residual than this are renewed.
+constexpr int kOldestFactors = 20;        ///< Steps that factors may serve.
+constexpr int kSlowStep = 5;              ///< Iterations after which factors are not used again.
+
+/// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
+std::vector<double> lumped_mass(const DynamicLine& line) {
+  std::vector<double> mass(6 * static_cast<std::size_t>(line.mesh.nodes()), 0.0);
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    const double h = line.mesh.length[e];
+    const double m = (line.elements.mass[e] + line.elements.added_normal[e]) * h;
+    for (std::size_t node = e; node < e + 2; ++node) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        mass[6 * node + i] += 0.5 * m;
+        mass[6 * node + 3 + i] += m * h * h / 105.0;
+      }
+    }
+  }
+  return mass;
+}
+
+GuideValues corrected_for_step(GuideValues guide, double ratio) {
+  guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
+  return guide;
+}
+
+}  // namespace
+
+TimeStepper::TimeStepper(DynamicSystem& system, const StepSettings& settings)
+    : system_(&system),
+      settings_(settings),
+      scheme_(settings.spectral_radius),
+      dq_(system.residual().size()),
+      lumped_mass_(lumped_mass(system.line())) {}
+
+void TimeStepper::predict(const DynamicState& now, double h, DynamicState& next) const {
+  next = now;  // same sizes: nothing is allocated
+  next.time = now.time + h;
+  next.last_step = h;
+  // The algorithmic acceleration stands apart from the true one in proportion to the step it was made with.
+  const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;
+  const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
+  for (std::size_t i = 0; i < now.q.size(); ++i) {
+    const double alg = now.acc[i] + ratio * (now.alg[i] - now.acc[i]);
+    const double next_alg = by_alg * (now.acc[i] - scheme_.alpha_m * alg);
+    next.alg[i] = next_alg;
+    next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
+    next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
+  }
+  next.anchor_guide = advance(scheme_, corrected_for_step(now.anchor_guide, ratio), h, now.anchor_guide.acc);
+  next.top_guide = advance(scheme_, corrected_for_step(now.top_guide, ratio), h, now.top_guide.acc);
+}
+
+void TimeStepper::correct(DynamicState& next, double h) const {
+  const double velocity = scheme_.velocity_share(h), acceleration = scheme_.acceleration_share(h);
+  const double algorithmic = 1.0 / (h * h * scheme_.beta);
+  for (std::size_t i = 0; i < next.q.size(); ++i) {
+    next.q[i] += dq_[i];
+    next.v[i] += velocity * dq_[i];
+    next.acc[i] += acceleration * dq_[i];
+    next.alg[i] += algorithmic * dq_[i];
+  }
+  const auto correct_guide = [&](GuideValues& guide, const Vec3& direction, std::size_t first) {
+    const double d = direction.x() * dq_[first] + direction.y() * dq_[first + 1] + direction.z() * dq_[first + 2];
+    guide.q += d;
+    guide.v += velocity * d;
+    guide.acc += acceleration * d;
+    guide.alg += algorithmic * d;
+  };
+  correct_guide(next.anchor_guide, system_->surroundings().anchor.direction, 3);
+  correct_guide(next.top_guide, system_->surroundings().top.direction, dq_.size() - 3);
+}
+
+bool TimeStepper::must_factor(double h) const {
+  return !factored_ || factored_step_ != h || factors_age_ >= kOldestFactors;
+}
+
+StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& next) {
+  StepReport report;
+  predict(now, h, next);
+  system_->set_time(next.time, next);
+  system_->impose_ends(next);
+  const StepShares shares{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
+  bool factor = must_factor(h);
+  double before = std::numeric_limits<double>::infinity();
+  while (report.iterations <= settings_.max_iterations) {
+    const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
+    system_->evaluate(next, now, shares, factor, contacts);
+    system_->hold(factor);
+    report.residual = system_->relative_residual();
+    report.worst_node = system_->worst_node();
+    if (!(report.residual < 1e6)) {
+      report.end = StepEnd::lost;
+      break;
+    }
+    if (report.residual < settings_.tolerance && system_->contacts_settled()) {
+      report.end = StepEnd::converged;
+      break;
+    }
+    const bool contacts_changed = system_->contact_signature() != factored_contacts_;
+    if (!factor && (contacts_changed || report.residual > kPoorContraction * before)) {
+      factor = true;
+      continue;
+    }
+    ++report.iterations;
+    before = report.residual;
+    if (factor) {
+      ++report.factorisations;
+      if (!system_->solve_factored(dq_)) {
+        report.end = StepEnd::singular;
+        break;
+      }
+      factored_contacts_ = system_->contact_signature();
+      factors_age_ = 0;
+    } else {
+      system_->solve_again(dq_);
+    }
+    factored_ = true;
+    factored_step_ = h;
+    factor = false;
+    system_->end_iteration(next);
+    correct(next, h);
+    system_->impose_ends(next);
+  }
+  ++factors_age_;
+  if (!report.converged() || report.iterations > kSlowStep) {
+    factored_ = false;
+  }
+  return report;
+}
+
+double TimeStepper::local_error(const DynamicState& now, const DynamicState& next) {
+  const double h = next.last_step;
+  const double factor = std::abs(1.0 / 6.0 - scheme_.beta) * h * h * scheme_.acceleration_share(h);
+  for (std::size_t i = 0; i < dq_.size(); ++i) {
+    dq_[i] = factor * lumped_mass_[i] * (next.acc[i] - now.acc[i]);
+  }
+  const std::size_t top = dq_.size() - 6;
+  std::fill_n(dq_.begin(), system_->line().anchor.hold_place ? 6 : 0, 0.0);
+  std::fill_n(dq_.begin() + static_cast<std::ptrdiff_t>(top), system_->line().top.hold_place ? 6 : 0, 0.0);
+  resolve(system_->tangent(), dq_.data());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < dq_.size(); i += 6) {
+    worst = std::max(worst, dq_[i] * dq_[i] + dq_[i + 1] * dq_[i + 1] + dq_[i + 2] * dq_[i + 2]);
+  }
+  return std::sqrt(worst);
+}
+
+}  // namespace overbend

@@ -1,0 +1,102 @@
+#include "io/append_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+namespace overbend {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the files of a run are little-endian");
+
+constexpr std::size_t kBufferBytes = std::size_t{1} << 20;
+
+FileDescriptor open_file(const std::filesystem::path& file, int flags) {
+  FileDescriptor descriptor(::open(file.c_str(), flags | O_CLOEXEC, 0644));
+  if (descriptor.id() < 0) refuse_file(file, "opened");
+  return descriptor;
+}
+
+void write_all(int id, const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(id, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse_file(file, "written");
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+void refuse_file(const std::filesystem::path& file, const char* tried) {
+  const std::string reason = std::generic_category().message(errno);
+  throw std::runtime_error("the file '" + file.string() + "' can not be " + tried + ": " + reason);
+}
+
+FileDescriptor::~FileDescriptor() {
+  if (id_ >= 0) ::close(id_);
+}
+
+AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep)
+    : file_(std::move(file)), descriptor_(open_file(file_, O_RDWR | O_CREAT)), buffer_(kBufferBytes), written_(keep) {
+  const off_t length = ::lseek(descriptor_.id(), 0, SEEK_END);
+  if (length < 0) refuse_file(file_, "read");
+  if (static_cast<std::uint64_t>(length) < keep) {
+    throw std::runtime_error("the file '" + file_.string() + "' is damaged: " + std::to_string(keep) +
+                             " bytes were stored, " + std::to_string(length) + " are left");
+  }
+  if (::ftruncate(descriptor_.id(), static_cast<off_t>(keep)) != 0) refuse_file(file_, "cut");
+  if (::lseek(descriptor_.id(), static_cast<off_t>(keep), SEEK_SET) < 0) refuse_file(file_, "written");
+}
+
+void AppendFile::append(std::span<const double> values) {
+  std::span<const std::byte> bytes = std::as_bytes(values);
+  while (!bytes.empty()) {
+    if (filled_ == buffer_.size()) flush();
+    const std::size_t count = std::min(bytes.size(), buffer_.size() - filled_);
+    std::memcpy(buffer_.data() + filled_, bytes.data(), count);
+    filled_ += count;
+    bytes = bytes.subspan(count);
+  }
+}
+
+void AppendFile::flush() {
+  write_all(descriptor_.id(), file_, std::span(buffer_).first(filled_));
+  written_ += std::exchange(filled_, 0);
+}
+
+void AppendFile::sync() {
+  flush();
+  if (::fsync(descriptor_.id()) != 0) refuse_file(file_, "written");
+}
+
+void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
+  std::span<std::byte> bytes = std::as_writable_bytes(values);
+  while (!bytes.empty()) {
+    const ssize_t count = ::pread(descriptor_.id(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) refuse_file(file_, "read");
+    if (count == 0) throw std::runtime_error("the file '" + file_.string() + "' ends too early");
+    offset += static_cast<std::uint64_t>(count);
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+  }
+}
+
+void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  const FileDescriptor descriptor = open_file(file, O_WRONLY | O_CREAT | O_TRUNC);
+  write_all(descriptor.id(), file, bytes);
+  if (::fsync(descriptor.id()) != 0) refuse_file(file, "written");
+}
+
+void sync_folder(const std::filesystem::path& folder) {
+  const FileDescriptor descriptor = open_file(folder, O_RDONLY | O_DIRECTORY);
+  if (::fsync(descriptor.id()) != 0) refuse_file(folder, "written");
+}
+
+}  // namespace overbend

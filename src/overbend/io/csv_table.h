@@ -1,0 +1,47 @@
+/// Tables of text for spreadsheets.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+// From SI to the units of the tables.
+inline constexpr double kKilo = 1e-3, kMillimetres = 1e3, kMega = 1e-6, kPercent = 100.0,
+                        kDegrees = 180.0 / std::numbers::pi;
+
+/// Rows by RFC 4180: commas, CR LF, quotes where a text needs them; twelve digits.
+class CsvTable {
+ public:
+  explicit CsvTable(const std::vector<std::string>& names) {
+    for (const std::string& name : names) cell(name);
+    end_row();
+  }
+  CsvTable& cell(const std::string& text) {
+    if (!row_start_) text_ += ',';
+    row_start_ = false;
+    if (text.find_first_of(",\"\r\n") == std::string::npos) {
+      text_ += text;
+      return *this;
+    }
+    text_ += '"';
+    for (const char c : text) text_ += (c == '"') ? std::string("\"\"") : std::string(1, c);
+    text_ += '"';
+    return *this;
+  }
+  CsvTable& cell(double value) { return cell(fmt::format("{:.12g}", value == 0.0 ? 0.0 : value)); }
+  void end_row() {
+    text_ += "\r\n";
+    row_start_ = true;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  bool row_start_ = true;
+};
+
+}  // namespace overbend

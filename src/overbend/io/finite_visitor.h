@@ -1,0 +1,39 @@
+/// Refuses numbers that are none as results are visited; see static_columns.h.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "io/result_field.h"
+
+namespace overbend {
+
+/// Visits fields, `place` before their names.
+struct FiniteVisitor {
+  std::string place;
+
+  void operator()(const Field& field, double value) const {
+    if (!std::isfinite(value)) {
+      throw std::runtime_error(place + field.name + " is not a finite number; nothing is written");
+    }
+  }
+  void operator()(const Field& field, const std::optional<double>& value) const {
+    if (value) (*this)(field, *value);
+  }
+  void operator()(const Field& field, const Vec3& value) const {
+    for (int i = 0; i < 3; ++i) (*this)(Field{component_name(field, i)}, value(i));
+  }
+  void operator()(const Field& field, const Mat3& value) const {
+    for (int i = 0; i < 9; ++i) (*this)(field, value(i / 3, i % 3));
+  }
+  template <class Other>
+  void operator()(const Field&, const Other&) const {}  // text, flags and counts are always finite
+};
+
+inline std::string indexed(const std::string& name, std::size_t index) {
+  return name + "[" + std::to_string(index) + "].";
+}
+
+}  // namespace overbend

@@ -1,0 +1,21 @@
+/// Parts of summary.json.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+using Json = nlohmann::ordered_json;
+
+/// {x, y, z}
+Json place(const Vec3& p_W);
+
+/// What a static analysis writes.
+Json static_summary_json(const StaticResults& results);
+
+std::string summary_text(const Json& summary);
+
+}  // namespace overbend

@@ -1,0 +1,27 @@
+#include "mechanics/contact_damage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace overbend {
+
+double dent_depth(double force, double steel_diameter, double wall_thickness, double yield_stress) {
+  const double plastic_moment = 0.25 * yield_stress * wall_thickness * wall_thickness;  // of the wall, per length
+  // F = dE/d(depth) of E = 16 sqrt(2 pi/9) m_p sqrt(D/t) D (depth/D)^(3/2), [dnvf107]
+  const double full =
+      24.0 * std::sqrt(2.0 * std::numbers::pi / 9.0) * plastic_moment * std::sqrt(steel_diameter / wall_thickness);
+  const double share = std::max(force, 0.0) / full;
+  return steel_diameter * share * share;
+}
+
+double contact_length(double roller_face, double outer_diameter, double steel_diameter) {
+  const double squared = (outer_diameter - steel_diameter) * (outer_diameter + steel_diameter);
+  return std::min(roller_face, std::sqrt(std::max(squared, 0.0)));
+}
+
+double line_load(double force, double contact_length) {
+  return contact_length > 0.0 ? std::max(force, 0.0) / contact_length : 0.0;
+}
+
+}  // namespace overbend

@@ -1,0 +1,82 @@
+/// The law of contact between pipe and roller: forces from penetration, rates and what the contact remembers.
+///
+///     normal      k g + c g'            for g > 0, never pulling         [silva2009] equations 11 to 14
+///     tangential  k_T s + c_T v, at most mu times the normal force       [silva2009] equation 15
+///
+/// s is the slip since the contact began; past the Coulomb limit the roller slides and s stops growing (return
+/// mapping). Along the pipe mu is the roller's rolling resistance, across it the friction of pipe on roller.
+#pragma once
+
+namespace overbend {
+
+/// Constants of one roller.
+struct ContactLaw {
+  double stiffness = 0.0;             ///< k [N/m]
+  double damping = 0.0;               ///< c [N s/m]
+  double tangential_stiffness = 0.0;  ///< k_T [N/m]
+  double tangential_damping = 0.0;    ///< c_T [N s/m]
+  double friction_axial = 0.0;        ///< mu along the pipe [-]
+  double friction_lateral = 0.0;      ///< mu across the pipe [-]
+};
+
+/// Normal force with its derivatives.
+struct NormalForce {
+  double force = 0.0;           ///< On the pipe, away from the roller [N].
+  double by_penetration = 0.0;  ///< [N/m]
+  double by_rate = 0.0;         ///< [N s/m]
+};
+
+/// Spring and dashpot as they are, pulling where they would: for contacts known to carry.
+inline NormalForce attached_force(const ContactLaw& law, double penetration, double rate) {
+  return {law.stiffness * penetration + law.damping * rate, law.stiffness, law.damping};
+}
+
+/// `penetration` g [m], positive in contact; `rate` = dg/dt [m/s].
+inline NormalForce normal_force(const ContactLaw& law, double penetration, double rate) {
+  if (penetration <= 0.0) {
+    return {};
+  }
+  const NormalForce attached = attached_force(law, penetration, rate);
+  return attached.force > 0.0 ? attached : NormalForce{};
+}
+
+enum class Slip { backward = -1, stick = 0, forward = 1 };
+
+/// Friction in one direction, with its derivatives and the new slip.
+struct FrictionForce {
+  double force = 0.0;      ///< On the pipe, in the direction the slip is measured [N].
+  double by_rate = 0.0;    ///< [N s/m]
+  double by_normal = 0.0;  ///< [-]
+  double slip = 0.0;       ///< Elastic part at the end of the step [m].
+  Slip state = Slip::stick;
+};
+
+/// The slip of a step of `dt` [s] and what it is measured against: `slip` at its start [m], `rate` at its end [m/s],
+/// `normal` force at its end [N].
+struct SlipStep {
+  double slip = 0.0, rate = 0.0, dt = 0.0, normal = 0.0;
+};
+
+/// Friction of a contact known to stick or to slide.
+inline FrictionForce friction_in_state(const ContactLaw& law, double mu, const SlipStep& step, Slip state) {
+  if (state == Slip::stick) {
+    const double slip = step.slip + step.dt * step.rate;
+    return {-(law.tangential_stiffness * slip + law.tangential_damping * step.rate),
+            -(law.tangential_stiffness * step.dt + law.tangential_damping), 0.0, slip, state};
+  }
+  const double side = static_cast<int>(state);
+  const double limit = mu * step.normal;
+  return {-side * limit, 0.0, -side * mu,
+          law.tangential_stiffness > 0.0 ? side * limit / law.tangential_stiffness : 0.0, state};
+}
+
+inline FrictionForce friction_force(const ContactLaw& law, double mu, const SlipStep& step) {
+  const FrictionForce stick = friction_in_state(law, mu, step, Slip::stick);
+  const double limit = mu * step.normal;
+  if (stick.force <= limit && stick.force >= -limit) {
+    return stick;
+  }
+  return friction_in_state(law, mu, step, stick.force < 0.0 ? Slip::forward : Slip::backward);
+}
+
+}  // namespace overbend

@@ -1,0 +1,227 @@
+#include "mechanics/sea.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+#include "base/random.h"
+#include "mechanics/wave_spreading.h"
+#include "model/wave_theory.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr std::size_t kColumns = 10;  // of the kernel's table
+
+static_assert(sizeof(WaterState) == 7 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),
+              "the kernel writes states and reads points as plain doubles");
+
+bool is_regular(WaveType type) {
+  return type == WaveType::airy || type == WaveType::stokes5;
+}
+
+std::size_t padded(std::size_t count) {
+  return (count + kLanes - 1) / kLanes * kLanes;
+}
+
+WaveView view_of(const Sea& sea) {
+  const std::size_t rows = padded(sea.components.size());
+  const auto column = [&](std::size_t i) { return sea.table.data() + i * rows; };
+  return {.count = static_cast<int>(rows),
+          .depth = sea.depth,
+          .amplitude = column(0),
+          .omega = column(1),
+          .wave_number = column(2),
+          .kx = column(3),
+          .ky = column(4),
+          .phase = column(5),
+          .speed = column(6),
+          .echo = column(7),
+          .ex = column(8),
+          .ey = column(9)};
+}
+
+void fill_table(Sea& sea) {
+  const std::size_t rows = padded(sea.components.size());
+  sea.table.assign(kColumns * rows, 0.0);
+  for (std::size_t i = 0; i < sea.components.size(); ++i) {
+    const WaveComponent& c = sea.components[i];
+    const double echo = std::exp(-2.0 * c.wave_number * sea.depth);
+    const double speed = c.amplitude * c.omega / -std::expm1(-2.0 * c.wave_number * sea.depth);
+    const double columns[kColumns] = {
+        c.amplitude,         c.omega, c.wave_number, c.kx, c.ky, c.phase, speed, echo, c.kx / c.wave_number,
+        c.ky / c.wave_number};
+    for (std::size_t column = 0; column < kColumns; ++column) sea.table[column * rows + i] = columns[column];
+  }
+  // The padding keeps the order by wave number.
+  for (std::size_t i = sea.components.size(); i < rows; ++i) {
+    sea.table[2 * rows + i] = sea.components.back().wave_number;
+  }
+}
+
+/// Component of frequency omega travelling towards an azimuth.
+WaveComponent travelling(double amplitude, double omega, double towards, double phase, double depth) {
+  const double k = linear_wave_number(omega, depth);
+  return {amplitude, omega, k, k * std::sin(towards), k * std::cos(towards), phase};
+}
+
+/// Waves are named by where they come from.
+double travel_azimuth(const WavesDescription& waves) {
+  return waves.from + std::numbers::pi;
+}
+
+void set_regular(Sea& sea, const WavesDescription& waves) {
+  if (!(waves.height > 0.0) || !(waves.period > 0.0)) {
+    throw std::invalid_argument("a regular wave needs its height and period");
+  }
+  const double towards = travel_azimuth(waves);
+  if (sea.type == WaveType::airy) {
+    sea.components = {travelling(0.5 * waves.height, kTurn / waves.period, towards, waves.phase, sea.depth)};
+    return;
+  }
+  sea.stokes = stokes_wave(waves.height, waves.period, sea.depth, std::sin(towards), std::cos(towards), waves.phase);
+  const StokesWave& s = sea.stokes;
+  sea.components = {{s.elevation[0], s.omega, s.wave_number, s.kx, s.ky, s.phase}};
+}
+
+/// Components of equal energy, one from each slice of the spectrum's energy at a place drawn within it.
+void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
+  if (waves.components < 1) throw std::invalid_argument("a random sea needs one component at least");
+  const WaveSpectrum spectrum(waves);
+  Random random(seed);
+  const int count = waves.components;
+  const double amplitude = std::sqrt(2.0 * spectrum.variance() / count);
+  for (int i = 0; i < count; ++i) {
+    const double omega = spectrum.quantile((i + random.uniform()) / count);
+    const double phase = kTurn * random.uniform();
+    sea.components.push_back(travelling(amplitude, omega, travel_azimuth(waves), phase, sea.depth));
+  }
+  if (!waves.spreading) return;
+  // Drawn last, so that the spread sea has the frequencies and phases of the long-crested one.
+  const std::vector<double> directions = spread_directions(*waves.spreading, count, random);
+  for (int i = 0; i < count; ++i) {
+    const WaveComponent& c = sea.components[i];
+    sea.components[i] = travelling(amplitude, c.omega, travel_azimuth(waves) + directions[i], c.phase, sea.depth);
+  }
+}
+
+double recurrence_of(const std::vector<WaveComponent>& components, double simulated_time) {
+  double energy = 0.0, moment = 0.0;
+  for (const WaveComponent& c : components) {
+    energy += c.amplitude * c.amplitude;
+    moment += c.amplitude * c.amplitude * c.omega;
+  }
+  const double period = kTurn * energy / moment;
+  double largest = 0.0;
+  // Quarter periods: the autocorrelation can not pass a peak of its envelope unseen.
+  for (double lag = 30.0 * period; lag <= simulated_time; lag += 0.25 * period) {
+    double sum = 0.0, quadrature = 0.0;
+    for (const WaveComponent& c : components) {
+      const double a2 = c.amplitude * c.amplitude;
+      sum += a2 * std::cos(c.omega * lag);
+      quadrature += a2 * std::sin(c.omega * lag);
+    }
+    largest = std::max(largest, std::hypot(sum, quadrature) / energy);
+  }
+  return largest;
+}
+
+void stokes_state(const StokesWave& wave, double t, const BuildUp& build_up, const Vec3& point, WaterState& out) {
+  out.elevation = build_up.value * elevation(wave, t, point.x(), point.y());
+  const double z = std::clamp(point.z(), -wave.depth, std::max(out.elevation, -wave.depth));
+  const WaveKinematics k = kinematics(wave, t, point.x(), point.y(), z);
+  out.velocity = build_up.value * k.velocity;
+  out.acceleration = build_up.value * k.acceleration + build_up.rate * k.velocity;
+}
+
+WaveSums sums_of(Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) return isa_avx512::sum_waves;
+  if (isa == Isa::avx2) return isa_avx2::sum_waves;
+#endif
+  (void)isa;
+  return isa_baseline::sum_waves;
+}
+
+WaveElevation elevation_of(Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) return isa_avx512::wave_elevation;
+  if (isa == Isa::avx2) return isa_avx2::wave_elevation;
+#endif
+  (void)isa;
+  return isa_baseline::wave_elevation;
+}
+
+}  // namespace
+
+Sea make_sea(const WavesDescription& waves, double depth, double simulated_time, std::uint64_t seed) {
+  if (waves.type != WaveType::none && !(depth > 0.0)) throw std::invalid_argument("waves need a water depth");
+  Sea sea;
+  sea.type = waves.type;
+  sea.depth = depth;
+  if (waves.type == WaveType::none) return sea;
+  if (is_regular(waves.type)) {
+    set_regular(sea, waves);
+  } else {
+    set_random(sea, waves, seed);
+    sea.recurrence = recurrence_of(sea.components, simulated_time);
+  }
+  fill_table(sea);
+  return sea;
+}
+
+Sea make_sea(std::vector<WaveComponent> components, double depth) {
+  Sea sea;
+  sea.type = components.empty() ? WaveType::none : components.size() == 1 ? WaveType::airy : WaveType::user;
+  sea.depth = depth;
+  sea.components = std::move(components);
+  if (sea.calm()) return sea;
+  for (WaveComponent& c : sea.components) {
+    const double towards = std::atan2(c.kx, c.ky);
+    c = travelling(c.amplitude, c.omega, towards, c.phase, depth);
+  }
+  std::sort(sea.components.begin(), sea.components.end(),
+            [](const WaveComponent& a, const WaveComponent& b) { return a.wave_number < b.wave_number; });
+  fill_table(sea);
+  return sea;
+}
+
+void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<const Vec3> points,
+                 std::span<WaterState> out) {
+  assert(points.size() == out.size());
+  if (points.empty()) return;
+  if (sea.calm()) {
+    std::fill(out.begin(), out.end(), WaterState{});
+  } else if (sea.type == WaveType::stokes5) {
+    for (std::size_t i = 0; i < points.size(); ++i) stokes_state(sea.stokes, t, build_up, points[i], out[i]);
+  } else {
+    static const WaveSums kSums = sums_of(best_isa());
+    kSums(view_of(sea), {t, build_up.value, build_up.rate}, points[0].data(), static_cast<int>(points.size()),
+          out[0].velocity.data());
+  }
+}
+
+double elevation(const Sea& sea, double t, const BuildUp& build_up, double x, double y) {
+  if (sea.calm()) return 0.0;
+  if (sea.type == WaveType::stokes5) return build_up.value * elevation(sea.stokes, t, x, y);
+  static const WaveElevation kElevation = elevation_of(best_isa());
+  return build_up.value * kElevation(view_of(sea), t, x, y);
+}
+
+double spectral_density(const WavesDescription& waves, double omega) {
+  if (waves.type == WaveType::none || is_regular(waves.type)) return 0.0;
+  return WaveSpectrum(waves).density(omega);
+}
+
+double highest_frequency(const Sea& sea) {
+  if (sea.calm()) return 0.0;
+  // Frequency rises with the wave number.
+  const double harmonics = sea.type == WaveType::stokes5 ? 5.0 : 1.0;
+  return harmonics * sea.components.back().omega;
+}
+
+}  // namespace overbend

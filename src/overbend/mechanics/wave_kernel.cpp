@@ -1,0 +1,136 @@
+#include "mechanics/wave_kernel.h"
+
+#include "mechanics/wave_functions.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+/// Components whose sine and cosine are kept from the surface to the kinematics; with more they are found twice.
+constexpr int kKept = 1024;
+
+struct Phases {
+  alignas(64) double sine[kKept], cosine[kKept];
+};
+
+struct Place {
+  double t, x, y, z;
+};
+
+inline const Lanes& lanes(const double* from, int i) {
+  return *reinterpret_cast<const Lanes*>(from + i);
+}
+inline Lanes& lanes(double* to, int i) {
+  return *reinterpret_cast<Lanes*>(to + i);
+}
+
+inline double total(const Lanes& values) {
+  double sum = 0.0;
+  for (int i = 0; i < kWidth; ++i) sum += values[i];
+  return sum;
+}
+
+inline void find_phase(const WaveView& waves, const Place& at, int i, Lanes& sine, Lanes& cosine) {
+  const Lanes phase =
+      (lanes(waves.phase, i) - lanes(waves.omega, i) * at.t) + lanes(waves.kx, i) * at.x + lanes(waves.ky, i) * at.y;
+  sine_cosine(phase, sine, cosine);
+}
+
+/// Elevation, with the phases kept.
+double surface(const WaveView& waves, const Place& at, Phases& phases) {
+  Lanes sum{};
+  for (int i = 0; i < waves.count; i += kWidth) {
+    Lanes sine, cosine;
+    find_phase(waves, at, i, sine, cosine);
+    if (i < kKept) {
+      lanes(phases.sine, i) = sine;
+      lanes(phases.cosine, i) = cosine;
+    }
+    sum += lanes(waves.amplitude, i) * cosine;
+  }
+  return total(sum);
+}
+
+/// Number of components, rounded up to whole registers, that reach down to z.
+int reaching(const WaveView& waves, double z) {
+  int low = 0, high = waves.count;
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (-waves.wave_number[middle] * z < kWaveReach) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  const int whole = (low + kWidth - 1) / kWidth * kWidth;
+  return whole < waves.count ? whole : waves.count;
+}
+
+/// Velocity and acceleration at the height z of the linear theory: -depth to 0.
+void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases, double* out) {
+  Lanes u{}, v{}, w{}, u_t{}, v_t{}, w_t{};
+  const int count = reaching(waves, at.z);
+  for (int i = 0; i < count; i += kWidth) {
+    Lanes sine, cosine;
+    if (i < kKept) {
+      sine = lanes(phases.sine, i);
+      cosine = lanes(phases.cosine, i);
+    } else {
+      find_phase(waves, at, i, sine, cosine);
+    }
+    Lanes depth = lanes(waves.wave_number, i) * at.z;
+    depth = depth < -30.0 ? Lanes{} - 30.0 : depth;  // the last register may hold components that do not reach
+    const Lanes down = exponential(depth), echo = lanes(waves.echo, i) / down;
+    const Lanes speed = lanes(waves.speed, i), omega = lanes(waves.omega, i);
+    const Lanes across = speed * (down + echo), up = speed * (down - echo);
+    const Lanes forward = across * cosine, forward_rate = across * sine * omega;
+    u += lanes(waves.ex, i) * forward;
+    v += lanes(waves.ey, i) * forward;
+    w += up * sine;
+    u_t += lanes(waves.ex, i) * forward_rate;
+    v_t += lanes(waves.ey, i) * forward_rate;
+    w_t -= up * cosine * omega;
+  }
+  out[0] = total(u);
+  out[1] = total(v);
+  out[2] = total(w);
+  out[3] = total(u_t);
+  out[4] = total(v_t);
+  out[5] = total(w_t);
+}
+
+/// Wheeler's stretching: what linear theory has between bed and still water is spread between bed and surface.
+double stretched(double z, double elevation, double depth) {
+  // A surface below the bed is no sea; the limit keeps the numbers finite.
+  const double column = depth + elevation > 0.01 * depth ? depth + elevation : 0.01 * depth;
+  const double height = (z - elevation) * depth / column;
+  return height > 0.0 ? 0.0 : height < -depth ? -depth : height;
+}
+
+}  // namespace
+
+void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out) {
+  Phases phases;
+  for (int point = 0; point < count; ++point, points += 3, out += 7) {
+    Place place{at.t, points[0], points[1], 0.0};
+    const double elevation = at.factor * surface(waves, place, phases);
+    place.z = stretched(points[2], elevation, waves.depth);
+    sum_kinematics(waves, place, phases, out);
+    for (int i = 0; i < 3; ++i) {
+      out[3 + i] = at.factor * out[3 + i] + at.factor_rate * out[i];
+      out[i] *= at.factor;
+    }
+    out[6] = elevation;
+  }
+}
+
+double wave_elevation(const WaveView& waves, double t, double x, double y) {
+  Lanes sum{};
+  for (int i = 0; i < waves.count; i += kWidth) {
+    Lanes sine, cosine;
+    find_phase(waves, {t, x, y, 0.0}, i, sine, cosine);
+    sum += lanes(waves.amplitude, i) * cosine;
+  }
+  return total(sum);
+}
+
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE

@@ -1,0 +1,44 @@
+/// Sums of linear waves over their components. Compiled once per instruction set; raw pointers only, so that no inline
+/// function of another header is compiled for an instruction set that the machine may lack.
+#pragma once
+
+namespace overbend {
+
+/// Components by rising wave number, one array per quantity, padded to whole batches of eight with components of no
+/// amplitude.
+struct WaveView {
+  int count = 0;  ///< With the padding.
+  double depth = 0.0;
+  const double *amplitude, *omega, *wave_number, *kx, *ky, *phase;
+  const double* speed;    ///< a omega / (1 - exp(-2 k d)) [m/s]
+  const double* echo;     ///< exp(-2 k d)
+  const double *ex, *ey;  ///< Direction of travel.
+};
+
+/// Time and build-up.
+struct WaveInstant {
+  double t = 0.0, factor = 1.0, factor_rate = 0.0;
+};
+
+/// Components for which k |z| is larger are left out at depth: at 9 each has lost all but e^-9 = 1.2e-4 of its motion.
+inline constexpr double kWaveReach = 9.0;
+
+/// `out` gets seven doubles a point: velocity, acceleration, elevation; `points` has x, y, z of each.
+using WaveSums = void (*)(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
+/// Elevation at one place without build-up.
+using WaveElevation = double (*)(const WaveView& waves, double t, double x, double y);
+
+namespace isa_baseline {
+void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
+double wave_elevation(const WaveView& waves, double t, double x, double y);
+}  // namespace isa_baseline
+namespace isa_avx2 {
+void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
+double wave_elevation(const WaveView& waves, double t, double x, double y);
+}  // namespace isa_avx2
+namespace isa_avx512 {
+void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
+double wave_elevation(const WaveView& waves, double t, double x, double y);
+}  // namespace isa_avx512
+
+}  // namespace overbend

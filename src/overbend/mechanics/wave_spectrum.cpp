@@ -1,0 +1,111 @@
+#include "mechanics/wave_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+// Range of the components of a wind sea in peak frequencies: all but 0.2 % of a Pierson-Moskowitz spectrum lies in it,
+// and more of a peaked one. The step puts a node on the peak, where JONSWAP's width jumps.
+constexpr double kLowest = 0.4, kHighest = 5.0, kStep = 0.001;
+
+}  // namespace
+
+double jonswap_gamma(double hs, double tp) {
+  const double ratio = tp / std::sqrt(hs);
+  if (ratio <= 3.6) return 5.0;
+  return ratio < 5.0 ? std::exp(5.75 - 1.15 * ratio) : 1.0;
+}
+
+WaveSpectrum::WaveSpectrum(const WavesDescription& waves) {
+  switch (waves.type) {
+    case WaveType::jonswap:
+      gamma_ = waves.gamma.value_or(jonswap_gamma(waves.hs, waves.tp));
+      set_wind_sea(waves);
+      return;
+    case WaveType::pierson_moskowitz:
+      set_wind_sea(waves);
+      return;
+    case WaveType::user:
+      set_table(waves.spectrum);
+      return;
+    default:
+      throw std::invalid_argument("these waves have no spectrum");
+  }
+}
+
+/// Pierson-Moskowitz with m0 = 1, times the peak enhancement; x in peak frequencies.
+double WaveSpectrum::shape(double x) const {
+  if (x <= 0.0) return 0.0;
+  const double x4 = x * x * x * x;
+  const double base = 5.0 / (x4 * x) * std::exp(-1.25 / x4);
+  if (gamma_ == 1.0) return base;
+  const double width = x <= 1.0 ? 0.07 : 0.09;
+  const double off = (x - 1.0) / width;
+  return base * std::pow(gamma_, std::exp(-0.5 * off * off));
+}
+
+void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
+  if (!(waves.hs > 0.0) || !(waves.tp > 0.0)) throw std::invalid_argument("a wind sea needs its height and period");
+  peak_ = 2.0 * std::numbers::pi / waves.tp;
+  variance_ = waves.hs * waves.hs / 16.0;
+  const int cells = static_cast<int>(std::lround((kHighest - kLowest) / kStep));
+  double sum = 0.0;
+  omega_.push_back(kLowest * peak_);
+  energy_.push_back(0.0);
+  for (int i = 0; i < cells; ++i) {
+    const double x = kLowest + kStep * i;
+    // Just above its left end, so that the cell that begins at the peak has the width of that side.
+    sum += kStep / 6.0 * (shape(x + 1e-12) + 4.0 * shape(x + 0.5 * kStep) + shape(x + kStep - 1e-12));
+    omega_.push_back((x + kStep) * peak_);
+    energy_.push_back(sum);
+  }
+  const double tail = -std::expm1(-1.25 / std::pow(kHighest, 4));
+  for (double& energy : energy_) energy /= sum;
+  share_inside_ = sum / (sum + tail);
+  scale_ = variance_ / ((sum + tail) * peak_);
+}
+
+void WaveSpectrum::set_table(const std::vector<SpectrumPoint>& points) {
+  if (points.size() < 2) throw std::invalid_argument("a spectrum needs two points at least");
+  table_ = points;
+  const int parts = 1 + 4096 / static_cast<int>(points.size());
+  omega_.push_back(points.front().omega);
+  energy_.push_back(0.0);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double width = (points[i].omega - points[i - 1].omega) / parts;
+    for (int part = 1; part <= parts; ++part) {
+      const double omega = part == parts ? points[i].omega : points[i - 1].omega + width * part;
+      // By the density at the middle of the part: exact where it is linear.
+      variance_ += (omega - omega_.back()) * density(0.5 * (omega + omega_.back()));
+      omega_.push_back(omega);
+      energy_.push_back(variance_);
+    }
+  }
+  if (!(variance_ > 0.0)) throw std::invalid_argument("the spectrum holds no energy");
+  for (double& energy : energy_) energy /= variance_;
+}
+
+double WaveSpectrum::density(double omega) const {
+  if (table_.empty()) return scale_ * shape(omega / peak_);
+  if (omega < table_.front().omega || omega > table_.back().omega) return 0.0;
+  const auto by_omega = [](double value, const SpectrumPoint& point) { return value < point.omega; };
+  auto above = std::upper_bound(table_.begin(), table_.end(), omega, by_omega);
+  if (above == table_.end()) --above;
+  const SpectrumPoint &right = *above, &left = *(above - 1);
+  const double share = (omega - left.omega) / (right.omega - left.omega);
+  return left.density + share * (right.density - left.density);
+}
+
+double WaveSpectrum::quantile(double share) const {
+  const auto above = std::upper_bound(energy_.begin() + 1, energy_.end() - 1, share);
+  const auto i = static_cast<std::size_t>(above - energy_.begin());
+  const double cell = energy_[i] - energy_[i - 1];
+  const double part = cell > 0.0 ? std::clamp((share - energy_[i - 1]) / cell, 0.0, 1.0) : 0.0;
+  return omega_[i - 1] + part * (omega_[i] - omega_[i - 1]);
+}
+
+}  // namespace overbend

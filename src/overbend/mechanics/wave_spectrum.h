@@ -1,0 +1,42 @@
+/// Wave spectra of one variable: density, and where in frequency their energy lies.
+#pragma once
+
+#include <vector>
+
+#include "model/description.h"
+
+namespace overbend {
+
+/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205, 3.5.5.5]; hs [m], tp [s].
+double jonswap_gamma(double hs, double tp);
+
+/// One-sided spectral density of the surface elevation, S(omega) [m2 s], and its integral.
+///
+/// JONSWAP and Pierson-Moskowitz are scaled so that the density integrates over all frequencies to Hs^2/16 exactly,
+/// whatever gamma. A user's spectrum is linear between its points and zero outside.
+class WaveSpectrum {
+ public:
+  /// Throws std::invalid_argument for a wave without spectrum, or a user's spectrum of fewer than two points or no
+  /// energy.
+  explicit WaveSpectrum(const WavesDescription& waves);
+
+  double density(double omega) const;
+  /// Variance of the elevation over all frequencies [m2].
+  double variance() const { return variance_; }
+  /// Share of the variance that lies between the lowest and highest frequency used for components.
+  double share_inside() const { return share_inside_; }
+  /// Frequency [rad/s] below which the part `share`, 0 to 1, of the energy inside lies.
+  double quantile(double share) const;
+
+ private:
+  void set_wind_sea(const WavesDescription& waves);
+  void set_table(const std::vector<SpectrumPoint>& points);
+  double shape(double omega) const;
+
+  double peak_ = 0.0, gamma_ = 1.0, scale_ = 0.0;  // wind sea only
+  std::vector<SpectrumPoint> table_;               // user only
+  double variance_ = 0.0, share_inside_ = 1.0;
+  std::vector<double> omega_, energy_;  // cumulative, energy_ from 0 to 1
+};
+
+}  // namespace overbend

@@ -1,0 +1,11 @@
+#include "numerics/generalized_alpha.h"
+
+namespace overbend {
+
+GeneralizedAlpha::GeneralizedAlpha(double spectral_radius)
+    : alpha_m((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
+      alpha_f(spectral_radius / (spectral_radius + 1.0)),
+      beta(0.25 * (1.0 - alpha_m + alpha_f) * (1.0 - alpha_m + alpha_f)),
+      gamma(0.5 - alpha_m + alpha_f) {}
+
+}  // namespace overbend

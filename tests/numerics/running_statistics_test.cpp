@@ -1,0 +1,137 @@
+#include "numerics/running_statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <random>
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+struct Samples {
+  std::vector<std::vector<double>> rows;
+  std::vector<double> weights;
+};
+
+Samples random_samples(std::size_t quantities, std::size_t count, unsigned seed) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> weight(0.01, 0.5);
+  Samples samples;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double>& row = samples.rows.emplace_back(quantities);
+    for (std::size_t q = 0; q < quantities; ++q) {
+      row[q] = 10.0 * static_cast<double>(q) + normal(generator);
+    }
+    samples.weights.push_back(weight(generator));
+  }
+  return samples;
+}
+
+RunningStatistics taken(const Samples& samples) {
+  RunningStatistics statistics(samples.rows.front().size());
+  for (std::size_t i = 0; i < samples.rows.size(); ++i) {
+    statistics.add(samples.rows[i], samples.weights[i]);
+  }
+  return statistics;
+}
+
+TEST(running_statistics, agree_with_two_passes_over_all_samples) {
+  const Samples samples = random_samples(7, 500, 1);
+  const RunningStatistics statistics = taken(samples);
+  for (std::size_t q = 0; q < 7; ++q) {
+    long double sum = 0.0L, weight = 0.0L, squares = 0.0L;
+    double low = 1e300, high = -1e300;
+    for (std::size_t i = 0; i < samples.rows.size(); ++i) {
+      sum += samples.weights[i] * samples.rows[i][q];
+      weight += samples.weights[i];
+      low = std::min(low, samples.rows[i][q]);
+      high = std::max(high, samples.rows[i][q]);
+    }
+    const long double mean = sum / weight;
+    for (std::size_t i = 0; i < samples.rows.size(); ++i) {
+      squares += samples.weights[i] * (samples.rows[i][q] - mean) * (samples.rows[i][q] - mean);
+    }
+    EXPECT_EQ(statistics.min()[q], low);
+    EXPECT_EQ(statistics.max()[q], high);
+    EXPECT_NEAR(statistics.mean()[q], static_cast<double>(mean), 1e-13 * 70.0);  // rounding of 500 additions
+    EXPECT_NEAR(statistics.standard_deviation()[q], std::sqrt(static_cast<double>(squares / weight)), 1e-12);
+    EXPECT_NEAR(statistics.weight(), static_cast<double>(weight), 1e-12);
+  }
+}
+
+TEST(running_statistics, a_weight_of_three_counts_as_three_samples) {
+  RunningStatistics weighted(1), repeated(1);
+  const double values[] = {1.0, 4.0, -2.0, 5.0};
+  const int weights[] = {3, 1, 2, 3};
+  for (std::size_t i = 0; i < 4; ++i) {
+    weighted.add({&values[i], 1}, weights[i]);
+    for (int k = 0; k < weights[i]; ++k) {
+      repeated.add({&values[i], 1}, 1.0);
+    }
+  }
+  EXPECT_NEAR(weighted.mean()[0], repeated.mean()[0], 1e-14);
+  EXPECT_NEAR(weighted.standard_deviation()[0], repeated.standard_deviation()[0], 1e-14);
+}
+
+TEST(running_statistics, keep_a_spread_that_is_a_billionth_of_the_mean) {
+  RunningStatistics statistics(1);
+  for (int i = 0; i < 100000; ++i) {  // sums of squares would leave no digit of it
+    const double value = 1e9 + (i % 2 == 0 ? 1.0 : -1.0);
+    statistics.add({&value, 1}, 0.1);
+  }
+  EXPECT_NEAR(statistics.standard_deviation()[0], 1.0, 1e-6);  // value and mean are rounded to 1e-7
+  EXPECT_NEAR(statistics.mean()[0], 1e9, 1e-5);
+}
+
+TEST(running_statistics, a_sample_without_weight_counts_for_least_and_greatest_alone) {
+  RunningStatistics statistics(1);
+  const double first = 9.0, second = 2.0;
+  statistics.add({&first, 1}, 0.0);
+  EXPECT_EQ(statistics.max()[0], 9.0);
+  EXPECT_EQ(statistics.standard_deviation()[0], 0.0);
+  statistics.add({&second, 1}, 0.5);
+  EXPECT_EQ(statistics.max()[0], 9.0);
+  EXPECT_EQ(statistics.min()[0], 2.0);
+  EXPECT_EQ(statistics.mean()[0], 2.0);
+  EXPECT_EQ(statistics.standard_deviation()[0], 0.0);
+}
+
+TEST(running_statistics, taken_up_again_from_what_was_saved_end_with_the_same_bits) {
+  const Samples samples = random_samples(33, 100, 2);
+  const std::vector<double> whole = taken(samples).save();
+  Samples first = samples;
+  first.rows.resize(41);
+  RunningStatistics resumed;
+  resumed.restore(taken(first).save());
+  for (std::size_t i = 41; i < 100; ++i) {
+    resumed.add(samples.rows[i], samples.weights[i]);
+  }
+  const std::vector<double> again = resumed.save();
+  ASSERT_EQ(again.size(), whole.size());
+  EXPECT_EQ(std::memcmp(again.data(), whole.data(), whole.size() * sizeof(double)), 0);
+}
+
+TEST(running_statistics, an_empty_state_can_be_saved_too) {
+  RunningStatistics statistics(3), other;
+  other.restore(statistics.save());
+  EXPECT_EQ(other.size(), 3u);
+  const std::vector<double> values{1.0, 2.0, 3.0};
+  other.add(values, 1.0);
+  EXPECT_EQ(other.min()[1], 2.0);
+  EXPECT_EQ(other.max()[1], 2.0);
+}
+
+TEST(running_statistics, refuse_what_does_not_fit) {
+  RunningStatistics statistics(2);
+  const std::vector<double> three(3);
+  EXPECT_THROW(statistics.add(three, 1.0), std::invalid_argument);
+  EXPECT_THROW(statistics.add(std::span(three).first(2), -1.0), std::invalid_argument);
+  EXPECT_THROW(statistics.restore(three), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace overbend
