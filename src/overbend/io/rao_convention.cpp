@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "model/rao_table.h"
+#include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
@@ -92,7 +93,7 @@ std::complex<double> RaoTranslation::response(const RaoRecord& record) const {
   double size = signs_[k] * record.amplitude;
   if (record.freedom >= 3) {
     size *= angle_ / length_scale_;
-    if (per_slope_ > 0.0) size *= per_slope_ * dispersion_wave_number(record.omega, depth_);
+    if (per_slope_ > 0.0) size *= per_slope_ * linear_wave_number(record.omega, depth_);
   }
   return std::polar(1.0, -(lead_ * record.phase + event_)) * size;
 }

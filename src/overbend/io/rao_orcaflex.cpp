@@ -119,6 +119,10 @@ class OrcaFlexReader {
   }
 
   void read_settings(const YamlNode& type) {
+    if (member(type, "RAOPhaseConvention") == nullptr && given_.words.count("phase") == 0) {
+      complain(type.line, "RAOPhaseConvention", "nothing (the key is missing)", "lags or leads",
+               "say which by vessel.motion.convention.phase");
+    }
     for (const Setting& setting : settings()) {
       std::vector<std::string> known;
       for (const auto& [theirs, ours] : setting.words) known.emplace_back(theirs);

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/section.h"
-
 namespace overbend {
 namespace {
 
@@ -99,19 +97,6 @@ RaoTable::Response RaoTable::at(double heading, double omega) const {
     response[k] = factor * (low * along(h.low) + high * along(h.high));
   }
   return response;
-}
-
-double dispersion_wave_number(double omega, double depth) {
-  const double deep = omega * omega / kGravity;
-  if (depth <= 0.0 || deep * depth > 40.0) return deep;
-  double k = std::max(deep, omega / std::sqrt(kGravity * depth));
-  for (int i = 0; i < 50; ++i) {  // Newton on k tanh(k d) = deep, convex from above the root
-    const double t = std::tanh(k * depth);
-    const double step = (k * t - deep) / (t + k * depth * (1.0 - t * t));
-    k -= step;
-    if (std::abs(step) <= 1e-15 * k) break;
-  }
-  return k;
 }
 
 }  // namespace overbend

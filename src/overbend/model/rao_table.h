@@ -48,7 +48,4 @@ struct RaoTable {
   static constexpr double kFadeOut = 1.25;
 };
 
-/// Wave number [1/m] of linear waves: omega^2 = g k tanh(k depth); deep water where depth [m] is not positive.
-double dispersion_wave_number(double omega, double depth);
-
 }  // namespace overbend
