@@ -96,7 +96,7 @@ const std::vector<Spoiling>& bad_corpus() {
        "motion: {harmonic: {heave: {amplitude: 1 m, period: 8 s, phase: 30 deg}, pitch: {amplitude: 2 deg, "
        "period: 9 s}}}",
        "motion: moored", "", "vessel.motion", "'fixed'", true},
-      {"two_motions", "motion: {harmonic:", "motion: {raos: a.csv, harmonic:", "", "vessel.motion", "1 of raos", true},
+      {"two_motions", "motion: {harmonic:", "motion: {raos: a.csv, harmonic:", "", "vessel.motion", "1 of raos", false},
       {"unknown_freedom", "heave: {", "heavy: {", "", "vessel.motion.harmonic.heavy", "'heave'", true},
       {"length_for_a_rotation", "amplitude: 2 deg", "amplitude: 2 m", "", "vessel.motion.harmonic.pitch.amplitude",
        "a length", false},

@@ -179,6 +179,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_tension(check);
   check_tensioner_range(check);
   check_vessel(check);
+  check_motion(root, file, diagnostics);
   check_supports(root, file, diagnostics);
   check_dynamics(check);
   check_files(check, file);

@@ -18,4 +18,7 @@ void check_waves(const FieldValue& root, const std::string& file, Diagnostics& d
 /// Supports, rollers and tensioner: part of check_model.
 void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
+/// The vessel's motion: part of check_model.
+void check_motion(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
 }  // namespace overbend

@@ -9,6 +9,7 @@
 #include "io/field_value.h"
 #include "io/model_binder.h"
 #include "io/model_checks.h"
+#include "io/motion_files.h"
 #include "io/spectrum_reader.h"
 #include "io/yaml_document.h"
 
@@ -76,6 +77,7 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
   if (reading.diagnostics.has_errors()) return reading;
   reading.description = bind_model(values, path);
   read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+  read_motion_file(values, *reading.description, reading.diagnostics);
   if (reading.diagnostics.has_errors()) {
     reading.description.reset();
     return reading;

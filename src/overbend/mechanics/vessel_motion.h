@@ -1,19 +1,77 @@
-/// Motion of the vessel as a rigid body.
+/// Prescribed motion of the vessel in time, with exact first and second derivatives.
+///
+/// Frames: W (x east, y north, z up), V fixed in the vessel (origin midship on the water, x forward, y port, z up).
+/// Theory: docs/theory/vessel-motion.md.
 #pragma once
 
 #include <array>
+#include <complex>
+#include <limits>
+#include <string>
+#include <vector>
 
+#include "base/vec.h"
 #include "mechanics/build_up.h"
+#include "mechanics/sea.h"
 #include "model/model.h"
 
 namespace overbend {
 
-/// Pose with its rates, W.
+/// Position and motion of the vessel at an instant, as a rigid body.
 struct RigidMotion {
   VesselPose pose;
-  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< Of the vessel's origin [m/s], [m/s2].
-  Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();            ///< Angular velocity and acceleration [rad/s], [rad/s2].
-  std::array<double, 6> freedoms{};                           ///< Surge, sway, heave, roll, pitch, yaw [m], [rad].
+  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();  ///< Of V's origin, in W [m/s], [m/s2].
+  Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();  ///< Angular velocity and acceleration, in W [rad/s], [rad/s2].
+  std::array<double, 6> freedoms{};                 ///< Surge, sway, heave [m], roll, pitch, yaw [rad] from the mean.
 };
+
+/// One harmonic term of the motion: Re(amplitude exp(i omega t)).
+struct MotionTerm {
+  double omega = 0.0;                                 ///< [rad/s]
+  std::array<std::complex<double>, 6> amplitude = {};  ///< [m], [rad]
+};
+
+/// Natural cubic spline through the points of a recorded motion.
+struct MotionSpline {
+  std::vector<double> time;                         ///< [s]
+  std::vector<std::array<double, 6>> value, curve;  ///< Freedoms and their second derivatives at the points.
+};
+
+/// Made by make_vessel_motion: the mean pose with a sum of harmonic terms, or a spline, or neither (fixed).
+struct VesselMotionModel {
+  VesselPose mean;
+  Vec3 reference_V = Vec3::Zero();  ///< Point that the translations are of [m].
+  std::vector<MotionTerm> terms;
+  MotionSpline spline;
+  /// Times the description covers; a run that goes on beyond `last` has no data to go by [s].
+  double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
+  /// Share of the sea's variance at frequencies that the RAO table does not reach, below and above.
+  double below_table = 0.0, above_table = 0.0;
+
+  bool moving() const { return !terms.empty() || !spline.time.empty(); }
+};
+
+/// The motion that a model describes, in a given sea. RAOs act on every component of the sea with its own direction of
+/// travel; in a calm sea they leave the vessel at rest. Throws std::invalid_argument when the description cannot be
+/// followed: the motion's file was not there, or the motion is coupled.
+VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea);
+
+/// Motion at time t [s], every freedom times the build-up's factor; the derivatives carry those of the factor.
+///
+/// A recorded motion is continued before its first point by its reflection in that point, so that it sets in with
+/// continuous acceleration, and holds its last value after the end. Does not allocate.
+RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const BuildUp& b);
+
+/// A point fixed in the vessel: place, velocity, acceleration in W.
+struct PointMotion {
+  Vec3 place, velocity, acceleration;
+};
+PointMotion point_motion(const RigidMotion& m, const Vec3& p_V);
+
+/// A direction fixed in the vessel, with its first and second derivative in time, in W.
+struct DirectionMotion {
+  Vec3 direction, rate, acceleration;
+};
+DirectionMotion direction_motion(const RigidMotion& m, const Vec3& d_V);
 
 }  // namespace overbend

@@ -48,6 +48,17 @@ void assume_vessel(std::vector<std::string>& list, const Model& model) {
       model.description.environment.seabed.slope == 0.0 ? "; the seabed is level" : "; the seabed is a sloping plane"));
 }
 
+void assume_motion(std::vector<std::string>& list, const Model& model) {
+  const VesselDescription& vessel = model.description.vessel;
+  if (!vessel.raos) return;
+  const Vec3& p = vessel.raos->reference_V;
+  list.push_back(
+      fmt::format("The vessel moves by linear RAOs ({}) of the point {:.3f} m forward of midship, {:.3f} m to port and "
+                  "{:.3f} m above the water; the pipe does not act back on it.",
+                  vessel.raos->source, p.x(), p.y(), p.z()));
+  list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
+}
+
 void assume_supports(std::vector<std::string>& list, const Model& model) {
   if (model.supports.boxes.empty()) {
     list.push_back("No supports: the pipe hangs straight from the tensioner (J-lay).");
@@ -109,6 +120,7 @@ std::vector<std::string> assumptions(const Model& model) {
   std::vector<std::string> list;
   assume_pipe(list, model);
   assume_vessel(list, model);
+  assume_motion(list, model);
   assume_tensioner(list, model);
   assume_supports(list, model);
   assume_seabed(list, model);

@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
+#include "model/motion_history.h"
+#include "model/rao_table.h"
+
 namespace overbend {
 
 struct SteelDescription {
@@ -138,6 +142,9 @@ struct VesselDescription {
   VesselMotion motion = VesselMotion::fixed;
   std::string motion_file;  ///< For raos, history, coupled; resolved against the model file's folder.
   std::map<std::string, HarmonicMotion> harmonic;  ///< By degree of freedom: surge, sway, heave, roll, pitch, yaw.
+  Vec3 motion_reference_V = Vec3::Zero();          ///< Point that harmonic and recorded motion are of, frame V [m].
+  std::optional<RaoTable> raos;                    ///< Contents of the motion file, when it is there to be read.
+  std::optional<MotionHistory> history;            ///< Likewise.
 };
 
 enum class Guide { clamped, pinned };

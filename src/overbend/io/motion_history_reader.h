@@ -1,0 +1,17 @@
+/// Motion of the vessel in time from a CSV file.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "model/motion_history.h"
+
+namespace overbend {
+
+/// Reads columns time_s and any of surge_m, sway_m, heave_m, roll_deg, pitch_deg, yaw_deg, in any order; a freedom
+/// without a column stays zero. Times rise strictly; at least two rows. Remarks start with '#'. Faults go to
+/// `diagnostics` with file and line, and nothing is returned.
+std::optional<MotionHistory> read_motion_history(const std::string& file, Diagnostics& diagnostics);
+
+}  // namespace overbend

@@ -1,0 +1,218 @@
+#include "mechanics/vessel_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+using Six = std::array<double, 6>;
+
+/// The six freedoms with their derivatives in time.
+struct Freedoms {
+  Six value{}, rate{}, acceleration{};
+};
+
+// Terms from the description ------------------------------------------------------------------------------------
+
+/// Response to one component of the sea. `heading_W` is the azimuth of V's x axis, anticlockwise from W's x.
+MotionTerm respond(const RaoTable& raos, const WaveComponent& wave, double heading_W, const Vec3& wave_origin_W) {
+  MotionTerm term;
+  term.omega = wave.omega;
+  const RaoTable::Response z = raos.at(std::atan2(wave.ky, wave.kx) - heading_W, wave.omega);
+  const double lag = wave.kx * wave_origin_W.x() + wave.ky * wave_origin_W.y() + wave.phase;
+  const std::complex<double> crest = std::polar(wave.amplitude, -lag);
+  std::transform(z.begin(), z.end(), term.amplitude.begin(), [&](const auto& response) { return response * crest; });
+  return term;
+}
+
+void follow_raos(VesselMotionModel& motion, const RaoTable& raos, const Sea& sea) {
+  motion.reference_V = raos.reference_V;
+  const Vec3 forward = motion.mean.R_WV.col(0);
+  const double heading_W = std::atan2(forward.y(), forward.x());
+  const Vec3 wave_origin_W = motion.mean.p_WV + motion.mean.R_WV * raos.wave_origin_V;
+  double variance = 0.0, below = 0.0, above = 0.0;
+  for (const WaveComponent& wave : sea.components) {
+    motion.terms.push_back(respond(raos, wave, heading_W, wave_origin_W));
+    const double share = wave.amplitude * wave.amplitude;
+    variance += share;
+    if (wave.omega < raos.omegas.front()) below += share;
+    if (wave.omega > raos.omegas.back()) above += share;
+  }
+  if (variance > 0.0) {
+    motion.below_table = below / variance;
+    motion.above_table = above / variance;
+  }
+}
+
+void follow_harmonic(VesselMotionModel& motion, const VesselDescription& vessel) {
+  motion.reference_V = vessel.motion_reference_V;
+  for (std::size_t k = 0; k < kFreedomNames.size(); ++k) {
+    const auto found = vessel.harmonic.find(kFreedomNames[k]);
+    if (found == vessel.harmonic.end()) continue;
+    const HarmonicMotion& harmonic = found->second;
+    MotionTerm term;
+    term.omega = 2.0 * std::numbers::pi / harmonic.period;
+    term.amplitude[k] = std::polar(harmonic.amplitude, harmonic.phase - 0.5 * std::numbers::pi);  // sine, not cosine
+    motion.terms.push_back(term);
+  }
+}
+
+/// Second derivatives of the natural cubic spline through the points of one freedom (Thomas' algorithm).
+void curve_of(const MotionHistory& history, std::size_t freedom, std::vector<Six>& curve) {
+  const std::vector<double>& t = history.time;
+  const std::size_t n = t.size();
+  const auto y = [&](std::size_t i) { return history.freedoms[i][freedom]; };
+  std::vector<double> upper(n, 0.0), right(n, 0.0);
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    const double before = t[i] - t[i - 1], after = t[i + 1] - t[i];
+    const double bend = 6.0 * ((y(i + 1) - y(i)) / after - (y(i) - y(i - 1)) / before);
+    const double pivot = 2.0 * (before + after) - before * upper[i - 1];
+    upper[i] = after / pivot;
+    right[i] = (bend - before * right[i - 1]) / pivot;
+  }
+  for (std::size_t i = n - 1; i-- > 1;) curve[i][freedom] = right[i] - upper[i] * curve[i + 1][freedom];
+}
+
+void follow_history(VesselMotionModel& motion, const VesselDescription& vessel) {
+  const MotionHistory& history = *vessel.history;
+  motion.reference_V = vessel.motion_reference_V;
+  motion.spline.time = history.time;
+  motion.spline.value = history.freedoms;
+  motion.spline.curve.assign(history.time.size(), Six{});
+  for (std::size_t k = 0; k < 6; ++k) curve_of(history, k, motion.spline.curve);
+  motion.first = history.time.front();
+  motion.last = history.time.back();
+}
+
+// Evaluation ------------------------------------------------------------------------------------------------------
+
+void add_terms(const std::vector<MotionTerm>& terms, double t, Freedoms& f) {
+  for (const MotionTerm& term : terms) {
+    const double c = std::cos(term.omega * t), s = std::sin(term.omega * t);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const double re = term.amplitude[k].real(), im = term.amplitude[k].imag();
+      const double value = re * c - im * s;
+      f.value[k] += value;
+      f.rate[k] -= term.omega * (re * s + im * c);
+      f.acceleration[k] -= term.omega * term.omega * value;
+    }
+  }
+}
+
+/// The spline within its range.
+Freedoms on_spline(const MotionSpline& spline, double t) {
+  const auto after = std::upper_bound(spline.time.begin() + 1, spline.time.end() - 1, t);
+  const auto j = static_cast<std::size_t>(after - spline.time.begin()), i = j - 1;
+  const double h = spline.time[j] - spline.time[i];
+  const double b = (t - spline.time[i]) / h, a = 1.0 - b;
+  Freedoms f;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const double yi = spline.value[i][k], yj = spline.value[j][k], ci = spline.curve[i][k], cj = spline.curve[j][k];
+    f.value[k] = a * yi + b * yj + (a * (a * a - 1.0) * ci + b * (b * b - 1.0) * cj) * h * h / 6.0;
+    f.rate[k] = (yj - yi) / h + ((1.0 - 3.0 * a * a) * ci + (3.0 * b * b - 1.0) * cj) * h / 6.0;
+    f.acceleration[k] = a * ci + b * cj;
+  }
+  return f;
+}
+
+Freedoms at_rest(const Six& value) {
+  return {value, {}, {}};
+}
+
+Freedoms from_history(const MotionSpline& spline, double t) {
+  const double first = spline.time.front(), last = spline.time.back();
+  if (t >= last) return at_rest(spline.value.back());
+  if (t >= first) return on_spline(spline, t);
+  // The curve is straight at its ends, so that turning it about its first point leaves the acceleration continuous.
+  const double image = 2.0 * first - t;
+  Freedoms f = image < last ? on_spline(spline, image) : at_rest(spline.value.back());
+  for (std::size_t k = 0; k < 6; ++k) {
+    f.value[k] = 2.0 * spline.value.front()[k] - f.value[k];
+    f.acceleration[k] = -f.acceleration[k];
+  }
+  return f;
+}
+
+void build_up(Freedoms& f, const BuildUp& b) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    f.acceleration[k] = b.acceleration * f.value[k] + 2.0 * b.rate * f.rate[k] + b.value * f.acceleration[k];
+    f.rate[k] = b.rate * f.value[k] + b.value * f.rate[k];
+    f.value[k] *= b.value;
+  }
+}
+
+Vec3 translation(const Six& v) {
+  return {v[0], v[1], v[2]};
+}
+
+}  // namespace
+
+VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
+  const VesselDescription& vessel = model.description.vessel;
+  VesselMotionModel motion;
+  motion.mean = model.mean_pose;
+  switch (vessel.motion) {
+    case VesselMotion::fixed:
+      return motion;
+    case VesselMotion::harmonic:
+      follow_harmonic(motion, vessel);
+      return motion;
+    case VesselMotion::raos:
+      if (!vessel.raos) throw std::invalid_argument("the vessel's RAOs, " + vessel.motion_file + ", could not be read");
+      follow_raos(motion, *vessel.raos, sea);
+      return motion;
+    case VesselMotion::history:
+      if (!vessel.history) {
+        throw std::invalid_argument("the vessel's motion in time, " + vessel.motion_file + ", could not be read");
+      }
+      follow_history(motion, vessel);
+      return motion;
+    case VesselMotion::coupled:
+      break;
+  }
+  throw std::invalid_argument("a vessel that moves together with the pipe (vessel.motion.coupled) is not available");
+}
+
+RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const BuildUp& b) {
+  Freedoms f = motion.spline.time.empty() ? Freedoms{} : from_history(motion.spline, t);
+  add_terms(motion.terms, t, f);
+  build_up(f, b);
+
+  // R = R_mean Rz(yaw) Ry(pitch) Rx(roll); the axes about which yaw, pitch and roll turn, seen from the mean pose.
+  const Mat3 Rz = Eigen::AngleAxisd(f.value[5], Vec3::UnitZ()).toRotationMatrix();
+  const Mat3 Rzy = Rz * Eigen::AngleAxisd(f.value[4], Vec3::UnitY()).toRotationMatrix();
+  const Vec3 yaw_rate = f.rate[5] * Vec3::UnitZ();
+  const Vec3 pitch_rate = f.rate[4] * Rz.col(1);
+  const Vec3 roll_rate = f.rate[3] * Rzy.col(0);
+  const Vec3 omega = yaw_rate + pitch_rate + roll_rate;
+  const Vec3 alpha = f.acceleration[5] * Vec3::UnitZ() + f.acceleration[4] * Rz.col(1) + f.acceleration[3] * Rzy.col(0) +
+                     yaw_rate.cross(pitch_rate) + (yaw_rate + pitch_rate).cross(roll_rate);
+
+  RigidMotion m;
+  const Mat3& R = motion.mean.R_WV;
+  m.freedoms = f.value;
+  m.omega = R * omega;
+  m.alpha = R * alpha;
+  m.pose.R_WV = R * Rzy * Eigen::AngleAxisd(f.value[3], Vec3::UnitX()).toRotationMatrix();
+  const Vec3 r = m.pose.R_WV * motion.reference_V;  // from V's origin to the reference point
+  m.pose.p_WV = motion.mean.p_WV + R * (motion.reference_V + translation(f.value)) - r;
+  m.velocity = R * translation(f.rate) - m.omega.cross(r);
+  m.acceleration = R * translation(f.acceleration) - m.alpha.cross(r) - m.omega.cross(m.omega.cross(r));
+  return m;
+}
+
+PointMotion point_motion(const RigidMotion& m, const Vec3& p_V) {
+  const DirectionMotion r = direction_motion(m, p_V);
+  return {m.pose.p_WV + r.direction, m.velocity + r.rate, m.acceleration + r.acceleration};
+}
+
+DirectionMotion direction_motion(const RigidMotion& m, const Vec3& d_V) {
+  const Vec3 d = m.pose.R_WV * d_V;
+  const Vec3 rate = m.omega.cross(d);
+  return {d, rate, m.alpha.cross(d) + m.omega.cross(rate)};
+}
+
+}  // namespace overbend

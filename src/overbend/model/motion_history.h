@@ -1,0 +1,17 @@
+/// Motion of the vessel as recorded in time.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+/// Six freedoms at rising instants; signs as in RaoTable.
+struct MotionHistory {
+  std::vector<double> time;                      ///< [s]
+  std::vector<std::array<double, 6>> freedoms;  ///< Surge, sway, heave [m], roll, pitch, yaw [rad].
+  std::string source;                            ///< File it was read from.
+};
+
+}  // namespace overbend
