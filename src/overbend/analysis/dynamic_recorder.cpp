@@ -1,0 +1,484 @@
+#include "analysis/dynamic_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "analysis/lay_shape.h"
+#include "mechanics/contact_damage.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kNodeQuantities = 8;
+constexpr std::size_t kBoxQuantities = 6;     ///< Reaction, vertical, longitudinal, lateral, separation, carries.
+constexpr std::size_t kRollerQuantities = 3;  ///< Reaction, separation, carries.
+constexpr std::size_t kKeyQuantities = 13;
+constexpr std::size_t kRegionQuantities = 4;
+constexpr std::size_t kHardest = 200;
+constexpr std::size_t kImpactNumbers = 8;
+
+Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
+  return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
+}
+
+Envelope envelope_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
+                     std::size_t count) {
+  const auto part = [&](std::span<const double> all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                               all.begin() + static_cast<std::ptrdiff_t>(first + count));
+  };
+  return {part(statistics.min()), part(statistics.max()), part(statistics.mean()), part(deviation)};
+}
+
+Vec3 node_place(const DynamicState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
+}
+
+Vec3 node_tangent(const DynamicState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
+}
+
+double inclination(const Vec3& t) {
+  return std::atan2(t.z(), std::hypot(t.x(), t.y()));
+}
+
+int last_stinger_roller(const Supports& supports) {
+  for (std::size_t row = supports.rows.size(); row-- > 0;) {
+    if (supports.boxes[static_cast<std::size_t>(supports.rows[row].box)].structure == Structure::stinger) {
+      return supports.rows[row].first_roller;
+    }
+  }
+  return -1;
+}
+
+const DynamicCheckpoint::Array& array_of(const DynamicCheckpoint& checkpoint, const std::string& name) {
+  const auto found = std::find_if(checkpoint.arrays.begin(), checkpoint.arrays.end(),
+                                  [&](const DynamicCheckpoint::Array& a) { return a.name == name; });
+  if (found == checkpoint.arrays.end()) {
+    throw std::runtime_error("the checkpoint has no " + name);
+  }
+  return *found;
+}
+
+}  // namespace
+
+DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
+    : model_(&model),
+      line_(&line),
+      recovery_(model, line),
+      tip_roller_(last_stinger_roller(model.supports)),
+      rollers_(model.supports.rollers.size()),
+      boxes_(model.supports.boxes.size()) {
+  const std::size_t n = static_cast<std::size_t>(line.mesh.nodes());
+  nodes_.resize(n);
+  node_sample_.resize(kNodeQuantities * n);
+  support_sample_.resize(kBoxQuantities * boxes_ + kRollerQuantities * rollers_);
+  key_sample_.resize(kKeyQuantities);
+  node_statistics_ = RunningStatistics(node_sample_.size());
+  support_statistics_ = RunningStatistics(support_sample_.size());
+  key_statistics_ = RunningStatistics(key_sample_.size());
+  row_.resize(columns().size());
+  snapshot_.resize(5 * n + 12);
+  impacts_.resize(rollers_);
+  largest_reaction_.assign(boxes_, 0.0);
+  least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
+  largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
+  hardest_.reserve(kHardest + 1);
+}
+
+std::vector<HistoryColumn> DynamicRecorder::columns() const {
+  std::vector<HistoryColumn> columns = {
+      {"time", "s", "Time from the end of the build-up", false, false},
+      {"elevation", "m", "Water surface over the stern shoe's mean place", false, true},
+      {"surge", "m", "Vessel, forward", false, true},
+      {"sway", "m", "Vessel, to port", false, true},
+      {"heave", "m", "Vessel, up", false, true},
+      {"roll", "rad", "Vessel, starboard down", false, true},
+      {"pitch", "rad", "Vessel, bow down", false, true},
+      {"yaw", "rad", "Vessel, bow to port", false, true},
+      {"top_tension", "N", "Effective tension at the tensioner", false, true},
+      {"bottom_tension", "N", "Horizontal tension at touchdown", false, false},
+      {"lay_back", "m", "Horizontal distance from the stern shoe's mean place to touchdown", false, false},
+      {"departure_angle", "rad", "Of the pipe at the last support in contact, from horizontal", false, false},
+      {"stinger_tip_clearance", "m", "Separation at the last row of the stinger", false, false}};
+  const auto region = [&](const std::string& name) {
+    columns.push_back(
+        {name + "_bending_stress", "Pa", "Largest bending stress of the " + name + " at the instant", false, false});
+    columns.push_back(
+        {name + "_von_mises", "Pa", "Largest von Mises stress of the " + name + " at the instant", false, false});
+    columns.push_back(
+        {name + "_strain_peak", "1", "Largest strain of the " + name + " since the row before", true, false});
+    columns.push_back({name + "_von_mises_peak", "Pa",
+                       "Largest von Mises stress of the " + name + " since the row before", true, false});
+  };
+  region("overbend");
+  region("sagbend");
+  columns.push_back({"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false});
+  columns.push_back({"step", "s", "Time step that led here", false, false});
+  columns.push_back({"energy_drift", "1", "Error of the energy balance over the energy that has passed", false, false});
+  for (const SupportBox& box : model_->supports.boxes) {
+    columns.push_back(
+        {"support/" + box.name + "/reaction", "N", "Largest resultant since the row before", true, false});
+    columns.push_back(
+        {"support/" + box.name + "/separation", "m", "Least separation since the row before", false, false});
+  }
+  return columns;
+}
+
+void DynamicRecorder::start(const RecordedInstant& at) {
+  recover(at);
+  static_nodes_ = nodes_;
+  static_supports_ = support_sample_;
+}
+
+void DynamicRecorder::recover(const RecordedInstant& at) {
+  recovery_.recover(*at.state, at.system->contacts(), nodes_);
+  find_key_values(at);
+  find_support_values(at);
+  for (std::size_t i = 0; i < kKeyQuantities; ++i) {
+    largest_key_[i] = std::max(largest_key_[i], key_sample_[i]);
+  }
+}
+
+void DynamicRecorder::find_key_values(const RecordedInstant& at) {
+  const DynamicState& state = *at.state;
+  const int top = line_->mesh.nodes() - 1;
+  key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
+  const SeabedPlane& bed = model_->seabed;
+  const double radius = line_->elements.radius[0];
+  const auto clearance = [&](int node) { return bed.normal_W.dot(node_place(state, node) - bed.point_W) - radius; };
+  int touchdown = 0;
+  for (int node = top; node > 0; --node) {
+    if (clearance(node) <= 0.0) {
+      touchdown = node;
+      break;
+    }
+  }
+  Vec3 landing = node_place(state, touchdown);
+  if (touchdown > 0 && touchdown < top) {
+    const double below = clearance(touchdown), above = clearance(touchdown + 1);
+    landing += below / (below - above) * (node_place(state, touchdown + 1) - landing);
+  }
+  const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero());
+  key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
+  key_.bottom_tension = nodes_.effective_tension[static_cast<std::size_t>(touchdown)] *
+                        std::cos(inclination(node_tangent(state, touchdown)));
+  int last_contact = top + 1;
+  for (const MovingContact& contact : at.system->contacts()) {
+    if (contact.normal > 0.0) {
+      last_contact = std::min(last_contact, contact.at.element);
+    }
+  }
+  key_.departure_angle = inclination(node_tangent(state, std::min(last_contact, top)));
+  key_.tip_clearance =
+      tip_roller_ < 0 ? 0.0 : -at.system->contacts()[static_cast<std::size_t>(tip_roller_)].penetration;
+  find_region_peaks(last_contact, touchdown, state.time);
+}
+
+void DynamicRecorder::find_region_peaks(int last_contact_node, int touchdown_node, double time) {
+  const int top = line_->mesh.nodes() - 1;
+  int inflection = top;  // the highest node of the sagbend
+  if (last_contact_node <= top) {
+    inflection = last_contact_node;
+    while (inflection > touchdown_node && nodes_.vertical_moment[static_cast<std::size_t>(inflection)] <= 0.0) {
+      --inflection;
+    }
+  }
+  const std::vector<double>* quantity[kRegionQuantities] = {&nodes_.bending_moment, &nodes_.bending_stress,
+                                                            &nodes_.von_mises, &nodes_.strain};
+  const auto find = [&](RegionPeak& peak, const std::vector<double>& values, int from, int to) {
+    peak.now = 0.0;
+    for (int node = from; node <= to; ++node) {
+      const double value = values[static_cast<std::size_t>(node)];
+      peak.now = std::max(peak.now, value);
+      if (time > 0.0 && value > peak.largest) {
+        peak.largest = value;
+        peak.s = line_->mesh.s[static_cast<std::size_t>(node)];
+        peak.time = time;
+      }
+    }
+  };
+  for (std::size_t i = 0; i < kRegionQuantities; ++i) {
+    find(key_.sagbend[i], *quantity[i], touchdown_node, inflection);
+    find(key_.overbend[i], *quantity[i], inflection + 1, top);
+  }
+  key_sample_ = {key_.top_tension,     key_.bottom_tension,  key_.lay_back,        key_.departure_angle,
+                 key_.tip_clearance,   key_.overbend[0].now, key_.overbend[1].now, key_.overbend[2].now,
+                 key_.overbend[3].now, key_.sagbend[0].now,  key_.sagbend[1].now,  key_.sagbend[2].now,
+                 key_.sagbend[3].now};
+}
+
+void DynamicRecorder::find_support_values(const RecordedInstant& at) {
+  const Mat3& axes = at.system->surroundings().vessel.pose.R_WV;
+  const Vec3 port = axes.col(1);
+  const std::vector<Roller>& rollers = model_->supports.rollers;
+  double* of_rollers = support_sample_.data() + kBoxQuantities * boxes_;
+  std::size_t roller = 0;
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    const SupportBox& support = model_->supports.boxes[box];
+    const Vec3 along = direction_from_ramp(at.system->surroundings().vessel.pose, support.direction_S);
+    Vec3 force = Vec3::Zero();
+    double separation = std::numeric_limits<double>::infinity();
+    for (; roller < rollers_ && rollers[roller].box == static_cast<int>(box); ++roller) {
+      const MovingContact& contact = at.system->contacts()[roller];
+      double* out = of_rollers + kRollerQuantities * roller;
+      out[0] = contact.normal;
+      out[1] = -contact.penetration;
+      out[2] = contact.normal > 0.0 ? 1.0 : 0.0;
+      force += contact.force();
+      if (rollers[roller].position == RollerPosition::bottom) {
+        separation = std::min(separation, -contact.penetration);
+      }
+    }
+    double* out = support_sample_.data() + kBoxQuantities * box;
+    const double size = force.norm();
+    const double values[kBoxQuantities] = {
+        size, force.z(), force.dot(along), force.dot(port), separation, size > 0.0 ? 1.0 : 0.0};
+    std::copy_n(values, kBoxQuantities, out);
+    largest_reaction_[box] = std::max(largest_reaction_[box], size);
+    least_separation_[box] = std::min(least_separation_[box], separation);
+  }
+}
+
+void DynamicRecorder::step(const RecordedInstant& at) {
+  recover(at);
+  if (at.state->time <= 0.0) {
+    return;
+  }
+  double* out = node_sample_.data();
+  for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
+                                            &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {
+    out = std::copy(values->begin(), values->end(), out);
+  }
+  node_statistics_.add(node_sample_, at.step);
+  support_statistics_.add(support_sample_, at.step);
+  key_statistics_.add(key_sample_, at.step);
+}
+
+std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
+  std::size_t i = 0;
+  const auto put = [&](double value) { row_[i++] = value; };
+  put(at.state->time);
+  put(at.elevation);
+  for (const double freedom : at.system->surroundings().vessel.freedoms) {
+    put(freedom);
+  }
+  for (std::size_t k = 0; k < 5; ++k) {
+    put(key_sample_[k]);
+  }
+  for (const std::size_t first : {std::size_t{5}, std::size_t{9}}) {  // overbend, sagbend
+    put(key_sample_[first + 1]);
+    put(key_sample_[first + 2]);
+    put(largest_key_[first + 3]);
+    put(largest_key_[first + 2]);
+  }
+  put(largest_key_[0]);
+  put(at.step);
+  put(at.drift);
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    put(largest_reaction_[box]);
+    put(least_separation_[box]);
+  }
+  std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
+  std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
+  std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
+  return row_;
+}
+
+std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
+  double* out = snapshot_.data();
+  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+    const double values[5] = {nodes_.x[node], nodes_.y[node], nodes_.z[node], nodes_.effective_tension[node],
+                              nodes_.von_mises[node]};
+    out = std::copy_n(values, 5, out);
+  }
+  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  for (int i = 0; i < 3; ++i) {
+    *out++ = pose.p_WV(i);
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      *out++ = pose.R_WV(i, j);
+    }
+  }
+  return snapshot_;
+}
+
+void DynamicRecorder::count(Impact& impact) {
+  const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
+  const Section& pipe = model_->sections.front();
+  impact.dent_depth = dent_depth(impact.peak_force, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+  impact.line_load =
+      line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
+  if (impact.time <= 0.0) {
+    return;
+  }
+  RollerImpacts& sum = impacts_[static_cast<std::size_t>(impact.roller)];
+  sum.count += 1.0;
+  sum.velocity = std::max(sum.velocity, impact.approach_velocity);
+  sum.force = std::max(sum.force, impact.peak_force);
+  sum.impulse = std::max(sum.impulse, impact.impulse);
+  impact_count_ += 1.0;
+  const auto harder = [](const Impact& a, const Impact& b) { return a.peak_force > b.peak_force; };
+  hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), impact, harder), impact);
+  if (hardest_.size() > kHardest) {
+    hardest_.pop_back();
+  }
+}
+
+void DynamicRecorder::fill_supports(DynamicResults& results) const {
+  const Section& pipe = model_->sections.front();
+  const std::vector<double> deviation = support_statistics_.standard_deviation();
+  std::size_t roller = 0;
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    const SupportBox& support = model_->supports.boxes[box];
+    const std::size_t at = kBoxQuantities * box;
+    const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
+    SupportDynamics out;
+    out.name = support.name;
+    out.stinger = support.structure == Structure::stinger;
+    out.reaction = spread(at);
+    out.vertical = spread(at + 1);
+    out.longitudinal = spread(at + 2);
+    out.lateral = spread(at + 3);
+    out.separation = spread(at + 4);
+    out.contact_share = spread(at + 5).mean;
+    out.static_reaction = static_supports_[at];
+    out.static_separation = static_supports_[at + 4];
+    for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
+      const Roller& placed = model_->supports.rollers[roller];
+      const std::size_t i = kBoxQuantities * boxes_ + kRollerQuantities * roller;
+      RollerDynamics r;
+      r.roller = static_cast<int>(roller);
+      r.box = placed.box;
+      r.row = placed.row;
+      r.position = placed.position;
+      r.reaction = spread(i);
+      r.separation = spread(i + 1);
+      r.contact_share = spread(i + 2).mean;
+      r.static_reaction = static_supports_[i];
+      r.static_separation = static_supports_[i + 1];
+      r.impact_count = static_cast<std::int64_t>(impacts_[roller].count);
+      r.largest_approach_velocity = impacts_[roller].velocity;
+      r.largest_impact_force = impacts_[roller].force;
+      r.largest_impulse = impacts_[roller].impulse;
+      r.dent_depth = dent_depth(r.reaction.max, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+      r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
+      out.impact_count += r.impact_count;
+      out.rollers.push_back(r);
+    }
+    results.supports.push_back(out);
+  }
+}
+
+void DynamicRecorder::fill_regions(DynamicResults& results) const {
+  const std::vector<double> deviation = key_statistics_.standard_deviation();
+  const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
+    DynamicExtreme out;
+    out.over_time = spread_of(key_statistics_, deviation, i);
+    out.s = peak.s;
+    out.time = peak.time;
+    const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
+    const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
+    out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
+    return out;
+  };
+  const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
+    return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
+                         extreme(peaks[3], first + 3)};
+  };
+  results.overbend = region(key_.overbend, 5);
+  results.sagbend = region(key_.sagbend, 9);
+  Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
+                              &results.departure_angle, &results.stinger_tip_clearance};
+  for (std::size_t i = 0; i < 5; ++i) {
+    *spreads[i] = spread_of(key_statistics_, deviation, i);
+  }
+}
+
+void DynamicRecorder::fill(DynamicResults& results) const {
+  const std::size_t n = nodes_.x.size();
+  const std::vector<double> deviation = node_statistics_.standard_deviation();
+  Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
+                                                &results.bending_moment,
+                                                &results.bending_stress,
+                                                &results.von_mises,
+                                                &results.strain,
+                                                &results.x,
+                                                &results.y,
+                                                &results.z};
+  for (std::size_t i = 0; i < kNodeQuantities; ++i) {
+    *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
+  }
+  results.station_s = line_->mesh.s;
+  results.static_tension = static_nodes_.effective_tension;
+  results.static_moment = static_nodes_.bending_moment;
+  results.static_bending_stress = static_nodes_.bending_stress;
+  results.static_von_mises = static_nodes_.von_mises;
+  results.static_strain = static_nodes_.strain;
+  for (std::size_t i = 0; i < n; ++i) {
+    results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
+  }
+  fill_regions(results);
+  fill_supports(results);
+  results.hardest_impacts = hardest_;
+  results.impact_count = static_cast<std::int64_t>(impact_count_);
+  results.tensioner.mode = "locked";
+  results.tensioner.tension = results.top_tension;
+}
+
+void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
+  const auto put = [&](const char* name, std::vector<double> values) {
+    checkpoint.arrays.push_back({name, std::move(values)});
+  };
+  put("record/nodes", node_statistics_.save());
+  put("record/supports", support_statistics_.save());
+  put("record/key", key_statistics_.save());
+  std::vector<double> peaks, impacts{impact_count_}, hardest;
+  for (const auto* region : {&key_.overbend, &key_.sagbend}) {
+    for (const RegionPeak& peak : *region) {
+      peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time});
+    }
+  }
+  for (const RollerImpacts& i : impacts_) {
+    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
+  }
+  for (const Impact& i : hardest_) {
+    hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
+                                   i.impulse, i.dent_depth, i.line_load});
+  }
+  put("record/peaks", std::move(peaks));
+  put("record/impacts", std::move(impacts));
+  put("record/hardest", std::move(hardest));
+}
+
+void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
+  const auto get = [&](const char* name) -> const std::vector<double>& { return array_of(checkpoint, name).values; };
+  node_statistics_.restore(get("record/nodes"));
+  support_statistics_.restore(get("record/supports"));
+  key_statistics_.restore(get("record/key"));
+  std::size_t i = 0;
+  const std::vector<double>& peaks = get("record/peaks");
+  for (auto* region : {&key_.overbend, &key_.sagbend}) {
+    for (RegionPeak& peak : *region) {
+      peak.largest = peaks.at(i++);
+      peak.s = peaks.at(i++);
+      peak.time = peaks.at(i++);
+    }
+  }
+  const std::vector<double>& impacts = get("record/impacts");
+  impact_count_ = impacts.at(0);
+  for (std::size_t r = 0; r < impacts_.size(); ++r) {
+    impacts_[r] = {impacts.at(4 * r + 1), impacts.at(4 * r + 2), impacts.at(4 * r + 3), impacts.at(4 * r + 4)};
+  }
+  const std::vector<double>& hardest = get("record/hardest");
+  hardest_.clear();
+  for (std::size_t k = 0; k + kImpactNumbers <= hardest.size(); k += kImpactNumbers) {
+    hardest_.push_back({static_cast<int>(hardest[k]), hardest[k + 1], hardest[k + 2], hardest[k + 3], hardest[k + 4],
+                        hardest[k + 5], hardest[k + 6], hardest[k + 7]});
+  }
+}
+
+}  // namespace overbend

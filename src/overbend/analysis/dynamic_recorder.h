@@ -1,0 +1,86 @@
+/// What a run in time leaves behind: statistics of every station and support, rows of histories, snapshots.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "analysis/dynamic_stations.h"
+#include "analysis/dynamics.h"
+#include "numerics/running_statistics.h"
+
+namespace overbend {
+
+/// The largest of a region: now, and of all times.
+struct RegionPeak {
+  double now = 0.0;
+  double largest = -1.0, s = 0.0, time = 0.0;
+};
+
+/// Key figures at one instant.
+struct KeyValues {
+  double top_tension = 0.0, bottom_tension = 0.0, lay_back = 0.0, departure_angle = 0.0, tip_clearance = 0.0;
+  RegionPeak overbend[4], sagbend[4];  ///< Bending moment, bending stress, von Mises stress, strain.
+};
+
+/// One instant as the recorder is told of it.
+struct RecordedInstant {
+  const DynamicState* state = nullptr;
+  const DynamicSystem* system = nullptr;
+  double step = 0.0;       ///< That led here [s].
+  double elevation = 0.0;  ///< Of the water at the stern shoe's mean place [m].
+  double drift = 0.0;      ///< Of energy, relative.
+};
+
+class DynamicRecorder {
+ public:
+  DynamicRecorder(const Model& model, const DynamicLine& line);
+
+  std::vector<HistoryColumn> columns() const;
+  int stations() const { return line_->mesh.nodes(); }
+
+  /// The static state, by the same recovery.
+  void start(const RecordedInstant& at);
+  /// Every accepted step; statistics count from t > 0.
+  void step(const RecordedInstant& at);
+  /// The row at this instant; forgets what was largest since the last.
+  std::span<const double> row(const RecordedInstant& at);
+  std::span<const double> snapshot(const RecordedInstant& at);
+  double top_tension() const { return key_.top_tension; }
+  /// Impacts that ended: counted, and what they do to pipe and coating filled in.
+  void count(Impact& impact);
+
+  /// Statistics into results; leaves what the recorder does not know.
+  void fill(DynamicResults& results) const;
+
+  void save(DynamicCheckpoint& checkpoint) const;
+  void restore(const DynamicCheckpoint& checkpoint);
+
+ private:
+  void recover(const RecordedInstant& at);
+  void find_key_values(const RecordedInstant& at);
+  void find_region_peaks(int last_contact_node, int touchdown_node, double time);
+  void find_support_values(const RecordedInstant& at);
+  void fill_supports(DynamicResults& results) const;
+  void fill_regions(DynamicResults& results) const;
+
+  const Model* model_;
+  const DynamicLine* line_;
+  NodeRecovery recovery_;
+  NodeValues nodes_, static_nodes_;
+  KeyValues key_;
+  int tip_roller_ = -1;  ///< Bottom roller of the stinger's last row.
+  std::size_t rollers_, boxes_;
+
+  std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;
+  RunningStatistics node_statistics_, support_statistics_, key_statistics_;
+  std::vector<double> row_, snapshot_;
+  std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.
+  struct RollerImpacts {
+    double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
+  };
+  std::vector<RollerImpacts> impacts_;
+  std::vector<Impact> hardest_;
+  double impact_count_ = 0.0;
+};
+
+}  // namespace overbend

@@ -1,0 +1,473 @@
+#include "analysis/dynamics.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "analysis/dynamic_recorder.h"
+#include "analysis/dynamic_setup.h"
+#include "analysis/energy_account.h"
+#include "analysis/water_field.h"
+#include "mechanics/vessel_motion.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kSmallestStep = 1e-7;     ///< [s]
+constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
+constexpr double kLeastGrowth = 1.15;      ///< Less than this is not worth new factors.
+constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
+
+/// Everything that stands still during a run.
+struct Setup {
+  Sea sea;
+  VesselMotionModel motion;
+  DynamicLine line;
+  double interval = 0.5;  ///< Of the clock that steps must meet [s].
+};
+
+/// Place and direction of the tensioner in the vessel's frame.
+struct TensionerPlace {
+  Vec3 place_V, direction_V;
+};
+
+TensionerPlace tensioner_place(const Model& model) {
+  const TensionerDescription& t = model.description.tensioner;
+  const VesselDescription& v = model.description.vessel;
+  // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
+  return {Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z), Vec3(std::cos(t.incline), 0.0, std::sin(t.incline))};
+}
+
+EndMotion anchor_motion(const StaticSolution& start) {
+  const std::vector<double>& q = start.state.q;
+  EndMotion motion;
+  motion.place = Vec3(q[0], q[1], q[2]);
+  motion.direction = Vec3(q[3], q[4], q[5]).normalized();
+  return motion;
+}
+
+Setup make_setup(const Model& model, const StaticSolution& start, const DynamicOptions& options) {
+  Setup setup;
+  const Description& d = model.description;
+  setup.sea =
+      make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
+  setup.motion = make_vessel_motion(model, setup.sea);
+  setup.line = dynamic_line(model, start);
+  setup.interval = water_interval(setup.sea, options.output_step);
+  return setup;
+}
+
+/// Counts the clock's ticks, so that times are products and not sums.
+struct Clock {
+  double interval = 0.5;
+  std::int64_t tick = 0, ticks_per_row = 1, last_tick = 0;
+
+  double time() const { return static_cast<double>(tick) * interval; }
+  bool at_row() const { return tick % ticks_per_row == 0; }
+};
+
+Clock make_clock(const DynamicOptions& options, double interval) {
+  Clock clock;
+  clock.interval = interval;
+  clock.ticks_per_row = std::llround(options.output_step / interval);
+  const std::int64_t rows_before = static_cast<std::int64_t>(std::ceil(options.build_up / options.output_step - 1e-9));
+  const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
+  clock.tick = -rows_before * clock.ticks_per_row;
+  clock.last_tick = rows_after * clock.ticks_per_row;
+  return clock;
+}
+
+/// Chooses steps between ticks.
+struct StepChooser {
+  double wanted = 0.02;  ///< By error and impacts [s].
+  double last = 0.0;     ///< Step taken last [s].
+
+  /// A step that leads to the next tick in equal parts; that of before where it does so too, so that factors serve on.
+  double choose(double remaining, double longest) {
+    const double limit = std::min(wanted, longest);
+    const double parts = remaining / last;
+    const bool fits = last > 0.0 && std::abs(parts - std::round(parts)) < 1e-6 && parts > 0.5;
+    if (!(fits && last <= limit * (1.0 + 1e-9) && last * kLeastGrowth > std::min(limit, remaining))) {
+      last = remaining / std::ceil(remaining / limit - 1e-9);
+    }
+    return last;
+  }
+};
+
+std::string place_text(double time, double s) {
+  return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
+}
+
+StaticFailure step_failure(const StepReport& report, const DynamicLine& line, double time) {
+  const double s = line.mesh.s[static_cast<std::size_t>(report.worst_node)];
+  return {"the time step can not be solved", place_text(time, s),
+          report.end == StepEnd::singular ? "the equations have no solution there"
+                                          : "forces stay out of balance however short the step is"};
+}
+
+class Run {
+ public:
+  Run(const Model& model, const StaticSolution& start, const DynamicOptions& options)
+      : model_(model),
+        options_(options),
+        setup_(make_setup(model, start, options)),
+        anchor_(anchor_motion(start)),
+        tensioner_(tensioner_place(model)),
+        clock_(make_clock(options, setup_.interval)),
+        water_(setup_.sea, start.mesh, start.state.q, options.build_up, setup_.interval),
+        shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
+    setup_.line.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
+    system_.emplace(setup_.line);
+    stepper_.emplace(*system_, options.step);
+    tracker_.emplace(setup_.line.rollers, options.impacts);
+    recorder_.emplace(model, setup_.line);
+    state_ = static_state(setup_.line, start, clock_.time());
+    chooser_.wanted = std::min(chooser_.wanted, options.max_step);
+    ended_.reserve(setup_.line.rollers.size());
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  DynamicOutcome go(DynamicSink& sink, const DynamicCheckpoint* from, const StaticResults& statics,
+                    const std::function<DynamicControl(const DynamicProgress&)>& control);
+
+ private:
+  void surroundings(double time, Surroundings& now);
+  bool begin();
+  void resume(const DynamicCheckpoint& checkpoint);
+  DynamicCheckpoint checkpoint() const;
+  std::optional<StaticFailure> to_next_tick(DynamicSink& sink);
+  void accept(DynamicSink& sink, double h);
+  void adapt(double h);
+  RecordedInstant instant() const;
+  void write_row(DynamicSink& sink);
+  DynamicResults results(const StaticResults& statics) const;
+
+  const Model& model_;
+  DynamicOptions options_;
+  Setup setup_;
+  EndMotion anchor_;
+  TensionerPlace tensioner_;
+  Clock clock_;
+  WaterField water_;
+  WaterMemory water_memory_;
+  Vec3 shoe_;
+  std::optional<DynamicSystem> system_;
+  std::optional<TimeStepper> stepper_;
+  std::optional<ImpactTracker> tracker_;
+  std::optional<DynamicRecorder> recorder_;
+  EnergyAccount energy_;
+  DynamicState state_, next_;
+  StepChooser chooser_;
+  std::vector<Impact> ended_;
+  DynamicRunReport report_;
+};
+
+void Run::surroundings(double time, Surroundings& now) {
+  now.vessel = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+  const PointMotion place = point_motion(now.vessel, tensioner_.place_V);
+  const DirectionMotion direction = direction_motion(now.vessel, tensioner_.direction_V);
+  now.top = {place.place,         place.velocity, place.acceleration,
+             direction.direction, direction.rate, direction.acceleration};
+  now.anchor = anchor_;
+  if (!water_.calm()) {
+    now.water.resize(static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(setup_.line.mesh.nodes()));
+    water_.nodes_at(water_memory_, time, now.water);
+  }
+}
+
+RecordedInstant Run::instant() const {
+  return {&state_, &*system_, state_.last_step,
+          elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe_.x(), shoe_.y()),
+          energy_.balance().drift()};
+}
+
+bool Run::begin() {
+  if (!water_.calm()) {
+    water_.start(water_memory_, clock_.time(), state_.q, state_.v);
+  }
+  system_->set_time(state_.time, state_);
+  system_->impose_ends(state_);
+  if (!system_->find_accelerations(state_)) {
+    return false;
+  }
+  state_.alg = state_.acc;
+  state_.top_guide.alg = state_.top_guide.acc;
+  state_.anchor_guide.alg = state_.anchor_guide.acc;
+  const DynamicState before = state_;
+  system_->evaluate(state_, before, {}, false);
+  energy_.start(system_->energy(state_));
+  ended_.clear();
+  tracker_->accept(system_->contacts(), state_.time, 1.0, ended_);
+  recorder_->start(instant());
+  report_.smallest_step = options_.max_step;
+  return true;
+}
+
+void Run::adapt(double h) {
+  if (options_.fixed_step) {
+    chooser_.wanted = *options_.fixed_step;
+    return;
+  }
+  const double error = stepper_->local_error(state_, next_);
+  const double growth =
+      std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
+  chooser_.wanted = std::clamp(h * growth, kSmallestStep, options_.max_step);
+}
+
+void Run::accept(DynamicSink& sink, double h) {
+  adapt(h);
+  energy_.add(system_->energy(next_), h);
+  ended_.clear();
+  tracker_->accept(system_->contacts(), next_.time, h, ended_);
+  std::swap(state_, next_);
+  for (Impact& impact : ended_) {
+    recorder_->count(impact);
+    sink.impact(impact);
+  }
+  recorder_->step(instant());
+  ++report_.steps;
+  report_.smallest_step = std::min(report_.smallest_step, h);
+  report_.largest_step = std::max(report_.largest_step, h);
+}
+
+std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
+  const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  while (state_.time < target) {
+    const double remaining = target - state_.time;
+    const double h = chooser_.choose(remaining, options_.fixed_step ? 1e300 : tracker_->step_limit());
+    const StepReport step = stepper_->step(state_, h, next_);
+    report_.newton_iterations += step.iterations;
+    report_.factorisations += step.factorisations;
+    if (!step.converged()) {
+      ++report_.rejected_steps;
+      chooser_.wanted = 0.5 * h;
+      if (chooser_.wanted < kSmallestStep) {
+        return step_failure(step, setup_.line, state_.time);
+      }
+      continue;
+    }
+    const ImpactLimit impact = tracker_->check(system_->contacts(), h);
+    if (impact.reject && !options_.fixed_step) {
+      ++report_.rejected_steps;
+      chooser_.wanted = impact.step;
+      continue;
+    }
+    if (remaining - h < 1e-6 * h) {
+      next_.time = target;
+    }
+    accept(sink, h);
+  }
+  ++clock_.tick;
+  if (!water_.calm()) {
+    water_.advance(water_memory_, state_.q, state_.v);
+  }
+  return std::nullopt;
+}
+
+void Run::write_row(DynamicSink& sink) {
+  const RecordedInstant now = instant();
+  sink.row(recorder_->row(now));
+  const double rows = options_.duration / options_.output_step;
+  const std::int64_t stride = std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMostSnapshots)));
+  if (state_.time >= 0.0 && (clock_.tick / clock_.ticks_per_row) % stride == 0) {
+    sink.snapshot(state_.time, recorder_->snapshot(now));
+  }
+}
+
+DynamicCheckpoint Run::checkpoint() const {
+  DynamicCheckpoint c;
+  c.time = state_.time;
+  const auto put = [&](const char* name, std::vector<double> values) { c.arrays.push_back({name, std::move(values)}); };
+  put("state/q", state_.q);
+  put("state/v", state_.v);
+  put("state/acc", state_.acc);
+  put("state/alg", state_.alg);
+  put("state/bed_slip", {state_.bed_slip.begin(), state_.bed_slip.end()});
+  const GuideValues &a = state_.anchor_guide, &t = state_.top_guide;
+  put("state/scalars", {state_.time, state_.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
+  std::vector<double> contacts;
+  for (const ContactMemory& m : state_.contacts) {
+    contacts.insert(contacts.end(), {m.slip_axial, m.slip_lateral, m.carries ? 1.0 : 0.0, static_cast<double>(m.axial),
+                                     static_cast<double>(m.lateral), static_cast<double>(m.element), m.xi});
+  }
+  put("state/contacts", std::move(contacts));
+  std::vector<double> water{water_memory_.time};
+  for (const std::vector<WaterState>* moment : {&water_memory_.first, &water_memory_.second}) {
+    for (const WaterState& w : *moment) {
+      water.insert(water.end(), {w.velocity.x(), w.velocity.y(), w.velocity.z(), w.acceleration.x(), w.acceleration.y(),
+                                 w.acceleration.z(), w.elevation});
+    }
+  }
+  put("water", std::move(water));
+  put("impacts", tracker_->save());
+  put("energy", energy_.save());
+  put("control", {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick)});
+  put("report", {static_cast<double>(report_.steps), static_cast<double>(report_.rejected_steps),
+                 static_cast<double>(report_.newton_iterations), static_cast<double>(report_.factorisations),
+                 report_.smallest_step, report_.largest_step, report_.wall_time});
+  recorder_->save(c);
+  return c;
+}
+
+void Run::resume(const DynamicCheckpoint& checkpoint) {
+  const auto get = [&](const char* name) -> const std::vector<double>& {
+    for (const DynamicCheckpoint::Array& array : checkpoint.arrays) {
+      if (array.name == name) {
+        return array.values;
+      }
+    }
+    throw std::runtime_error(std::string("the checkpoint has no ") + name);
+  };
+  state_.q = get("state/q");
+  state_.v = get("state/v");
+  state_.acc = get("state/acc");
+  state_.alg = get("state/alg");
+  const std::vector<double>& slip = get("state/bed_slip");
+  state_.bed_slip.assign(slip.begin(), slip.end());
+  const std::vector<double>& s = get("state/scalars");
+  state_.time = s.at(0);
+  state_.last_step = s.at(1);
+  state_.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
+  state_.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
+  const std::vector<double>& contacts = get("state/contacts");
+  for (std::size_t i = 0; i < state_.contacts.size(); ++i) {
+    const double* v = &contacts.at(7 * i);
+    state_.contacts[i] = {v[0],
+                          v[1],
+                          v[2] != 0.0,
+                          static_cast<Slip>(std::lround(v[3])),
+                          static_cast<Slip>(std::lround(v[4])),
+                          static_cast<int>(std::lround(v[5])),
+                          v[6]};
+  }
+  const std::vector<double>& water = get("water");
+  water_memory_.time = water.at(0);
+  std::size_t i = 1;
+  for (std::vector<WaterState>* moment : {&water_memory_.first, &water_memory_.second}) {
+    moment->resize(water_.stations());
+    for (WaterState& w : *moment) {
+      const double* v = &water.at(i);
+      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6]};
+      i += 7;
+    }
+  }
+  tracker_->restore(get("impacts"));
+  energy_.restore(get("energy"));
+  const std::vector<double>& control = get("control");
+  chooser_.wanted = control.at(0);
+  chooser_.last = control.at(1);
+  clock_.tick = std::llround(control.at(2));
+  const std::vector<double>& report = get("report");
+  report_.steps = std::llround(report.at(0));
+  report_.rejected_steps = std::llround(report.at(1));
+  report_.newton_iterations = std::llround(report.at(2));
+  report_.factorisations = std::llround(report.at(3));
+  report_.smallest_step = report.at(4);
+  report_.largest_step = report.at(5);
+  report_.wall_time = report.at(6);
+  recorder_->restore(checkpoint);
+}
+
+DynamicOutcome Run::go(DynamicSink& sink, const DynamicCheckpoint* from, const StaticResults& statics,
+                       const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  DynamicOutcome outcome;
+  const double end = static_cast<double>(clock_.last_tick) * clock_.interval;
+  const bool balanced = begin();  // also when resumed: the recorder keeps the static state from here
+  if (!balanced) {
+    outcome.failure = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
+    return outcome;
+  }
+  sink.begin(recorder_->columns(), recorder_->stations());
+  if (from != nullptr) {
+    resume(*from);
+  } else {
+    write_row(sink);
+  }
+  const double wall_before = report_.wall_time;
+  const auto started = std::chrono::steady_clock::now();
+  while (clock_.tick < clock_.last_tick) {
+    outcome.failure = to_next_tick(sink);
+    if (outcome.failure) {
+      return outcome;
+    }
+    if (!clock_.at_row()) {
+      continue;
+    }
+    write_row(sink);
+    stepper_->forget_factors();  // a run taken up here has none
+    report_.wall_time = wall_before + std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
+    const DynamicControl wanted = control({state_.time, end, report_.steps, recorder_->top_tension()});
+    if (wanted != DynamicControl::go_on) {
+      sink.checkpoint(checkpoint());
+    }
+    if (wanted == DynamicControl::stop && clock_.tick < clock_.last_tick) {
+      outcome.stopped = true;
+      return outcome;
+    }
+  }
+  outcome.results = results(statics);
+  return outcome;
+}
+
+DynamicResults Run::results(const StaticResults& statics) const {
+  DynamicResults r;
+  r.duration = static_cast<double>(clock_.last_tick) * clock_.interval;
+  r.build_up = options_.build_up;
+  r.output_step = options_.output_step;
+  r.seed = options_.seed;
+  recorder_->fill(r);
+  for (std::size_t i = 0; i < r.supports.size(); ++i) {
+    r.supports[i].s = statics.supports.at(i).s;
+  }
+  r.energy = energy_.balance();
+  r.run = report_;
+  const double simulated = r.duration + static_cast<double>(std::ceil(r.build_up / r.output_step)) * r.output_step;
+  r.run.real_time_ratio = report_.wall_time > 0.0 ? simulated / report_.wall_time : 0.0;
+  r.run.integrator = "generalized-alpha, spectral radius " +
+                     std::to_string(options_.step.spectral_radius).substr(0, 4) +
+                     (options_.fixed_step ? ", fixed step" : ", adaptive step");
+  r.tensioner.travel = Spread{};
+  return r;
+}
+
+}  // namespace
+
+DynamicOptions dynamic_options(const Model& model) {
+  DynamicOptions options;
+  const DynamicSettings settings = model.description.dynamics.value_or(DynamicSettings{});
+  options.seed = settings.seeds.empty() ? model.description.environment.waves.seed : settings.seeds.front();
+  options.duration = settings.duration;
+  options.build_up = settings.build_up;
+  options.output_step = settings.output_step;
+  options.fixed_step = settings.step;
+  options.max_step = settings.max_step.value_or(options.max_step);
+  options.step.spectral_radius = settings.spectral_radius;
+  return options;
+}
+
+DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
+                            const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
+                            const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  Run run(model, start, options);
+  return run.go(sink, from, statics, control);
+}
+
+std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
+  const Description& d = model.description;
+  if (!d.dynamics) {
+    return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};
+  }
+  if (d.vessel.motion == VesselMotion::coupled) {
+    return StaticFailure{"vessel.motion: coupled can not be run yet", "", "raos, harmonic and history can"};
+  }
+  if (d.tensioner.range_low && d.tensioner.tension &&
+      (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
+    return StaticFailure{"tensioner.range does not hold tensioner.tension", "",
+                         "the tensioner would move from the first moment on"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

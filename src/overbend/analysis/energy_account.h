@@ -1,0 +1,28 @@
+/// The balance of energy over a run.
+#pragma once
+
+#include <vector>
+
+#include "analysis/dynamic_line.h"
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// Stored energies are exact at each instant; powers are integrated by the trapezoidal rule. What the time integrator
+/// damps appears as error.
+class EnergyAccount {
+ public:
+  void start(const InstantEnergy& first);
+  /// The state after a step of `h`.
+  void add(const InstantEnergy& now, double h);
+  const EnergyBalance& balance() const { return balance_; }
+
+  std::vector<double> save() const;
+  void restore(const std::vector<double>& saved);
+
+ private:
+  InstantEnergy first_, last_;
+  EnergyBalance balance_;
+};
+
+}  // namespace overbend
