@@ -22,7 +22,6 @@ using testing::SizeVisitor;
 using testing::solved_case;
 using testing::TemporaryFolder;
 
-
 TEST(dynamic_field_lists, hold_every_member_of_the_tables) {
   SizeVisitor support, roller, impact, estimate;
   visit_dynamic_support<const SupportDynamics>(SupportDynamics{}, support);
@@ -100,7 +99,8 @@ void expect_round_trip(const std::string& name) {
   EXPECT_TRUE(has_dynamic(folder / "results.h5"));
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
   EXPECT_EQ(bits_of(stored.results), bits_of(results));
-  EXPECT_GT(std::ranges::count(bits_of(results), '\n'), 17'000);  // 4 histories of 2,000 stretches twice, 46 columns of 40
+  EXPECT_GT(std::ranges::count(bits_of(results), '\n'),
+            17'000);  // 4 histories of 2,000 stretches twice, 46 columns of 40
   EXPECT_EQ(stored.results.supports.size(), statics.supports.size());
   EXPECT_EQ(stored.statics.results.top_tension, statics.top_tension);
   EXPECT_EQ(stored.statics.model_text, description.source_text);

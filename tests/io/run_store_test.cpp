@@ -1,6 +1,7 @@
 #include "io/run_store.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -166,6 +167,39 @@ TEST(run_store, outlives_a_process_that_dies_without_a_word) {
   std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
   ASSERT_TRUE(run);
   expect_run(run->store, 100);
+}
+
+/// Runs on for ever, with a checkpoint every 20 rows.
+[[noreturn]] void run_on(const fs::path& folder) {
+  std::optional<ResumedRun> run = RunStore::resume(folder, kModel, kSeed);
+  RunStore store = run ? std::move(run->store) : RunStore::create(folder, kModel, kSeed);
+  store.begin(columns(), kStations);
+  for (int i = static_cast<int>(store.rows());; i += 20) {
+    give(store, i, i + 20);
+    store.checkpoint(state(i + 20));
+  }
+}
+
+double stored_time(const fs::path& folder) {
+  const std::optional<StoredRun> run = RunStore::find(folder);
+  return run ? run->time : 0.0;
+}
+
+TEST(run_store, outlives_being_killed_again_and_again) {
+  const TemporaryFolder folder;
+  for (int round = 0; round < 10; ++round) {
+    const double before = stored_time(folder.path());
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) run_on(folder.path());
+    while (stored_time(folder.path()) < before + 100.0) usleep(100);  // wherever the child is by then
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
+    ASSERT_TRUE(run);
+    expect_run(run->store, static_cast<int>(2.0 * run->state.time));
+    EXPECT_EQ(run->state.arrays[0].values[3], 2.0 * run->state.time);
+  }
 }
 
 TEST(run_store, shrugs_off_half_written_tails_and_a_checkpoint_that_was_not_renamed) {
