@@ -192,7 +192,10 @@ TEST(run_store, outlives_being_killed_again_and_again) {
     const pid_t child = fork();
     ASSERT_GE(child, 0);
     if (child == 0) run_on(folder.path());
-    while (stored_time(folder.path()) < before + 100.0) usleep(100);  // wherever the child is by then
+    while (stored_time(folder.path()) < before + 100.0) {
+      ASSERT_EQ(waitpid(child, nullptr, WNOHANG), 0);  // still at work
+      usleep(100);                                     // and killed wherever it is by then
+    }
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
