@@ -2,30 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "io/results_writer.h"
 #include "io/static_columns.h"
 #include "io/static_scalars.h"
+#include "support/result_visitors.h"
 #include "support/solved_case.h"
 
 namespace overbend {
 namespace {
 
+using testing::BitsVisitor;
+using testing::kListBytes;
+using testing::SizeVisitor;
 using testing::solved_case;
 using testing::TemporaryFolder;
-
-constexpr std::size_t kListBytes = sizeof(std::vector<double>);  // the same for any vector
-
-/// The bytes that the visited members take in their struct, flags and words with the padding that follows them.
-struct SizeVisitor {
-  std::size_t bytes = 0;
-  template <class Value>
-  void operator()(const ResultField&, const Value&) {
-    const bool padded = std::is_enum_v<Value> || std::is_same_v<Value, bool>;
-    bytes += padded ? sizeof(double) : sizeof(Value);
-  }
-};
 
 TEST(field_lists, hold_every_member_of_the_tables) {
   SizeVisitor station, roller, row, support, section;
@@ -60,31 +50,6 @@ TEST(field_lists, hold_every_single_value) {
   EXPECT_EQ(extreme.bytes, sizeof(Extreme));
   EXPECT_EQ(extremes * sizeof(Extreme), sizeof(RegionResult));
 }
-
-/// Everything as one text, numbers by their bits.
-struct BitsVisitor {
-  std::string text;
-  void operator()(const ResultField& field, double value) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &value, sizeof bits);
-    text += field.name + "=" + std::to_string(bits) + "\n";
-  }
-  void operator()(const ResultField& field, int value) { text += field.name + "=" + std::to_string(value) + "\n"; }
-  void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
-  void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
-  void operator()(const ResultField& field, Region value) { (*this)(field, std::string(word(value))); }
-  void operator()(const ResultField& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
-  void operator()(const ResultField& field, const std::optional<double>& value) {
-    if (value) (*this)(field, *value);
-  }
-  void operator()(const ResultField& field, const std::vector<std::string>& values) {
-    for (const std::string& value : values) (*this)(field, value);
-  }
-  template <int Rows, int Columns>
-  void operator()(const ResultField& field, const Eigen::Matrix<double, Rows, Columns>& value) {
-    for (double number : value.reshaped()) (*this)(field, number);
-  }
-};
 
 std::string bits_of(const StaticResults& results) {
   BitsVisitor bits;

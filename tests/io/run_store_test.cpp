@@ -1,110 +1,14 @@
 #include "io/run_store.h"
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cmath>
-#include <limits>
-
-#include "io/append_file.h"
-#include "io/checkpoint_file.h"
-#include "support/solved_case.h"
+#include "support/stored_run.h"
 
 namespace overbend {
 namespace {
 
-namespace fs = std::filesystem;
+using namespace testing::stored_run;
 using testing::TemporaryFolder;
-
-const std::string kModel = "title: a model\n";
-constexpr std::uint64_t kSeed = 0xfedcba9876543210ULL;
-constexpr int kStations = 3;
-
-const std::vector<HistoryColumn>& columns() {
-  static const std::vector<HistoryColumn> all = {{"time", "s", "Time", false, false},
-                                                 {"top_tension", "N", "Tension", true, true},
-                                                 {"support/box 8/reaction", "N", "Reaction", true, false}};
-  return all;
-}
-
-void give_row(RunStore& store, int i) {
-  const std::vector<double> values = {0.5 * i, std::sin(i), 1e3 / (1 + i)};
-  store.row(values);
-}
-
-void give_snapshot(RunStore& store, int i) {
-  std::vector<double> values(5 * kStations + 12);
-  for (std::size_t k = 0; k < values.size(); ++k) values[k] = i + 0.01 * static_cast<double>(k);
-  store.snapshot(0.5 * i, values);
-}
-
-Impact impact(int i) {
-  return {i, 0.25 * i, 0.1, 1e5 + i, 0.02, 900.0, 1e-4, 2e6};
-}
-
-DynamicCheckpoint state(int i) {
-  return {0.5 * i, {{"q", {1.0 / 3.0, -0.0, std::numeric_limits<double>::denorm_min(), 1.0 * i}}, {"none", {}}}};
-}
-
-/// Rows, snapshots and impacts number `from` to `to`.
-void give(RunStore& store, int from, int to) {
-  for (int i = from; i < to; ++i) {
-    give_row(store, i);
-    if (i % 10 == 0) give_snapshot(store, i);
-    if (i % 5 == 0) store.impact(impact(i));
-  }
-}
-
-/// A run that has come to row 100 and was stopped at 130.
-void stop_a_run(const fs::path& folder) {
-  RunStore store = RunStore::create(folder, kModel, kSeed);
-  store.begin(columns(), kStations);
-  give(store, 0, 100);
-  store.checkpoint(state(100));
-  give(store, 100, 130);
-}
-
-void expect_rows(const RunStore& store, int count) {
-  ASSERT_EQ(store.rows(), count);
-  const std::vector<double> time = store.column(0), tension = store.column(1), reaction = store.column(2);
-  ASSERT_EQ(time.size(), static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    ASSERT_EQ(time[k], 0.5 * i);
-    ASSERT_EQ(tension[k], std::sin(i));
-    ASSERT_EQ(reaction[k], 1e3 / (1 + i));
-  }
-}
-
-void expect_run(const RunStore& store, int rows) {
-  expect_rows(store, rows);
-  ASSERT_EQ(store.snapshots(), (rows + 9) / 10);
-  ASSERT_EQ(store.impacts(), (rows + 4) / 5);
-  const std::vector<Impact> impacts = store.impact_block(1, store.impacts() - 1);
-  EXPECT_EQ(impacts.back().roller, 5 * (store.impacts() - 1));
-  EXPECT_EQ(impacts.front().peak_force, 1e5 + 5);
-  EXPECT_EQ(impacts.front().line_load, 2e6);
-  const std::vector<double> block = store.snapshot_block(1, 2);
-  ASSERT_EQ(block.size(), 2U * static_cast<std::size_t>(store.snapshot_size()));
-  EXPECT_EQ(block[0], 5.0);
-  EXPECT_EQ(block[1], 10.0);
-  EXPECT_EQ(block.back(), 20.0 + 0.01 * (5 * kStations + 11));
-}
-
-/// What resuming throws.
-std::string fault_of(const fs::path& folder, const std::string& model = kModel, std::uint64_t seed = kSeed) {
-  try {
-    RunStore::resume(folder, model, seed);
-  } catch (const std::runtime_error& fault) {
-    return fault.what();
-  }
-  return "";
-}
-
-void append_garbage(const fs::path& file) {
-  std::ofstream(file, std::ios::binary | std::ios::app) << "half a ro";
-}
 
 TEST(run_store, gives_back_what_it_was_given) {
   const TemporaryFolder folder;
@@ -148,48 +52,6 @@ TEST(run_store, has_nothing_to_take_up_before_the_first_checkpoint) {
   EXPECT_FALSE(RunStore::resume(folder.path(), kModel, kSeed));
 }
 
-TEST(run_store, outlives_a_process_that_dies_without_a_word) {
-  const TemporaryFolder folder;
-  const pid_t child = fork();
-  ASSERT_GE(child, 0);
-  if (child == 0) {
-    RunStore store = RunStore::create(folder.path(), kModel, kSeed);
-    store.begin(columns(), kStations);
-    give(store, 0, 100);
-    store.checkpoint(state(100));
-    give(store, 100, 100'000);  // past the buffers
-    _exit(0);                   // no destructor runs, no buffer is flushed
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  EXPECT_GT(fs::file_size(folder / ".run/rows"), 100 * columns().size() * sizeof(double));
-  std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
-  ASSERT_TRUE(run);
-  expect_run(run->store, 100);
-}
-
-TEST(run_store, shrugs_off_half_written_tails_and_a_checkpoint_that_was_not_renamed) {
-  const TemporaryFolder folder;
-  stop_a_run(folder.path());
-  for (const char* name : {"rows", "snapshots", "impacts"}) append_garbage(folder / ".run" / name);
-  testing::write_file(folder / ".run/checkpoint.new", "overbend check");
-  std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
-  ASSERT_TRUE(run);
-  expect_run(run->store, 100);
-  give(run->store, 100, 110);
-  run->store.checkpoint(state(110));
-  run.reset();
-  expect_run(RunStore::resume(folder.path(), kModel, kSeed).value().store, 110);
-}
-
-TEST(run_store, refuses_another_model_and_another_seed) {
-  const TemporaryFolder folder;
-  stop_a_run(folder.path());
-  EXPECT_NE(fault_of(folder.path(), kModel + " ").find("the model file has changed"), std::string::npos);
-  EXPECT_NE(fault_of(folder.path(), kModel, 7).find("this one 7"), std::string::npos);
-  EXPECT_EQ(fault_of(folder.path()), "");
-}
-
 TEST(run_store, refuses_other_histories_than_it_holds) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
@@ -197,42 +59,6 @@ TEST(run_store, refuses_other_histories_than_it_holds) {
   EXPECT_THROW(store.begin({columns()[0], columns()[1]}, kStations), std::runtime_error);
   EXPECT_THROW(store.begin(columns(), kStations + 1), std::runtime_error);
   EXPECT_NO_THROW(store.begin(columns(), kStations));
-}
-
-TEST(run_store, refuses_a_damaged_checkpoint_wherever_it_is_damaged) {
-  const TemporaryFolder folder;
-  stop_a_run(folder.path());
-  const fs::path file = folder / ".run/checkpoint";
-  const std::string sound = testing::file_text(file);
-  for (std::size_t at = 0; at < sound.size(); at += 7) {
-    std::string bytes = sound;
-    bytes[at] = static_cast<char>(bytes[at] ^ 0x10);
-    testing::write_file(file, bytes);
-    ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << at;
-    testing::write_file(file, sound.substr(0, at));
-    ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << at;
-  }
-  EXPECT_NE(RunStore::find(folder.path()).value().fault, "");
-  testing::write_file(file, sound);
-  EXPECT_EQ(fault_of(folder.path()), "");
-}
-
-TEST(run_store, refuses_data_that_are_shorter_than_the_checkpoint_knows) {
-  for (const char* name : {"rows", "snapshots", "impacts"}) {
-    const TemporaryFolder folder;
-    stop_a_run(folder.path());
-    fs::resize_file(folder / ".run" / name, 100);
-    EXPECT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << name;
-  }
-}
-
-TEST(run_store, refuses_a_checkpoint_of_another_version) {
-  const TemporaryFolder folder;
-  stop_a_run(folder.path());
-  RunCheckpoint other = read_checkpoint(folder / ".run/checkpoint");
-  other.version = "0.0.1";
-  write_checkpoint(other, folder / ".run/checkpoint");
-  EXPECT_NE(fault_of(folder.path()).find("version 0.0.1"), std::string::npos);
 }
 
 TEST(run_store, is_held_by_one_at_a_time) {
@@ -269,7 +95,12 @@ TEST(run_store, leaves_nothing_when_removed_but_the_files_of_others) {
 TEST(run_store, says_why_it_can_not_write) {
   const TemporaryFolder folder;
   testing::write_file(folder / "file", "mine");
-  EXPECT_THROW(RunStore::create(folder / "file/results", kModel, kSeed), std::runtime_error);
+  try {
+    RunStore::create(folder / "file/results", kModel, kSeed);
+    ADD_FAILURE() << "a folder inside a file";
+  } catch (const std::runtime_error& fault) {
+    EXPECT_NE(std::string(fault.what()).find("can not be written: Not a directory"), std::string::npos);
+  }
   EXPECT_EQ(testing::file_text(folder / "file"), "mine");
 }
 
@@ -319,7 +150,7 @@ TEST(run_store, does_not_grow_in_memory_with_a_million_rows) {
   const std::size_t before = pages();
   give(store, 1000, 1'001'000);
   EXPECT_EQ(store.rows(), 1'001'000);
-  // 90 MB have been handed over; a page of theirs more or less belongs to the test's own small vectors.
+  // 60 MB have been handed over; the 1 MB (256 pages) is for what the test and its libraries need themselves.
   EXPECT_LE(pages(), before + 256);
 }
 

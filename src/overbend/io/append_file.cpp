@@ -23,11 +23,13 @@ FileDescriptor open_file(const std::filesystem::path& file, int flags) {
   return descriptor;
 }
 
-void write_all(int id, const std::filesystem::path& file, std::span<const std::byte> bytes) {
+/// At its place, so that what is tried again after a fault does not stand there twice.
+void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file) {
   while (!bytes.empty()) {
-    const ssize_t count = ::write(id, bytes.data(), bytes.size());
+    const ssize_t count = ::pwrite(id, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) refuse_file(file, "written");
+    offset += static_cast<std::uint64_t>(count);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
 }
@@ -52,7 +54,6 @@ AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep)
                              " bytes were stored, " + std::to_string(length) + " are left");
   }
   if (::ftruncate(descriptor_.id(), static_cast<off_t>(keep)) != 0) refuse_file(file_, "cut");
-  if (::lseek(descriptor_.id(), static_cast<off_t>(keep), SEEK_SET) < 0) refuse_file(file_, "written");
 }
 
 void AppendFile::append(std::span<const double> values) {
@@ -67,7 +68,7 @@ void AppendFile::append(std::span<const double> values) {
 }
 
 void AppendFile::flush() {
-  write_all(descriptor_.id(), file_, std::span(buffer_).first(filled_));
+  write_at(written_, std::span(buffer_).first(filled_), descriptor_.id(), file_);
   written_ += std::exchange(filled_, 0);
 }
 
@@ -90,7 +91,7 @@ void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
 
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes) {
   const FileDescriptor descriptor = open_file(file, O_WRONLY | O_CREAT | O_TRUNC);
-  write_all(descriptor.id(), file, bytes);
+  write_at(0, bytes, descriptor.id(), file);
   if (::fsync(descriptor.id()) != 0) refuse_file(file, "written");
 }
 

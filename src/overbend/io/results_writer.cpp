@@ -7,6 +7,7 @@
 #include "io/staged_folder.h"
 
 namespace overbend {
+
 void write_text(const std::filesystem::path& file, const std::string& text) {
   std::ofstream stream(file, std::ios::binary);
   stream << text;

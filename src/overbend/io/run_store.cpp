@@ -135,7 +135,11 @@ RunStore RunStore::create(const fs::path& output_dir, const std::string& model_t
   auto files = std::make_unique<Files>();
   files->folder = fs::absolute(output_dir) / kFolder;
   files->made = !fs::exists(output_dir);
-  fs::create_directories(files->folder);
+  std::error_code fault;
+  fs::create_directories(files->folder, fault);
+  if (fault) {
+    throw std::runtime_error("the folder '" + output_dir.string() + "' can not be written: " + fault.message());
+  }
   files->guard = lock(files->folder);
   // The checkpoint goes first: without it the rest is no run, wherever this is interrupted.
   for (const char* name : {"checkpoint", "checkpoint.new", "rows", "snapshots", "impacts"}) {

@@ -1,0 +1,59 @@
+/// Visitors of result fields that tests share.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "io/result_field.h"
+
+namespace overbend::testing {
+
+inline constexpr std::size_t kListBytes = sizeof(std::vector<double>);  // the same for any vector
+
+/// The bytes that the visited members take in their struct, flags and words with the padding that follows them.
+struct SizeVisitor {
+  std::size_t bytes = 0;
+  template <class Value>
+  void operator()(const ResultField&, const Value&) {
+    const bool padded = std::is_enum_v<Value> || std::is_same_v<Value, bool>;
+    bytes += padded ? sizeof(double) : sizeof(Value);
+  }
+};
+
+/// Everything as one text, numbers by their bits.
+struct BitsVisitor {
+  std::string text;
+  void operator()(const ResultField& field, double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    text += field.name + "=" + std::to_string(bits) + "\n";
+  }
+  void operator()(const ResultField& field, int value) { text += field.name + "=" + std::to_string(value) + "\n"; }
+  void operator()(const ResultField& field, std::int64_t value) {
+    text += field.name + "=" + std::to_string(value) + "\n";
+  }
+  void operator()(const ResultField& field, std::uint64_t value) {
+    text += field.name + "=" + std::to_string(value) + "\n";
+  }
+  void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
+  void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
+  void operator()(const ResultField& field, Region value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, const std::optional<double>& value) {
+    if (value) (*this)(field, *value);
+  }
+  template <class Value>
+  void operator()(const ResultField& field, const std::vector<Value>& values) {
+    for (const Value& value : values) (*this)(field, value);
+  }
+  template <int Rows, int Columns>
+  void operator()(const ResultField& field, const Eigen::Matrix<double, Rows, Columns>& value) {
+    for (double number : value.reshaped()) (*this)(field, number);
+  }
+};
+
+}  // namespace overbend::testing
