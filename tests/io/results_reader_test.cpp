@@ -21,7 +21,7 @@ constexpr std::size_t kListBytes = sizeof(std::vector<double>);  // the same for
 struct SizeVisitor {
   std::size_t bytes = 0;
   template <class Value>
-  void operator()(const Field&, const Value&) {
+  void operator()(const ResultField&, const Value&) {
     const bool padded = std::is_enum_v<Value> || std::is_same_v<Value, bool>;
     bytes += padded ? sizeof(double) : sizeof(Value);
   }
@@ -64,24 +64,24 @@ TEST(field_lists, hold_every_single_value) {
 /// Everything as one text, numbers by their bits.
 struct BitsVisitor {
   std::string text;
-  void operator()(const Field& field, double value) {
+  void operator()(const ResultField& field, double value) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     text += field.name + "=" + std::to_string(bits) + "\n";
   }
-  void operator()(const Field& field, int value) { text += field.name + "=" + std::to_string(value) + "\n"; }
-  void operator()(const Field& field, bool value) { (*this)(field, value ? 1 : 0); }
-  void operator()(const Field& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
-  void operator()(const Field& field, Region value) { (*this)(field, std::string(word(value))); }
-  void operator()(const Field& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
-  void operator()(const Field& field, const std::optional<double>& value) {
+  void operator()(const ResultField& field, int value) { text += field.name + "=" + std::to_string(value) + "\n"; }
+  void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
+  void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
+  void operator()(const ResultField& field, Region value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, const std::optional<double>& value) {
     if (value) (*this)(field, *value);
   }
-  void operator()(const Field& field, const std::vector<std::string>& values) {
+  void operator()(const ResultField& field, const std::vector<std::string>& values) {
     for (const std::string& value : values) (*this)(field, value);
   }
   template <int Rows, int Columns>
-  void operator()(const Field& field, const Eigen::Matrix<double, Rows, Columns>& value) {
+  void operator()(const ResultField& field, const Eigen::Matrix<double, Rows, Columns>& value) {
     for (double number : value.reshaped()) (*this)(field, number);
   }
 };

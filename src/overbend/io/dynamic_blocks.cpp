@@ -17,7 +17,7 @@ constexpr std::size_t kMostScaled = 2000;
 
 void require_finite(const std::string& place, const std::vector<double>& values) {
   const FiniteVisitor visit{place};
-  for (const double value : values) visit(Field{}, value);
+  for (const double value : values) visit(ResultField{}, value);
 }
 
 void write_history(Hdf5Writer& file, const RunStore& store, std::size_t index) {
@@ -26,7 +26,7 @@ void write_history(Hdf5Writer& file, const RunStore& store, std::size_t index) {
   require_finite("dynamic.histories." + column.name, values);
   const std::string path = "/dynamic/histories/" + dataset_path(column.name);
   make_groups_above(file, path, "Histories");
-  file.create<double>(path, Field{"", column.units, column.description}, {values.size()}, kHistoryChunk);
+  file.create<double>(path, ResultField{"", column.units, column.description}, {values.size()}, kHistoryChunk);
   file.write_rows(path, 0, values);
 }
 
@@ -48,8 +48,8 @@ class BlockTable {
  public:
   BlockTable(Hdf5Writer& file, std::string group, hsize_t rows) : file_(file), group_(std::move(group)), rows_(rows) {}
 
-  void operator()(const Field& field, double value) { column(field).numbers.push_back(value); }
-  void operator()(const Field& field, int value) { column(field).integers.push_back(value); }
+  void operator()(const ResultField& field, double value) { column(field).numbers.push_back(value); }
+  void operator()(const ResultField& field, int value) { column(field).integers.push_back(value); }
   void end_row() { next_ = 0; }
 
   /// Writes the rows gathered since the last time.
@@ -69,16 +69,16 @@ class BlockTable {
 
  private:
   struct Column {
-    Field field;
+    ResultField field;
     std::vector<double> numbers;
     std::vector<int> integers;
   };
-  Column& column(const Field& field) {
+  Column& column(const ResultField& field) {
     if (next_ == columns_.size()) columns_.push_back({field, {}, {}});
     return columns_[next_++];
   }
   template <class Number>
-  void write(const std::string& path, const Field& field, std::vector<Number>& values) {
+  void write(const std::string& path, const ResultField& field, std::vector<Number>& values) {
     if (first_ == 0) file_.create<Number>(path, field, {rows_}, kImpactBlock);
     file_.write_rows(path, first_, values);
     values.clear();
@@ -107,17 +107,17 @@ void write_impacts(Hdf5Writer& file, const RunStore& store) {
   }
 }
 
-const std::array<Field, 5>& station_fields() {
-  static const std::array<Field, 5> fields = {
-      Field{"x", "m", "Place", kWorldFrame}, Field{"y", "m", "Place", kWorldFrame},
-      Field{"z", "m", "Place", kWorldFrame}, Field{"effective_tension", "N", "Effective tension"},
-      Field{"von_mises", "Pa", "Largest von Mises stress over the section"}};
+const std::array<ResultField, 5>& station_fields() {
+  static const std::array<ResultField, 5> fields = {
+      ResultField{"x", "m", "Place", kWorldFrame}, ResultField{"y", "m", "Place", kWorldFrame},
+      ResultField{"z", "m", "Place", kWorldFrame}, ResultField{"effective_tension", "N", "Effective tension"},
+      ResultField{"von_mises", "Pa", "Largest von Mises stress over the section"}};
   return fields;
 }
 
 /// A dataset of the snapshots: of each, `width` numbers from `offset` on, `stride` apart.
 struct SnapshotPart {
-  Field field;
+  ResultField field;
   std::vector<hsize_t> shape;
   std::size_t offset = 0, width = 1, stride = 1;
   bool over_stations = false;
@@ -128,15 +128,17 @@ struct SnapshotPart {
 std::vector<SnapshotPart> snapshot_parts(const RunStore& store) {
   const auto count = static_cast<hsize_t>(store.snapshots());
   const auto stations = static_cast<std::size_t>(store.stations());
-  std::vector<SnapshotPart> parts = {{Field{"time", "s", "Time; 0 is the end of the build-up"}, {count}}};
+  std::vector<SnapshotPart> parts = {{ResultField{"time", "s", "Time; 0 is the end of the build-up"}, {count}}};
   const std::size_t stride = station_fields().size();  // the values of a station lie together
   for (std::size_t i = 0; i < stride && stations > 0; ++i) {
     parts.push_back({station_fields()[i], {count, stations}, 1 + i, stations, stride, true});
   }
   const std::size_t pose = 1 + stride * stations;
-  parts.push_back({Field{"vessel_position", "m", "Origin of the vessel", kWorldFrame}, {count, 3}, pose, 3});
-  parts.push_back(
-      {Field{"vessel_axes", "1", "Columns: vessel axes forward, port, up", kWorldFrame}, {count, 3, 3}, pose + 3, 9});
+  parts.push_back({ResultField{"vessel_position", "m", "Origin of the vessel", kWorldFrame}, {count, 3}, pose, 3});
+  parts.push_back({ResultField{"vessel_axes", "1", "Columns: vessel axes forward, port, up", kWorldFrame},
+                   {count, 3, 3},
+                   pose + 3,
+                   9});
   return parts;
 }
 

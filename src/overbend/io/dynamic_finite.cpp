@@ -9,7 +9,7 @@ namespace {
 struct FiniteLists {
   std::string place;
   template <class Value>
-  void operator()(const Field& field, const std::vector<Value>& values) const {
+  void operator()(const ResultField& field, const std::vector<Value>& values) const {
     for (std::size_t i = 0; i < values.size(); ++i) {
       FiniteVisitor{place + "[" + std::to_string(i) + "]."}(field, values[i]);
     }
@@ -34,15 +34,15 @@ void check_region(const std::string& name, const DynamicRegion& region) {
 void check_histories(const DynamicResults& results) {
   for (const HistorySummary& history : results.histories) {
     FiniteVisitor visit{"dynamic.histories." + history.name + "."};
-    visit_spread(Field{}, history.over_time, visit);
+    visit_spread(ResultField{}, history.over_time, visit);
     const FiniteLists lists{"dynamic.histories." + history.name};
-    lists(Field{"low"}, history.low);
-    lists(Field{"high"}, history.high);
+    lists(ResultField{"low"}, history.low);
+    lists(ResultField{"high"}, history.high);
   }
   for (const Spectrum& spectrum : results.spectra) {
     const FiniteLists lists{"dynamic.spectra." + spectrum.name};
-    lists(Field{"frequency"}, spectrum.frequency);
-    lists(Field{"density"}, spectrum.density);
+    lists(ResultField{"frequency"}, spectrum.frequency);
+    lists(ResultField{"density"}, spectrum.density);
   }
 }
 

@@ -29,7 +29,7 @@ void write_part(Hdf5Writer& file, const std::string& group, const char* descript
 struct ColumnWriter {
   Hdf5Writer& file;
 
-  void operator()(const Field& field, const std::vector<double>& values) {
+  void operator()(const ResultField& field, const std::vector<double>& values) {
     const std::string path = "/dynamic/stations/" + field.name, scale = "/dynamic/stations/s";
     file.write(path, field, values, {values.size()});
     if (path == scale) {
@@ -38,11 +38,11 @@ struct ColumnWriter {
       file.attach_scale(path, scale);
     }
   }
-  void operator()(const Field& field, const std::vector<Vec3>& places) {
+  void operator()(const ResultField& field, const std::vector<Vec3>& places) {
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
       for (const Vec3& place : places) values.push_back(place(axis));
-      (*this)(Field{component_name(field, axis), field.units, field.description, field.frame}, values);
+      (*this)(ResultField{component_name(field, axis), field.units, field.description, field.frame}, values);
     }
   }
 };
@@ -52,7 +52,7 @@ void write_supports(Hdf5Writer& file, const std::vector<SupportDynamics>& suppor
   for (const SupportDynamics& support : supports) {
     for (const RollerDynamics& roller : support.rollers) {
       rollers(index_field("Number of the line of this table, from 0"), rollers.rows());
-      rollers(Field{"support", "1", "Index of its box in the table of supports"}, boxes.rows());
+      rollers(ResultField{"support", "1", "Index of its box in the table of supports"}, boxes.rows());
       visit_dynamic_roller(roller, rollers);
       rollers.end_row();
     }
@@ -81,35 +81,37 @@ void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histor
   const std::string group = "/dynamic/thinned";
   const char* varies = "see column units";
   std::vector<double> low, high;
-  write_rows(
-      file, group, "Histories thinned for drawing: a line each", histories, [&](const HistorySummary& h, auto& t) {
-        t(Field{"name", "1", "Name of the history; /dynamic/histories holds it whole"}, h.name);
-        t(Field{"units", "1", "Units of its values"}, h.units);
-        t(Field{"meaning", "1", "What it is"}, h.description);
-        t(Field{"first", "1", "Where its stretches of time begin in low and high"},
-          static_cast<std::int64_t>(low.size()));
-        t(Field{"count", "1", "Number of its stretches, of equal length, from the start of the build-up to the end"},
-          static_cast<std::int64_t>(h.low.size()));
-        visit_spread(Field{"", varies, "Of the history from t = 0 on"}, h.over_time, t);
-        low.insert(low.end(), h.low.begin(), h.low.end());
-        high.insert(high.end(), h.high.begin(), h.high.end());
-      });
+  write_rows(file, group, "Histories thinned for drawing: a line each", histories,
+             [&](const HistorySummary& h, auto& t) {
+               t(ResultField{"name", "1", "Name of the history; /dynamic/histories holds it whole"}, h.name);
+               t(ResultField{"units", "1", "Units of its values"}, h.units);
+               t(ResultField{"meaning", "1", "What it is"}, h.description);
+               t(ResultField{"first", "1", "Where its stretches of time begin in low and high"},
+                 static_cast<std::int64_t>(low.size()));
+               t(ResultField{"count", "1",
+                             "Number of its stretches, of equal length, from the start of the build-up to the end"},
+                 static_cast<std::int64_t>(h.low.size()));
+               visit_spread(ResultField{"", varies, "Of the history from t = 0 on"}, h.over_time, t);
+               low.insert(low.end(), h.low.begin(), h.low.end());
+               high.insert(high.end(), h.high.begin(), h.high.end());
+             });
   if (histories.empty()) return;
-  file.write(group + "/low", Field{"", varies, "Least value of each stretch"}, low, {low.size()});
-  file.write(group + "/high", Field{"", varies, "Greatest value of each stretch"}, high, {high.size()});
+  file.write(group + "/low", ResultField{"", varies, "Least value of each stretch"}, low, {low.size()});
+  file.write(group + "/high", ResultField{"", varies, "Greatest value of each stretch"}, high, {high.size()});
 }
 
 void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
   write_rows(file, "/dynamic/spectrum_list", "The spectra in /dynamic/spectra", spectra,
              [](const Spectrum& s, auto& t) {
-               t(Field{"name", "1", "Name of the history"}, s.name);
-               t(Field{"units", "1", "Units of the history"}, s.units);
+               t(ResultField{"name", "1", "Name of the history"}, s.name);
+               t(ResultField{"units", "1", "Units of the history"}, s.units);
              });
   for (const Spectrum& spectrum : spectra) {
     const std::string group = "/dynamic/spectra/" + dataset_path(spectrum.name);
     make_groups_above(file, group + "/", "Variance densities of histories");
-    file.write(group + "/frequency", Field{"", "Hz", "Frequency"}, spectrum.frequency, {spectrum.frequency.size()});
-    file.write(group + "/density", Field{"", "(" + spectrum.units + ")^2/Hz", "Variance density from t = 0 on"},
+    file.write(group + "/frequency", ResultField{"", "Hz", "Frequency"}, spectrum.frequency,
+               {spectrum.frequency.size()});
+    file.write(group + "/density", ResultField{"", "(" + spectrum.units + ")^2/Hz", "Variance density from t = 0 on"},
                spectrum.density, {spectrum.density.size()});
     file.make_scale(group + "/frequency", "frequency");
     file.attach_scale(group + "/density", group + "/frequency");

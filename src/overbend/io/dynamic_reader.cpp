@@ -19,13 +19,13 @@ void read_region(const Hdf5Reader& file, const std::string& group, DynamicRegion
 struct ColumnReader {
   const Hdf5Reader& file;
 
-  void operator()(const Field& field, std::vector<double>& values) const {
+  void operator()(const ResultField& field, std::vector<double>& values) const {
     values = file.doubles("/dynamic/stations/" + field.name);
   }
-  void operator()(const Field& field, std::vector<Vec3>& places) const {
+  void operator()(const ResultField& field, std::vector<Vec3>& places) const {
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
-      (*this)(Field{component_name(field, axis)}, values);
+      (*this)(ResultField{component_name(field, axis)}, values);
       if (axis == 0) places.resize(values.size());
       for (std::size_t i = 0; i < places.size(); ++i) places[i](axis) = element(values, i, component_name(field, axis));
     }
@@ -50,7 +50,7 @@ void read_supports(const Hdf5Reader& file, std::vector<SupportDynamics>& support
   for (std::size_t i = 0, count = rollers.rows("index"); i < count; ++i) {
     rollers.start_row(i);
     int box = -1;
-    rollers(Field{"support"}, box);
+    rollers(ResultField{"support"}, box);
     visit_dynamic_roller(owner(boxes, box, "roller").rollers.emplace_back(), rollers);
   }
 }
@@ -61,12 +61,12 @@ void read_summaries(const Hdf5Reader& file, std::vector<HistorySummary>& histori
   const std::vector<double> low = file.doubles(group + "/low"), high = file.doubles(group + "/high");
   read_rows(file, group, histories, [&](HistorySummary& h, auto& t) {
     std::int64_t first = 0, count = 0;
-    t(Field{"name"}, h.name);
-    t(Field{"units"}, h.units);
-    t(Field{"meaning"}, h.description);
-    t(Field{"first"}, first);
-    t(Field{"count"}, count);
-    visit_spread(Field{}, h.over_time, t);
+    t(ResultField{"name"}, h.name);
+    t(ResultField{"units"}, h.units);
+    t(ResultField{"meaning"}, h.description);
+    t(ResultField{"first"}, first);
+    t(ResultField{"count"}, count);
+    visit_spread(ResultField{}, h.over_time, t);
     for (std::int64_t i = first; i < first + count; ++i) {
       h.low.push_back(element(low, static_cast<std::size_t>(i), group + "/low"));
       h.high.push_back(element(high, static_cast<std::size_t>(i), group + "/high"));
@@ -76,8 +76,8 @@ void read_summaries(const Hdf5Reader& file, std::vector<HistorySummary>& histori
 
 void read_spectra(const Hdf5Reader& file, std::vector<Spectrum>& spectra) {
   read_rows(file, "/dynamic/spectrum_list", spectra, [&](Spectrum& spectrum, auto& t) {
-    t(Field{"name"}, spectrum.name);
-    t(Field{"units"}, spectrum.units);
+    t(ResultField{"name"}, spectrum.name);
+    t(ResultField{"units"}, spectrum.units);
     const std::string group = "/dynamic/spectra/" + dataset_path(spectrum.name);
     spectrum.frequency = file.doubles(group + "/frequency");
     spectrum.density = file.doubles(group + "/density");

@@ -8,20 +8,20 @@ namespace overbend {
 /// What stands directly in the group. `tip` is false where there is no stinger.
 template <class Results, class Visit>
 void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
-  visit(Field{"duration", "s", "From t = 0, the end of the build-up; statistics count over it"}, r.duration);
-  visit(Field{"build_up", "s", "Time before t = 0 in which loads and motion are brought in"}, r.build_up);
-  visit(Field{"output_step", "s", "Time between the rows of the histories"}, r.output_step);
-  visit(Field{"seed", "1", "Seed of the random phases of the sea"}, r.seed);
-  visit(Field{"assumptions", "1", "What had to be assumed"}, r.assumptions);
-  visit(Field{"warnings", "1", "Warnings"}, r.warnings);
-  visit(Field{"impact_count", "1", "Number of all impacts"}, r.impact_count);
-  visit_spread(Field{"top_tension", "N", "Effective tension at the tensioner"}, r.top_tension, visit);
-  visit_spread(Field{"bottom_tension", "N", "Horizontal tension at touchdown"}, r.bottom_tension, visit);
-  visit_spread(Field{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back, visit);
-  visit_spread(Field{"departure_angle", "rad", "From horizontal, at the last support in contact"}, r.departure_angle,
-               visit);
+  visit(ResultField{"duration", "s", "From t = 0, the end of the build-up; statistics count over it"}, r.duration);
+  visit(ResultField{"build_up", "s", "Time before t = 0 in which loads and motion are brought in"}, r.build_up);
+  visit(ResultField{"output_step", "s", "Time between the rows of the histories"}, r.output_step);
+  visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}, r.seed);
+  visit(ResultField{"assumptions", "1", "What had to be assumed"}, r.assumptions);
+  visit(ResultField{"warnings", "1", "Warnings"}, r.warnings);
+  visit(ResultField{"impact_count", "1", "Number of all impacts"}, r.impact_count);
+  visit_spread(ResultField{"top_tension", "N", "Effective tension at the tensioner"}, r.top_tension, visit);
+  visit_spread(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}, r.bottom_tension, visit);
+  visit_spread(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back, visit);
+  visit_spread(ResultField{"departure_angle", "rad", "From horizontal, at the last support in contact"},
+               r.departure_angle, visit);
   if (!tip) return;
-  visit_spread(Field{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"},
+  visit_spread(ResultField{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"},
                r.stinger_tip_clearance, visit);
 }
 
@@ -36,52 +36,52 @@ void visit_dynamic_region(RegionType& r, VisitExtreme&& visit_extreme) {
 
 template <class Row, class Visit>
 void visit_dynamic_extreme(const char* units, const char* description, Row& r, Visit& visit) {
-  visit_spread(Field{"", units, description}, r.over_time, visit);
-  visit(Field{"s", "m", "Arc length from the anchor where the largest of all stood"}, r.s);
-  visit(Field{"time", "s", "When it stood there"}, r.time);
-  visit(Field{"position", "m", "Place of that station in the static state", kWorldFrame}, r.p_W);
+  visit_spread(ResultField{"", units, description}, r.over_time, visit);
+  visit(ResultField{"s", "m", "Arc length from the anchor where the largest of all stood"}, r.s);
+  visit(ResultField{"time", "s", "When it stood there"}, r.time);
+  visit(ResultField{"position", "m", "Place of that station in the static state", kWorldFrame}, r.p_W);
 }
 
 template <class Row, class Visit>
 void visit_energy(Row& r, Visit& visit) {
-  visit(Field{"kinetic", "J", "Kinetic energy, change since the start"}, r.kinetic);
-  visit(Field{"strain", "J", "Strain energy of the pipe, change since the start"}, r.strain);
-  visit(Field{"gravity", "J", "Energy of weight and buoyancy, change since the start"}, r.gravity);
-  visit(Field{"contact", "J", "Energy stored in the contacts with rollers, change since the start"}, r.contact);
-  visit(Field{"seabed", "J", "Energy stored in the seabed, change since the start"}, r.seabed);
-  visit(Field{"fluid", "J", "Work of the water on the pipe"}, r.fluid);
-  visit(Field{"rollers", "J", "Work of the moving rollers on the pipe"}, r.rollers);
-  visit(Field{"top", "J", "Work of the tensioner on the pipe"}, r.top);
-  visit(Field{"anchor", "J", "Work of the anchor on the pipe"}, r.anchor);
-  visit(Field{"contact_loss", "J", "Lost in the damping of the contacts"}, r.contact_loss);
-  visit(Field{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
-  visit(Field{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
-  visit(Field{"error", "J", "Stored and lost energy less the work done"}, r.error);
-  visit(Field{"throughput", "J", "Sum of the absolute work and losses"}, r.throughput);
+  visit(ResultField{"kinetic", "J", "Kinetic energy, change since the start"}, r.kinetic);
+  visit(ResultField{"strain", "J", "Strain energy of the pipe, change since the start"}, r.strain);
+  visit(ResultField{"gravity", "J", "Energy of weight and buoyancy, change since the start"}, r.gravity);
+  visit(ResultField{"contact", "J", "Energy stored in the contacts with rollers, change since the start"}, r.contact);
+  visit(ResultField{"seabed", "J", "Energy stored in the seabed, change since the start"}, r.seabed);
+  visit(ResultField{"fluid", "J", "Work of the water on the pipe"}, r.fluid);
+  visit(ResultField{"rollers", "J", "Work of the moving rollers on the pipe"}, r.rollers);
+  visit(ResultField{"top", "J", "Work of the tensioner on the pipe"}, r.top);
+  visit(ResultField{"anchor", "J", "Work of the anchor on the pipe"}, r.anchor);
+  visit(ResultField{"contact_loss", "J", "Lost in the damping of the contacts"}, r.contact_loss);
+  visit(ResultField{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
+  visit(ResultField{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
+  visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);
+  visit(ResultField{"throughput", "J", "Sum of the absolute work and losses"}, r.throughput);
 }
 
 template <class Row, class Visit>
 void visit_tensioner(Row& r, Visit& visit) {
-  visit(Field{"mode", "1", "How the machine holds the pipe"}, r.mode);
-  visit_spread(Field{"tension", "N", "Effective tension at the tensioner"}, r.tension, visit);
-  visit_spread(Field{"travel", "m", "Length paid out since the start, hauled in negative"}, r.travel, visit);
-  visit(Field{"time_out_of_range", "s", "Time with the tension outside the range set"}, r.time_out_of_range);
-  visit(Field{"time_at_limit", "s", "Time at a limit of the machine"}, r.time_at_limit);
-  visit(Field{"pay_out_count", "1", "Number of times the machine has paid out"}, r.pay_out_count);
-  visit(Field{"haul_in_count", "1", "Number of times the machine has hauled in"}, r.haul_in_count);
+  visit(ResultField{"mode", "1", "How the machine holds the pipe"}, r.mode);
+  visit_spread(ResultField{"tension", "N", "Effective tension at the tensioner"}, r.tension, visit);
+  visit_spread(ResultField{"travel", "m", "Length paid out since the start, hauled in negative"}, r.travel, visit);
+  visit(ResultField{"time_out_of_range", "s", "Time with the tension outside the range set"}, r.time_out_of_range);
+  visit(ResultField{"time_at_limit", "s", "Time at a limit of the machine"}, r.time_at_limit);
+  visit(ResultField{"pay_out_count", "1", "Number of times the machine has paid out"}, r.pay_out_count);
+  visit(ResultField{"haul_in_count", "1", "Number of times the machine has hauled in"}, r.haul_in_count);
 }
 
 template <class Row, class Visit>
 void visit_dynamic_run(Row& r, Visit& visit) {
-  visit(Field{"steps", "1", "Time steps"}, r.steps);
-  visit(Field{"rejected_steps", "1", "Steps that were tried again with a smaller one"}, r.rejected_steps);
-  visit(Field{"newton_iterations", "1", "Newton iterations"}, r.newton_iterations);
-  visit(Field{"factorisations", "1", "Factorisations of the tangent"}, r.factorisations);
-  visit(Field{"smallest_step", "s", "Smallest time step"}, r.smallest_step);
-  visit(Field{"largest_step", "s", "Largest time step"}, r.largest_step);
-  visit(Field{"wall_time", "s", "Time spent in the loop over time, all sittings together"}, r.wall_time);
-  visit(Field{"real_time_ratio", "1", "Simulated time over time spent"}, r.real_time_ratio);
-  visit(Field{"integrator", "1", "Integrator in time"}, r.integrator);
+  visit(ResultField{"steps", "1", "Time steps"}, r.steps);
+  visit(ResultField{"rejected_steps", "1", "Steps that were tried again with a smaller one"}, r.rejected_steps);
+  visit(ResultField{"newton_iterations", "1", "Newton iterations"}, r.newton_iterations);
+  visit(ResultField{"factorisations", "1", "Factorisations of the tangent"}, r.factorisations);
+  visit(ResultField{"smallest_step", "s", "Smallest time step"}, r.smallest_step);
+  visit(ResultField{"largest_step", "s", "Largest time step"}, r.largest_step);
+  visit(ResultField{"wall_time", "s", "Time spent in the loop over time, all sittings together"}, r.wall_time);
+  visit(ResultField{"real_time_ratio", "1", "Simulated time over time spent"}, r.real_time_ratio);
+  visit(ResultField{"integrator", "1", "Integrator in time"}, r.integrator);
 }
 
 }  // namespace overbend

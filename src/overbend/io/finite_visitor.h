@@ -14,22 +14,22 @@ namespace overbend {
 struct FiniteVisitor {
   std::string place;
 
-  void operator()(const Field& field, double value) const {
+  void operator()(const ResultField& field, double value) const {
     if (!std::isfinite(value)) {
       throw std::runtime_error(place + field.name + " is not a finite number; nothing is written");
     }
   }
-  void operator()(const Field& field, const std::optional<double>& value) const {
+  void operator()(const ResultField& field, const std::optional<double>& value) const {
     if (value) (*this)(field, *value);
   }
-  void operator()(const Field& field, const Vec3& value) const {
-    for (int i = 0; i < 3; ++i) (*this)(Field{component_name(field, i)}, value(i));
+  void operator()(const ResultField& field, const Vec3& value) const {
+    for (int i = 0; i < 3; ++i) (*this)(ResultField{component_name(field, i)}, value(i));
   }
-  void operator()(const Field& field, const Mat3& value) const {
+  void operator()(const ResultField& field, const Mat3& value) const {
     for (int i = 0; i < 9; ++i) (*this)(field, value(i / 3, i % 3));
   }
   template <class Other>
-  void operator()(const Field&, const Other&) const {}  // text, flags and counts are always finite
+  void operator()(const ResultField&, const Other&) const {}  // text, flags and counts are always finite
 };
 
 inline std::string indexed(const std::string& name, std::size_t index) {

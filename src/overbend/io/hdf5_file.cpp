@@ -94,7 +94,7 @@ void Hdf5Writer::attribute(const std::string& object, const std::string& name, c
   require(H5Awrite(attribute, type, static_cast<const void*>(&pointer)), what);
 }
 
-void Hdf5Writer::write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
+void Hdf5Writer::write_raw(const std::string& path, const ResultField& field, hid_t memory_type, hid_t file_type,
                            const std::vector<hsize_t>& shape, const void* values) {
   const std::string what = "dataset " + path + " can not be written to results.h5";
   const Hdf5Handle space(
@@ -109,14 +109,14 @@ void Hdf5Writer::write_raw(const std::string& path, const Field& field, hid_t me
   describe(path, field);
 }
 
-void Hdf5Writer::describe(const std::string& path, const Field& field) {
+void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
   attribute(path, "units", field.units);
   attribute(path, "frame", field.frame);
   attribute(path, "description", field.description);
 }
 
 template <class Number>
-void Hdf5Writer::create(const std::string& path, const Field& field, const std::vector<hsize_t>& shape,
+void Hdf5Writer::create(const std::string& path, const ResultField& field, const std::vector<hsize_t>& shape,
                         hsize_t chunk_rows) {
   const std::string what = "dataset " + path + " can not be made in results.h5";
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
@@ -150,8 +150,8 @@ void Hdf5Writer::write_rows(const std::string& path, hsize_t first, const std::v
   require(H5Dwrite(set, memory_type<Number>(), memory, space, H5P_DEFAULT, values.data()), what);
 }
 
-template void Hdf5Writer::create<double>(const std::string&, const Field&, const std::vector<hsize_t>&, hsize_t);
-template void Hdf5Writer::create<int>(const std::string&, const Field&, const std::vector<hsize_t>&, hsize_t);
+template void Hdf5Writer::create<double>(const std::string&, const ResultField&, const std::vector<hsize_t>&, hsize_t);
+template void Hdf5Writer::create<int>(const std::string&, const ResultField&, const std::vector<hsize_t>&, hsize_t);
 template void Hdf5Writer::write_rows<double>(const std::string&, hsize_t, const std::vector<double>&);
 template void Hdf5Writer::write_rows<int>(const std::string&, hsize_t, const std::vector<int>&);
 
@@ -159,27 +159,27 @@ bool Hdf5Writer::has(const std::string& path) const {
   return H5Lexists(file_, path.c_str(), H5P_DEFAULT) > 0;
 }
 
-void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<double>& values,
+void Hdf5Writer::write(const std::string& path, const ResultField& field, const std::vector<double>& values,
                        const std::vector<hsize_t>& shape) {
   write_raw(path, field, memory_type<double>(), file_type<double>(), shape, values.data());
 }
 
-void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<int>& values,
+void Hdf5Writer::write(const std::string& path, const ResultField& field, const std::vector<int>& values,
                        const std::vector<hsize_t>& shape) {
   write_raw(path, field, memory_type<int>(), file_type<int>(), shape, values.data());
 }
 
-void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::int64_t>& values,
+void Hdf5Writer::write(const std::string& path, const ResultField& field, const std::vector<std::int64_t>& values,
                        const std::vector<hsize_t>& shape) {
   write_raw(path, field, H5T_NATIVE_INT64, H5T_STD_I64LE, shape, values.data());
 }
 
-void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::uint64_t>& values,
+void Hdf5Writer::write(const std::string& path, const ResultField& field, const std::vector<std::uint64_t>& values,
                        const std::vector<hsize_t>& shape) {
   write_raw(path, field, H5T_NATIVE_UINT64, H5T_STD_U64LE, shape, values.data());
 }
 
-void Hdf5Writer::write(const std::string& path, const Field& field, const std::vector<std::string>& values,
+void Hdf5Writer::write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
                        const std::vector<hsize_t>& shape) {
   std::vector<const char*> pointers;
   pointers.reserve(values.size());

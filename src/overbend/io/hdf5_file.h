@@ -43,21 +43,21 @@ class Hdf5Writer {
   void attribute(const std::string& object, const std::string& name, const std::string& text);
 
   /// Numbers of any shape, row by row; an empty shape is a scalar. `path` is the dataset's.
-  void write(const std::string& path, const Field& field, const std::vector<double>& values,
+  void write(const std::string& path, const ResultField& field, const std::vector<double>& values,
              const std::vector<hsize_t>& shape);
-  void write(const std::string& path, const Field& field, const std::vector<int>& values,
+  void write(const std::string& path, const ResultField& field, const std::vector<int>& values,
              const std::vector<hsize_t>& shape);
-  void write(const std::string& path, const Field& field, const std::vector<std::int64_t>& values,
+  void write(const std::string& path, const ResultField& field, const std::vector<std::int64_t>& values,
              const std::vector<hsize_t>& shape);
-  void write(const std::string& path, const Field& field, const std::vector<std::uint64_t>& values,
+  void write(const std::string& path, const ResultField& field, const std::vector<std::uint64_t>& values,
              const std::vector<hsize_t>& shape);
   /// UTF-8 texts.
-  void write(const std::string& path, const Field& field, const std::vector<std::string>& values,
+  void write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
              const std::vector<hsize_t>& shape);
 
   /// Makes a compressed dataset in chunks of `chunk_rows` along its first dimension, to be filled by write_rows().
   template <class Number>
-  void create(const std::string& path, const Field& field, const std::vector<hsize_t>& shape, hsize_t chunk_rows);
+  void create(const std::string& path, const ResultField& field, const std::vector<hsize_t>& shape, hsize_t chunk_rows);
   /// Fills the rows from `first` on with as many as there are values for.
   template <class Number>
   void write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values);
@@ -73,9 +73,9 @@ class Hdf5Writer {
 
  private:
   Hdf5Handle dataset(const std::string& path) const;
-  void write_raw(const std::string& path, const Field& field, hid_t memory_type, hid_t file_type,
+  void write_raw(const std::string& path, const ResultField& field, hid_t memory_type, hid_t file_type,
                  const std::vector<hsize_t>& shape, const void* values);
-  void describe(const std::string& path, const Field& field);
+  void describe(const std::string& path, const ResultField& field);
 
   Hdf5Handle file_;
 };

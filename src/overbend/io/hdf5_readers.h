@@ -22,21 +22,23 @@ struct ValueReader {
   const Hdf5Reader& file;
   std::string group;
 
-  std::string path(const Field& field) const { return group + "/" + field.name; }
-  void operator()(const Field& f, double& value) const { value = element(file.doubles(path(f)), 0, path(f)); }
-  void operator()(const Field& f, int& value) const { value = element(file.ints(path(f)), 0, path(f)); }
-  void operator()(const Field& f, std::int64_t& value) const { value = element(file.counts(path(f)), 0, path(f)); }
-  void operator()(const Field& f, std::uint64_t& value) const { value = file.seed(path(f)); }
-  void operator()(const Field& f, std::string& value) const { value = element(file.texts(path(f)), 0, path(f)); }
-  void operator()(const Field& f, std::vector<std::string>& values) const { values = file.texts(path(f)); }
-  void operator()(const Field& f, std::optional<double>& value) const {
+  std::string path(const ResultField& field) const { return group + "/" + field.name; }
+  void operator()(const ResultField& f, double& value) const { value = element(file.doubles(path(f)), 0, path(f)); }
+  void operator()(const ResultField& f, int& value) const { value = element(file.ints(path(f)), 0, path(f)); }
+  void operator()(const ResultField& f, std::int64_t& value) const {
+    value = element(file.counts(path(f)), 0, path(f));
+  }
+  void operator()(const ResultField& f, std::uint64_t& value) const { value = file.seed(path(f)); }
+  void operator()(const ResultField& f, std::string& value) const { value = element(file.texts(path(f)), 0, path(f)); }
+  void operator()(const ResultField& f, std::vector<std::string>& values) const { values = file.texts(path(f)); }
+  void operator()(const ResultField& f, std::optional<double>& value) const {
     if (file.has(path(f))) value = element(file.doubles(path(f)), 0, path(f));
   }
-  void operator()(const Field& f, Vec3& value) const {
+  void operator()(const ResultField& f, Vec3& value) const {
     const std::vector<double> numbers = file.doubles(path(f));
     for (std::size_t i = 0; i < 3; ++i) value(static_cast<int>(i)) = element(numbers, i, path(f));
   }
-  void operator()(const Field& f, Mat3& value) const {
+  void operator()(const ResultField& f, Mat3& value) const {
     const std::vector<double> numbers = file.doubles(path(f));
     for (int i = 0; i < 9; ++i) value(i / 3, i % 3) = element(numbers, i, path(f));
   }
@@ -51,20 +53,20 @@ class TableReader {
   std::size_t rows(const std::string& first) { return file_.has(group_) ? file_.doubles(path(first)).size() : 0; }
   void start_row(std::size_t row) { row_ = row; }
 
-  void operator()(const Field& f, double& value) { value = number(f.name); }
-  void operator()(const Field& f, bool& value) { value = integer(f.name) != 0; }
-  void operator()(const Field& f, int& value) { value = integer(f.name); }
-  void operator()(const Field& f, std::int64_t& value) {
+  void operator()(const ResultField& f, double& value) { value = number(f.name); }
+  void operator()(const ResultField& f, bool& value) { value = integer(f.name) != 0; }
+  void operator()(const ResultField& f, int& value) { value = integer(f.name); }
+  void operator()(const ResultField& f, std::int64_t& value) {
     const auto [found, fresh] = counts_.try_emplace(f.name);
     if (fresh) found->second = file_.counts(path(f.name));
     value = element(found->second, row_, path(f.name));
   }
-  void operator()(const Field& f, std::string& value) { value = text(f.name); }
-  void operator()(const Field& f, Vec3& value) {
+  void operator()(const ResultField& f, std::string& value) { value = text(f.name); }
+  void operator()(const ResultField& f, Vec3& value) {
     for (int i = 0; i < 3; ++i) value(i) = number(component_name(f, i));
   }
   template <class Word>
-  void operator()(const Field& f, Word& value) {
+  void operator()(const ResultField& f, Word& value) {
     const std::string& found = text(f.name);
     if (!from_word(found, value)) throw std::runtime_error("dataset " + path(f.name) + ": unknown word " + found);
   }

@@ -23,12 +23,12 @@ void write_supports(Hdf5Writer& file, const std::string& group, const StaticResu
     for (const RowResult& row : support.rows) {
       for (const RollerResult& roller : row.rollers) {
         rollers(index_field("Number of the roller, from 0"), rollers.rows());
-        rollers(Field{"row", "1", "Index of its row in the table of rows"}, rows.rows());
+        rollers(ResultField{"row", "1", "Index of its row in the table of rows"}, rows.rows());
         visit_roller(roller, rollers);
         rollers.end_row();
       }
       rows(index_field("Number of the row, from 0"), rows.rows());
-      rows(Field{"support", "1", "Index of its box in the table of supports"}, boxes.rows());
+      rows(ResultField{"support", "1", "Index of its box in the table of supports"}, boxes.rows());
       visit_row(row, rows);
       rows.end_row();
     }
@@ -59,12 +59,12 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
 void write_model(Hdf5Writer& file, const Description& description) {
   file.group("/model", "What was analysed, and with what");
   ValueWriter visit{file, "/model"};
-  visit(Field{"text", "1", "Text of the model file"}, description.source_text);
-  visit(Field{"file", "1", "Path of the model file as given"}, description.source_file);
-  visit(Field{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(description.source_text));
-  visit(Field{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
-  visit(Field{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
-  visit(Field{"compiler", "1", "Compiler of the program"}, compiler_name());
+  visit(ResultField{"text", "1", "Text of the model file"}, description.source_text);
+  visit(ResultField{"file", "1", "Path of the model file as given"}, description.source_file);
+  visit(ResultField{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(description.source_text));
+  visit(ResultField{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
+  visit(ResultField{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
+  visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
 }
 
 template <class Function, class Part>

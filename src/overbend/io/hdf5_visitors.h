@@ -14,24 +14,28 @@ struct ValueWriter {
   Hdf5Writer& file;
   std::string group;
 
-  std::string path(const Field& field) const { return group + "/" + field.name; }
-  void operator()(const Field& field, double value) { file.write(path(field), field, std::vector{value}, {}); }
-  void operator()(const Field& field, int value) { file.write(path(field), field, std::vector{value}, {}); }
-  void operator()(const Field& field, std::int64_t value) { file.write(path(field), field, std::vector{value}, {}); }
-  void operator()(const Field& field, std::uint64_t value) { file.write(path(field), field, std::vector{value}, {}); }
-  void operator()(const Field& field, const std::string& value) {
+  std::string path(const ResultField& field) const { return group + "/" + field.name; }
+  void operator()(const ResultField& field, double value) { file.write(path(field), field, std::vector{value}, {}); }
+  void operator()(const ResultField& field, int value) { file.write(path(field), field, std::vector{value}, {}); }
+  void operator()(const ResultField& field, std::int64_t value) {
     file.write(path(field), field, std::vector{value}, {});
   }
-  void operator()(const Field& field, const std::vector<std::string>& values) {
+  void operator()(const ResultField& field, std::uint64_t value) {
+    file.write(path(field), field, std::vector{value}, {});
+  }
+  void operator()(const ResultField& field, const std::string& value) {
+    file.write(path(field), field, std::vector{value}, {});
+  }
+  void operator()(const ResultField& field, const std::vector<std::string>& values) {
     file.write(path(field), field, values, {values.size()});
   }
-  void operator()(const Field& field, const std::optional<double>& value) {
+  void operator()(const ResultField& field, const std::optional<double>& value) {
     if (value) (*this)(field, *value);  // absent where the question has no sense: no stinger, no clearance
   }
-  void operator()(const Field& field, const Vec3& value) {
+  void operator()(const ResultField& field, const Vec3& value) {
     file.write(path(field), field, std::vector<double>{value.x(), value.y(), value.z()}, {3});
   }
-  void operator()(const Field& field, const Mat3& value) {
+  void operator()(const ResultField& field, const Mat3& value) {
     std::vector<double> rows;
     for (int i = 0; i < 9; ++i) rows.push_back(value(i / 3, i % 3));
     file.write(path(field), field, rows, {3, 3});
@@ -41,16 +45,16 @@ struct ValueWriter {
 /// Gathers the columns of a table row by row, then writes them with the first one as the dimension scale.
 class TableWriter {
  public:
-  void operator()(const Field& field, double value) { column(field).numbers.push_back(value); }
-  void operator()(const Field& field, int value) { column(field).integers.push_back(value); }
-  void operator()(const Field& field, std::int64_t value) { column(field).counts.push_back(value); }
-  void operator()(const Field& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
-  void operator()(const Field& field, const std::string& value) { column(field).texts.push_back(value); }
-  void operator()(const Field& field, Region value) { column(field).texts.emplace_back(word(value)); }
-  void operator()(const Field& field, RollerPosition value) { column(field).texts.emplace_back(word(value)); }
-  void operator()(const Field& field, const Vec3& value) {
+  void operator()(const ResultField& field, double value) { column(field).numbers.push_back(value); }
+  void operator()(const ResultField& field, int value) { column(field).integers.push_back(value); }
+  void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
+  void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
+  void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
+  void operator()(const ResultField& field, Region value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, RollerPosition value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, const Vec3& value) {
     for (int i = 0; i < 3; ++i) {
-      (*this)(Field{component_name(field, i), field.units, field.description, field.frame}, value(i));
+      (*this)(ResultField{component_name(field, i), field.units, field.description, field.frame}, value(i));
     }
   }
   void end_row() {
@@ -85,13 +89,13 @@ class TableWriter {
 
  private:
   struct Column {
-    Field field;
+    ResultField field;
     std::vector<double> numbers;
     std::vector<int> integers;
     std::vector<std::int64_t> counts;
     std::vector<std::string> texts;
   };
-  Column& column(const Field& field) {
+  Column& column(const ResultField& field) {
     if (rows_ == 0) columns_.push_back({field, {}, {}, {}, {}});
     return columns_.at(next_++);
   }
@@ -100,7 +104,7 @@ class TableWriter {
   hsize_t rows_ = 0;
 };
 
-inline Field index_field(const char* description) {
+inline ResultField index_field(const char* description) {
   return {"index", "1", description, kNoFrame};
 }
 

@@ -13,7 +13,7 @@ inline constexpr const char* kBoxFrame =
     "box: longitudinal along the box axis astern, lateral to port, vertical is W z";
 
 /// Name, unit, meaning and frame of a quantity.
-struct Field {
+struct ResultField {
   std::string name;
   std::string units = "1";
   std::string description = {};
@@ -21,7 +21,7 @@ struct Field {
 };
 
 /// The name of one component of a vector: "normal_x"; a vector without a name gives "x".
-inline std::string component_name(const Field& field, int axis) {
+inline std::string component_name(const ResultField& field, int axis) {
   const std::string letter(1, "xyz"[axis]);
   return field.name.empty() ? letter : field.name + "_" + letter;
 }

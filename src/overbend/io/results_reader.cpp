@@ -26,7 +26,7 @@ void read_supports(const Hdf5Reader& file, StaticResults& results) {
   for (std::size_t i = 0, count = rows.rows("index"); i < count; ++i) {
     rows.start_row(i);
     int box = -1;
-    rows(Field{"support"}, box);
+    rows(ResultField{"support"}, box);
     visit_row(owner(all_boxes, box, "row").rows.emplace_back(), rows);
   }
   std::vector<RowResult*> all_rows;  // rows are numbered through all boxes
@@ -36,7 +36,7 @@ void read_supports(const Hdf5Reader& file, StaticResults& results) {
   for (std::size_t i = 0, count = rollers.rows("index"); i < count; ++i) {
     rollers.start_row(i);
     int row = -1;
-    rollers(Field{"row"}, row);
+    rollers(ResultField{"row"}, row);
     visit_roller(owner(all_rows, row, "roller").rollers.emplace_back(), rollers);
   }
 }
@@ -61,7 +61,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   const Hdf5Reader file(h5);
   StoredStatics stored;
   ValueReader visit{file, "/model"};
-  visit(Field{"text"}, stored.model_text);
+  visit(ResultField{"text"}, stored.model_text);
   StaticResults& results = stored.results;
   visit.group = "/static";
   visit_key_results(results, visit);

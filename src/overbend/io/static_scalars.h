@@ -8,80 +8,85 @@ namespace overbend {
 /// Key results: what stands directly in the group.
 template <class Results, class Visit>
 void visit_key_results(Results& r, Visit& visit) {
-  visit(Field{"title", "1", "Title of the model"}, r.title);
-  visit(Field{"version", "1", "Version of the program"}, r.version);
-  visit(Field{"assumptions", "1", "What had to be assumed"}, r.assumptions);
-  visit(Field{"warnings", "1", "Warnings on the model"}, r.warnings);
-  visit(Field{"top_tension", "N", "Effective tension at the tensioner"}, r.top_tension);
-  visit(Field{"bottom_tension", "N", "Horizontal tension at touchdown"}, r.bottom_tension);
-  visit(Field{"largest_tension", "N", "Largest effective tension"}, r.largest_tension);
-  visit(Field{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back);
-  visit(Field{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}, r.top_to_touchdown);
-  visit(Field{"length_top_to_touchdown", "m", "Unstressed length from tensioner to touchdown"},
+  visit(ResultField{"title", "1", "Title of the model"}, r.title);
+  visit(ResultField{"version", "1", "Version of the program"}, r.version);
+  visit(ResultField{"assumptions", "1", "What had to be assumed"}, r.assumptions);
+  visit(ResultField{"warnings", "1", "Warnings on the model"}, r.warnings);
+  visit(ResultField{"top_tension", "N", "Effective tension at the tensioner"}, r.top_tension);
+  visit(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}, r.bottom_tension);
+  visit(ResultField{"largest_tension", "N", "Largest effective tension"}, r.largest_tension);
+  visit(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back);
+  visit(ResultField{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}, r.top_to_touchdown);
+  visit(ResultField{"length_top_to_touchdown", "m", "Unstressed length from tensioner to touchdown"},
         r.length_top_to_touchdown);
-  visit(Field{"total_length", "m", "Unstressed length from tensioner to anchor"}, r.total_length);
-  visit(Field{"suspended_length", "m", "Length from the last support in contact to touchdown"}, r.suspended_length);
-  visit(Field{"departure_angle", "rad", "From horizontal, at the last support in contact or the tensioner (J-lay)"},
-        r.departure_angle);
-  visit(Field{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"}, r.stinger_tip_clearance);
-  visit(Field{"last_support", "1", "Name of the last support in contact; empty in J-lay"}, r.last_support);
-  visit(Field{"largest_reaction_support", "1", "Support with the largest reaction of a single roller"},
+  visit(ResultField{"total_length", "m", "Unstressed length from tensioner to anchor"}, r.total_length);
+  visit(ResultField{"suspended_length", "m", "Length from the last support in contact to touchdown"},
+        r.suspended_length);
+  visit(
+      ResultField{"departure_angle", "rad", "From horizontal, at the last support in contact or the tensioner (J-lay)"},
+      r.departure_angle);
+  visit(ResultField{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"},
+        r.stinger_tip_clearance);
+  visit(ResultField{"last_support", "1", "Name of the last support in contact; empty in J-lay"}, r.last_support);
+  visit(ResultField{"largest_reaction_support", "1", "Support with the largest reaction of a single roller"},
         r.largest_reaction_support);
-  visit(Field{"largest_reaction", "N", "Largest reaction of a single roller"}, r.largest_reaction);
-  visit(Field{"smallest_separation", "m", "Smallest separation of all bottom rollers"}, r.smallest_separation);
-  visit(Field{"largest_penetration", "m", "Largest penetration into a roller, by the penalty"}, r.largest_penetration);
-  visit(Field{"roller_stiffness", "N/m", "Largest contact stiffness in use"}, r.roller_stiffness);
-  visit(Field{"anchor", "m", "Where the far end is held", kWorldFrame}, r.anchor_W);
-  visit(Field{"wanted_tension", "N", "Tension asked for in the model"}, r.wanted_tension);
-  visit(Field{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}, r.force_residual);
-  visit(Field{"global_residual", "1", "Sum of all external forces and reactions over the total weight"},
+  visit(ResultField{"largest_reaction", "N", "Largest reaction of a single roller"}, r.largest_reaction);
+  visit(ResultField{"smallest_separation", "m", "Smallest separation of all bottom rollers"}, r.smallest_separation);
+  visit(ResultField{"largest_penetration", "m", "Largest penetration into a roller, by the penalty"},
+        r.largest_penetration);
+  visit(ResultField{"roller_stiffness", "N/m", "Largest contact stiffness in use"}, r.roller_stiffness);
+  visit(ResultField{"anchor", "m", "Where the far end is held", kWorldFrame}, r.anchor_W);
+  visit(ResultField{"wanted_tension", "N", "Tension asked for in the model"}, r.wanted_tension);
+  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}, r.force_residual);
+  visit(ResultField{"global_residual", "1", "Sum of all external forces and reactions over the total weight"},
         r.global_residual);
-  visit(Field{"total_weight", "N", "Weight of the line in air"}, r.total_weight);
+  visit(ResultField{"total_weight", "N", "Weight of the line in air"}, r.total_weight);
 }
 
 template <class Row, class Visit>
 void visit_touchdown(Row& r, Visit& visit) {
-  visit(Field{"position", "m", "Touchdown point", kWorldFrame}, r.p_W);
-  visit(Field{"s", "m", "Arc length from the anchor"}, r.s);
-  visit(Field{"astern", "m", "Distance astern of the stern shoe"}, r.astern);
+  visit(ResultField{"position", "m", "Touchdown point", kWorldFrame}, r.p_W);
+  visit(ResultField{"s", "m", "Arc length from the anchor"}, r.s);
+  visit(ResultField{"astern", "m", "Distance astern of the stern shoe"}, r.astern);
 }
 
 template <class Results, class Visit>
 void visit_sums(Results& r, Visit& visit) {
-  visit(Field{"weight", "N", "Sum of the weight", kWorldFrame}, r.sum_weight);
-  visit(Field{"buoyancy", "N", "Sum of the buoyancy", kWorldFrame}, r.sum_buoyancy);
-  visit(Field{"current", "N", "Sum of the current's forces", kWorldFrame}, r.sum_current);
-  visit(Field{"seabed", "N", "Sum of the seabed reaction", kWorldFrame}, r.sum_seabed);
-  visit(Field{"rollers", "N", "Sum of the roller reactions", kWorldFrame}, r.sum_rollers);
-  visit(Field{"top_reaction", "N", "Force of the tensioner on the pipe", kWorldFrame}, r.top_reaction);
-  visit(Field{"anchor_reaction", "N", "Force of the anchor on the pipe", kWorldFrame}, r.anchor_reaction);
+  visit(ResultField{"weight", "N", "Sum of the weight", kWorldFrame}, r.sum_weight);
+  visit(ResultField{"buoyancy", "N", "Sum of the buoyancy", kWorldFrame}, r.sum_buoyancy);
+  visit(ResultField{"current", "N", "Sum of the current's forces", kWorldFrame}, r.sum_current);
+  visit(ResultField{"seabed", "N", "Sum of the seabed reaction", kWorldFrame}, r.sum_seabed);
+  visit(ResultField{"rollers", "N", "Sum of the roller reactions", kWorldFrame}, r.sum_rollers);
+  visit(ResultField{"top_reaction", "N", "Force of the tensioner on the pipe", kWorldFrame}, r.top_reaction);
+  visit(ResultField{"anchor_reaction", "N", "Force of the anchor on the pipe", kWorldFrame}, r.anchor_reaction);
 }
 
 template <class Report, class Visit>
 void visit_solve(Report& r, Visit& visit) {
-  visit(Field{"method", "1", "Method of solution"}, r.method);
-  visit(Field{"iterations", "1", "Newton iterations of all stages"}, r.iterations);
-  visit(Field{"relaxation_steps", "1", "Steps of dynamic relaxation"}, r.relaxation_steps);
-  visit(Field{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}, r.force_residual);
-  visit(Field{"wall_time", "s", "Time inside the solver"}, r.wall_time);
-  visit(Field{"history", "1", "One line per stage"}, r.history);
+  visit(ResultField{"method", "1", "Method of solution"}, r.method);
+  visit(ResultField{"iterations", "1", "Newton iterations of all stages"}, r.iterations);
+  visit(ResultField{"relaxation_steps", "1", "Steps of dynamic relaxation"}, r.relaxation_steps);
+  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}, r.force_residual);
+  visit(ResultField{"wall_time", "s", "Time inside the solver"}, r.wall_time);
+  visit(ResultField{"history", "1", "One line per stage"}, r.history);
 }
 
 /// What pictures need.
 template <class Results, class Visit>
 void visit_scene(Results& r, Visit& visit) {
-  visit(Field{"stern_shoe", "m", "Stern shoe", kWorldFrame}, r.stern_shoe_W);
-  visit(Field{"tensioner", "m", "Pipe axis at the tensioner", kWorldFrame}, r.tensioner_W);
-  visit(Field{"vessel_axes", "1", "Columns: vessel axes forward, port, up", kWorldFrame}, r.R_WV);
-  visit(Field{"vessel_name", "1", "Name of the vessel"}, r.vessel_name);
-  visit(Field{"vessel_length", "m", "Length of the vessel"}, r.vessel_length);
-  visit(Field{"vessel_beam", "m", "Beam of the vessel"}, r.vessel_beam);
-  visit(Field{"vessel_depth", "m", "Depth of the vessel's hull"}, r.vessel_depth);
-  visit(Field{"vessel_draught", "m", "Draught of the vessel"}, r.vessel_draught);
-  visit(Field{"water_depth", "m", "Water depth at the stern shoe"}, r.water_depth);
-  visit(Field{"pipe_outer_diameter", "m", "Diameter over the coatings of the line's own section"},
+  visit(ResultField{"stern_shoe", "m", "Stern shoe", kWorldFrame}, r.stern_shoe_W);
+  visit(ResultField{"tensioner", "m", "Pipe axis at the tensioner", kWorldFrame}, r.tensioner_W);
+  visit(ResultField{"vessel_axes", "1", "Columns: vessel axes forward, port, up", kWorldFrame}, r.R_WV);
+  visit(ResultField{"vessel_name", "1", "Name of the vessel"}, r.vessel_name);
+  visit(ResultField{"vessel_length", "m", "Length of the vessel"}, r.vessel_length);
+  visit(ResultField{"vessel_beam", "m", "Beam of the vessel"}, r.vessel_beam);
+  visit(ResultField{"vessel_depth", "m", "Depth of the vessel's hull"}, r.vessel_depth);
+  visit(ResultField{"vessel_draught", "m", "Draught of the vessel"}, r.vessel_draught);
+  visit(ResultField{"water_depth", "m", "Water depth at the stern shoe"}, r.water_depth);
+  visit(ResultField{"pipe_outer_diameter", "m", "Diameter over the coatings of the line's own section"},
         r.pipe_outer_diameter);
-  visit(Field{"steel_outer_diameter", "m", "Diameter of the steel of the line's own section"}, r.steel_outer_diameter);
+  visit(ResultField{"steel_outer_diameter", "m", "Diameter of the steel of the line's own section"},
+        r.steel_outer_diameter);
 }
 
 /// The five extremes of a region: visit_extreme(name, units, description, extreme).
@@ -96,10 +101,10 @@ void visit_region(RegionType& r, VisitExtreme&& visit_extreme) {
 
 template <class Row, class Visit>
 void visit_extreme_fields(const char* units, const char* description, Row& r, Visit& visit) {
-  visit(Field{"value", units, description}, r.value);
-  visit(Field{"s", "m", "Arc length from the anchor where it stands"}, r.s);
-  visit(Field{"position", "m", "Where it stands", kWorldFrame}, r.p_W);
-  visit(Field{"astern", "m", "Distance astern of the stern shoe where it stands"}, r.astern);
+  visit(ResultField{"value", units, description}, r.value);
+  visit(ResultField{"s", "m", "Arc length from the anchor where it stands"}, r.s);
+  visit(ResultField{"position", "m", "Where it stands", kWorldFrame}, r.p_W);
+  visit(ResultField{"astern", "m", "Distance astern of the stern shoe where it stands"}, r.astern);
 }
 
 }  // namespace overbend

@@ -17,20 +17,37 @@ struct Projection {
   Vec3 apply(const Vec3& v) const { return along_axis_counts ? v : Vec3(v - v.dot(axis) * axis); }
 };
 
+/// The projected distance vector along an element as powers of xi: c0 + c1 xi + c2 xi^2 + c3 xi^3.
+struct CubicVector {
+  Vec3 c0, c1, c2, c3;
+};
+
+CubicVector distance_vector(const Projection& projection, const ElementVector& q, double h) {
+  const Vec3 r1 = projection.apply(q.segment<3>(0) - projection.reference);
+  const Vec3 chord = projection.apply(q.segment<3>(6) - q.segment<3>(0));
+  const Vec3 t1 = h * projection.apply(q.segment<3>(3)), t2 = h * projection.apply(q.segment<3>(9));
+  return {r1, t1, 3.0 * chord - 2.0 * t1 - t2, t1 + t2 - 2.0 * chord};
+}
+
 /// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton from `xi`; the function changes sign over the element.
 double stationary_xi(const Projection& projection, const ElementVector& q, double h, double xi = 0.5) {
+  constexpr double kClose = 1e-9;  // Newton squares what is left
+  const CubicVector c = distance_vector(projection, q, h);
   double low = 0.0, high = 1.0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const CentrelinePoint at = centreline(q, xi, h);
-    const Vec3 e = projection.apply(at.r - projection.reference);
-    const double value = e.dot(at.a);
+    const Vec3 e = c.c0 + xi * (c.c1 + xi * (c.c2 + xi * c.c3));
+    const Vec3 first = c.c1 + xi * (2.0 * c.c2 + 3.0 * xi * c.c3);
+    const Vec3 second = 2.0 * c.c2 + 6.0 * xi * c.c3;
+    const double value = e.dot(first);
     (value > 0.0 ? high : low) = xi;
-    const double slope = h * (projection.apply(at.a).squaredNorm() + e.dot(at.b));
+    const double slope = first.squaredNorm() + e.dot(second);
     double next = slope > 0.0 ? xi - value / slope : -1.0;
-    if (!(next > low && next < high)) {
+    if (!(next >= low && next <= high)) {
       next = 0.5 * (low + high);
+    } else if (std::abs(next - xi) < kClose) {
+      return next;
     }
-    if (std::abs(next - xi) < 1e-15) {
+    if (high - low < 1e-15) {
       return next;
     }
     xi = next;

@@ -117,8 +117,10 @@ double recurrence_of(const std::vector<WaveComponent>& components, double simula
   }
   const double period = kTurn * energy / moment;
   double largest = 0.0;
-  // Quarter periods: the autocorrelation can not pass a peak of its envelope unseen.
-  for (double lag = 30.0 * period; lag <= simulated_time; lag += 0.25 * period) {
+  // Quarters of a period are fine steps for the envelope, which changes with the groups of waves.
+  const auto steps = static_cast<std::int64_t>(4.0 * simulated_time / period);
+  for (std::int64_t step = 120; step <= steps; ++step) {
+    const double lag = 0.25 * period * static_cast<double>(step);
     double sum = 0.0, quadrature = 0.0;
     for (const WaveComponent& c : components) {
       const double a2 = c.amplitude * c.amplitude;

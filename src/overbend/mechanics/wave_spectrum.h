@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205, 3.5.5.5]; hs [m], tp [s].
+/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205]; hs [m], tp [s].
 double jonswap_gamma(double hs, double tp);
 
 /// One-sided spectral density of the surface elevation, S(omega) [m2 s], and its integral.

@@ -20,7 +20,7 @@ StokesCoefficients stokes_coefficients(double kd);
 double stokes_wave_number(double height, double period, double depth);
 
 /// Height [m] at which a regular wave of this length breaks on a level bed: fit of the highest waves computed exactly
-/// [fenton1990, eq. 32]; 0.142 L in deep and 0.83 d in shallow water.
+/// [fenton1990]; 0.142 L in deep and 0.83 d in shallow water.
 double highest_wave(double length, double depth);
 
 /// H L^2 / d^3. Stokes waves want it below `kStokesUrsell`; above, cnoidal waves are the theory [fenton1990].
