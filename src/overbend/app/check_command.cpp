@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numbers>
@@ -7,6 +8,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "model/model.h"
+#include "model/rao_limits.h"
 
 namespace overbend {
 namespace {
@@ -78,6 +80,32 @@ void print_supports(const Model& model) {
   }
 }
 
+/// The table by which wrong conventions of RAOs show; returns what is to be warned of.
+std::vector<std::string> print_raos(const Model& model) {
+  const VesselDescription& vessel = model.description.vessel;
+  if (!vessel.raos) return {};
+  const RaoTable& raos = *vessel.raos;
+  std::cout << fmt::format("\nRAOs: {}, {} headings, {} frequencies from {:.4g} to {:.4g} rad/s\n", raos.source,
+                           raos.headings.size(), raos.omegas.size(), raos.omegas.front(), raos.omegas.back());
+  const RaoLimits limits =
+      long_wave_limits(raos, vessel.length, vessel.draught, model.description.environment.water_depth);
+  std::cout << fmt::format(
+      "  against the water in waves of {:.4g} m; lags in deg behind the crest{}\n", limits.wave_length,
+      limits.long_enough ? "" : "; too short against the vessel to judge by");
+  std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8}{:>10}{:>12}\n", "travelling", "freedom", "over", "ratio", "lag",
+                           "expected");
+  constexpr std::array<const char*, 5> kOver = {"mean orbit", "mean orbit", "wave amplitude", "wave slope",
+                                                "wave slope"};
+  for (const RaoLimitRow& row : limits.rows) {
+    const auto k = static_cast<std::size_t>(row.freedom);
+    std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8.3f}{:>10.1f}{:>12.1f}{}\n",
+                             fmt::format("{:.0f} deg", row.heading * kDegrees), kFreedomNames[k], kOver[k], row.ratio,
+                             row.lag * kDegrees + 0.0, row.expected_lag * kDegrees + 0.0,
+                             row.agrees || !limits.long_enough ? "" : "  disagrees");
+  }
+  return limit_warnings(limits);
+}
+
 void print_list(const std::string& head, const std::vector<std::string>& lines) {
   if (lines.empty()) return;
   std::cout << "\n" << head << "\n";
@@ -94,8 +122,11 @@ int run_check(const std::string& model_file) {
   for (const Section& section : model.sections) print_section(section);
   print_places(model);
   print_supports(model);
+  std::vector<std::string> warnings = description->warnings;
+  const std::vector<std::string> doubts = print_raos(model);
+  warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   print_list("Assumptions", assumptions(model));
-  print_list("Warnings", description->warnings);
+  print_list("Warnings", warnings);
   return kDone;
 }
 

@@ -19,6 +19,7 @@ std::vector<Field> environment();
 std::vector<Field> waves();
 std::vector<Field> pipe();
 std::vector<Field> vessel();
+std::vector<Field> motion_convention();
 std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();

@@ -1,7 +1,6 @@
 #include <array>
 
 #include "io/field_rows.h"
-#include "io/rao_convention.h"
 
 namespace overbend::field_rows {
 namespace {
@@ -47,71 +46,6 @@ std::vector<Field> harmonic_motion() {
                     .fallback = "0 deg",
                     .range = azimuth()});
   }
-  return rows;
-}
-
-/// A point of the vessel; `with_height` for one in space, otherwise a place in plan.
-std::vector<Field> point(const std::string& path, const std::string& text, bool with_height) {
-  const auto coordinate = [&](const std::string& axis, const std::string& words, bool required) {
-    return Field{.path = path + "." + axis,
-                 .kind = FieldKind::quantity,
-                 .text = words,
-                 .unit = "m",
-                 .show = "m",
-                 .required = required,
-                 .fallback = required ? "" : "0 m",
-                 .range = {.low = -1000.0, .high = 1000.0}};
-  };
-  std::vector<Field> rows = {{.path = path, .text = text},
-                             coordinate("x", "From midship, forward positive.", true),
-                             coordinate("y", "From the centreline, to port positive.", false)};
-  if (with_height) rows.push_back(coordinate("z", "Above the water.", true));
-  return rows;
-}
-
-/// What the numbers of a motion file mean; every key only where it differs from what the file's type settles.
-std::vector<Field> convention() {
-  const std::string p = "vessel.motion.convention";
-  const std::string open = "as the file says, else as in the set";
-  std::vector<Field> rows = {{.path = p, .text = "What the numbers of the motion's file mean."},
-                             {.path = p + ".set",
-                              .kind = FieldKind::choice,
-                              .text = "Conventions of a program, for all keys that are not given.",
-                              .fallback_text = "house for .csv, wamit for .4, orcaflex for .yml",
-                              .choices = convention_sets()}};
-  bool signs = false;
-  for (const ConventionKey& key : convention_keys()) {
-    if (!signs && key.key.rfind("positive.", 0) == 0) {
-      rows.push_back({.path = p + ".positive", .text = "What positive motions are."});
-      signs = true;
-    }
-    rows.push_back({.path = p + "." + key.key,
-                    .kind = FieldKind::choice,
-                    .text = key.text,
-                    .fallback_text = open,
-                    .choices = key.words});
-  }
-  for (const auto& group :
-       {point(p + ".reference", "Point of the vessel whose motion the file gives, in the vessel's frame.", true),
-        point(p + ".wave_origin", "Point over which the wave has the event that phases count from.", false),
-        point(p + ".file_origin", "Where the axes have their origin in which the file itself gives points.", true)}) {
-    rows.insert(rows.end(), group.begin(), group.end());
-  }
-  rows.push_back({.path = p + ".length_scale",
-                  .kind = FieldKind::quantity,
-                  .text = "ULEN of a WAMIT file: rotations are angle times this length per wave amplitude.",
-                  .unit = "m",
-                  .show = "m",
-                  .fallback = "1 m",
-                  .range = {.low = 0.0, .high = 1000.0, .low_open = true}});
-  rows.push_back({.path = p + ".vessel_type",
-                  .kind = FieldKind::text,
-                  .text = "Name, where an OrcaFlex file has several vessel types.",
-                  .fallback_text = "the only one"});
-  rows.push_back({.path = p + ".draught",
-                  .kind = FieldKind::text,
-                  .text = "Name, where the vessel type has several draughts.",
-                  .fallback_text = "the only one"});
   return rows;
 }
 
@@ -190,7 +124,8 @@ std::vector<Field> vessel() {
        .kind = FieldKind::text,
        .text = "File of the hull's hydrodynamics, beside the model file: pipe and vessel move together."},
   };
-  for (const auto& part : {harmonic_motion(), convention()}) rows.insert(rows.end(), part.begin(), part.end());
+  const std::vector<Field> harmonic = harmonic_motion();
+  rows.insert(rows.end(), harmonic.begin(), harmonic.end());
   return rows;
 }
 
