@@ -100,7 +100,7 @@ std::string page(const std::vector<Group>& groups) {
   return fmt::format(
       "# Validation\n\n"
       "<!-- Generated: `build/release/overbend_validate > docs/validation.md`. Do not edit. -->\n\n"
-      "The engine's statics beside answers found by other means: closed forms, tables from the literature, and "
+      "The engine beside answers found by other means: closed forms, tables from the literature, and "
       "solutions "
       "computed\nwith other methods ([where they come from](../validation/README.md)). Every value of ours is computed "
       "when this page is\ngenerated, with the element, contact and solver that lay the pipe; the test run checks each "
