@@ -55,6 +55,17 @@ ElementBounds bounds_of(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Ve
           std::min({r1.z(), r2.z(), b1.z(), b2.z()}) - reach};
 }
 
+/// In statics a roller holds the pipe on the side it is meant for; in time the pipe is where it is. It passes a roller
+/// over its end alone, and one that has done so is pushed further out when it comes near, not back through the steel.
+RollerDistance actual_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {
+  RollerDistance distance = roller_distance(roller, at, q, h);
+  if (distance.value < 0.0) {
+    distance.value = -distance.value;
+    distance.direction = -distance.direction;
+  }
+  return distance;
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
   return (hash ^ value) * 0x100000001b3ull;
 }
@@ -141,7 +152,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const std::size_t e = static_cast<std::size_t>(element);
   const double h = (*length_)[e];
   const ElementVector dofs = dofs_of(q, element);
-  const RollerDistance distance = roller_distance(placed, contact.at, dofs, h);
+  const RollerDistance distance = actual_distance(placed, contact.at, dofs, h);
   contact.penetration = (*pipe_radius_)[e] + roller.radius - distance.value;
   contact.normal_direction = distance.direction;
   const HermiteValues n = hermite(contact.at.xi, h);

@@ -7,7 +7,7 @@ namespace overbend {
 
 struct StepSettings {
   double spectral_radius = 0.8;
-  double tolerance = 1e-7;  ///< Largest unbalanced nodal force over the force scale.
+  double tolerance = 1e-6;  ///< Largest unbalanced nodal force over the force scale.
   int max_iterations = 12;
 };
 
