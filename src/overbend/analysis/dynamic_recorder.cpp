@@ -353,7 +353,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
       RollerDynamics r;
       r.roller = static_cast<int>(roller);
       r.box = placed.box;
-      r.row = placed.row;
+      r.row = placed.row - support.first_row;
       r.position = placed.position;
       r.reaction = spread(i);
       r.separation = spread(i + 1);
