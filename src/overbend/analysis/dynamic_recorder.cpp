@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -137,6 +138,7 @@ void DynamicRecorder::recover(const RecordedInstant& at) {
   recovery_.recover(*at.state, at.system->contacts(), nodes_);
   find_key_values(at);
   find_support_values(at);
+  find_passed(at);
   for (std::size_t i = 0; i < kKeyQuantities; ++i) {
     largest_key_[i] = std::max(largest_key_[i], key_sample_[i]);
   }
@@ -208,6 +210,17 @@ void DynamicRecorder::find_region_peaks(int last_contact_node, int touchdown_nod
                  key_.tip_clearance,   key_.overbend[0].now, key_.overbend[1].now, key_.overbend[2].now,
                  key_.overbend[3].now, key_.sagbend[0].now,  key_.sagbend[1].now,  key_.sagbend[2].now,
                  key_.sagbend[3].now};
+}
+
+/// Near the roller alone: a pipe that lifts high over a box is beside no roller.
+void DynamicRecorder::find_passed(const RecordedInstant& at) {
+  constexpr double kNear = 0.5;  // [m]
+  for (std::size_t i = 0; i < rollers_; ++i) {
+    const MovingContact& contact = at.system->contacts()[i];
+    if (contact.passed && contact.penetration > -kNear) {
+      impacts_[i].passed_at = std::min(impacts_[i].passed_at, at.state->time);
+    }
+  }
 }
 
 void DynamicRecorder::find_support_values(const RecordedInstant& at) {
@@ -398,6 +411,39 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
   }
 }
 
+void DynamicRecorder::fill_warnings(DynamicResults& results) const {
+  std::size_t roller = 0;
+  for (const SupportBox& box : model_->supports.boxes) {
+    double first = kNever;
+    RollerPosition over = RollerPosition::bottom;
+    for (; roller < rollers_ &&
+           &model_->supports.boxes[static_cast<std::size_t>(model_->supports.rollers[roller].box)] == &box;
+         ++roller) {
+      if (impacts_[roller].passed_at < first) {
+        first = impacts_[roller].passed_at;
+        over = model_->supports.rollers[roller].position;
+      }
+    }
+    if (first < kNever) {
+      char text[200];
+      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over the end of its %s roller", first,
+                    box.name.c_str(), word(over));
+      results.warnings.emplace_back(text);
+    }
+  }
+  const double yield = model_->sections.front().yield_stress;
+  const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
+  if (yield > 0.0 && worst > yield) {
+    results.warnings.emplace_back(
+        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
+        "beyond "
+        "it are those of a pipe that does not yield");
+  }
+  if (results.top_tension.min < 0.0) {
+    results.warnings.emplace_back("the tension at the tensioner falls below zero");
+  }
+}
+
 void DynamicRecorder::fill(DynamicResults& results) const {
   const std::size_t n = nodes_.x.size();
   const std::vector<double> deviation = node_statistics_.standard_deviation();
@@ -427,6 +473,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner.mode = "locked";
   results.tensioner.tension = results.top_tension;
+  fill_warnings(results);
 }
 
 void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
@@ -443,7 +490,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
     }
   }
   for (const RollerImpacts& i : impacts_) {
-    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
+    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse, i.passed_at});
   }
   for (const Impact& i : hardest_) {
     hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
@@ -471,7 +518,8 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const std::vector<double>& impacts = get("record/impacts");
   impact_count_ = impacts.at(0);
   for (std::size_t r = 0; r < impacts_.size(); ++r) {
-    impacts_[r] = {impacts.at(4 * r + 1), impacts.at(4 * r + 2), impacts.at(4 * r + 3), impacts.at(4 * r + 4)};
+    const double* v = &impacts.at(5 * r + 1);
+    impacts_[r] = {v[0], v[1], v[2], v[3], v[4]};
   }
   const std::vector<double>& hardest = get("record/hardest");
   hardest_.clear();

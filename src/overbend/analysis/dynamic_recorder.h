@@ -22,6 +22,8 @@ struct KeyValues {
   RegionPeak overbend[4], sagbend[4];  ///< Bending moment, bending stress, von Mises stress, strain.
 };
 
+inline constexpr double kNever = 1e300;
+
 /// One instant as the recorder is told of it.
 struct RecordedInstant {
   const DynamicState* state = nullptr;
@@ -60,6 +62,8 @@ class DynamicRecorder {
   void find_key_values(const RecordedInstant& at);
   void find_region_peaks(int last_contact_node, int touchdown_node, double time);
   void find_support_values(const RecordedInstant& at);
+  void find_passed(const RecordedInstant& at);
+  void fill_warnings(DynamicResults& results) const;
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;
 
@@ -77,6 +81,7 @@ class DynamicRecorder {
   std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.
   struct RollerImpacts {
     double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
+    double passed_at = kNever;  ///< When the pipe first stood beyond the roller [s].
   };
   std::vector<RollerImpacts> impacts_;
   std::vector<Impact> hardest_;
