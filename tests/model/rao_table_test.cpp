@@ -78,7 +78,7 @@ TEST(rao_table, one_side_serves_the_other_as_its_mirror_image) {
     for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(std::abs(a[k] - b[k]), 0.0, 1e-6) << heading << kFreedomNames[k];
   }
   EXPECT_NEAR(std::abs(half.at(0.0, 0.6)[1]), 0.0, 1e-12) << "sway astern is half way between opposite images";
-  EXPECT_GT(std::abs(half.at(0.0, 0.6)[0]), 0.3);
+  EXPECT_GT(std::abs(half.at(0.0, 0.6)[0]), 0.2);
 }
 
 TEST(rao_table, beyond_its_frequencies_it_holds_vanishes_and_fades) {

@@ -1,4 +1,4 @@
-// Displacement RAOs in the text data files of OrcaFlex. Layout after [orcina] and files in public use.
+// Displacement RAOs in the text data files of OrcaFlex. Layout as files in public use have it.
 #include <algorithm>
 #include <array>
 #include <cmath>
