@@ -83,6 +83,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
   row_.resize(columns().size());
   snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
+  left_.resize(boxes_);
   largest_reaction_.assign(boxes_, 0.0);
   least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
   largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
@@ -212,13 +213,17 @@ void DynamicRecorder::find_region_peaks(int last_contact_node, int touchdown_nod
                  key_.sagbend[3].now};
 }
 
-/// Near the roller alone: a pipe that lifts high over a box is beside no roller.
+/// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
 void DynamicRecorder::find_passed(const RecordedInstant& at) {
-  constexpr double kNear = 0.5;  // [m]
+  const VesselPose& pose = at.system->surroundings().vessel.pose;
   for (std::size_t i = 0; i < rollers_; ++i) {
     const MovingContact& contact = at.system->contacts()[i];
-    if (contact.passed && contact.penetration > -kNear) {
-      impacts_[i].passed_at = std::min(impacts_[i].passed_at, at.state->time);
+    const Roller& roller = model_->supports.rollers[i];
+    BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
+    const double radius = model_->sections.front().outer_radius();
+    if (box.time == kNever && roller.position == RollerPosition::bottom && contact.at.off_end > radius) {
+      const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
+      box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
     }
   }
 }
@@ -412,22 +417,11 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
 }
 
 void DynamicRecorder::fill_warnings(DynamicResults& results) const {
-  std::size_t roller = 0;
-  for (const SupportBox& box : model_->supports.boxes) {
-    double first = kNever;
-    RollerPosition over = RollerPosition::bottom;
-    for (; roller < rollers_ &&
-           &model_->supports.boxes[static_cast<std::size_t>(model_->supports.rollers[roller].box)] == &box;
-         ++roller) {
-      if (impacts_[roller].passed_at < first) {
-        first = impacts_[roller].passed_at;
-        over = model_->supports.rollers[roller].position;
-      }
-    }
-    if (first < kNever) {
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    if (left_[box].time < kNever) {
       char text[200];
-      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over the end of its %s roller", first,
-                    box.name.c_str(), word(over));
+      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over its side to %s", left_[box].time,
+                    model_->supports.boxes[box].name.c_str(), left_[box].side > 0.0 ? "port" : "starboard");
       results.warnings.emplace_back(text);
     }
   }
@@ -490,12 +484,17 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
     }
   }
   for (const RollerImpacts& i : impacts_) {
-    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse, i.passed_at});
+    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
   }
   for (const Impact& i : hardest_) {
     hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
                                    i.impulse, i.dent_depth, i.line_load});
   }
+  std::vector<double> left;
+  for (const BoxLeft& box : left_) {
+    left.insert(left.end(), {box.time, box.side});
+  }
+  put("record/left", std::move(left));
   put("record/peaks", std::move(peaks));
   put("record/impacts", std::move(impacts));
   put("record/hardest", std::move(hardest));
@@ -518,8 +517,12 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const std::vector<double>& impacts = get("record/impacts");
   impact_count_ = impacts.at(0);
   for (std::size_t r = 0; r < impacts_.size(); ++r) {
-    const double* v = &impacts.at(5 * r + 1);
-    impacts_[r] = {v[0], v[1], v[2], v[3], v[4]};
+    const double* v = &impacts.at(4 * r + 1);
+    impacts_[r] = {v[0], v[1], v[2], v[3]};
+  }
+  const std::vector<double>& left = get("record/left");
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    left_[box] = {left.at(2 * box), left.at(2 * box + 1)};
   }
   const std::vector<double>& hardest = get("record/hardest");
   hardest_.clear();

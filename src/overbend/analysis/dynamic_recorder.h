@@ -81,9 +81,13 @@ class DynamicRecorder {
   std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.
   struct RollerImpacts {
     double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
-    double passed_at = kNever;  ///< When the pipe first stood beyond the roller [s].
   };
   std::vector<RollerImpacts> impacts_;
+  struct BoxLeft {
+    double time = kNever;  ///< When the pipe was first off the box [s].
+    double side = 1.0;     ///< Positive to port.
+  };
+  std::vector<BoxLeft> left_;
   std::vector<Impact> hardest_;
   double impact_count_ = 0.0;
 };

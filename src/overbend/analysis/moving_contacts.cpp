@@ -149,8 +149,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const double h = (*length_)[e];
   const ElementVector dofs = dofs_of(q, element);
   RollerDistance distance = roller_distance(placed, contact.at, dofs, h);
-  contact.passed = distance.value < 0.0;
-  if (contact.passed) {
+  if (distance.value < 0.0) {
     turn_to_actual_side(distance);
   }
   contact.penetration = (*pipe_radius_)[e] + roller.radius - distance.value;

@@ -25,9 +25,8 @@ struct ContactMemory {
 /// One roller as the line meets it at one instant.
 struct MovingContact {
   ClosestPoint at;
-  double penetration = -1.0;  ///< Negative: the gap [m].
-  double rate = 0.0;          ///< Of penetration [m/s].
-  bool passed = false;        ///< The pipe stands on the far side of the roller, having gone over its end.
+  double penetration = -1.0;                        ///< Negative: the gap [m].
+  double rate = 0.0;                                ///< Of penetration [m/s].
   double normal = 0.0, axial = 0.0, lateral = 0.0;  ///< Forces on the pipe along the directions below [N].
   Vec3 normal_direction = Vec3::Zero(), axial_direction = Vec3::Zero(), lateral_direction = Vec3::Zero();
   Vec3 roller_velocity = Vec3::Zero();                    ///< Of the roller where the pipe touches it [m/s].
