@@ -134,7 +134,9 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const PlacedRoller& placed = placed_[index];
   MovingContact& contact = contacts_[index];
   contact = MovingContact{};
-  const ElementRange range = ranges_[static_cast<std::size_t>(roller.box)];
+  const ElementRange reachable = ranges_[static_cast<std::size_t>(roller.box)];
+  const bool in_reach = reachable.first < reachable.last;
+  const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length_->size())};
   contact.at = closest_point_near(placed, q, length_->data(), range.first, range.last, after.element, after.xi);
   const int last_element = after.element;
   const double last_xi = after.xi;
@@ -161,7 +163,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
   const bool kept = mode == ContactMode::kept;
-  if (kept && !before.carries) {
+  if (!in_reach || (kept && !before.carries)) {  // out of reach the separation alone is of interest
     return;
   }
   const NormalForce normal = kept ? attached_force(roller.law, contact.penetration, contact.rate)
