@@ -299,10 +299,14 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
     put(largest_reaction_[box]);
     put(least_separation_[box]);
   }
+  forget_interval();
+  return row_;
+}
+
+void DynamicRecorder::forget_interval() {
   std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
   std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
   std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
-  return row_;
 }
 
 std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
@@ -502,6 +506,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
 
 void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const auto get = [&](const char* name) -> const std::vector<double>& { return array_of(checkpoint, name).values; };
+  forget_interval();  // checkpoints stand right after a row
   node_statistics_.restore(get("record/nodes"));
   support_statistics_.restore(get("record/supports"));
   key_statistics_.restore(get("record/key"));
