@@ -63,6 +63,27 @@ std::string list(const std::vector<std::string>& items) {
   return out + "</ul>\n";
 }
 
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
+                 bool over) {
+  return fmt::format(
+      "<div class=\"{}\"><div class=\"name\">{}</div><div class=\"value\">{} <span>{}</span></div>"
+      "<div class=\"note\">{}</div></div>\n",
+      over ? "tile over" : "tile", escape(name), escape(value), escape(unit), escape(note));
+}
+
+std::string entries(const std::vector<std::pair<std::string, std::string>>& all) {
+  std::string out = "<dl>";
+  for (const auto& [name, value] : all) {
+    out += "<div><dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd></div>";
+  }
+  return out + "</dl>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& body, bool printed) {
+  return fmt::format("<details class=\"{}\"><summary>{}</summary>\n{}</details>\n",
+                     printed ? "print-open" : "print-not", escape(summary), body);
+}
+
 Table::Table(std::string caption, std::vector<Head> head, std::string css_class)
     : caption_(std::move(caption)), css_class_(std::move(css_class)), head_(std::move(head)) {}
 

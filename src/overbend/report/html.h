@@ -22,6 +22,17 @@ std::string section(const std::string& id, const std::string& heading, const std
 /// A list of sentences, escaped.
 std::string list(const std::vector<std::string>& items);
 
+/// A key figure in large print with a note below it; `over` marks what is beyond a limit. All plain text.
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
+                 bool over = false);
+
+/// Names with values, as the page's head shows them. Plain text.
+std::string entries(const std::vector<std::pair<std::string, std::string>>& all);
+
+/// What is folded behind a line of summary (plain text) on screen. Printed only where `printed` is true. `body` is
+/// HTML.
+std::string folded(const std::string& summary, const std::string& body, bool printed = true);
+
 struct Head {
   std::string name;   ///< Plain text.
   std::string unit;   ///< Plain text; empty: none. Shown below the name.
