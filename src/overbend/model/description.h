@@ -193,7 +193,8 @@ struct RollerKindDescription {
   double friction_lateral = 0.0;
   double restitution = 0.5;
   RollerDamping damping = RollerDamping::clipped;
-  std::optional<double> tangential_stiffness = std::nullopt;  ///< Of sticking friction [N/m]; a tenth of the normal one if not given.
+  /// Of sticking friction [N/m]; a tenth of the normal one if not given.
+  std::optional<double> tangential_stiffness = {};
 };
 
 enum class Structure { ramp, stinger };
