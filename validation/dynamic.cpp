@@ -56,7 +56,7 @@ Table rotations() {
   for (std::size_t i = 0; i < tip.size(); ++i) {
     const double t = flexible["t"][i];
     const double allowed = t <= 1.0 ? 2e-3 : 5e-3;
-    const std::string basis = fmt::format("chain of links; {:g} mm", 1e3 * allowed);
+    const std::string basis = fmt::format("computed reference; {:g} mm", 1e3 * allowed);
     const std::string name = fmt::format("flexible pendulum, {:g} s", t);
     table.rows.push_back({name, "x of the tip", "m", tip[i].x(), flexible["tip_x_z"][i][0], allowed, basis});
     table.rows.push_back({name, "z of the tip", "m", tip[i].z(), flexible["tip_x_z"][i][1], allowed, basis});

@@ -92,6 +92,13 @@ const std::vector<Spoiling>& bad_corpus() {
        "type: stokes5, height: 8 m, period: 100 s", "", "environment.waves.height", "beyond Stokes' theory", false},
       {"regular_wave_without_period", "type: jonswap", "type: airy, height: 2 m", "", "environment.waves.period",
        "missing", false},
+      {"unknown_contact", "supports:\n", "supports:\n  contact: springs\n", "contact: springs", "supports.contact",
+       "gap_springs", true},
+      {"unknown_damping", "friction: 0.1", "damping: none", "", "rollers.v.damping", "clipped", true},
+      {"single_step_for_an_impact", "seeds: [3, 4]", "impact_steps: 1", "", "analysis.dynamic.impact_steps", "from 2",
+       true},
+      {"impact_force_without_unit", "seeds: [3, 4]", "impact_force: 500", "", "analysis.dynamic.impact_force",
+       "without a unit", true},
       {"unknown_motion",
        "motion: {harmonic: {heave: {amplitude: 1 m, period: 8 s, phase: 30 deg}, pitch: {amplitude: 2 deg, "
        "period: 9 s}}}",

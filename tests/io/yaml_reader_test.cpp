@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "io/model_texts.h"
@@ -171,6 +172,56 @@ TEST(yaml_reader, seeds_are_a_list_or_how_many) {
   std::string text = kGoodModel;
   text.replace(text.find("[3, 4]"), 6, "3");
   EXPECT_EQ(read_good(text).dynamics->seeds, (std::vector<std::uint64_t>{1, 2, 3}));
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(yaml_reader, contact_in_time_has_options_for_each_kind_of_roller) {
+  const Description d = read_good(
+      replaced(kGoodModel, "    friction: 0.1\n", "    damping: textbook\n    tangential_stiffness: 2e4 kN/m\n"));
+  EXPECT_EQ(d.rollers[0].damping, RollerDamping::textbook);
+  EXPECT_DOUBLE_EQ(d.rollers[0].tangential_stiffness.value_or(0.0), 2e7);
+  EXPECT_EQ(d.rollers[1].damping, RollerDamping::clipped);
+  EXPECT_FALSE(d.rollers[1].tangential_stiffness.has_value());
+}
+
+TEST(yaml_reader, supports_are_rollers_unless_gap_springs_are_asked_for) {
+  EXPECT_EQ(read_good(kGoodModel).supports.contact, SupportContact::rollers);
+  const Description d = read_good(replaced(kGoodModel, "supports:\n", "supports:\n  contact: gap_springs\n"));
+  EXPECT_EQ(d.supports.contact, SupportContact::gap_springs);
+  EXPECT_EQ(d.supports.boxes.size(), 4U);
+}
+
+TEST(yaml_reader, time_steps_can_be_made_finer) {
+  const Description d = read_good(replaced(
+      kGoodModel, "seeds: [3, 4]", "impact_steps: 20, impact_force: 300 N, tolerance: 1e-8, step_error: 0.1 mm"));
+  ASSERT_TRUE(d.dynamics.has_value());
+  EXPECT_DOUBLE_EQ(d.dynamics->impact_steps, 20.0);
+  EXPECT_DOUBLE_EQ(d.dynamics->impact_force, 300.0);
+  EXPECT_DOUBLE_EQ(d.dynamics->tolerance, 1e-8);
+  EXPECT_DOUBLE_EQ(d.dynamics->step_error, 1e-4);
+  const Description left_out = read_good(kGoodModel);
+  const DynamicSettings settings;
+  EXPECT_DOUBLE_EQ(left_out.dynamics->impact_steps, settings.impact_steps);
+  EXPECT_DOUBLE_EQ(left_out.dynamics->impact_force, settings.impact_force);
+  EXPECT_DOUBLE_EQ(left_out.dynamics->tolerance, settings.tolerance);
+  EXPECT_DOUBLE_EQ(left_out.dynamics->step_error, settings.step_error);
+}
+
+TEST(yaml_reader, a_mode_of_the_tensioner_that_time_does_not_have_is_told_where_it_is_asked_for) {
+  const auto warnings = [](const std::string& mode) {
+    const Description d = read_good(replaced(kGoodModel, "  delay: 2 s\n", "  delay: 2 s\n" + mode));
+    return std::count_if(d.warnings.begin(), d.warnings.end(),
+                         [](const std::string& w) { return w.find("locked brake") != std::string::npos; });
+  };
+  EXPECT_EQ(warnings("  mode: constant\n"), 1);
+  EXPECT_EQ(warnings("  mode: controlled\n"), 1);
+  EXPECT_EQ(warnings("  mode: locked\n"), 0);
+  EXPECT_EQ(warnings(""), 0);
 }
 
 TEST(yaml_reader, what_is_left_out_keeps_the_default_of_the_description) {

@@ -70,9 +70,9 @@ TEST(contact_law, derivatives_of_friction_are_those_of_finite_differences_sticki
   for (int i = 0; i < 1000; ++i) {
     const double slip = random.in(-0.02, 0.02), rate = random.in(-1.0, 1.0), normal = random.in(0.0, 2e4);
     const auto force = [&](double speed, double push) {
-      return friction_force(law(), mu, slip, speed, kStep, push).force;
+      return friction_force(law(), mu, {slip, speed, kStep, push}).force;
     };
-    const FrictionForce f = friction_force(law(), mu, slip, rate, kStep, normal);
+    const FrictionForce f = friction_force(law(), mu, {slip, rate, kStep, normal});
     const double trial = law().tangential_stiffness * (slip + kStep * rate) + law().tangential_damping * rate;
     if (std::abs(std::abs(trial) - mu * normal) < 1.0) {
       continue;  // the kink at the limit
@@ -89,7 +89,7 @@ TEST(contact_law, friction_opposes_and_stays_below_the_limit) {
   Random random;
   for (int i = 0; i < 10000; ++i) {
     const double slip = random.in(-0.02, 0.02), rate = random.in(-1.0, 1.0), normal = random.in(0.0, 2e4);
-    const FrictionForce f = friction_force(law(), 0.4, slip, rate, kStep, normal);
+    const FrictionForce f = friction_force(law(), 0.4, {slip, rate, kStep, normal});
     ASSERT_LE(std::abs(f.force), 0.4 * normal * (1.0 + 1e-15));
     const double trial = law().tangential_stiffness * (slip + kStep * rate) + law().tangential_damping * rate;
     ASSERT_LE(f.force * trial, 0.0);
@@ -99,8 +99,8 @@ TEST(contact_law, friction_opposes_and_stays_below_the_limit) {
 TEST(contact_law, friction_is_continuous_at_the_limit) {
   const double mu = 0.4, normal = 1e4, limit = mu * normal;
   const double rate = limit / (law().tangential_stiffness * kStep + law().tangential_damping);
-  const FrictionForce below = friction_force(law(), mu, 0.0, rate * (1.0 - 1e-9), kStep, normal);
-  const FrictionForce above = friction_force(law(), mu, 0.0, rate * (1.0 + 1e-9), kStep, normal);
+  const FrictionForce below = friction_force(law(), mu, {0.0, rate * (1.0 - 1e-9), kStep, normal});
+  const FrictionForce above = friction_force(law(), mu, {0.0, rate * (1.0 + 1e-9), kStep, normal});
   EXPECT_LT(below.by_rate, 0.0);
   EXPECT_EQ(above.by_rate, 0.0);
   EXPECT_NEAR(below.force, above.force, 2e-9 * limit);
@@ -108,21 +108,21 @@ TEST(contact_law, friction_is_continuous_at_the_limit) {
 
 TEST(contact_law, sliding_keeps_the_stretch_that_the_limit_allows) {
   const double mu = 0.4, normal = 1e4, stretch = mu * normal / law().tangential_stiffness;
-  const FrictionForce sliding = friction_force(law(), mu, 0.9 * stretch, 1.0, kStep, normal);
+  const FrictionForce sliding = friction_force(law(), mu, {0.9 * stretch, 1.0, kStep, normal});
   EXPECT_DOUBLE_EQ(sliding.slip, stretch);
   EXPECT_DOUBLE_EQ(sliding.force, -mu * normal);
   // Turned back, it first gives way elastically from there.
-  const FrictionForce back = friction_force(law(), mu, sliding.slip, -0.1, kStep, normal);
+  const FrictionForce back = friction_force(law(), mu, {sliding.slip, -0.1, kStep, normal});
   EXPECT_DOUBLE_EQ(back.slip, stretch - 0.1 * kStep);
   EXPECT_NEAR(back.force, -mu * normal + 0.1 * (law().tangential_stiffness * kStep + law().tangential_damping), 1e-9);
 }
 
 TEST(contact_law, a_roller_without_friction_lets_slide_freely) {
   ContactLaw smooth = law();
-  const FrictionForce f = friction_force(smooth, 0.0, 0.0, 2.0, kStep, 1e4);
+  const FrictionForce f = friction_force(smooth, 0.0, {0.0, 2.0, kStep, 1e4});
   EXPECT_EQ(f.force, 0.0);
   smooth.tangential_stiffness = 0.0;
-  EXPECT_EQ(friction_force(smooth, 0.3, 0.0, 2.0, kStep, 1e4).slip, 0.0);  // no spring, nothing to remember
+  EXPECT_EQ(friction_force(smooth, 0.3, {0.0, 2.0, kStep, 1e4}).slip, 0.0);  // no spring, nothing to remember
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <numbers>
 
 namespace overbend {
 namespace {
@@ -88,6 +89,15 @@ TEST(generalized_alpha, radius_of_one_does_not_damp) {
     for (const auto& value : values) kept += std::abs(std::abs(value) - 1.0) < 1e-9 ? 1 : 0;
     EXPECT_GE(kept, 2) << omega;  // the pair that carries the vibration
   }
+}
+
+TEST(generalized_alpha, radius_of_four_fifths_damps_only_what_the_step_does_not_resolve) {
+  const auto kept_in_a_period = [](double steps) {
+    return std::pow(spectral_radius(GeneralizedAlpha(0.8), 2.0 * std::numbers::pi / steps), steps);
+  };
+  EXPECT_NEAR(1.0 - kept_in_a_period(50.0), 1e-5, 0.2e-5);
+  EXPECT_NEAR(1.0 - kept_in_a_period(4.0), 1e-2, 0.1e-2);
+  EXPECT_NEAR(spectral_radius(GeneralizedAlpha(0.8), 4.0 * std::numbers::pi), 0.92, 0.005);  // two periods to the step
 }
 
 }  // namespace

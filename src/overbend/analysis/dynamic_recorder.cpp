@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
@@ -82,6 +83,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
   row_.resize(columns().size());
   snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
+  left_.resize(boxes_);
   largest_reaction_.assign(boxes_, 0.0);
   least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
   largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
@@ -137,6 +139,7 @@ void DynamicRecorder::recover(const RecordedInstant& at) {
   recovery_.recover(*at.state, at.system->contacts(), nodes_);
   find_key_values(at);
   find_support_values(at);
+  find_passed(at);
   for (std::size_t i = 0; i < kKeyQuantities; ++i) {
     largest_key_[i] = std::max(largest_key_[i], key_sample_[i]);
   }
@@ -210,6 +213,21 @@ void DynamicRecorder::find_region_peaks(int last_contact_node, int touchdown_nod
                  key_.sagbend[3].now};
 }
 
+/// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
+void DynamicRecorder::find_passed(const RecordedInstant& at) {
+  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  for (std::size_t i = 0; i < rollers_; ++i) {
+    const MovingContact& contact = at.system->contacts()[i];
+    const Roller& roller = model_->supports.rollers[i];
+    BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
+    const double radius = model_->sections.front().outer_radius();
+    if (box.time == kNever && roller.position == RollerPosition::bottom && contact.at.off_end > radius) {
+      const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
+      box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
+    }
+  }
+}
+
 void DynamicRecorder::find_support_values(const RecordedInstant& at) {
   const Mat3& axes = at.system->surroundings().vessel.pose.R_WV;
   const Vec3 port = axes.col(1);
@@ -281,10 +299,14 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
     put(largest_reaction_[box]);
     put(least_separation_[box]);
   }
+  forget_interval();
+  return row_;
+}
+
+void DynamicRecorder::forget_interval() {
   std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
   std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
   std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
-  return row_;
 }
 
 std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
@@ -353,7 +375,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
       RollerDynamics r;
       r.roller = static_cast<int>(roller);
       r.box = placed.box;
-      r.row = placed.row;
+      r.row = placed.row - support.first_row;
       r.position = placed.position;
       r.reaction = spread(i);
       r.separation = spread(i + 1);
@@ -398,6 +420,28 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
   }
 }
 
+void DynamicRecorder::fill_warnings(DynamicResults& results) const {
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    if (left_[box].time < kNever) {
+      char text[200];
+      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over its side to %s", left_[box].time,
+                    model_->supports.boxes[box].name.c_str(), left_[box].side > 0.0 ? "port" : "starboard");
+      results.warnings.emplace_back(text);
+    }
+  }
+  const double yield = model_->sections.front().yield_stress;
+  const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
+  if (yield > 0.0 && worst > yield) {
+    results.warnings.emplace_back(
+        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
+        "beyond "
+        "it are those of a pipe that does not yield");
+  }
+  if (results.top_tension.min < 0.0) {
+    results.warnings.emplace_back("the tension at the tensioner falls below zero");
+  }
+}
+
 void DynamicRecorder::fill(DynamicResults& results) const {
   const std::size_t n = nodes_.x.size();
   const std::vector<double> deviation = node_statistics_.standard_deviation();
@@ -427,6 +471,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner.mode = "locked";
   results.tensioner.tension = results.top_tension;
+  fill_warnings(results);
 }
 
 void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
@@ -449,6 +494,11 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
     hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
                                    i.impulse, i.dent_depth, i.line_load});
   }
+  std::vector<double> left;
+  for (const BoxLeft& box : left_) {
+    left.insert(left.end(), {box.time, box.side});
+  }
+  put("record/left", std::move(left));
   put("record/peaks", std::move(peaks));
   put("record/impacts", std::move(impacts));
   put("record/hardest", std::move(hardest));
@@ -456,6 +506,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
 
 void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const auto get = [&](const char* name) -> const std::vector<double>& { return array_of(checkpoint, name).values; };
+  forget_interval();  // checkpoints stand right after a row
   node_statistics_.restore(get("record/nodes"));
   support_statistics_.restore(get("record/supports"));
   key_statistics_.restore(get("record/key"));
@@ -471,7 +522,12 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const std::vector<double>& impacts = get("record/impacts");
   impact_count_ = impacts.at(0);
   for (std::size_t r = 0; r < impacts_.size(); ++r) {
-    impacts_[r] = {impacts.at(4 * r + 1), impacts.at(4 * r + 2), impacts.at(4 * r + 3), impacts.at(4 * r + 4)};
+    const double* v = &impacts.at(4 * r + 1);
+    impacts_[r] = {v[0], v[1], v[2], v[3]};
+  }
+  const std::vector<double>& left = get("record/left");
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    left_[box] = {left.at(2 * box), left.at(2 * box + 1)};
   }
   const std::vector<double>& hardest = get("record/hardest");
   hardest_.clear();

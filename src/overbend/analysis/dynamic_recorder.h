@@ -22,6 +22,8 @@ struct KeyValues {
   RegionPeak overbend[4], sagbend[4];  ///< Bending moment, bending stress, von Mises stress, strain.
 };
 
+inline constexpr double kNever = 1e300;
+
 /// One instant as the recorder is told of it.
 struct RecordedInstant {
   const DynamicState* state = nullptr;
@@ -57,9 +59,12 @@ class DynamicRecorder {
 
  private:
   void recover(const RecordedInstant& at);
+  void forget_interval();
   void find_key_values(const RecordedInstant& at);
   void find_region_peaks(int last_contact_node, int touchdown_node, double time);
   void find_support_values(const RecordedInstant& at);
+  void find_passed(const RecordedInstant& at);
+  void fill_warnings(DynamicResults& results) const;
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;
 
@@ -79,6 +84,11 @@ class DynamicRecorder {
     double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
   };
   std::vector<RollerImpacts> impacts_;
+  struct BoxLeft {
+    double time = kNever;  ///< When the pipe was first off the box [s].
+    double side = 1.0;     ///< Positive to port.
+  };
+  std::vector<BoxLeft> left_;
   std::vector<Impact> hardest_;
   double impact_count_ = 0.0;
 };

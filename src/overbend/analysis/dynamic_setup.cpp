@@ -8,10 +8,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kTangentialShare = 0.1;  ///< Of the normal stiffness: stick stretches by millimetres at most.
-
 double shortest_element(const LineMesh& mesh) {
   return *std::min_element(mesh.length.begin(), mesh.length.end());
+}
+
+RestitutionForm restitution_form(RollerDamping damping) {
+  return damping == RollerDamping::textbook ? RestitutionForm::textbook : RestitutionForm::clipped;
 }
 
 /// Effective mass per length of the pipe at a roller [kg/m].
@@ -42,8 +44,8 @@ StaticStretch static_stretch(const LineEnvironment& env, const Vec3& r, double r
 
 }  // namespace
 
-std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary,
-                                         RestitutionForm form) {
+std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed,
+                                         double tributary) {
   const VesselPose& mean = model.mean_pose;
   const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
   std::vector<MovingRoller> rollers;
@@ -57,11 +59,12 @@ std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<P
     moving.radius = placed[i].radius;
     moving.box = roller.box;
     const double mass = moved_mass(model, placed[i].center) * tributary;
-    const double zeta = damping_ratio(roller.restitution, form);
+    const double zeta = damping_ratio(roller.restitution, restitution_form(roller.damping));
     ContactLaw& law = moving.law;
     law.stiffness = placed[i].stiffness;
     law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
-    law.tangential_stiffness = kTangentialShare * law.stiffness;
+    law.tangential_stiffness =
+        roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * law.stiffness;
     law.tangential_damping = 2.0 * zeta * std::sqrt(mass * law.tangential_stiffness);
     law.friction_axial = roller.friction_axial;
     law.friction_lateral = roller.friction_lateral;
@@ -79,7 +82,7 @@ DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
   line.environment = system.environment();
   line.anchor = {true, true};
   line.top = {true, model.description.tensioner.guide == Guide::clamped};
-  line.rollers = moving_rollers(model, system.rollers(), shortest_element(solution.mesh), RestitutionForm::clipped);
+  line.rollers = moving_rollers(model, system.rollers(), shortest_element(solution.mesh));
   double radius = 0.0;
   for (int e = 0; e < line.elements.count; ++e) {
     radius = std::max(radius, line.elements.radius[static_cast<std::size_t>(e)]);

@@ -12,9 +12,9 @@ namespace overbend {
 ///
 /// Damping follows from the coefficient of restitution and the mass of the tributary length, with added mass under
 /// water, against a rigid roller ([silva2009] equations 16 to 18; Schwager & Poeschel 2007 for contacts that never
-/// pull). Tangential stiffness is a tenth of the normal one.
-std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary,
-                                         RestitutionForm form);
+/// pull, or the textbook's formula, as the roller asks). Tangential stiffness, where the roller has none of its own, is
+/// a tenth of the normal one.
+std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary);
 
 /// Everything but what depends on time: `surroundings` is left to the caller.
 DynamicLine dynamic_line(const Model& model, const StaticSolution& solution);

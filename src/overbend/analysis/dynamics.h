@@ -15,7 +15,7 @@ struct DynamicOptions {
   std::uint64_t seed = 1;
   double duration = 0.0, build_up = 60.0, output_step = 0.5;  ///< [s]
   std::optional<double> fixed_step;                           ///< [s]
-  double max_step = 0.1;                                      ///< [s]
+  double max_step = 0.125;                                    ///< [s]
   double error_tolerance = 1e-3;  ///< Of a node's place in one step, where the step is free [m].
   StepSettings step;
   ImpactSettings impacts;

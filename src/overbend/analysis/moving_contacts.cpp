@@ -57,13 +57,9 @@ ElementBounds bounds_of(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Ve
 
 /// In statics a roller holds the pipe on the side it is meant for; in time the pipe is where it is. It passes a roller
 /// over its end alone, and one that has done so is pushed further out when it comes near, not back through the steel.
-RollerDistance actual_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {
-  RollerDistance distance = roller_distance(roller, at, q, h);
-  if (distance.value < 0.0) {
-    distance.value = -distance.value;
-    distance.direction = -distance.direction;
-  }
-  return distance;
+void turn_to_actual_side(RollerDistance& distance) {
+  distance.value = -distance.value;
+  distance.direction = -distance.direction;
 }
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
@@ -138,7 +134,9 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const PlacedRoller& placed = placed_[index];
   MovingContact& contact = contacts_[index];
   contact = MovingContact{};
-  const ElementRange range = ranges_[static_cast<std::size_t>(roller.box)];
+  const ElementRange reachable = ranges_[static_cast<std::size_t>(roller.box)];
+  const bool in_reach = reachable.first < reachable.last;
+  const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length_->size())};
   contact.at = closest_point_near(placed, q, length_->data(), range.first, range.last, after.element, after.xi);
   const int last_element = after.element;
   const double last_xi = after.xi;
@@ -152,7 +150,10 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const std::size_t e = static_cast<std::size_t>(element);
   const double h = (*length_)[e];
   const ElementVector dofs = dofs_of(q, element);
-  const RollerDistance distance = actual_distance(placed, contact.at, dofs, h);
+  RollerDistance distance = roller_distance(placed, contact.at, dofs, h);
+  if (distance.value < 0.0) {
+    turn_to_actual_side(distance);
+  }
   contact.penetration = (*pipe_radius_)[e] + roller.radius - distance.value;
   contact.normal_direction = distance.direction;
   const HermiteValues n = hermite(contact.at.xi, h);
@@ -162,7 +163,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
   const bool kept = mode == ContactMode::kept;
-  if (kept && !before.carries) {
+  if (!in_reach || (kept && !before.carries)) {  // out of reach the separation alone is of interest
     return;
   }
   const NormalForce normal = kept ? attached_force(roller.law, contact.penetration, contact.rate)

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPoorContraction = 0.3;  ///< Old factors that leave more of the residual than this are renewed.
 constexpr int kOldestFactors = 20;        ///< Steps that factors may serve.
-constexpr int kSlowStep = 5;              ///< Iterations after which factors are not used again.
+constexpr int kSlowStep = 5;              ///< Iterations after which old factors no longer serve.
 
 /// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
 std::vector<double> lumped_mass(const DynamicLine& line) {
@@ -106,7 +106,8 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
       break;
     }
     const bool contacts_changed = system_->contact_signature() != factored_contacts_;
-    if (!factor && (contacts_changed || report.residual > kPoorContraction * before)) {
+    const bool slow = report.iterations >= kSlowStep || report.residual > kPoorContraction * before;
+    if (!factor && (contacts_changed || slow)) {
       factor = true;
       continue;
     }

@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kMomentsPerPeriod = 16.0;
+constexpr double kMomentsPerPeriod = 8.0;
 constexpr double kLongestInterval = 0.5;    ///< [s]
 constexpr double kClosestStations = 1.5;    ///< [m]
 constexpr double kFarthestStations = 15.0;  ///< [m]

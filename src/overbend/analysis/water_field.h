@@ -51,7 +51,7 @@ class WaterField {
   std::vector<WaterState> now_;
 };
 
-/// Time between moments that serves a sea: a sixteenth of its shortest period, but a whole part of `output_step`.
+/// Time between moments that serves a sea: an eighth of its shortest period, but a whole part of `output_step`.
 double water_interval(const Sea& sea, double output_step);
 
 }  // namespace overbend

@@ -89,9 +89,8 @@ std::vector<std::string> print_raos(const Model& model) {
                            raos.headings.size(), raos.omegas.size(), raos.omegas.front(), raos.omegas.back());
   const RaoLimits limits =
       long_wave_limits(raos, vessel.length, vessel.draught, model.description.environment.water_depth);
-  std::cout << fmt::format(
-      "  against the water in waves of {:.4g} m; lags in deg behind the crest{}\n", limits.wave_length,
-      limits.long_enough ? "" : "; too short against the vessel to judge by");
+  std::cout << fmt::format("  against the water in waves of {:.4g} m; lags in deg behind the crest{}\n",
+                           limits.wave_length, limits.long_enough ? "" : "; too short against the vessel to judge by");
   std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8}{:>10}{:>12}\n", "travelling", "freedom", "over", "ratio", "lag",
                            "expected");
   constexpr std::array<const char*, 5> kOver = {"mean orbit", "mean orbit", "wave amplitude", "wave slope",

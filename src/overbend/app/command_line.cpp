@@ -29,6 +29,21 @@ void add_static(CLI::App& program, int& code) {
   command->callback([model, output, &code] { code = run_static(*model, *output); });
 }
 
+void add_dynamic(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "dynamic", "Statics, then the time domain; writes a folder of results. Ctrl-C leaves a checkpoint.");
+  auto arguments = std::make_shared<DynamicArguments>();
+  command->add_option("MODEL", arguments->model_file, "Model file (YAML)")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the results; left out: MODEL's name with .results, here");
+  command->add_option("--duration", arguments->duration, "Simulated time instead of the model's: '600 s'");
+  command->add_flag("--resume", arguments->resume, "Go on from the last checkpoint");
+  command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->callback([arguments, &code] { code = run_dynamic(*arguments); });
+}
+
 void add_report(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("report", "Write report.html again from results.h5.");
   auto place = std::make_shared<std::string>();
@@ -77,6 +92,7 @@ int run_command_line(int count, const char* const* words) {
   program.failure_message(CLI::FailureMessage::simple);
   add_check(program, code);
   add_static(program, code);
+  add_dynamic(program, code);
   add_report(program, code);
   add_new(program, code);
   add_schema(program, code);

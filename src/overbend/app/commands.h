@@ -16,6 +16,17 @@ int run_check(const std::string& model_file);
 /// Statics of a model into the folder `output`; empty: "<stem>.results" in the current folder.
 int run_static(const std::string& model_file, const std::string& output);
 
+struct DynamicArguments {
+  std::string model_file;
+  std::string output;              ///< Folder; empty: "<stem>.results" in the current folder.
+  std::string duration;            ///< With its unit; empty: the model's.
+  bool resume = false;             ///< Go on from the last checkpoint in `output`.
+  double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
+};
+
+/// Statics, then the time domain. Interrupted, it leaves a checkpoint and returns kInterrupted.
+int run_dynamic(const DynamicArguments& arguments);
+
 /// Writes report.html beside a results.h5, given that file or its folder.
 int run_report(const std::string& place);
 

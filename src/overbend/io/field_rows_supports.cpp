@@ -146,13 +146,34 @@ std::vector<Field> rollers() {
        .text = "Coefficient of restitution of an impact.",
        .fallback = "0.5",
        .range = {.low = 0.0, .high = 1.0}},
+      {.path = "rollers.*.damping",
+       .kind = FieldKind::choice,
+       .text = "clipped: impacts rebound with the coefficient of restitution; textbook: the common formula, which "
+               "takes rollers to pull at the end of a rebound, for comparison.",
+       .fallback = "clipped",
+       .choices = {"clipped", "textbook"}},
+      {.path = "rollers.*.tangential_stiffness",
+       .kind = FieldKind::quantity,
+       .text = "Of a roller against a pipe that friction makes stick to it.",
+       .unit = "N/m",
+       .show = "kN/m",
+       .fallback_text = "a tenth of the normal stiffness",
+       .range = {.low = 0.0, .low_open = true},
+       .usual = {.low = 1e3, .high = 1e12}},
   };
 }
 
 std::vector<Field> supports() {
   std::vector<Field> rows = {{.path = "supports",
                               .text = "Ramp and stinger, in the ramp/stinger frame.",
-                              .fallback_text = "the pipe hangs from the tensioner (J-lay)"}};
+                              .fallback_text = "the pipe hangs from the tensioner (J-lay)"},
+                             {.path = "supports.contact",
+                              .kind = FieldKind::choice,
+                              .text = "rollers: each stands for itself; gap_springs: for comparison with traditional "
+                                      "models, one spring with gaps in the middle of each box, without damping and "
+                                      "friction.",
+                              .fallback = "rollers",
+                              .choices = {"rollers", "gap_springs"}}};
   for (const auto& part : {structure("supports.ramp", "Roller boxes on the vessel."),
                            structure("supports.stinger", "Roller boxes on the stinger.")}) {
     rows.insert(rows.end(), part.begin(), part.end());

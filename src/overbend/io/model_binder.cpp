@@ -219,6 +219,8 @@ RollerKindDescription bind_roller_kind(const FieldValue& group) {
   take(group, "stiffness", kind.stiffness);
   take_friction(group, kind.friction_axial, kind.friction_lateral);
   take(group, "restitution", kind.restitution);
+  take_choice(group, "damping", std::array{"clipped", "textbook"}, kind.damping);
+  take(group, "tangential_stiffness", kind.tangential_stiffness);
   return kind;
 }
 
@@ -244,6 +246,7 @@ void bind_structure(const FieldValue& group, Structure structure, std::vector<Bo
 
 SupportsDescription bind_supports(const FieldValue& root) {
   SupportsDescription supports;
+  take_choice(root, "supports.contact", std::array{"rollers", "gap_springs"}, supports.contact);
   if (const FieldValue* ramp = root.find("supports.ramp")) {
     take(*ramp, "radius", supports.ramp_radius);
     bind_structure(*ramp, Structure::ramp, supports.boxes);
@@ -281,6 +284,10 @@ void bind_analysis(const FieldValue& root, Description& description) {
   take(*dynamic, "max_step", settings.max_step);
   take(*dynamic, "spectral_radius", settings.spectral_radius);
   take(*dynamic, "output_step", settings.output_step);
+  take(*dynamic, "impact_steps", settings.impact_steps);
+  take(*dynamic, "impact_force", settings.impact_force);
+  take(*dynamic, "tolerance", settings.tolerance);
+  take(*dynamic, "step_error", settings.step_error);
   settings.seeds = bind_seeds(*dynamic);
 }
 

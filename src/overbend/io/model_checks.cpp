@@ -113,6 +113,14 @@ void check_tensioner_range(Checker& check) {
   }
 }
 
+/// A mode asked for by name that motion in time does not have.
+void check_tensioner_mode(Checker& check) {
+  const FieldValue* mode = check.root().find("tensioner.mode");
+  if (mode == nullptr || !mode->given || mode->text == "locked") return;
+  if (check.root().find("analysis.dynamic") == nullptr) return;
+  check.warn(*mode, mode->shown + " is not there yet: dynamics holds the tensioner as a locked brake");
+}
+
 void check_current(Checker& check) {
   const FieldValue* before = nullptr;
   const auto water_depth = check.root().get_number("environment.water_depth");
@@ -178,6 +186,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_pipe(check);
   check_tension(check);
   check_tensioner_range(check);
+  check_tensioner_mode(check);
   check_vessel(check);
   check_motion(root, file, diagnostics);
   check_supports(root, file, diagnostics);

@@ -11,7 +11,8 @@ namespace {
 
 constexpr int kMostComplaints = 10;
 constexpr double kDeg = std::numbers::pi / 180.0;
-const std::vector<std::string> kColumns = {"time_s", "surge_m", "sway_m", "heave_m", "roll_deg", "pitch_deg", "yaw_deg"};
+const std::vector<std::string> kColumns = {"time_s",   "surge_m",   "sway_m", "heave_m",
+                                           "roll_deg", "pitch_deg", "yaw_deg"};
 
 class HistoryReader {
  public:

@@ -127,8 +127,8 @@ class Assembly {
     double widest = one_sided ? 2.0 * std::max(h.front(), kPi - h.back()) : h.front() + 2.0 * kPi - h.back();
     for (std::size_t i = 1; i < h.size(); ++i) widest = std::max(widest, h[i] - h[i - 1]);
     if (one_sided) {
-      table_.assumptions.push_back(fmt::format(
-          "The RAOs of {} cover one side of the vessel; the other is taken as its mirror image.", file_));
+      table_.assumptions.push_back(
+          fmt::format("The RAOs of {} cover one side of the vessel; the other is taken as its mirror image.", file_));
     }
     if (widest * kDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",

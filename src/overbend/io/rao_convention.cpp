@@ -33,9 +33,11 @@ const std::map<std::string, ConventionWords>& differences_from_house() {
 const std::vector<ConventionKey>& convention_keys() {
   static const std::vector<ConventionKey> kKeys = {
       {"phase", "Whether a positive phase is behind (lag) or ahead of (lead) the wave.", {"lag", "lead"}},
-      {"phase_zero", "Event of the wave at its origin from which phases count.",
+      {"phase_zero",
+       "Event of the wave at its origin from which phases count.",
        {"crest", "trough", "up_crossing", "down_crossing"}},
-      {"heading_zero", "What waves of heading 0 meet first: the stern (they come from astern) or the bow.",
+      {"heading_zero",
+       "What waves of heading 0 meet first: the stern (they come from astern) or the bow.",
        {"stern", "bow"}},
       {"heading_sense", "Sense in which headings count, seen from above.", {"anticlockwise", "clockwise"}},
       {"rotation",

@@ -37,8 +37,8 @@ struct RaoSettings {
   std::optional<Vec3> reference, wave_origin;
   Vec3 file_origin = Vec3::Zero();  ///< Origin of the axes in which the file itself places its points, frame V.
   bool file_origin_stated = false;
-  double length_scale = 1.0;             ///< ULEN of WAMIT [m].
-  std::string vessel_type, draught;      ///< By name, where a file holds several.
+  double length_scale = 1.0;         ///< ULEN of WAMIT [m].
+  std::string vessel_type, draught;  ///< By name, where a file holds several.
 };
 
 /// One number pair of a file as it stands there, angles in rad.
@@ -64,12 +64,12 @@ class RaoTranslation {
 
  private:
   std::array<double, 6> signs_{};
-  double lead_ = 1.0;        ///< -1: phases lead.
-  double event_ = 0.0;       ///< Phase of the wave at the event from which phases count [rad].
-  double zero_ = 0.0;        ///< Direction of travel of the heading numbered 0 [rad].
-  double sense_ = 1.0;       ///< -1: headings count clockwise.
-  double angle_ = 1.0;       ///< rad per unit of angle.
-  double per_slope_ = 0.0;   ///< Slope per k a: 1 for the greatest slope, 1/pi for height over length; 0: per metre.
+  double lead_ = 1.0;       ///< -1: phases lead.
+  double event_ = 0.0;      ///< Phase of the wave at the event from which phases count [rad].
+  double zero_ = 0.0;       ///< Direction of travel of the heading numbered 0 [rad].
+  double sense_ = 1.0;      ///< -1: headings count clockwise.
+  double angle_ = 1.0;      ///< rad per unit of angle.
+  double per_slope_ = 0.0;  ///< Slope per k a: 1 for the greatest slope, 1/pi for height over length; 0: per metre.
   double length_scale_ = 1.0, depth_ = 0.0;
 };
 

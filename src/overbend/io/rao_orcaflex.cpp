@@ -1,4 +1,4 @@
-// Displacement RAOs in the text data files of OrcaFlex. Layout after [orcina] and files in public use.
+// Displacement RAOs in the text data files of OrcaFlex. Layout as files in public use have it.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -145,8 +145,8 @@ class OrcaFlexReader {
     } else if (!degrees) {
       content_.stated.words["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
     } else if (given_.words.count("rotation") == 0) {
-      complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per,
-               "per amplitude, or radians", "say which is meant by vessel.motion.convention.rotation");
+      complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per, "per amplitude, or radians",
+               "say which is meant by vessel.motion.convention.rotation");
     }
   }
 

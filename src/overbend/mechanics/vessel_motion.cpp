@@ -188,8 +188,9 @@ RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const Build
   const Vec3 pitch_rate = f.rate[4] * Rz.col(1);
   const Vec3 roll_rate = f.rate[3] * Rzy.col(0);
   const Vec3 omega = yaw_rate + pitch_rate + roll_rate;
-  const Vec3 alpha = f.acceleration[5] * Vec3::UnitZ() + f.acceleration[4] * Rz.col(1) + f.acceleration[3] * Rzy.col(0) +
-                     yaw_rate.cross(pitch_rate) + (yaw_rate + pitch_rate).cross(roll_rate);
+  const Vec3 alpha = f.acceleration[5] * Vec3::UnitZ() + f.acceleration[4] * Rz.col(1) +
+                     f.acceleration[3] * Rzy.col(0) + yaw_rate.cross(pitch_rate) +
+                     (yaw_rate + pitch_rate).cross(roll_rate);
 
   RigidMotion m;
   const Mat3& R = motion.mean.R_WV;

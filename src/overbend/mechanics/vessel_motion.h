@@ -27,7 +27,7 @@ struct RigidMotion {
 
 /// One harmonic term of the motion: Re(amplitude exp(i omega t)).
 struct MotionTerm {
-  double omega = 0.0;                                 ///< [rad/s]
+  double omega = 0.0;                                  ///< [rad/s]
   std::array<std::complex<double>, 6> amplitude = {};  ///< [m], [rad]
 };
 

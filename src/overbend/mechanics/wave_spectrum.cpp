@@ -14,12 +14,6 @@ constexpr double kLowest = 0.4, kHighest = 5.0, kStep = 0.001;
 
 }  // namespace
 
-double jonswap_gamma(double hs, double tp) {
-  const double ratio = tp / std::sqrt(hs);
-  if (ratio <= 3.6) return 5.0;
-  return ratio < 5.0 ? std::exp(5.75 - 1.15 * ratio) : 1.0;
-}
-
 WaveSpectrum::WaveSpectrum(const WavesDescription& waves) {
   switch (waves.type) {
     case WaveType::jonswap:

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "model/description.h"
+#include "model/wave_theory.h"
 
 namespace overbend {
-
-/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205]; hs [m], tp [s].
-double jonswap_gamma(double hs, double tp);
 
 /// One-sided spectral density of the surface elevation, S(omega) [m2 s], and its integral.
 ///

@@ -1,8 +1,10 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "model/dynamic_assumptions.h"
 #include "model/model.h"
 
 namespace overbend {
@@ -59,6 +61,32 @@ void assume_motion(std::vector<std::string>& list, const Model& model) {
   list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
 }
 
+void assume_penalty(std::vector<std::string>& list, const Model& model) {
+  bool penalty = false;
+  for (const Roller& roller : model.supports.rollers) {
+    penalty = penalty || roller.stiffness == 0.0;
+  }
+  if (penalty) {
+    list.push_back(
+        "Where no roller stiffness is given, contact is a penalty of the order of the pipe element's own stiffness; "
+        "the largest "
+        "penetration is reported.");
+  }
+}
+
+void assume_gap_springs(std::vector<std::string>& list, const Model& model) {
+  list.push_back(
+      "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: it carries "
+      "the "
+      "pipe that comes down on the box's point, without damping and friction.");
+  const auto is_side = [](const Roller& roller) { return roller.position != RollerPosition::bottom; };
+  if (std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(), is_side)) {
+    list.push_back(
+        "To either side a gap spring acts across the box once the pipe has used up the clearance of the side rollers.");
+  }
+  assume_penalty(list, model);
+}
+
 void assume_supports(std::vector<std::string>& list, const Model& model) {
   if (model.supports.boxes.empty()) {
     list.push_back("No supports: the pipe hangs straight from the tensioner (J-lay).");
@@ -70,20 +98,15 @@ void assume_supports(std::vector<std::string>& list, const Model& model) {
   list.push_back(
       "Where a box has no inclination of its own it takes the tangent of the circle through its point and its "
       "neighbours'.");
+  if (model.description.supports.contact == SupportContact::gap_springs) {
+    assume_gap_springs(list, model);
+    return;
+  }
   list.push_back(
       "Rollers are rigid finite cylinders; in statics they are frictionless: the pipe moves over them as it is laid "
       "and friction has no "
       "lasting direction.");
-  bool penalty = false;
-  for (const Roller& roller : model.supports.rollers) {
-    penalty = penalty || roller.stiffness == 0.0;
-  }
-  if (penalty) {
-    list.push_back(
-        "Where no roller stiffness is given, contact is a penalty of the order of the pipe element's own stiffness; "
-        "the largest "
-        "penetration is reported.");
-  }
+  assume_penalty(list, model);
 }
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {
@@ -129,6 +152,9 @@ std::vector<std::string> assumptions(const Model& model) {
         "The current is steady; drag by Morison with normal and axial coefficients on the outermost diameter; between "
         "the table's rows "
         "the velocity is interpolated as a vector, beyond its ends it stays constant.");
+  }
+  if (model.description.dynamics) {
+    assume_dynamics(list, model);
   }
   return list;
 }

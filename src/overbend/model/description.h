@@ -177,6 +177,12 @@ struct SideRollerDescription {
   double clearance = 0.0;  ///< Gap to a pipe centred on the bottom roller [m].
 };
 
+/// How the damping of a roller follows from its coefficient of restitution.
+enum class RollerDamping {
+  clipped,   ///< For a contact that never pulls, as the program's do: rebounds have the coefficient given.
+  textbook,  ///< -ln e / sqrt(pi^2 + ln^2 e), for comparison with programs that take it.
+};
+
 /// A kind of roller row, used by name in the supports.
 struct RollerKindDescription {
   std::string name;
@@ -186,6 +192,8 @@ struct RollerKindDescription {
   double friction_axial = 0.0;
   double friction_lateral = 0.0;
   double restitution = 0.5;
+  RollerDamping damping = RollerDamping::clipped;
+  std::optional<double> tangential_stiffness;  ///< Of sticking friction [N/m]; a tenth of the normal one if not given.
 };
 
 enum class Structure { ramp, stinger };
@@ -203,7 +211,11 @@ struct BoxDescription {
   int rows = 1;
 };
 
+/// What stands for the supports: their rollers, or one gap spring for each box.
+enum class SupportContact { rollers, gap_springs };
+
 struct SupportsDescription {
+  SupportContact contact = SupportContact::rollers;
   std::optional<double> ramp_radius;     ///< For the record and the report; positions rule [m].
   std::optional<double> stinger_radius;  ///< [m]
   std::vector<BoxDescription> boxes;     ///< From the tensioner astern: ramp boxes first, then the stinger's.
@@ -231,6 +243,10 @@ struct DynamicSettings {
   double spectral_radius = 0.8;
   double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
+  double impact_steps = 8.0;  ///< Steps in the undamped contact time of an impact.
+  double impact_force = 1e3;  ///< Impacts weaker than this are neither resolved nor recorded [N].
+  double tolerance = 1e-6;    ///< Largest unbalanced nodal force over the line's weight.
+  double step_error = 1e-3;   ///< Of a node's place in one step, where the step is free [m].
 };
 
 /// The whole model file.

@@ -9,9 +9,9 @@ namespace overbend {
 
 /// Six freedoms at rising instants; signs as in RaoTable.
 struct MotionHistory {
-  std::vector<double> time;                      ///< [s]
+  std::vector<double> time;                     ///< [s]
   std::vector<std::array<double, 6>> freedoms;  ///< Surge, sway, heave [m], roll, pitch, yaw [rad].
-  std::string source;                            ///< File it was read from.
+  std::string source;                           ///< File it was read from.
 };
 
 }  // namespace overbend

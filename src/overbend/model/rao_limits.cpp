@@ -49,8 +49,12 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
     const RaoTable::Response water = water_response(raos, heading, k, orbit);
     for (std::size_t i = 0; i < 5; ++i) {
       if (std::abs(water[i]) < 1e-3 * (i < 3 ? 1.0 : k)) continue;  // symmetry leaves nothing to compare
-      RaoLimitRow row{heading, static_cast<int>(i), std::abs(given[i]) / std::abs(water[i]), -std::arg(given[i]),
-                      -std::arg(water[i]), true};
+      RaoLimitRow row{heading,
+                      static_cast<int>(i),
+                      std::abs(given[i]) / std::abs(water[i]),
+                      -std::arg(given[i]),
+                      -std::arg(water[i]),
+                      true};
       row.agrees = agree(row.ratio, row.lag - row.expected_lag);
       limits.rows.push_back(row);
     }
@@ -63,11 +67,12 @@ std::vector<std::string> limit_warnings(const RaoLimits& limits) {
   if (!limits.long_enough) return warnings;
   for (const RaoLimitRow& row : limits.rows) {
     if (row.agrees) continue;
-    warnings.push_back(fmt::format(
-        "RAOs: in long waves travelling towards {:.0f} deg {} is {:.2f} times what the water does, with a lag of {:.0f} "
-        "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
-        row.heading * kDegrees, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kDegrees,
-        row.expected_lag * kDegrees));
+    warnings.push_back(
+        fmt::format("RAOs: in long waves travelling towards {:.0f} deg {} is {:.2f} times what the water does, with a "
+                    "lag of {:.0f} "
+                    "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
+                    row.heading * kDegrees, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio,
+                    row.lag * kDegrees, row.expected_lag * kDegrees));
   }
   return warnings;
 }

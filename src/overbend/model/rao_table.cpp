@@ -29,8 +29,8 @@ Bracket between(std::size_t low, std::size_t high, double from, double to, doubl
 /// Place of a heading among those of a whole circle.
 Bracket place_on_circle(const std::vector<double>& headings, double heading) {
   const std::size_t last = headings.size() - 1;
-  const auto above = static_cast<std::size_t>(std::upper_bound(headings.begin(), headings.end(), heading) -
-                                              headings.begin());
+  const auto above =
+      static_cast<std::size_t>(std::upper_bound(headings.begin(), headings.end(), heading) - headings.begin());
   if (above == 0) return between(last, 0, headings[last] - 2.0 * kPi, headings[0], heading);
   if (above > last) return between(last, 0, headings[last], headings[0] + 2.0 * kPi, heading);
   return between(above - 1, above, headings[above - 1], headings[above], heading);

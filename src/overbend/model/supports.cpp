@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace overbend {
 namespace {
@@ -79,6 +80,8 @@ void add_row(Supports& supports, const RollerKindDescription& kind, const RowFra
     roller.friction_axial = kind.friction_axial;
     roller.friction_lateral = kind.friction_lateral;
     roller.restitution = kind.restitution;
+    roller.damping = kind.damping;
+    roller.tangential_stiffness = kind.tangential_stiffness.value_or(0.0);
     supports.rollers.push_back(roller);
   }
   supports.rows.push_back(row);
@@ -103,6 +106,18 @@ std::vector<double> curve_inclinations(const std::vector<Vec2>& points, double f
   return inclinations;
 }
 
+RollerKindDescription gap_spring(const RollerKindDescription& kind) {
+  RollerKindDescription spring = kind;
+  spring.bottom.face = kGapSpringReach;
+  if (spring.sides) {
+    spring.sides->face = kGapSpringReach;
+    spring.sides->angle = 0.5 * std::numbers::pi;
+  }
+  spring.friction_axial = spring.friction_lateral = 0.0;
+  spring.restitution = 1.0;
+  return spring;
+}
+
 Supports place_supports(const Description& description, double pipe_radius) {
   const std::vector<BoxDescription>& boxes = description.supports.boxes;
   std::vector<Vec2> points;
@@ -124,12 +139,14 @@ Supports place_supports(const Description& description, double pipe_radius) {
     const Vec3 curve_normal_S(std::sin(curve[i]), 0.0, std::cos(curve[i]));
     box.point_S = Vec3(given.x, 0.0, given.z) + given.offset * curve_normal_S;
     box.first_row = static_cast<int>(supports.rows.size());
-    box.row_count = given.rows;
+    const bool springs = description.supports.contact == SupportContact::gap_springs;
+    box.row_count = springs ? 1 : given.rows;
     const auto kind = std::find_if(description.rollers.begin(), description.rollers.end(),
                                    [&](const RollerKindDescription& k) { return k.name == given.roller; });
-    for (int row = 0; row < given.rows && kind != description.rollers.end(); ++row) {
-      const double along = ((row + 0.5) / given.rows - 0.5) * given.length;
-      add_row(supports, *kind, {box.point_S + along * box.direction_S, box.normal_S}, pipe_radius, static_cast<int>(i));
+    for (int row = 0; row < box.row_count && kind != description.rollers.end(); ++row) {
+      const double along = ((row + 0.5) / box.row_count - 0.5) * given.length;
+      add_row(supports, springs ? gap_spring(*kind) : *kind, {box.point_S + along * box.direction_S, box.normal_S},
+              pipe_radius, static_cast<int>(i));
     }
     supports.boxes.push_back(box);
   }

@@ -66,6 +66,12 @@ double stokes_omega(double k, double height, double depth) {
 
 }  // namespace
 
+double jonswap_gamma(double hs, double tp) {
+  const double ratio = tp / std::sqrt(hs);
+  if (ratio <= 3.6) return 5.0;
+  return ratio < 5.0 ? std::exp(5.75 - 1.15 * ratio) : 1.0;
+}
+
 double linear_wave_number(double omega, double depth) {
   const double x = omega * omega * depth / kGravity;
   if (x <= 0.0) return 0.0;

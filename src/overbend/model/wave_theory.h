@@ -1,4 +1,4 @@
-/// Wavelengths of linear and Stokes waves, and how high a regular wave can be.
+/// Wavelengths of linear and Stokes waves, how high a regular wave can be, and how peaked a sea.
 #pragma once
 
 namespace overbend {
@@ -26,5 +26,8 @@ double highest_wave(double length, double depth);
 /// H L^2 / d^3. Stokes waves want it below `kStokesUrsell`; above, cnoidal waves are the theory [fenton1990].
 double ursell_number(double height, double length, double depth);
 inline constexpr double kStokesUrsell = 40.0;
+
+/// Peak enhancement of the JONSWAP spectrum that belongs to a sea state [dnvc205]; hs [m], tp [s].
+double jonswap_gamma(double hs, double tp);
 
 }  // namespace overbend

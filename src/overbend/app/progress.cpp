@@ -1,0 +1,63 @@
+#include "app/progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <iostream>
+
+namespace overbend {
+namespace {
+
+constexpr double kTerminalPause = 0.2;  ///< Between two lines [s].
+constexpr double kPlainPause = 30.0;
+
+std::string clock_text(double seconds) {
+  const long s = static_cast<long>(seconds + 0.5);
+  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                  : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+double seconds_since(std::chrono::steady_clock::time_point then) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+}
+
+}  // namespace
+
+Progress::Progress(double from, double to)
+    : from_(from),
+      to_(to),
+      begun_at_(from),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
+      last_(start_) {}
+
+Progress::~Progress() {
+  if (terminal_ && shown_) {
+    std::cerr << "\r\033[K" << std::flush;
+  }
+}
+
+void Progress::show(double at, const std::string& text) {
+  if (!begun_) {
+    begun_ = true;
+    begun_at_ = at;
+  }
+  if (seconds_since(last_) < (terminal_ ? kTerminalPause : kPlainPause) && at < to_) {
+    return;
+  }
+  last_ = Clock::now();
+  const double done = (at - from_) / (to_ - from_);
+  const double left = at > begun_at_ ? seconds_since(start_) * (to_ - at) / (at - begun_at_) : 0.0;
+  const std::string line = fmt::format("{:5.1f} %  {}  {} to go", 100.0 * done, text, clock_text(left));
+  if (terminal_) {
+    constexpr int kWidth = 24;
+    const int filled = static_cast<int>(done * kWidth);
+    std::cerr << "\r\033[K[" << std::string(static_cast<std::size_t>(filled), '#')
+              << std::string(static_cast<std::size_t>(kWidth - filled), '.') << "] " << line << std::flush;
+    shown_ = true;
+  } else {
+    std::cerr << line << "\n";
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,164 @@
+#include "model/dynamic_assumptions.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "model/wave_theory.h"
+
+namespace overbend {
+namespace {
+
+using Sentences = std::vector<std::string>;
+
+void assume_time(Sentences& list, const DynamicSettings& settings) {
+  if (settings.build_up > 0.0) {
+    list.push_back(fmt::format(
+        "Waves and vessel motion grow by half a cosine over the {:.4g} s before t = 0; statistics count from "
+        "t = 0.",
+        settings.build_up));
+  } else {
+    list.push_back("Waves and vessel motion begin at full size at t = 0, without build-up.");
+  }
+  list.push_back("The current is as in statics, at every time.");
+}
+
+std::string seed_words(const WavesDescription& waves, const DynamicSettings& settings) {
+  if (settings.seeds.size() > 1) {
+    return fmt::format("seeds {}", fmt::join(settings.seeds, ", "));
+  }
+  return fmt::format("seed {}", settings.seeds.empty() ? waves.seed : settings.seeds.front());
+}
+
+std::string spectrum_words(const WavesDescription& waves) {
+  switch (waves.type) {
+    case WaveType::jonswap: {
+      const double gamma = waves.gamma.value_or(jonswap_gamma(waves.hs, waves.tp));
+      return fmt::format("a JONSWAP spectrum with gamma = {:.3g} {}", gamma,
+                         waves.gamma ? "as given" : "by the rule of DNV-RP-C205");
+    }
+    case WaveType::pierson_moskowitz:
+      return "a Pierson-Moskowitz spectrum";
+    default:
+      return "the spectrum of the user's file";
+  }
+}
+
+void assume_sea(Sentences& list, const WavesDescription& waves, const DynamicSettings& settings) {
+  list.push_back(fmt::format("The sea has {}.", spectrum_words(waves)));
+  list.push_back(fmt::format(
+      "It is the sum of {} linear waves with random frequencies and phases, {}{}.", waves.components,
+      seed_words(waves, settings),
+      waves.spreading
+          ? fmt::format(", their directions spread as cos^2s of half the angle with s = {:.4g}", *waves.spreading)
+          : ", all of one direction"));
+}
+
+void assume_waves(Sentences& list, const Model& model, const DynamicSettings& settings) {
+  const WavesDescription& waves = model.description.environment.waves;
+  if (waves.type == WaveType::none) {
+    list.push_back("There are no waves.");
+    return;
+  }
+  if (waves.type == WaveType::stokes5) {
+    list.push_back("The regular wave follows Stokes' theory of the fifth order, without a current of its own.");
+  } else {
+    if (waves.type == WaveType::airy) {
+      list.push_back("The regular wave is linear.");
+    } else {
+      assume_sea(list, waves, settings);
+    }
+    list.push_back("Wheeler's stretching brings the motion of linear waves up to the surface.");
+  }
+  list.push_back(fmt::format(
+      "The waves run over a level bed in the water depth at the stern shoe, {:.2f} m; pipe and vessel do not "
+      "disturb them.",
+      model.description.environment.water_depth));
+}
+
+void assume_vessel_motion(Sentences& list, const VesselDescription& vessel) {
+  static const std::map<VesselMotion, const char*> kWords{
+      {VesselMotion::fixed, "The vessel does not move."},
+      {VesselMotion::harmonic, "The vessel moves harmonically as given, whatever the waves."},
+      {VesselMotion::history, "The vessel moves as recorded, whatever the waves."},
+  };
+  const auto words = kWords.find(vessel.motion);
+  if (words != kWords.end()) {
+    list.push_back(words->second);
+  }
+}
+
+void assume_water_forces(Sentences& list, const Model& model) {
+  const Section& pipe = model.sections.front();
+  list.push_back(fmt::format(
+      "Morison's coefficients do not depend on speed, frequency or the nearness of the bed: drag {:.3g} across and "
+      "{:.3g} along the pipe, added mass {:.3g} across and {:.3g} along.",
+      pipe.drag_normal, pipe.drag_axial, pipe.added_mass_normal, pipe.added_mass_axial));
+}
+
+void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& settings) {
+  if (model.supports.rollers.empty()) {
+    return;
+  }
+  if (model.description.supports.contact == SupportContact::rollers) {
+    bool textbook = false, tenth = false;
+    for (const Roller& roller : model.supports.rollers) {
+      textbook = textbook || roller.damping == RollerDamping::textbook;
+      tenth = tenth || roller.tangential_stiffness <= 0.0;
+    }
+    list.push_back(
+        "The damping of a roller gives its coefficient of restitution to the mass of one element of the pipe, with "
+        "added mass under water.");
+    if (textbook) {
+      list.push_back(
+          "Where a roller's damping is by the textbook, its rebounds are faster than the coefficient of restitution "
+          "says, because no roller pulls the pipe back.");
+    }
+    if (tenth) {
+      list.push_back(
+          fmt::format("Where no tangential stiffness of a roller is given, it is {:.3g} of the normal stiffness.",
+                      kTangentialShare));
+    }
+    list.push_back(
+        "The friction of rollers acts in time, but not in the static start: it is mobilised by the motion alone.");
+  }
+  list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither resolved in time nor recorded.",
+                             1e-3 * settings.impact_force));
+  list.push_back(
+      "Dents follow from the relation of DNV-RP-F107 for bare steel, which leaves out what coatings, pressure, tension "
+      "and bending do.");
+}
+
+void assume_held_top(Sentences& list, const TensionerDescription& tensioner) {
+  switch (tensioner.mode) {
+    case TensionerMode::controlled:
+      list.push_back(
+          "The model asks for a controlled tensioner, which is not there yet: in time it is a locked brake that moves "
+          "with "
+          "the vessel, and tensions leave its range where it would have paid out or hauled in.");
+      return;
+    case TensionerMode::constant:
+      list.push_back(
+          "The model asks for constant tension, which is not there yet: in time the tensioner is a locked brake that "
+          "moves "
+          "with the vessel, and tensions swing.");
+      return;
+    case TensionerMode::locked:
+      list.push_back("In time the tensioner is a locked brake that moves with the vessel.");
+  }
+}
+
+}  // namespace
+
+void assume_dynamics(Sentences& list, const Model& model) {
+  const DynamicSettings settings = model.description.dynamics.value_or(DynamicSettings{});
+  assume_time(list, settings);
+  assume_waves(list, model, settings);
+  assume_vessel_motion(list, model.description.vessel);
+  assume_water_forces(list, model);
+  assume_held_top(list, model.description.tensioner);
+  assume_rollers(list, model, settings);
+  list.push_back("The steel stays linear in time as well: stress beyond yield is reported, not limited.");
+}
+
+}  // namespace overbend

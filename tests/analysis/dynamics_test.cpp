@@ -1,0 +1,203 @@
+/// Whole runs in time of the BGL-1 example on a coarse mesh.
+#include "analysis/dynamics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#include "analysis/recovery.h"
+#include "io/yaml_reader.h"
+#include "support/memory_sink.h"
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  allocations.fetch_add(1, std::memory_order_relaxed);
+  void* p = alignment == 0 ? std::malloc(size)
+                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (p == nullptr) {
+    throw std::bad_alloc();
+  }
+  return p;
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+  return counted(size, 0);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::align_val_t) noexcept {
+  std::free(p);
+}
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
+  std::free(p);
+}
+
+namespace overbend {
+namespace {
+
+using testing::EmptySink;
+using testing::MemorySink;
+
+/// The example in a sea that a barge works in, coarse, for a short time.
+Description workable() {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
+  d.environment.waves.hs = 1.5;
+  d.environment.waves.tp = 8.0;
+  d.environment.waves.from = 1.75;  // nearly from ahead
+  d.environment.waves.components = 40;
+  d.mesh.overbend_element = 1.0;
+  d.mesh.touchdown_element = 3.0;
+  d.mesh.longest_element = 8.0;
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 12.0;
+  d.dynamics->build_up = 4.0;
+  return d;
+}
+
+struct Case {
+  explicit Case(const Description& d)
+      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(recover_statics(model, start)) {}
+
+  DynamicOutcome run(
+      DynamicSink& sink, const DynamicOptions& options, const DynamicCheckpoint* from = nullptr,
+      const std::function<DynamicControl(const DynamicProgress&)>& control = [](const DynamicProgress&) {
+        return DynamicControl::go_on;
+      }) const {
+    return run_dynamics(model, start, statics, options, sink, from, control);
+  }
+  DynamicResults results(DynamicSink& sink) const { return run(sink, dynamic_options(model)).results.value(); }
+
+  Model model;
+  StaticSolution start;
+  StaticResults statics;
+};
+
+TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
+  Description d = workable();
+  d.environment.waves.type = WaveType::none;
+  d.vessel.motion = VesselMotion::fixed;
+  const Case c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  // The static solver stops at 1e-9 of the weight of 1.2 MN, a step at 1e-6 of it: of the order of 1 N.
+  EXPECT_NEAR(r.top_tension.min, c.statics.top_tension, 15.0);
+  EXPECT_NEAR(r.top_tension.max, c.statics.top_tension, 15.0);
+  for (std::size_t i = 0; i < r.station_s.size(); ++i) {
+    EXPECT_LT(r.z.max[i] - r.z.min[i], 1e-5);  // a tenth of what a roller gives under the pipe
+  }
+  EXPECT_EQ(r.impact_count, 0);
+}
+
+TEST(dynamics, the_recovery_in_time_agrees_with_that_of_statics) {
+  const Case c(workable());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  ASSERT_TRUE(c.statics.overbend);
+  const double ours = *std::max_element(r.static_moment.begin(), r.static_moment.end());
+  // Both are exact for small bending; the coarse mesh bends 0.15 degrees from node to node.
+  EXPECT_NEAR(ours, c.statics.overbend->bending_moment.value, 2e-3 * ours);
+  EXPECT_NEAR(r.static_tension.back(), c.statics.top_tension, 1.0);
+  for (std::size_t i = 0; i < r.supports.size(); ++i) {
+    EXPECT_NEAR(r.supports[i].static_reaction, c.statics.supports[i].reaction, 1.0);  // [N], where they are 50 kN
+  }
+}
+
+TEST(dynamics, energy_in_is_energy_stored_and_lost) {
+  const Case c(workable());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_LT(std::abs(r.energy.drift()), 1e-3);
+  EXPECT_GT(r.energy.throughput, 1e5);  // the barge has moved the pipe
+  EXPECT_GE(r.energy.friction_loss, 0.0);
+  EXPECT_GE(r.energy.contact_loss, -1e-6 * r.energy.throughput);  // quadrature of jumps may go below nothing by a hair
+  EXPECT_GE(r.energy.seabed_loss,
+            -1e-3 * r.energy.throughput);  // the stretch of the bed's friction gives back a little
+}
+
+TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
+  const Case c(workable());
+  MemorySink a, b;
+  DynamicOptions options = dynamic_options(c.model);
+  const DynamicResults coarse = c.run(a, options).results.value();
+  options.max_step = 0.02;
+  options.error_tolerance = 1e-4;
+  const DynamicResults fine = c.run(b, options).results.value();
+  // Second order: steps of 0.125 s in waves of 8 s are wrong by some 0.3 %; impacts make single peaks less sure.
+  EXPECT_NEAR(coarse.top_tension.max, fine.top_tension.max, 0.01 * fine.top_tension.max);
+  EXPECT_NEAR(coarse.top_tension.std, fine.top_tension.std, 0.02 * fine.top_tension.std);
+  EXPECT_NEAR(coarse.sagbend.von_mises.over_time.max, fine.sagbend.von_mises.over_time.max,
+              0.02 * fine.sagbend.von_mises.over_time.max);
+}
+
+TEST(dynamics, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
+  const Case c(workable());
+  const DynamicOptions options = dynamic_options(c.model);
+  MemorySink whole, first, second;
+  const DynamicResults expected = c.run(whole, options).results.value();
+  const DynamicOutcome stopped = c.run(first, options, nullptr, [](const DynamicProgress& at) {
+    return at.time >= 5.0 ? DynamicControl::stop : DynamicControl::go_on;
+  });
+  ASSERT_TRUE(stopped.stopped);
+  ASSERT_EQ(first.checkpoints.size(), 1u);
+  const DynamicResults got = c.run(second, options, &first.checkpoints.front()).results.value();
+  EXPECT_EQ(got.von_mises.max, expected.von_mises.max);
+  EXPECT_EQ(got.effective_tension.std, expected.effective_tension.std);
+  EXPECT_EQ(got.energy.error, expected.energy.error);
+  EXPECT_EQ(got.run.steps, expected.run.steps);
+  EXPECT_EQ(got.impact_count, expected.impact_count);
+  std::vector<std::vector<double>> rows = first.rows;
+  rows.insert(rows.end(), second.rows.begin(), second.rows.end());
+  EXPECT_EQ(rows, whole.rows);
+}
+
+TEST(dynamics, writing_checkpoints_does_not_change_the_run) {
+  const Case c(workable());
+  const DynamicOptions options = dynamic_options(c.model);
+  MemorySink plain, written;
+  c.run(plain, options);
+  c.run(written, options, nullptr, [](const DynamicProgress&) { return DynamicControl::checkpoint; });
+  EXPECT_EQ(plain.rows, written.rows);
+}
+
+TEST(dynamics, the_time_loop_allocates_nothing) {
+  const Case c(workable());
+  EmptySink sink;
+  long at_first = 0, at_last = 0;
+  c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {
+    (at.time < 0.0 ? at_first : at_last) = allocations.load();
+    return DynamicControl::go_on;
+  });
+  EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end
+}
+
+TEST(dynamics, says_why_a_model_can_not_be_run_in_time) {
+  Description d = workable();
+  d.dynamics.reset();
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.vessel.motion = VesselMotion::coupled;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.tensioner.tension = 300e3;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
+}
+
+}  // namespace
+}  // namespace overbend

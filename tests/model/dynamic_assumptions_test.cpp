@@ -1,0 +1,134 @@
+#include "model/dynamic_assumptions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/fixtures.h"
+
+namespace overbend {
+namespace {
+
+/// A sea state, a box of rollers and dynamics.
+Description moving() {
+  Description d = testing::plain_description();
+  d.rollers.push_back({"v", {0.15, 0.6}, SideRollerDescription{0.15, 0.6, 1.0, 0.05}, std::nullopt, 0.0, 0.0, 0.5});
+  BoxDescription box;
+  box.x = 10.0;
+  box.roller = "v";
+  box.rows = 3;
+  box.length = 3.0;
+  d.supports.boxes.push_back(box);
+  WavesDescription& waves = d.environment.waves;
+  waves.type = WaveType::jonswap;
+  waves.hs = 4.0;
+  waves.tp = 8.5;  // Tp/sqrt(Hs) = 4.25: gamma = exp(5.75 - 1.15 * 4.25) = 2.37
+  waves.seed = 17;
+  d.dynamics.emplace();
+  return d;
+}
+
+int mentions(const Description& d, const std::string& words) {
+  const std::vector<std::string> list = assumptions(build_model(d));
+  return static_cast<int>(std::count_if(list.begin(), list.end(),
+                                        [&](const std::string& s) { return s.find(words) != std::string::npos; }));
+}
+
+TEST(dynamic_assumptions, are_told_of_a_model_with_dynamics_alone) {
+  Description d = moving();
+  const std::size_t with = assumptions(build_model(d)).size();
+  EXPECT_EQ(mentions(d, "half a cosine over the 60 s before t = 0"), 1);
+  d.dynamics.reset();
+  EXPECT_GT(with, assumptions(build_model(d)).size() + 8);
+  EXPECT_EQ(mentions(d, "t = 0"), 0);
+  EXPECT_EQ(mentions(d, "DNV-RP-F107"), 0);
+}
+
+TEST(dynamic_assumptions, are_told_once_each_in_whole_sentences) {
+  std::vector<std::string> list = assumptions(build_model(moving()));
+  for (const std::string& sentence : list) EXPECT_EQ(sentence.back(), '.') << sentence;
+  std::sort(list.begin(), list.end());
+  EXPECT_EQ(std::adjacent_find(list.begin(), list.end()), list.end());
+}
+
+TEST(dynamic_assumptions, name_the_peak_of_the_sea_and_where_it_is_from) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 2.37 by the rule of DNV-RP-C205"), 1);
+  d.environment.waves.gamma = 3.3;
+  EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 3.3 as given"), 1);
+  d.environment.waves.type = WaveType::pierson_moskowitz;
+  EXPECT_EQ(mentions(d, "Pierson-Moskowitz"), 1);
+  EXPECT_EQ(mentions(d, "gamma"), 0);
+}
+
+TEST(dynamic_assumptions, name_the_components_the_seeds_and_the_spreading) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "sum of 200 linear waves with random frequencies and phases, seed 17, all of one"), 1);
+  d.dynamics->seeds = {4};
+  EXPECT_EQ(mentions(d, "seed 4"), 1);
+  d.dynamics->seeds = {4, 9};
+  EXPECT_EQ(mentions(d, "seeds 4, 9"), 1);
+  d.environment.waves.spreading = 8.0;
+  EXPECT_EQ(mentions(d, "s = 8"), 1);
+}
+
+TEST(dynamic_assumptions, tell_of_stretching_where_there_is_some) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "Wheeler"), 1);
+  d.environment.waves.type = WaveType::airy;
+  EXPECT_EQ(mentions(d, "Wheeler"), 1);
+  d.environment.waves.type = WaveType::stokes5;
+  EXPECT_EQ(mentions(d, "Wheeler"), 0);
+  EXPECT_EQ(mentions(d, "Stokes"), 1);
+  EXPECT_EQ(mentions(d, "in the water depth at the stern shoe, 89.00 m"), 1);
+  d.environment.waves.type = WaveType::none;
+  EXPECT_EQ(mentions(d, "There are no waves."), 1);
+  EXPECT_EQ(mentions(d, "in the water depth at the stern shoe"), 0);
+}
+
+TEST(dynamic_assumptions, tell_that_the_tensioner_is_locked_whatever_was_asked_for) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "is a locked brake"), 1);
+  EXPECT_EQ(mentions(d, "not there yet"), 0);
+  d.tensioner.mode = TensionerMode::controlled;
+  EXPECT_EQ(mentions(d, "controlled tensioner, which is not there yet"), 1);
+  d.tensioner.mode = TensionerMode::constant;
+  EXPECT_EQ(mentions(d, "constant tension, which is not there yet"), 1);
+}
+
+TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "coefficient of restitution"), 1);
+  EXPECT_EQ(mentions(d, "0.1 of the normal stiffness"), 1);
+  EXPECT_EQ(mentions(d, "not in the static start"), 1);
+  EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
+  d.rollers[0].damping = RollerDamping::textbook;
+  d.rollers[0].tangential_stiffness = 1e6;
+  d.dynamics->impact_force = 250.0;
+  EXPECT_EQ(mentions(d, "textbook"), 1);
+  EXPECT_EQ(mentions(d, "0.1 of the normal stiffness"), 0);
+  EXPECT_EQ(mentions(d, "weaker than 0.25 kN"), 1);
+}
+
+TEST(dynamic_assumptions, of_gap_springs_tell_of_no_damping_and_no_friction) {
+  Description d = moving();
+  d.supports.contact = SupportContact::gap_springs;
+  EXPECT_EQ(mentions(d, "one gap spring"), 1);
+  EXPECT_EQ(mentions(d, "To either side a gap spring"), 1);
+  EXPECT_EQ(mentions(d, "finite cylinders"), 0);
+  EXPECT_EQ(mentions(d, "coefficient of restitution"), 0);
+  EXPECT_EQ(mentions(d, "friction of rollers"), 0);
+  EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
+  d.rollers[0].sides.reset();
+  EXPECT_EQ(mentions(d, "To either side a gap spring"), 0);
+}
+
+TEST(dynamic_assumptions, of_j_lay_tell_nothing_of_rollers) {
+  Description d = moving();
+  d.supports.boxes.clear();
+  EXPECT_EQ(mentions(d, "Impacts"), 0);
+  EXPECT_EQ(mentions(d, "stress beyond yield is reported, not limited"), 1);
+}
+
+}  // namespace
+}  // namespace overbend
