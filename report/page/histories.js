@@ -18,7 +18,11 @@
     const value = (level) => history.lowest + history.quantum * level;
     const area = d3.area().defined((k) => history.low[k] !== null && history.high[k] !== null)
       .x((k) => frame.x(time(k))).y0((k) => frame.y(value(history.low[k]))).y1((k) => frame.y(value(history.high[k])));
-    frame.plot.append('path').attr('d', area(d3.range(count))).attr('fill', colours.history).attr('stroke', colours.history).attr('stroke-width', 0.9).attr('stroke-linejoin', 'round');
+    // Where each stretch is hardly more than a point the band is a line, and is drawn as one.
+    const all = d3.range(count);
+    const line = d3.median(all, (k) => history.high[k] - history.low[k]) < 60;
+    const colour = line ? colours.dynamic : colours.history;
+    frame.plot.append('path').attr('d', area(all)).attr('fill', colour).attr('stroke', colour).attr('stroke-width', line ? 1.4 : 0.9).attr('stroke-linejoin', 'round');
   }
 
   function build_up_shade(frame) {
@@ -45,7 +49,9 @@
     let lo = history.lowest;
     let hi = top;
     if (history.static !== null) { lo = Math.min(lo, history.static); hi = Math.max(hi, history.static); }
-    const room = 0.08 * (hi - lo) || 0.5 * Math.abs(hi) || 1;
+    // What moves less than the last digit shown is a level line.
+    const least = 10 ** -history.digits;
+    const room = 0.08 * (hi - lo) + (hi - lo < least ? least : 0);
     const title = small ? `${history.title}${unit_of(history)}: ${statistics(history)}` : `${history.title}: ${statistics(history)}${history.unit ? ' ' + history.unit : ''}`;
     const frame = Report.frame(panel, {
       width: small ? kHalf : undefined, height: small ? 190 : 250, left: small ? 62 : 78, x: [-build_up / time_unit.seconds, duration / time_unit.seconds], y: [lo - room, hi + room], x_ticks: small ? 6 : 10,

@@ -238,6 +238,12 @@ TEST(dynamic_report_data, spectra_are_cut_where_nothing_is_left) {
   }
 }
 
+TEST(dynamic_report_data, what_does_not_move_has_no_spectrum) {
+  DynamicResults results = example();
+  for (double& density : results.spectra.front().density) density *= 1e-16;
+  EXPECT_EQ(data_of(results)["spectra"].size(), example().spectra.size() - 1);
+}
+
 TEST(quantity, names_and_units_are_those_of_people) {
   EXPECT_EQ(quantity("support/stinger 8/reaction", "N").name, "Reaction, stinger 8");
   EXPECT_EQ(quantity("support/a/b/reaction", "N").name, "Reaction, a/b");
