@@ -193,7 +193,7 @@ struct RollerKindDescription {
   double friction_lateral = 0.0;
   double restitution = 0.5;
   RollerDamping damping = RollerDamping::clipped;
-  std::optional<double> tangential_stiffness;  ///< Of sticking friction [N/m]; a tenth of the normal one if not given.
+  std::optional<double> tangential_stiffness = std::nullopt;  ///< Of sticking friction [N/m]; a tenth of the normal one if not given.
 };
 
 enum class Structure { ramp, stinger };
@@ -240,7 +240,7 @@ struct DynamicSettings {
   double build_up = 60.0;          ///< [s]
   std::optional<double> step;      ///< Fixed step [s].
   std::optional<double> max_step;  ///< [s]
-  double spectral_radius = 0.8;
+  double spectral_radius = 0.6;
   double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
   double impact_steps = 8.0;  ///< Steps in the undamped contact time of an impact.
