@@ -87,14 +87,14 @@
   }
 
   // The range of values and the frame that holds them, bands of the boxes behind. `indices` are of data.stations.
-  function frame_of(panel, kind, part, lo, hi, indices, title) {
+  function frame_of(panel, kind, part, lo, hi, indices, title, above_yield = 1) {
     const overbend = part === 'overbend';
     const end = overbend ? data.overbend_end : data.whole_end;
     if (kind.zero) { lo = Math.min(lo, 0); hi = Math.max(hi, 0); }
     const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield[i]) * kind.factor : 0;
     if (yield_stress > 0 && hi > 0.5 * yield_stress) hi = Math.max(hi, yield_stress);
     const room = 0.1 * (hi - lo || 1);
-    const range = [lo < 0 ? lo - room : lo, hi + (hi === yield_stress ? 1 : 2) * room];  // labels stand above the curve
+    const range = [lo < 0 ? lo - room : lo, hi + (hi === yield_stress ? above_yield : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
       height: 284, x: [0, end], y: range, right: kind.yield ? 74 : 24, lane: overbend ? lane() : 0, title,
       x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.axis || kind.name} [${kind.unit}]`,

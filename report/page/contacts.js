@@ -48,6 +48,7 @@
       const { frame, list } = base(panel, { height: 250, y: [0, 1.15 * hi], title: `${position.name[0].toUpperCase()}${position.name.slice(1)} rollers`, y_label: 'Reaction [kN]' });
       let largest = null;
       for (const { box, at, roller } of seen(list, position)) {
+        if (roller.most <= 0 && roller.before <= 0) continue;
         const [least, mean, most, before] = [roller.least, roller.mean, roller.most, roller.before].map((f) => f / 1e3);
         bar(frame, at, least, most, colours.band).attr('stroke', colours.dynamic).append('title')
           .text(`${box.name}, ${position.name}: ${Report.fixed(least, 1)} to ${Report.fixed(most, 1)} kN, mean ${Report.fixed(mean, 1)} kN, static ${Report.fixed(before, 1)} kN`);

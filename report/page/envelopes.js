@@ -42,7 +42,7 @@
     const lo = d3.min(shown, (i) => Math.min(envelope.min[i], envelope.before[i])) * kind.factor;
     const hi = d3.max(shown, (i) => Math.max(envelope.max[i], envelope.before[i])) * kind.factor;
     const indices = Report.indices(until);
-    const { frame, range, end, overbend } = along.frame_of(panel, kind, part, lo, hi, indices, `${kind.name}, ${part === 'overbend' ? 'overbend' : 'whole line'}`);
+    const { frame, range, end, overbend } = along.frame_of(panel, kind, part, lo, hi, indices, `${kind.name}, ${part === 'overbend' ? 'overbend' : 'whole line'}`, 2.2);
     const points = (column) => shown.map((i) => [s[i], column[i] * kind.factor]);
     const band = d3.area().x((i) => frame.x(s[i])).y0((i) => frame.y(envelope.min[i] * kind.factor)).y1((i) => frame.y(envelope.max[i] * kind.factor));
     frame.plot.append('path').attr('d', band(shown)).attr('fill', colours.band);

@@ -18,7 +18,11 @@
     const value = (level) => history.lowest + history.quantum * level;
     const area = d3.area().defined((k) => history.low[k] !== null && history.high[k] !== null)
       .x((k) => frame.x(time(k))).y0((k) => frame.y(value(history.low[k]))).y1((k) => frame.y(value(history.high[k])));
-    frame.plot.append('path').attr('d', area(d3.range(count))).attr('fill', colours.dynamic).attr('stroke', colours.dynamic).attr('stroke-width', 0.8).attr('stroke-linejoin', 'round');
+    // Where each stretch is hardly more than a point the band is a line, and is drawn as one.
+    const all = d3.range(count);
+    const line = d3.median(all, (k) => history.high[k] - history.low[k]) < 60;
+    const colour = line ? colours.dynamic : colours.history;
+    frame.plot.append('path').attr('d', area(all)).attr('fill', colour).attr('stroke', colour).attr('stroke-width', line ? 1.4 : 0.9).attr('stroke-linejoin', 'round');
   }
 
   function build_up_shade(frame) {
@@ -29,9 +33,9 @@
     frame.over.append('line').attr('x1', x1).attr('x2', x1).attr('y1', frame.margin.top).attr('y2', frame.height - frame.margin.bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
   }
 
-  function level_line(frame, value, colour, dash) {
+  function level_line(frame, value, colour, dash, width = 1.5) {
     frame.plot.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', frame.y(value)).attr('y2', frame.y(value))
-      .attr('stroke', colour).attr('stroke-width', 1.4).attr('stroke-dasharray', dash);
+      .attr('stroke', colour).attr('stroke-width', width).attr('stroke-dasharray', dash);
   }
 
   function statistics(history) {
@@ -45,16 +49,19 @@
     let lo = history.lowest;
     let hi = top;
     if (history.static !== null) { lo = Math.min(lo, history.static); hi = Math.max(hi, history.static); }
-    const room = 0.08 * (hi - lo) || 0.5 * Math.abs(hi) || 1;
+    // What moves less than the last digit shown is a level line.
+    const least = 10 ** -history.digits;
+    const room = 0.08 * (hi - lo) + (hi - lo < least ? least : 0);
     const title = small ? `${history.title}${unit_of(history)}: ${statistics(history)}` : `${history.title}: ${statistics(history)}${history.unit ? ' ' + history.unit : ''}`;
     const frame = Report.frame(panel, {
       width: small ? kHalf : undefined, height: small ? 190 : 250, left: small ? 62 : 78, x: [-build_up / time_unit.seconds, duration / time_unit.seconds], y: [lo - room, hi + room], x_ticks: small ? 6 : 10,
-      title, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: small ? '' : `${history.title.split(',')[0]}${unit_of(history)}`,
+      title, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: small ? '' : unit_of(history).trim(),
     });
     frame.svg.classed('small', small);
     build_up_shade(frame);
     band(frame, history);
     if (history.static !== null) {
+      level_line(frame, history.static, '#fff', null, 3.5);
       level_line(frame, history.static, colours.accent, '7 4');
       Report.legend(frame, [{ text: `static ${Report.fixed(history.static, history.digits)}`, colour: colours.accent, dash: '7 4' }]);
     }
@@ -90,7 +97,7 @@
       const [f, d] = [q.frequency[peak], q.density[peak]];
       const frame = Report.frame(panel, {
         width: kHalf, height: 210, left: 68, lane: 16, x: [0, end], y: [0, 1.12 * d], x_ticks: 6,
-        title: `${q.title}${f > 0 ? `, peak at ${Report.fixed(1 / f, 1)} s` : ''}`, x_label: 'Frequency [Hz]', y_label: q.unit ? `[(${q.unit})\u00b2/Hz]` : '[1/Hz]',
+        title: `${q.title} [${q.unit ? q.unit + '\u00b2' : '1'}/Hz]${f > 0 ? `, peak at ${Report.fixed(1 / f, 1)} s` : ''}`, x_label: 'Frequency [Hz]', y_label: '',
       });
       frame.svg.classed('small', true);
       const indices = d3.range(q.frequency.length);

@@ -110,13 +110,23 @@ void fill_stations(DynamicResults& r, const StaticResults& statics) {
   r.z = places(2);
 }
 
-DynamicExtreme extreme(const Extreme& before, double share, double time) {
-  return {above(before.value, share), before.s, time, before.p_W};
+/// The largest of the envelope between two stations.
+DynamicExtreme extreme(const DynamicResults& r, const Envelope& envelope, double before, double from, double to,
+                       double time) {
+  DynamicExtreme out;
+  for (std::size_t i = 0; i < r.station_s.size(); ++i) {
+    if (r.station_s[i] >= from && r.station_s[i] <= to && envelope.max[i] > out.over_time.max) {
+      out = {above(before, envelope.max[i] / before - 1.0), r.station_s[i], time, r.static_place[i]};
+    }
+  }
+  return out;
 }
 
-DynamicRegion region(const RegionResult& before, double share) {
-  return {extreme(before.bending_moment, share, 1204.5), extreme(before.bending_stress, share, 1204.5),
-          extreme(before.von_mises, share, 1204.6), extreme(before.strain, share, 2822.1)};
+DynamicRegion region(const DynamicResults& r, const RegionResult& before, double from, double to) {
+  return {extreme(r, r.bending_moment, before.bending_moment.value, from, to, 1204.5),
+          extreme(r, r.bending_stress, before.bending_stress.value, from, to, 1204.5),
+          extreme(r, r.von_mises, before.von_mises.value, from, to, 1204.6),
+          extreme(r, r.strain, before.strain.value, from, to, 2822.1)};
 }
 
 RollerDynamics roller_dynamics(const RollerResult& before, int index, int box, int row, bool calm) {
@@ -263,8 +273,10 @@ DynamicResults synthetic_dynamics(const StaticResults& statics, bool calm) {
   r.lay_back = around(statics.lay_back, 0.8);
   r.departure_angle = around(statics.departure_angle, 0.004);
   r.stinger_tip_clearance = {-0.0003, 0.024, statics.stinger_tip_clearance.value_or(0.0) + 0.004, 0.006};
-  if (statics.overbend) r.overbend = region(*statics.overbend, 0.09);
-  r.sagbend = region(statics.sagbend, 0.3);
+  const double top = r.station_s.back();
+  const double between = statics.supports.empty() ? top : statics.supports.back().s - 15.0;
+  if (statics.overbend) r.overbend = region(r, *statics.overbend, between, top);
+  r.sagbend = region(r, statics.sagbend, statics.touchdown.s, between);
   fill_supports(r, statics, calm);
   if (!calm) fill_impacts(r);
   r.tensioner = {"locked", r.top_tension, {-0.4, 0.6, 0.05, 0.2}, 312.5, 0.0, 41, 39};

@@ -27,7 +27,7 @@ const std::vector<Figure>& all_figures() {
       {"history", "Separation of pipe and stinger tip in time; below zero the pipe is in contact", {"separation"}},
       {"history", "Wave elevation at the stern shoe in time", {"wave"}},
       {"history", "Motions of the vessel in time", {"motions"}, true},
-      {"spectra", "Spectra; the scale on top is the period", {"all"}, true},
+      {"spectra", "Spectra of what moves; the scale on top is the period", {"all"}, true},
       {"ranges", "Reactions of the rollers over time, row by row: range, mean and static value", {"bars"}},
       {"shares", "Share of time in contact, row by row; \u00d7 marks a roller that the pipe never touches", {"bars"}},
       {"impacts", "The hardest impacts of pipe and rollers", {"time", "velocity"}},

@@ -54,8 +54,7 @@ std::string run_table(const DynamicResults& r) {
   const DynamicRunReport& run = r.run;
   const double steps = static_cast<double>(std::max<std::int64_t>(run.steps, 1));
   html::Table table = listing("Time integration");
-  table.row({"Integrator", run.integrator, ""})
-      .row({"Simulated, build-up and storm", fixed(r.build_up + r.duration, 1), "s"})
+  table.row({"Simulated, build-up and storm", fixed(r.build_up + r.duration, 1), "s"})
       .row({"Steps", std::to_string(run.steps), ""})
       .row({"Steps rejected", std::to_string(run.rejected_steps), ""})
       .row({"Smallest step", fmt::format("{:.4g}", run.smallest_step), "s"})
@@ -88,7 +87,9 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
 
 std::string dynamic_run_section(const DynamicResults& results) {
   return html::section("run", "Energy balance and run",
-                       "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) + "</div>\n");
+                       "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) +
+                           "</div>\n<p class=\"small\">Integrator: " + html::escape(results.run.integrator) +
+                           ".</p>\n");
 }
 
 }  // namespace overbend

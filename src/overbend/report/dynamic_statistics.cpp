@@ -12,6 +12,11 @@ namespace {
 
 using html::fixed;
 
+/// Forces, moments, stresses and strains grow by a factor; lengths and angles do not.
+bool has_ratio(const std::string& units) {
+  return units == "N" || units == "N m" || units == "Pa" || units == "1";
+}
+
 /// The table of statistics: each quantity in its own unit.
 class Statistics {
  public:
@@ -34,7 +39,7 @@ class Statistics {
     const std::optional<double> before = static_value(statics_, results_, name);
     table_.row({largest ? q.name + ", largest of the region" : q.name, q.unit, before ? q.text(*before) : "",
                 q.text(spread.min), q.text(spread.mean), q.text(spread.max), q.text(spread.std),
-                before && *before > 0.0 && spread.max > 0.0 ? fixed(spread.max / *before, 2) : ""});
+                before && *before > 0.0 && has_ratio(units) ? fixed(spread.max / *before, 2) : ""});
   }
 
   void add_region(const std::string& region, const DynamicRegion& r) {
@@ -88,9 +93,9 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
                      {"Observed", ""},
                      {"Peaks", ""},
                      {"estimate", ""},
-                     {"95 % confidence", ""},
+                     {"95 % interval", ""},
                      {"estimate", ""},
-                     {"95 % confidence", ""}},
+                     {"95 % interval", ""}},
                     "plain full");
   table.groups({{"", 5}, {"Weibull", 2}, {"Gumbel", 2}});
   for (const ExtremeEstimate& e : r.extremes) {
@@ -110,7 +115,8 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
     table.row(cells);
   }
   return table.str() +
-         "<p class=\"small\">Peaks are the largest values between mean up-crossings after the build-up. Where there "
+         "<p class=\"small\">Interval: 95 % confidence. Peaks are the largest values between mean up-crossings after "
+         "the build-up. Where there "
          "are too few of them nothing is fitted, and the observed value is all that is known. Observed: largest of "
          "this run, whose length may differ from three hours.</p>\n";
 }

@@ -104,7 +104,7 @@ html::Table impact_table(const std::string& caption) {
                       {"Roller", "", true},
                       {"Approach velocity", "m/s"},
                       {"Peak force", "kN"},
-                      {"Duration", "s"},
+                      {"Duration", "ms"},
                       {"Impulse", "N s"},
                       {"Dent depth", "mm"},
                       {"Line load", "kN/m"}},
@@ -117,7 +117,7 @@ void impact_row(html::Table& table, const DynamicResults& results, std::size_t i
   table.row({std::to_string(index + 1), fixed(impact.time, 2), at.box != nullptr ? at.box->name : "",
              at.roller != nullptr ? std::to_string(at.roller->row + 1) : "",
              at.roller != nullptr ? word(at.roller->position) : "", fixed(impact.approach_velocity, 3),
-             fixed(impact.peak_force / 1e3, 2), fixed(impact.duration, 3), fixed(impact.impulse, 1),
+             fixed(impact.peak_force / 1e3, 2), fixed(impact.duration * 1e3, 2), fixed(impact.impulse, 1),
              fixed(impact.dent_depth * 1e3, 3), fixed(impact.line_load / 1e3, 1)});
 }
 

@@ -18,8 +18,8 @@ std::string figure_list(const std::vector<Figure>& figures,
       }
     }
     if (!panels.empty()) {
-      out += fmt::format("<figure id=\"fig-{}\">\n{}<figcaption>Figure {}. {}</figcaption>\n</figure>\n", figure.id,
-                         panels, ++number, html::escape(figure.caption));
+      out += fmt::format("<figure>\n{}<figcaption>Figure {}. {}</figcaption>\n</figure>\n", panels, ++number,
+                         html::escape(figure.caption));
     }
   }
   return out;

@@ -73,6 +73,12 @@ json spread_data(const Spread& spread, const Quantity& q) {
           {"std", json_number(q.shown(spread.std))}};
 }
 
+/// Whether it varies by more than the last digit shown.
+bool moves(const Spectrum& spectrum, double total, const Quantity& q) {
+  const double step = spectrum.frequency.back() / static_cast<double>(spectrum.frequency.size());
+  return q.shown(std::sqrt(total * step)) > 0.5 * std::pow(10.0, -q.digits);
+}
+
 /// The picker of histories: each once, only those with values.
 class Histories {
  public:
@@ -175,10 +181,10 @@ json spectrum_data(const DynamicResults& results) {
     for (std::size_t i = 0; i < count; ++i) {
       total += spectrum.density[i];
     }
-    if (!(total > 0.0) || !std::isfinite(total)) {
+    const Quantity q = quantity(spectrum.name, spectrum.units);
+    if (!(total > 0.0) || !std::isfinite(total) || !moves(spectrum, total, q)) {
       continue;
     }
-    const Quantity q = quantity(spectrum.name, spectrum.units);
     json frequency = json::array(), density = json::array();
     double part = 0.0;
     std::size_t last = 0;

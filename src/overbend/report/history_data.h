@@ -12,7 +12,7 @@ namespace overbend {
 /// scaled by `quantum` and shifted by `lowest`; null where they are not finite.
 nlohmann::json history_data(const StaticResults& statics, const DynamicResults& results);
 
-/// Spectra up to the frequency below which nearly all variance lies.
+/// Spectra up to the frequency below which nearly all variance lies; none of what moves less than can be read.
 nlohmann::json spectrum_data(const DynamicResults& results);
 
 }  // namespace overbend

@@ -13,7 +13,7 @@ std::string escape(std::string_view text);
 /// JSON made harmless inside a script element: no "<" is left, so no "</script>" either.
 std::string escape_json(std::string_view json);
 
-/// A number with `digits` decimals, never "-0.00".
+/// A number with `digits` decimals, never "-0.00"; "-" for what is not finite.
 std::string fixed(double value, int digits);
 
 /// A section of the page with a heading; `id` is its anchor. `body` is HTML.

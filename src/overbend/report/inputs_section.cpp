@@ -124,22 +124,38 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
   return list.str();
 }
 
+/// Numbers of the sea; its kind stands in the report's head.
+void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
+  if (waves.type == WaveType::none) {
+    list.add("Waves", "none");
+    return;
+  }
+  if (waves.type == WaveType::airy || waves.type == WaveType::stokes5) {
+    list.add("Wave height", waves.height, "m").add("Wave period", waves.period, "s");
+  } else {
+    if (waves.type != WaveType::user) {
+      list.add("Significant wave height", waves.hs, "m").add("Peak period", waves.tp, "s");
+    }
+    list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
+  }
+  list.add("Waves come from", waves.from * kDegrees, "deg");
+}
+
 std::string dynamics_table(const Description& model, const DynamicResults& results) {
   const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
   Listing list("Sea, motion and time");
-  list.add("Sea", sea_words(model.environment.waves))
-      .add("Wave components, seed", fmt::format("{}, {}", model.environment.waves.components, results.seed))
-      .add("Vessel motion", motion_words(model.vessel))
+  add_waves(list, model.environment.waves, results.seed);
+  list.add("Vessel motion", motion_words(model.vessel))
       .add("Build-up, duration", general(results.build_up) + ", " + general(results.duration), "s")
       .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
   if (model.dynamics) {
-    list.add("Spectral radius at infinity", model.dynamics->spectral_radius, "");
+    list.add("Spectral radius", model.dynamics->spectral_radius, "");
     if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
     if (model.dynamics->max_step) list.add("Largest step allowed", *model.dynamics->max_step, "s");
   }
   const TensionerDescription& tensioner = model.tensioner;
   if (tensioner.range_low && tensioner.range_high) {
-    list.add("Tensioner's operational range",
+    list.add("Operational range of tension",
              general(1e-3 * *tensioner.range_low) + " to " + general(1e-3 * *tensioner.range_high), "kN");
   }
   return list.str();

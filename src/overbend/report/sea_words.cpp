@@ -46,9 +46,10 @@ std::string sea_words(const WavesDescription& waves) {
     case WaveType::stokes5:
       return regular("regular Stokes wave of fifth order", waves);
     case WaveType::jonswap:
-      return random_sea(fmt::format("JONSWAP, Hs {:.4g} m, Tp {:.4g} s, gamma {:.3g}", waves.hs, waves.tp,
-                                    waves.gamma ? *waves.gamma : jonswap_gamma(waves.hs, waves.tp)),
-                        waves);
+      return random_sea(
+          fmt::format("JONSWAP, Hs {:.4g} m, Tp {:.4g} s, gamma {:.3g}{}", waves.hs, waves.tp,
+                      waves.gamma ? *waves.gamma : jonswap_gamma(waves.hs, waves.tp), waves.gamma ? "" : " by rule"),
+          waves);
     case WaveType::pierson_moskowitz:
       return random_sea(fmt::format("Pierson-Moskowitz, Hs {:.4g} m, Tp {:.4g} s", waves.hs, waves.tp), waves);
     case WaveType::user:

@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// "JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1.35, from 180 deg, long-crested"; "calm water". Gamma is told where it is the
-/// rule's and not the user's, too.
+/// "JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1.35 by rule, from 180 deg, long-crested"; "calm water". Gamma is told where it
+/// is the rule's and not the user's, too.
 std::string sea_words(const WavesDescription& waves);
 
 /// "RAOs of rao.csv", "harmonic: heave, pitch", "none, held fast".
