@@ -43,6 +43,8 @@
       .attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#41505e');
   }
 
+  Report.row_bars = { positions, base, zero_line };
+
   const of = (row, position) => row.rollers.find((r) => r.position === position);
 
   Report.reaction_bars = function (panel) {

@@ -3,10 +3,11 @@
 (function () {
   const kWidth = 960;
 
-  // options: {height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, lane: room for names above the plot}
+  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, lane: room for names above the plot}
   Report.frame = function (panel, options) {
     const margin = { left: options.left || 78, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: 50 };
-    const inner_width = kWidth - margin.left - margin.right;
+    const full_width = options.width || kWidth;
+    const inner_width = full_width - margin.left - margin.right;
     let inner_height = (options.height || 300) + (options.lane || 0) - margin.top - margin.bottom;
     let [x0, x1] = options.x;
     let [y0, y1] = options.y;
@@ -21,9 +22,9 @@
       }
     }
     const height = inner_height + margin.top + margin.bottom;
-    const svg = d3.select(panel).append('svg').attr('viewBox', `0 0 ${kWidth} ${height.toFixed(1)}`)
+    const svg = d3.select(panel).append('svg').attr('viewBox', `0 0 ${full_width} ${height.toFixed(1)}`)
       .attr('role', 'img').attr('aria-label', options.title || options.y_label);
-    const x = d3.scaleLinear([x0, x1], [margin.left, kWidth - margin.right]);
+    const x = d3.scaleLinear([x0, x1], [margin.left, full_width - margin.right]);
     const y = d3.scaleLinear([y0, y1], [height - margin.bottom, margin.top]);
     const clip = 'clip-' + Report.next_id();
     svg.append('clipPath').attr('id', clip).append('rect')
@@ -32,11 +33,11 @@
     const back = svg.append('g');
     const grid = svg.append('g').attr('class', 'grid');
     const x_ticks = x.ticks(options.x_ticks || 10);
-    const y_ticks = y.ticks(Math.max(3, Math.round(inner_height / 48)));
+    const y_ticks = options.y_ticks || y.ticks(Math.max(3, Math.round(inner_height / 48)));
     grid.selectAll(null).data(x_ticks).join('line')
       .attr('x1', (d) => x(d)).attr('x2', (d) => x(d)).attr('y1', margin.top).attr('y2', height - margin.bottom);
     grid.selectAll(null).data(y_ticks).join('line')
-      .attr('y1', (d) => y(d)).attr('y2', (d) => y(d)).attr('x1', margin.left).attr('x2', kWidth - margin.right);
+      .attr('y1', (d) => y(d)).attr('y2', (d) => y(d)).attr('x1', margin.left).attr('x2', full_width - margin.right);
     const plot = svg.append('g').attr('clip-path', `url(#${clip})`);
     svg.append('g').attr('transform', `translate(0,${height - margin.bottom})`)
       .call(d3.axisBottom(x).tickValues(x_ticks).tickSizeOuter(0));
@@ -50,7 +51,7 @@
       svg.append('text').attr('class', 'title').attr('x', margin.left).attr('y', 20).text(options.title);
     }
     const over = svg.append('g');
-    return { svg, back, plot, over, x, y, width: kWidth, height, margin, inner_height, inner_width, used: [] };
+    return { svg, back, plot, over, x, y, width: full_width, height, margin, inner_height, inner_width, used: [] };
   };
 
   let ids = 0;
@@ -113,7 +114,9 @@
       const wide = Report.text_width(frame, entry.text, '');
       frame.over.append('text').attr('x', right).attr('y', 20).attr('text-anchor', 'end').text(entry.text);
       if (entry.block) {
-        frame.over.append('rect').attr('x', right - wide - 22).attr('y', 9).attr('width', 14).attr('height', 12).attr('fill', entry.colour);
+        frame.over.append('rect').attr('x', right - wide - 22).attr('y', 9).attr('width', 14).attr('height', 12).attr('fill', entry.colour).attr('stroke', entry.edge || null);
+      } else if (entry.dot) {
+        frame.over.append('circle').attr('cx', right - wide - 14).attr('cy', 15).attr('r', 4).attr('fill', entry.colour);
       } else {
         frame.over.append('line').attr('x1', right - wide - 34).attr('x2', right - wide - 8).attr('y1', 15).attr('y2', 15)
           .attr('stroke', entry.colour).attr('stroke-width', 2.2).attr('stroke-dasharray', entry.dash || null);

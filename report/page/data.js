@@ -37,5 +37,5 @@ var Report = {};
     return Number(text) === 0 ? (0).toFixed(digits) : text;
   };
 
-  Report.colours = { pipe: '#0b5394', accent: '#b3261e', second: '#c77700', third: '#009e73', port: '#d55e00', steel: '#7b8794', soft: '#5b6b7a' };
+  Report.colours = { pipe: '#0b5394', accent: '#b3261e', second: '#c77700', third: '#009e73', dynamic: '#6a3d9a', band: '#d9cce6', history: '#9c7fc4', port: '#d55e00', steel: '#7b8794', soft: '#5b6b7a' };
 })();

@@ -70,11 +70,17 @@
     geometry: (panel, part) => (part === 'plan' ? Report.plan(panel) : Report.elevation(panel, part)),
     reactions: Report.reaction_bars,
     separations: Report.separation_bars,
+    history: Report.history,
+    spectra: Report.spectra,
+    shares: Report.share_bars,
+    ranges: Report.reaction_ranges,
+    impacts: Report.impact_scatter,
   };
 
   for (const panel of document.querySelectorAll('.panel')) {
     const { figure, part } = panel.dataset;
     if (figures[figure]) figures[figure](panel, part);
+    else if (figure.startsWith('envelope_')) Report.envelope(panel, figure, part);
     else Report.diagram(panel, figure, part);
   }
 

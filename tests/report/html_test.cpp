@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace overbend::html {
 
 TEST(html, escaped_text_holds_no_markup) {
@@ -17,6 +19,17 @@ TEST(html, a_number_that_rounds_to_zero_has_no_sign) {
   EXPECT_EQ(fixed(-0.006, 2), "-0.01");
   EXPECT_EQ(fixed(-0.0, 0), "0");
   EXPECT_EQ(fixed(1234.5678, 1), "1234.6");
+}
+
+TEST(html, what_is_not_finite_is_a_dash) {
+  EXPECT_EQ(fixed(std::numeric_limits<double>::infinity(), 2), "-");
+  EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 2), "-");
+}
+
+TEST(html, a_tile_escapes_its_words_and_sets_long_values_smaller) {
+  EXPECT_NE(tile("<b>", "1", "kN", "&").find("<div class=\"name\">&lt;b&gt;</div><div class=\"value\">1 "),
+            std::string::npos);
+  EXPECT_NE(tile("a", "222.1 to 280.6", "kN", "").find("class=\"value long\""), std::string::npos);
 }
 
 TEST(html, cells_of_a_table_are_escaped_and_words_set_flush_left) {

@@ -2,6 +2,9 @@
 """Solves an example, opens its report in headless Chromium and looks whether every figure was drawn.
 
     render_report.py PROGRAM MODEL.yaml
+    render_report.py --made-by PROGRAM [WORD ...]
+
+The second form calls PROGRAM FILE.html WORD ... to write the page.
 
 Fails on any error of the page's scripts, on an empty panel, on a figure without axis labels and on marks of missing
 numbers (NaN, undefined) in what was drawn.
@@ -34,7 +37,7 @@ def faults_of(document):
         yield "the scripts did not run to their end"
     body = document[document.index("<body>"):]
     drawn = re.sub(r"<script.*?</script>", "", body, flags=re.S)
-    panels = re.findall(r'<div class="panel" data-figure="(\w+)" data-part="(\w+)">(.*?)</div>', drawn, flags=re.S)
+    panels = re.findall(r'<div class="panel(?: multiples)?" data-figure="(\w+)" data-part="(\w+)">(.*?)</div>', drawn, flags=re.S)
     if not panels:
         yield "there are no panels"
     for figure, part, content in panels:
@@ -46,13 +49,22 @@ def faults_of(document):
             yield f"'{word}' in: ...{drawn[max(0, found.start() - 80):found.end() + 20]!r}"
 
 
+def written_page(words, folder):
+    """The page that the words of the command line ask for."""
+    if words[0] == "--made-by":
+        page = pathlib.Path(folder, "report.html")
+        subprocess.run([words[1], str(page), *words[2:]], check=True)
+        return page
+    program, model = words
+    subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
+    return pathlib.Path(folder, "out", "report.html")
+
+
 def main():
-    program, model = sys.argv[1:]
     if not shutil.which("chromium"):
         sys.exit("chromium is not installed")
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
-        page = pathlib.Path(folder, "out", "report.html")
+        page = written_page(sys.argv[1:], folder)
         document, complaints = rendered(page, folder + "/profile")
         faults = complaints + list(faults_of(document))
     for fault in faults[:20]:

@@ -9,6 +9,7 @@
 
 #include "report/bgl1_results.h"
 #include "report/html.h"
+#include "report/page_text.h"
 #include "report/places.h"
 #include "report/report_data.h"
 
@@ -16,20 +17,8 @@ namespace overbend {
 namespace {
 
 using testing::bgl1;
-
-std::size_t count(const std::string& text, const std::string& part) {
-  std::size_t found = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
-    ++found;
-  }
-  return found;
-}
-
-/// The part before the scripts and after the style: what a reader without scripts sees.
-std::string visible(const std::string& page) {
-  const std::size_t body = page.find("<body>");
-  return page.substr(body, page.find("<script", body) - body);
-}
+using testing::count;
+using testing::visible;
 
 TEST(report, stands_alone_without_any_outside_address) {
   const std::string page = report_html(bgl1().results, bgl1().model_text);

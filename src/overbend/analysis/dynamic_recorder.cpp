@@ -2,36 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
-#include <stdexcept>
 
-#include "analysis/lay_shape.h"
+#include "analysis/dynamic_recorder_layout.h"
 #include "mechanics/contact_damage.h"
 
 namespace overbend {
 namespace {
-
-constexpr std::size_t kNodeQuantities = 8;
-constexpr std::size_t kBoxQuantities = 6;     ///< Reaction, vertical, longitudinal, lateral, separation, carries.
-constexpr std::size_t kRollerQuantities = 3;  ///< Reaction, separation, carries.
-constexpr std::size_t kKeyQuantities = 13;
-constexpr std::size_t kRegionQuantities = 4;
-constexpr std::size_t kHardest = 200;
-constexpr std::size_t kImpactNumbers = 8;
-
-Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
-  return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
-}
-
-Envelope envelope_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
-                     std::size_t count) {
-  const auto part = [&](std::span<const double> all) {
-    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
-                               all.begin() + static_cast<std::ptrdiff_t>(first + count));
-  };
-  return {part(statistics.min()), part(statistics.max()), part(statistics.mean()), part(deviation)};
-}
 
 Vec3 node_place(const DynamicState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
@@ -52,15 +29,6 @@ int last_stinger_roller(const Supports& supports) {
     }
   }
   return -1;
-}
-
-const DynamicCheckpoint::Array& array_of(const DynamicCheckpoint& checkpoint, const std::string& name) {
-  const auto found = std::find_if(checkpoint.arrays.begin(), checkpoint.arrays.end(),
-                                  [&](const DynamicCheckpoint::Array& a) { return a.name == name; });
-  if (found == checkpoint.arrays.end()) {
-    throw std::runtime_error("the checkpoint has no " + name);
-  }
-  return *found;
 }
 
 }  // namespace
@@ -87,7 +55,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
   largest_reaction_.assign(boxes_, 0.0);
   least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
   largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
-  hardest_.reserve(kHardest + 1);
+  hardest_.reserve(kHardestImpacts + 1);
 }
 
 std::vector<HistoryColumn> DynamicRecorder::columns() const {
@@ -299,10 +267,14 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
     put(largest_reaction_[box]);
     put(least_separation_[box]);
   }
+  forget_interval();
+  return row_;
+}
+
+void DynamicRecorder::forget_interval() {
   std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
   std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
   std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
-  return row_;
 }
 
 std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
@@ -341,194 +313,8 @@ void DynamicRecorder::count(Impact& impact) {
   impact_count_ += 1.0;
   const auto harder = [](const Impact& a, const Impact& b) { return a.peak_force > b.peak_force; };
   hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), impact, harder), impact);
-  if (hardest_.size() > kHardest) {
+  if (hardest_.size() > kHardestImpacts) {
     hardest_.pop_back();
-  }
-}
-
-void DynamicRecorder::fill_supports(DynamicResults& results) const {
-  const Section& pipe = model_->sections.front();
-  const std::vector<double> deviation = support_statistics_.standard_deviation();
-  std::size_t roller = 0;
-  for (std::size_t box = 0; box < boxes_; ++box) {
-    const SupportBox& support = model_->supports.boxes[box];
-    const std::size_t at = kBoxQuantities * box;
-    const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
-    SupportDynamics out;
-    out.name = support.name;
-    out.stinger = support.structure == Structure::stinger;
-    out.reaction = spread(at);
-    out.vertical = spread(at + 1);
-    out.longitudinal = spread(at + 2);
-    out.lateral = spread(at + 3);
-    out.separation = spread(at + 4);
-    out.contact_share = spread(at + 5).mean;
-    out.static_reaction = static_supports_[at];
-    out.static_separation = static_supports_[at + 4];
-    for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
-      const Roller& placed = model_->supports.rollers[roller];
-      const std::size_t i = kBoxQuantities * boxes_ + kRollerQuantities * roller;
-      RollerDynamics r;
-      r.roller = static_cast<int>(roller);
-      r.box = placed.box;
-      r.row = placed.row - support.first_row;
-      r.position = placed.position;
-      r.reaction = spread(i);
-      r.separation = spread(i + 1);
-      r.contact_share = spread(i + 2).mean;
-      r.static_reaction = static_supports_[i];
-      r.static_separation = static_supports_[i + 1];
-      r.impact_count = static_cast<std::int64_t>(impacts_[roller].count);
-      r.largest_approach_velocity = impacts_[roller].velocity;
-      r.largest_impact_force = impacts_[roller].force;
-      r.largest_impulse = impacts_[roller].impulse;
-      r.dent_depth = dent_depth(r.reaction.max, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
-      r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
-      out.impact_count += r.impact_count;
-      out.rollers.push_back(r);
-    }
-    results.supports.push_back(out);
-  }
-}
-
-void DynamicRecorder::fill_regions(DynamicResults& results) const {
-  const std::vector<double> deviation = key_statistics_.standard_deviation();
-  const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
-    DynamicExtreme out;
-    out.over_time = spread_of(key_statistics_, deviation, i);
-    out.s = peak.s;
-    out.time = peak.time;
-    const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
-    const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
-    out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
-    return out;
-  };
-  const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
-    return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
-                         extreme(peaks[3], first + 3)};
-  };
-  results.overbend = region(key_.overbend, 5);
-  results.sagbend = region(key_.sagbend, 9);
-  Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
-                              &results.departure_angle, &results.stinger_tip_clearance};
-  for (std::size_t i = 0; i < 5; ++i) {
-    *spreads[i] = spread_of(key_statistics_, deviation, i);
-  }
-}
-
-void DynamicRecorder::fill_warnings(DynamicResults& results) const {
-  for (std::size_t box = 0; box < boxes_; ++box) {
-    if (left_[box].time < kNever) {
-      char text[200];
-      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over its side to %s", left_[box].time,
-                    model_->supports.boxes[box].name.c_str(), left_[box].side > 0.0 ? "port" : "starboard");
-      results.warnings.emplace_back(text);
-    }
-  }
-  const double yield = model_->sections.front().yield_stress;
-  const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
-  if (yield > 0.0 && worst > yield) {
-    results.warnings.emplace_back(
-        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
-        "beyond "
-        "it are those of a pipe that does not yield");
-  }
-  if (results.top_tension.min < 0.0) {
-    results.warnings.emplace_back("the tension at the tensioner falls below zero");
-  }
-}
-
-void DynamicRecorder::fill(DynamicResults& results) const {
-  const std::size_t n = nodes_.x.size();
-  const std::vector<double> deviation = node_statistics_.standard_deviation();
-  Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
-                                                &results.bending_moment,
-                                                &results.bending_stress,
-                                                &results.von_mises,
-                                                &results.strain,
-                                                &results.x,
-                                                &results.y,
-                                                &results.z};
-  for (std::size_t i = 0; i < kNodeQuantities; ++i) {
-    *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
-  }
-  results.station_s = line_->mesh.s;
-  results.static_tension = static_nodes_.effective_tension;
-  results.static_moment = static_nodes_.bending_moment;
-  results.static_bending_stress = static_nodes_.bending_stress;
-  results.static_von_mises = static_nodes_.von_mises;
-  results.static_strain = static_nodes_.strain;
-  for (std::size_t i = 0; i < n; ++i) {
-    results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
-  }
-  fill_regions(results);
-  fill_supports(results);
-  results.hardest_impacts = hardest_;
-  results.impact_count = static_cast<std::int64_t>(impact_count_);
-  results.tensioner.mode = "locked";
-  results.tensioner.tension = results.top_tension;
-  fill_warnings(results);
-}
-
-void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
-  const auto put = [&](const char* name, std::vector<double> values) {
-    checkpoint.arrays.push_back({name, std::move(values)});
-  };
-  put("record/nodes", node_statistics_.save());
-  put("record/supports", support_statistics_.save());
-  put("record/key", key_statistics_.save());
-  std::vector<double> peaks, impacts{impact_count_}, hardest;
-  for (const auto* region : {&key_.overbend, &key_.sagbend}) {
-    for (const RegionPeak& peak : *region) {
-      peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time});
-    }
-  }
-  for (const RollerImpacts& i : impacts_) {
-    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
-  }
-  for (const Impact& i : hardest_) {
-    hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
-                                   i.impulse, i.dent_depth, i.line_load});
-  }
-  std::vector<double> left;
-  for (const BoxLeft& box : left_) {
-    left.insert(left.end(), {box.time, box.side});
-  }
-  put("record/left", std::move(left));
-  put("record/peaks", std::move(peaks));
-  put("record/impacts", std::move(impacts));
-  put("record/hardest", std::move(hardest));
-}
-
-void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
-  const auto get = [&](const char* name) -> const std::vector<double>& { return array_of(checkpoint, name).values; };
-  node_statistics_.restore(get("record/nodes"));
-  support_statistics_.restore(get("record/supports"));
-  key_statistics_.restore(get("record/key"));
-  std::size_t i = 0;
-  const std::vector<double>& peaks = get("record/peaks");
-  for (auto* region : {&key_.overbend, &key_.sagbend}) {
-    for (RegionPeak& peak : *region) {
-      peak.largest = peaks.at(i++);
-      peak.s = peaks.at(i++);
-      peak.time = peaks.at(i++);
-    }
-  }
-  const std::vector<double>& impacts = get("record/impacts");
-  impact_count_ = impacts.at(0);
-  for (std::size_t r = 0; r < impacts_.size(); ++r) {
-    const double* v = &impacts.at(4 * r + 1);
-    impacts_[r] = {v[0], v[1], v[2], v[3]};
-  }
-  const std::vector<double>& left = get("record/left");
-  for (std::size_t box = 0; box < boxes_; ++box) {
-    left_[box] = {left.at(2 * box), left.at(2 * box + 1)};
-  }
-  const std::vector<double>& hardest = get("record/hardest");
-  hardest_.clear();
-  for (std::size_t k = 0; k + kImpactNumbers <= hardest.size(); k += kImpactNumbers) {
-    hardest_.push_back({static_cast<int>(hardest[k]), hardest[k + 1], hardest[k + 2], hardest[k + 3], hardest[k + 4],
-                        hardest[k + 5], hardest[k + 6], hardest[k + 7]});
   }
 }
 

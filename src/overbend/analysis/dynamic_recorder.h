@@ -59,6 +59,7 @@ class DynamicRecorder {
 
  private:
   void recover(const RecordedInstant& at);
+  void forget_interval();
   void find_key_values(const RecordedInstant& at);
   void find_region_peaks(int last_contact_node, int touchdown_node, double time);
   void find_support_values(const RecordedInstant& at);

@@ -443,7 +443,11 @@ DynamicOptions dynamic_options(const Model& model) {
   options.output_step = settings.output_step;
   options.fixed_step = settings.step;
   options.max_step = settings.max_step.value_or(options.max_step);
+  options.error_tolerance = settings.step_error;
   options.step.spectral_radius = settings.spectral_radius;
+  options.step.tolerance = settings.tolerance;
+  options.impacts.steps = settings.impact_steps;
+  options.impacts.least_force = settings.impact_force;
   return options;
 }
 

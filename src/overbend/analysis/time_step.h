@@ -6,7 +6,7 @@
 namespace overbend {
 
 struct StepSettings {
-  double spectral_radius = 0.8;
+  double spectral_radius = 0.6;
   double tolerance = 1e-6;  ///< Largest unbalanced nodal force over the force scale.
   int max_iterations = 12;
 };

@@ -101,7 +101,7 @@ void write_results(const StaticResults& statics, const DynamicResults& results, 
                    const Description& description, const fs::path& folder) {
   StagedFolder staged(folder);
   write_dynamic_files(statics, results, store, description, staged.path());
-  write_report(statics, description.source_text, staged.path() / "report.html");
+  write_report(statics, results, description.source_text, staged.path() / "report.html");
   staged.commit("summary.json");
 }
 

@@ -142,7 +142,7 @@ std::vector<Field> analysis() {
       {.path = d + ".spectral_radius",
        .kind = FieldKind::number,
        .text = "At infinite frequency: 1 keeps all, 0 kills all high-frequency motion.",
-       .fallback = "0.8",
+       .fallback = "0.6",
        .range = {.low = 0.0, .high = 1.0}},
       time(".output_step", "Time between stored results.", "0.5 s", false),
       {.path = d + ".impact_steps",

@@ -241,7 +241,7 @@ struct DynamicSettings {
   double build_up = 60.0;          ///< [s]
   std::optional<double> step;      ///< Fixed step [s].
   std::optional<double> max_step;  ///< [s]
-  double spectral_radius = 0.8;
+  double spectral_radius = 0.6;
   double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
   double impact_steps = 8.0;  ///< Steps in the undamped contact time of an impact.

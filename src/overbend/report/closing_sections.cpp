@@ -59,9 +59,8 @@ std::string balance_section(const StaticResults& results) {
 }
 
 std::string model_text_section(const std::string& model_text) {
-  return "<section id=\"model\">\n<h2>Model file</h2>\n<details class=\"print-open\"><summary>The input as it was "
-         "given</summary>\n<pre>" +
-         html::escape(model_text) + "</pre></details>\n</section>\n";
+  return html::section("model", "Model file",
+                       html::folded("The input as it was given", "<pre>" + html::escape(model_text) + "</pre>"));
 }
 
 }  // namespace overbend

@@ -47,6 +47,9 @@ std::string escape_json(std::string_view json) {
 }
 
 std::string fixed(double value, int digits) {
+  if (!std::isfinite(value)) {
+    return "-";
+  }
   const bool rounds_to_zero = std::abs(value) < 0.5 * std::pow(10.0, -digits);
   return fmt::format("{:.{}f}", rounds_to_zero ? 0.0 : value, digits);
 }
@@ -61,6 +64,29 @@ std::string list(const std::vector<std::string>& items) {
     out += "<li>" + escape(item) + "</li>\n";
   }
   return out + "</ul>\n";
+}
+
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
+                 bool over) {
+  constexpr std::size_t kLong = 9;  // letters in large print that find room in a tile
+  return fmt::format(
+      "<div class=\"{}\"><div class=\"name\">{}</div><div class=\"{}\">{} <span>{}</span></div>"
+      "<div class=\"note\">{}</div></div>\n",
+      over ? "tile over" : "tile", escape(name), value.size() > kLong ? "value long" : "value", escape(value),
+      escape(unit), escape(note));
+}
+
+std::string entries(const std::vector<std::pair<std::string, std::string>>& all) {
+  std::string out = "<dl>";
+  for (const auto& [name, value] : all) {
+    out += "<div><dt>" + escape(name) + "</dt><dd>" + escape(value) + "</dd></div>";
+  }
+  return out + "</dl>\n";
+}
+
+std::string folded(const std::string& summary, const std::string& body, bool printed) {
+  return fmt::format("<details class=\"{}\"><summary>{}</summary>\n{}</details>\n",
+                     printed ? "print-open" : "print-not", escape(summary), body);
 }
 
 Table::Table(std::string caption, std::vector<Head> head, std::string css_class)

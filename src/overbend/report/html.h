@@ -13,7 +13,7 @@ std::string escape(std::string_view text);
 /// JSON made harmless inside a script element: no "<" is left, so no "</script>" either.
 std::string escape_json(std::string_view json);
 
-/// A number with `digits` decimals, never "-0.00".
+/// A number with `digits` decimals, never "-0.00"; "-" for what is not finite.
 std::string fixed(double value, int digits);
 
 /// A section of the page with a heading; `id` is its anchor. `body` is HTML.
@@ -21,6 +21,17 @@ std::string section(const std::string& id, const std::string& heading, const std
 
 /// A list of sentences, escaped.
 std::string list(const std::vector<std::string>& items);
+
+/// A key figure in large print with a note below it; `over` marks what is beyond a limit. All plain text.
+std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
+                 bool over = false);
+
+/// Names with values, as the page's head shows them. Plain text.
+std::string entries(const std::vector<std::pair<std::string, std::string>>& all);
+
+/// What is folded behind a line of summary (plain text) on screen. Printed only where `printed` is true. `body` is
+/// HTML.
+std::string folded(const std::string& summary, const std::string& body, bool printed = true);
 
 struct Head {
   std::string name;   ///< Plain text.

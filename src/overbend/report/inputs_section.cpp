@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "report/html.h"
+#include "report/sea_words.h"
 #include "report/sections.h"
 
 namespace overbend {
@@ -123,6 +124,43 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
   return list.str();
 }
 
+/// Numbers of the sea; its kind stands in the report's head.
+void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
+  if (waves.type == WaveType::none) {
+    list.add("Waves", "none");
+    return;
+  }
+  if (waves.type == WaveType::airy || waves.type == WaveType::stokes5) {
+    list.add("Wave height", waves.height, "m").add("Wave period", waves.period, "s");
+  } else {
+    if (waves.type != WaveType::user) {
+      list.add("Significant wave height", waves.hs, "m").add("Peak period", waves.tp, "s");
+    }
+    list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
+  }
+  list.add("Waves come from", waves.from * kDegrees, "deg");
+}
+
+std::string dynamics_table(const Description& model, const DynamicResults& results) {
+  const HydrodynamicsDescription& water = model.pipe.section.hydrodynamics;
+  Listing list("Sea, motion and time");
+  add_waves(list, model.environment.waves, results.seed);
+  list.add("Vessel motion", motion_words(model.vessel))
+      .add("Build-up, duration", general(results.build_up) + ", " + general(results.duration), "s")
+      .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
+  if (model.dynamics) {
+    list.add("Spectral radius", model.dynamics->spectral_radius, "");
+    if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
+    if (model.dynamics->max_step) list.add("Largest step allowed", *model.dynamics->max_step, "s");
+  }
+  const TensionerDescription& tensioner = model.tensioner;
+  if (tensioner.range_low && tensioner.range_high) {
+    list.add("Operational range of tension",
+             general(1e-3 * *tensioner.range_low) + " to " + general(1e-3 * *tensioner.range_high), "kN");
+  }
+  return list.str();
+}
+
 std::string derived_table(const StaticResults& results) {
   html::Table table("Derived section properties",
                     {{"Section", "", true},
@@ -145,7 +183,8 @@ std::string derived_table(const StaticResults& results) {
 
 }  // namespace
 
-std::string inputs_section(const StaticResults& results, const std::optional<Description>& description) {
+std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
+                           const DynamicResults* dynamic) {
   std::string body;
   if (description) {
     body += "<div class=\"columns\">\n" + pipe_table(description->pipe.section, "the line");
@@ -153,15 +192,15 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
       body += pipe_table(segment.section, segment.name + ", " + general(segment.length) + " m");
     }
     body += vessel_table(*description) + environment_table(description->environment) +
-            roller_kinds_table(description->rollers) + "</div>\n";
+            roller_kinds_table(description->rollers) +
+            (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n";
   }
   body += derived_table(results);
   return html::section("inputs", "Inputs", body);
 }
 
-std::string assumptions_section(const StaticResults& results) {
-  return results.assumptions.empty() ? ""
-                                     : html::section("assumptions", "Assumptions", html::list(results.assumptions));
+std::string assumptions_section(const std::vector<std::string>& assumptions) {
+  return assumptions.empty() ? "" : html::section("assumptions", "Assumptions", html::list(assumptions));
 }
 
 }  // namespace overbend

@@ -11,21 +11,12 @@ namespace overbend {
 namespace {
 
 using html::fixed;
+using html::tile;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::string tile(const std::string& name, const std::string& value, const std::string& unit, const std::string& note,
-                 const char* css_class = "tile") {
-  return fmt::format(
-      "<div class=\"{}\"><div class=\"name\">{}</div><div class=\"value\">{} <span>{}</span></div>"
-      "<div class=\"note\">{}</div></div>\n",
-      css_class, html::escape(name), html::escape(value), html::escape(unit), html::escape(note));
-}
-
-/// Share of the yield stress where the extreme stands [%].
 double utilisation(const StaticResults& results, const Extreme& extreme) {
-  const double yield = station_at(results, extreme.s).yield_stress;
-  return yield > 0.0 ? 100.0 * extreme.value / yield : 0.0;
+  return yield_percent(results, extreme.s, extreme.value);
 }
 
 std::string stress_note(const StaticResults& results, const Extreme& extreme) {
@@ -36,24 +27,7 @@ std::string stress_note(const StaticResults& results, const Extreme& extreme) {
 
 std::string stress_tile(const StaticResults& results, const std::string& name, const Extreme& extreme) {
   return tile(name, fixed(extreme.value / 1e6, 1), "MPa", stress_note(results, extreme),
-              utilisation(results, extreme) > 100.0 ? "tile over" : "tile");
-}
-
-/// The warnings of the run, and what its numbers call for in words.
-std::vector<std::string> remarks(const StaticResults& results) {
-  std::vector<std::string> all = results.warnings;
-  const auto judge = [&](const char* name, const RegionResult& region) {
-    if (utilisation(results, region.von_mises) > 100.0) {
-      all.push_back(
-          fmt::format("{} von Mises stress: {}. The steel is taken as linear elastic, so what lies beyond yield only "
-                      "indicates that "
-                      "the lay is not feasible as given",
-                      name, stress_note(results, region.von_mises)));
-    }
-  };
-  if (results.overbend) judge("overbend", *results.overbend);
-  judge("sagbend", results.sagbend);
-  return all;
+              utilisation(results, extreme) > 100.0);
 }
 
 std::string tiles(const StaticResults& r) {
@@ -148,32 +122,43 @@ std::string region_table(const StaticResults& results, const std::string& captio
   return table.str();
 }
 
-/// The page exists only for an equilibrium that was found; warnings stand further down and must not be missed.
-std::string status(const StaticResults& results) {
-  const std::size_t count = remarks(results).size();
-  return count == 0 ? "converged" : fmt::format("converged, {} warning{}", count, count == 1 ? "" : "s");
-}
-
 }  // namespace
 
-std::string title_block(const StaticResults& results, const std::string& written) {
-  const auto entry = [](const std::string& name, const std::string& value) {
-    return "<div><dt>" + name + "</dt><dd>" + html::escape(value) + "</dd></div>";
+std::vector<std::string> static_remarks(const StaticResults& results) {
+  std::vector<std::string> all = results.warnings;
+  const auto judge = [&](const char* name, const RegionResult& region) {
+    if (utilisation(results, region.von_mises) > 100.0) {
+      all.push_back(
+          fmt::format("{} von Mises stress: {}. The steel is taken as linear elastic, so what lies beyond yield only "
+                      "indicates that "
+                      "the lay is not feasible as given",
+                      name, stress_note(results, region.von_mises)));
+    }
   };
-  std::string out = "<header>\n<div class=\"kind\">Static pipelay analysis</div>\n";
-  out += "<h1>" + html::escape(results.title) + "</h1>\n<dl>";
-  out += entry("Vessel", results.vessel_name);
-  out += entry("Pipe", fmt::format("{} mm steel, {} mm over the coating", fixed(1e3 * results.steel_outer_diameter, 1),
-                                   fixed(1e3 * results.pipe_outer_diameter, 1)));
-  out += entry("Water depth", fixed(results.water_depth, 2) + " m");
-  out += entry("Method", results.supports.empty() ? "J-lay" : "S-lay");
-  out += entry("Status", status(results));
-  out += entry("Program", "Overbend " + results.version);
-  out += entry("Written", written);
-  return out + "</dl>\n</header>\n";
+  if (results.overbend) judge("overbend", *results.overbend);
+  judge("sagbend", results.sagbend);
+  return all;
 }
 
-std::string key_results(const StaticResults& results) {
+std::string title_block(const std::string& kind, const std::string& title,
+                        const std::vector<std::pair<std::string, std::string>>& entries) {
+  return "<header>\n<div class=\"kind\">" + html::escape(kind) + "</div>\n<h1>" + html::escape(title) + "</h1>\n" +
+         html::entries(entries) + "</header>\n";
+}
+
+std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results) {
+  return {{"Vessel", results.vessel_name},
+          {"Pipe", fmt::format("{} mm steel, {} mm over the coating", fixed(1e3 * results.steel_outer_diameter, 1),
+                               fixed(1e3 * results.pipe_outer_diameter, 1))},
+          {"Water depth", fixed(results.water_depth, 2) + " m"},
+          {"Method", results.supports.empty() ? "J-lay" : "S-lay"}};
+}
+
+std::string status_words(const std::string& state, std::size_t warnings) {
+  return warnings == 0 ? state : fmt::format("{}, {} warning{}", state, warnings, warnings == 1 ? "" : "s");
+}
+
+std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading) {
   std::string body = tiles(results) + "<div class=\"results\">\n<div>\n";
   if (results.overbend) {
     body += region_table(results, "Overbend: tensioner to the inflection below the last support in contact",
@@ -186,11 +171,10 @@ std::string key_results(const StaticResults& results) {
   body +=
       "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
       "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
-  return html::section("results", "Key results", body);
+  return html::section(id, heading, body);
 }
 
-std::string warnings_section(const StaticResults& results) {
-  const std::vector<std::string> all = remarks(results);
+std::string warnings_section(const std::vector<std::string>& all) {
   if (all.empty()) {
     return "";
   }

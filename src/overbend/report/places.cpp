@@ -50,6 +50,11 @@ double from_tensioner(const StaticResults& results, double s) {
   return results.stations.back().s - s;
 }
 
+double yield_percent(const StaticResults& results, double s, double stress) {
+  const double yield = station_at(results, s).yield_stress;
+  return yield > 0.0 ? 100.0 * stress / yield : 0.0;
+}
+
 std::string place_name(const StaticResults& results, double s) {
   constexpr double kSlack = 0.5;  // an extreme just off the end of a box is still that box's [m]
   for (const SupportResult& box : results.supports) {

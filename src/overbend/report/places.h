@@ -15,6 +15,9 @@ Station station_at(const StaticResults& results, double s);
 /// Distance along the pipe from the tensioner [m].
 double from_tensioner(const StaticResults& results, double s);
 
+/// A stress at arc length s from the anchor in percent of the yield stress there; 0 where no yield stress is known.
+double yield_percent(const StaticResults& results, double s, double stress);
+
 /// Name of the box whose length holds a place, or "between A and B", "tensioner" side and the like; "sagbend", "seabed"
 /// behind.
 std::string place_name(const StaticResults& results, double s);

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 
 #include "io/yaml_reader.h"
 #include "report/assets.h"
+#include "report/dynamic_sections.h"
 #include "report/figures.h"
 #include "report/html.h"
 #include "report/report_data.h"
@@ -22,47 +24,56 @@ std::string script(std::string_view text) {
   return "<script>\n" + std::string(text) + "\n</script>\n";
 }
 
-std::string head(const StaticResults& results) {
+std::string head(const std::string& title) {
   return "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         html::escape(results.title) + " - static analysis</title>\n<style>\n" + std::string(report_asset("style")) +
-         "</style>\n</head>\n";
+         html::escape(title) + "</title>\n<style>\n" + std::string(report_asset("style")) + "</style>\n</head>\n";
 }
 
-std::string scripts(const StaticResults& results) {
-  std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(report_data(results)) +
-                    "</script>\n";
-  for (const char* name : {"d3", "data", "chart", "diagrams", "bars", "side_view", "painter", "scene", "main"}) {
+std::string scripts(const std::string& data) {
+  std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(data) + "</script>\n";
+  for (const char* name : {"d3", "data", "chart", "along", "diagrams", "envelopes", "histories", "bars", "contacts",
+                           "side_view", "painter", "scene", "main"}) {
     out += script(report_asset(name));
   }
   return out;
 }
 
-std::string now() {
-  return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(title) + "<body>\n<main>\n" + body + "</main>\n" +
+         scripts(data) + "</body>\n</html>\n";
 }
 
-}  // namespace
+/// The inputs are told as the program understands them; what it can not read any more is still printed at the end.
+std::optional<Description> description_of(const std::string& model_text) {
+  return read_model_text(model_text, "model.yaml").description;
+}
 
-std::string report_html(const StaticResults& results, const std::string& model_text) {
-  if (results.stations.empty()) {
+void require_stations(bool any) {
+  if (!any) {
     throw std::logic_error("a report needs results with stations");
   }
-  // The inputs are told as the program understands them; what it can not read any more is still printed at the end.
-  const std::optional<Description> description = read_model_text(model_text, "model.yaml").description;
-  const std::string tables = "<div class=\"wide\">\n" +
-                             html::section("summary", "Static summary", static_summary_table(results)) + "</div>\n" +
-                             (results.supports.empty() ? ""
-                                                       : html::section("supports", "Supports",
-                                                                       support_table(results) + roller_table(results)));
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(results) + "<body>\n<main>\n" + title_block(results, now()) +
-         key_results(results) + warnings_section(results) + figures_section(results) + tables +
-         inputs_section(results, description) + assumptions_section(results) + balance_section(results) +
-         model_text_section(model_text) + "</main>\n" + scripts(results) + "</body>\n</html>\n";
 }
 
-void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file) {
-  const std::string page = report_html(results, model_text);
+std::string static_tables(const StaticResults& results) {
+  return "<div class=\"wide\">\n" + html::section("summary", "Static summary", static_summary_table(results)) +
+         "</div>\n" +
+         (results.supports.empty()
+              ? ""
+              : html::section("supports", "Supports", support_table(results) + roller_table(results)));
+}
+
+/// Each once, in the order in which they come.
+std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more) {
+  for (const std::string& text : more) {
+    if (std::find(all.begin(), all.end(), text) == all.end()) {
+      all.push_back(text);
+    }
+  }
+  return all;
+}
+
+void write_page(const std::string& page, const std::filesystem::path& file) {
   const std::filesystem::path beside = file.parent_path() / ("." + file.filename().string() + ".part");
   std::ofstream out(beside, std::ios::binary | std::ios::trunc);
   out << page;
@@ -77,6 +88,56 @@ void write_report(const StaticResults& results, const std::string& model_text, c
     throw std::runtime_error(file.string() + ": the report can not be written" +
                              (error ? ": " + error.message() : std::string()));
   }
+}
+
+std::string now() {
+  return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
+}
+
+}  // namespace
+
+std::string report_html(const StaticResults& results, const std::string& model_text) {
+  require_stations(!results.stations.empty());
+  const std::optional<Description> description = description_of(model_text);
+  const std::vector<std::string> remarks = static_remarks(results);
+  std::vector<std::pair<std::string, std::string>> entries = subject_entries(results);
+  entries.emplace_back("Status", status_words("converged", remarks.size()));
+  entries.emplace_back("Program", "Overbend " + results.version);
+  entries.emplace_back("Written", now());
+  int figure = 0;
+  const std::string body = title_block("Static pipelay analysis", results.title, entries) +
+                           key_results(results, "results", "Key results") + warnings_section(remarks) +
+                           figures_section(results, "figures", "Figures", figure) + static_tables(results) +
+                           inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
+                           balance_section(results) + model_text_section(model_text);
+  return whole_page(results.title + " - static analysis", body, report_data(results));
+}
+
+std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
+  require_stations(!statics.stations.empty() && !results.station_s.empty());
+  const std::optional<Description> description = description_of(model_text);
+  int figure = 0;
+  const std::string dynamic =
+      dynamic_title_block(statics, results, description, now()) + dynamic_key_results(statics, results) +
+      warnings_section(dynamic_remarks(statics, results)) + dynamic_figures_section(statics, results, figure) +
+      dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
+      impacts_section(statics, results) + tensioner_section(statics, results) + dynamic_run_section(results);
+  const std::string before = key_results(statics, "static-results", "The static state from which the run starts") +
+                             figures_section(statics, "figures", "Figures of the static state", figure) +
+                             static_tables(statics);
+  const std::string closing = inputs_section(statics, description, &results) +
+                              assumptions_section(together(statics.assumptions, results.assumptions)) +
+                              balance_section(statics) + model_text_section(model_text);
+  return whole_page(statics.title + " - dynamic analysis", dynamic + before + closing, report_data(statics, &results));
+}
+
+void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file) {
+  write_page(report_html(results, model_text), file);
+}
+
+void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,
+                  const std::filesystem::path& file) {
+  write_page(report_html(statics, results, model_text), file);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The HTML report of a static analysis: one file that opens offline in any browser and prints on A4.
+/// The HTML report of a static or dynamic analysis: one file that opens offline in any browser and prints on A4.
 ///
 ///     results ---> tables (HTML, made here) + figures' data (one JSON block) + page (style, scripts, d3; embedded)
 ///
@@ -8,14 +8,19 @@
 #include <filesystem>
 #include <string>
 
-#include "results/static_results.h"
+#include "results/dynamic_results.h"
 
 namespace overbend {
 
 /// The whole page. `model_text` is the model file as the user wrote it; it is printed, and its inputs are listed.
 std::string report_html(const StaticResults& results, const std::string& model_text);
 
+/// The page of a dynamic run: its own results first, then the static state that it starts from.
+std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text);
+
 /// Writes the page to `file`, beside it first and then renamed. Throws std::runtime_error where that fails.
 void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file);
+void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,
+                  const std::filesystem::path& file);
 
 }  // namespace overbend

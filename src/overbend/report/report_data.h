@@ -3,12 +3,13 @@
 
 #include <string>
 
-#include "results/static_results.h"
+#include "results/dynamic_results.h"
 
 namespace overbend {
 
 /// JSON: stations as columns, boxes with rows and rollers, vessel, places and extremes; SI, points as (astern of the
-/// stern shoe, to port, above the water). Long lines are thinned where they are straight, never at an extreme.
-std::string report_data(const StaticResults& results);
+/// stern shoe, to port, above the water). Long lines are thinned where they are straight, never at an extreme. With
+/// dynamic results these are under "dynamic".
+std::string report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr);
 
 }  // namespace overbend

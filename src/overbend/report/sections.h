@@ -3,18 +3,30 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "model/description.h"
-#include "results/static_results.h"
+#include "results/dynamic_results.h"
 
 namespace overbend {
 
-std::string title_block(const StaticResults& results, const std::string& written);
-std::string key_results(const StaticResults& results);
-std::string warnings_section(const StaticResults& results);
+/// All plain text.
+std::string title_block(const std::string& kind, const std::string& title,
+                        const std::vector<std::pair<std::string, std::string>>& entries);
+/// What is laid, from what, where: for the title block.
+std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
+/// "converged", or "converged, 2 warnings": they stand further down and must not be missed.
+std::string status_words(const std::string& state, std::size_t warnings);
+/// The warnings of the run, and what its numbers call for in words.
+std::vector<std::string> static_remarks(const StaticResults& results);
+std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
+std::string warnings_section(const std::vector<std::string>& warnings);
 /// Inputs as the program understood them; without a description (a model text that can not be read) what results tell.
-std::string inputs_section(const StaticResults& results, const std::optional<Description>& description);
-std::string assumptions_section(const StaticResults& results);
+/// `dynamic`, not null for the report of a run in time, adds what only counts there.
+std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
+                           const DynamicResults* dynamic);
+std::string assumptions_section(const std::vector<std::string>& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.
 std::string static_summary_table(const StaticResults& results);
 std::string support_table(const StaticResults& results);

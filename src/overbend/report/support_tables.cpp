@@ -14,10 +14,6 @@ using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-std::string percent_of_yield(double stress, double yield) {
-  return yield > 0.0 ? fixed(100.0 * stress / yield, 1) : "";
-}
-
 /// A line of the static summary where no support stands.
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
@@ -25,7 +21,7 @@ void plain_row(html::Table& table, const StaticResults& results, const Station& 
   table.row({place, part, fixed(from_tensioner(results, at.s), 2), fixed(p.x(), 2), fixed(p.y(), 2), fixed(p.z(), 2),
              "", "", "", "", fixed(at.effective_tension / 1e3, 1), fixed(at.bending_moment / 1e3, 1),
              fixed(at.bending_stress / 1e6, 1), fixed(at.strain * 1e2, 4), fixed(at.von_mises / 1e6, 1),
-             percent_of_yield(at.von_mises, at.yield_stress)});
+             fixed(yield_percent(results, at.s, at.von_mises), 1)});
 }
 
 /// A line of the static summary at a box: the pipe's place at its middle, the pipe's largest values over its length.
@@ -37,7 +33,7 @@ void support_row(html::Table& table, const StaticResults& results, const Support
              fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : "",
              fixed(box.effective_tension / 1e3, 1), fixed(box.bending_moment / 1e3, 1),
              fixed(box.bending_stress / 1e6, 1), fixed(box.strain * 1e2, 4), fixed(box.von_mises / 1e6, 1),
-             percent_of_yield(box.von_mises, at.yield_stress)});
+             fixed(yield_percent(results, box.s, box.von_mises), 1)});
 }
 
 int rows_in_contact(const SupportResult& box) {
@@ -158,8 +154,7 @@ std::string roller_table(const StaticResults& results) {
       }
     }
   }
-  return fmt::format("<details class=\"print-open\"><summary>Rollers one by one ({})</summary>\n{}</details>\n", count,
-                     table.str());
+  return html::folded(fmt::format("Rollers one by one ({})", count), table.str());
 }
 
 }  // namespace overbend

@@ -1,0 +1,151 @@
+/// What the recorder knows as results.
+#include <algorithm>
+#include <cstdio>
+
+#include "analysis/dynamic_recorder.h"
+#include "analysis/dynamic_recorder_layout.h"
+#include "mechanics/contact_damage.h"
+
+namespace overbend {
+namespace {
+
+Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
+  return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
+}
+
+Envelope envelope_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
+                     std::size_t count) {
+  const auto part = [&](std::span<const double> all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                               all.begin() + static_cast<std::ptrdiff_t>(first + count));
+  };
+  return {part(statistics.min()), part(statistics.max()), part(statistics.mean()), part(deviation)};
+}
+
+}  // namespace
+
+void DynamicRecorder::fill_supports(DynamicResults& results) const {
+  const Section& pipe = model_->sections.front();
+  const std::vector<double> deviation = support_statistics_.standard_deviation();
+  std::size_t roller = 0;
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    const SupportBox& support = model_->supports.boxes[box];
+    const std::size_t at = kBoxQuantities * box;
+    const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
+    SupportDynamics out;
+    out.name = support.name;
+    out.stinger = support.structure == Structure::stinger;
+    out.reaction = spread(at);
+    out.vertical = spread(at + 1);
+    out.longitudinal = spread(at + 2);
+    out.lateral = spread(at + 3);
+    out.separation = spread(at + 4);
+    out.contact_share = spread(at + 5).mean;
+    out.static_reaction = static_supports_[at];
+    out.static_separation = static_supports_[at + 4];
+    for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
+      const Roller& placed = model_->supports.rollers[roller];
+      const std::size_t i = kBoxQuantities * boxes_ + kRollerQuantities * roller;
+      RollerDynamics r;
+      r.roller = static_cast<int>(roller);
+      r.box = placed.box;
+      r.row = placed.row - support.first_row;
+      r.position = placed.position;
+      r.reaction = spread(i);
+      r.separation = spread(i + 1);
+      r.contact_share = spread(i + 2).mean;
+      r.static_reaction = static_supports_[i];
+      r.static_separation = static_supports_[i + 1];
+      r.impact_count = static_cast<std::int64_t>(impacts_[roller].count);
+      r.largest_approach_velocity = impacts_[roller].velocity;
+      r.largest_impact_force = impacts_[roller].force;
+      r.largest_impulse = impacts_[roller].impulse;
+      r.dent_depth = dent_depth(r.reaction.max, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+      r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
+      out.impact_count += r.impact_count;
+      out.rollers.push_back(r);
+    }
+    results.supports.push_back(out);
+  }
+}
+
+void DynamicRecorder::fill_regions(DynamicResults& results) const {
+  const std::vector<double> deviation = key_statistics_.standard_deviation();
+  const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
+    DynamicExtreme out;
+    out.over_time = spread_of(key_statistics_, deviation, i);
+    out.s = peak.s;
+    out.time = peak.time;
+    const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
+    const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
+    out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
+    return out;
+  };
+  const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
+    return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
+                         extreme(peaks[3], first + 3)};
+  };
+  results.overbend = region(key_.overbend, 5);
+  results.sagbend = region(key_.sagbend, 9);
+  Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
+                              &results.departure_angle, &results.stinger_tip_clearance};
+  for (std::size_t i = 0; i < 5; ++i) {
+    *spreads[i] = spread_of(key_statistics_, deviation, i);
+  }
+}
+
+void DynamicRecorder::fill_warnings(DynamicResults& results) const {
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    if (left_[box].time < kNever) {
+      char text[200];
+      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over its side to %s", left_[box].time,
+                    model_->supports.boxes[box].name.c_str(), left_[box].side > 0.0 ? "port" : "starboard");
+      results.warnings.emplace_back(text);
+    }
+  }
+  const double yield = model_->sections.front().yield_stress;
+  const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
+  if (yield > 0.0 && worst > yield) {
+    results.warnings.emplace_back(
+        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
+        "beyond "
+        "it are those of a pipe that does not yield");
+  }
+  if (results.top_tension.min < 0.0) {
+    results.warnings.emplace_back("the tension at the tensioner falls below zero");
+  }
+}
+
+void DynamicRecorder::fill(DynamicResults& results) const {
+  const std::size_t n = nodes_.x.size();
+  const std::vector<double> deviation = node_statistics_.standard_deviation();
+  Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
+                                                &results.bending_moment,
+                                                &results.bending_stress,
+                                                &results.von_mises,
+                                                &results.strain,
+                                                &results.x,
+                                                &results.y,
+                                                &results.z};
+  for (std::size_t i = 0; i < kNodeQuantities; ++i) {
+    *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
+  }
+  results.station_s = line_->mesh.s;
+  results.static_tension = static_nodes_.effective_tension;
+  results.static_moment = static_nodes_.bending_moment;
+  results.static_bending_stress = static_nodes_.bending_stress;
+  results.static_von_mises = static_nodes_.von_mises;
+  results.static_strain = static_nodes_.strain;
+  for (std::size_t i = 0; i < n; ++i) {
+    results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
+  }
+  fill_regions(results);
+  fill_supports(results);
+  results.hardest_impacts = hardest_;
+  results.impact_count = static_cast<std::int64_t>(impact_count_);
+  results.tensioner.mode = "locked";
+  results.tensioner.tension = results.top_tension;
+  fill_warnings(results);
+}
+
+}  // namespace overbend

@@ -1,0 +1,208 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "report/dynamic_contacts.h"
+#include "report/dynamic_sections.h"
+#include "report/html.h"
+#include "report/places.h"
+#include "report/quantity.h"
+#include "report/sea_words.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+using html::tile;
+
+std::string range(double lo, double hi, int digits) {
+  return fixed(lo, digits) + " to " + fixed(hi, digits);
+}
+
+bool has_overbend(const StaticResults& statics) {
+  return statics.overbend.has_value();
+}
+
+std::string where(const StaticResults& statics, const DynamicExtreme& extreme) {
+  const std::string place = place_name(statics, extreme.s);
+  return place == "sagbend" ? "X = " + fixed(ship_point(statics, extreme.p_W).x(), 1) + " m" : place;
+}
+
+std::string stress_note(const StaticResults& statics, const DynamicExtreme& extreme) {
+  return fmt::format("{} % of yield, at {}, t = {} s",
+                     fixed(yield_percent(statics, extreme.s, extreme.over_time.max), 1), where(statics, extreme),
+                     fixed(extreme.time, 1));
+}
+
+bool yields(const StaticResults& statics, const DynamicExtreme& extreme) {
+  return yield_percent(statics, extreme.s, extreme.over_time.max) > 100.0;
+}
+
+std::string stress_tile(const StaticResults& statics, const std::string& name, const DynamicExtreme& extreme,
+                        double before) {
+  return tile(name, fixed(extreme.over_time.max / 1e6, 1), "MPa",
+              stress_note(statics, extreme) + "; static " + fixed(before / 1e6, 1), yields(statics, extreme));
+}
+
+std::string strain_tile(const StaticResults& statics, const std::string& name, const DynamicExtreme& extreme,
+                        double before) {
+  return tile(name, fixed(extreme.over_time.max * 1e2, 4), "%",
+              fmt::format("at {}, t = {} s; static {}", where(statics, extreme), fixed(extreme.time, 1),
+                          fixed(before * 1e2, 4)));
+}
+
+std::string contact_tiles(const StaticResults& statics, const DynamicResults& r) {
+  const ContactCount count = count_contacts(r);
+  std::string out;
+  if (count.hardest.roller != nullptr) {
+    out +=
+        tile("Largest roller reaction", fixed(count.hardest.roller->reaction.max / 1e3, 1), "kN",
+             fmt::format("{}; static {}", count.hardest.name(), fixed(count.hardest.roller->static_reaction / 1e3, 1)));
+  }
+  if (!r.hardest_impacts.empty()) {
+    const Impact& impact = r.hardest_impacts.front();
+    out += tile("Hardest impact", fixed(impact.peak_force / 1e3, 1), "kN",
+                fmt::format("{} m/s at {}, t = {} s", fixed(impact.approach_velocity, 3),
+                            find_roller(r, impact.roller).name(), fixed(impact.time, 1)));
+  } else {
+    out += tile("Impacts", "none", "", "the pipe never comes down on a roller");
+  }
+  out += tile(
+      "Rollers that lose contact", std::to_string(count.losing), fmt::format("of {}", count.carrying),
+      fmt::format("carrying in the static state; {} of {} bottom rollers never touched", count.never, count.bottom));
+  if (statics.stinger_tip_clearance) {
+    out += tile("Stinger tip clearance", range(r.stinger_tip_clearance.min * 1e3, r.stinger_tip_clearance.max * 1e3, 1),
+                "mm", "pipe to the last bottom roller; static " + fixed(*statics.stinger_tip_clearance * 1e3, 1));
+  }
+  return out;
+}
+
+std::string tiles(const StaticResults& statics, const DynamicResults& r) {
+  std::string out = "<div class=\"tiles\">\n";
+  out += tile("Top tension", range(r.top_tension.min / 1e3, r.top_tension.max / 1e3, 1), "kN",
+              "effective, at the tensioner; static " + fixed(statics.top_tension / 1e3, 1));
+  if (has_overbend(statics)) {
+    out += stress_tile(statics, "Overbend von Mises", r.overbend.von_mises, statics.overbend->von_mises.value);
+  }
+  out += stress_tile(statics, "Sagbend von Mises", r.sagbend.von_mises, statics.sagbend.von_mises.value);
+  out += tile("Bottom tension", range(r.bottom_tension.min / 1e3, r.bottom_tension.max / 1e3, 1), "kN",
+              "horizontal, at touchdown; static " + fixed(statics.bottom_tension / 1e3, 1));
+  if (!r.supports.empty()) {
+    out += contact_tiles(statics, r);
+  }
+  if (has_overbend(statics)) {
+    out += strain_tile(statics, "Overbend strain", r.overbend.strain, statics.overbend->strain.value);
+  }
+  out += strain_tile(statics, "Sagbend strain", r.sagbend.strain, statics.sagbend.strain.value);
+  out += tile("Energy drift", fixed(100.0 * r.energy.drift(), 4), "%", "error of the balance over what has passed");
+  out += tile("Speed", fmt::format("{:.3g}", r.run.real_time_ratio), "x real time",
+              fmt::format("{} simulated", duration_words(r.duration + r.build_up)));
+  return out + "</div>\n";
+}
+
+struct ExtremeRow {
+  const char* name;
+  const char* unit;
+  double factor;
+  DynamicExtreme DynamicRegion::*member;
+  Extreme RegionResult::*before;
+  int digits;
+  bool stress;  ///< Compared with yield.
+};
+
+constexpr std::array<ExtremeRow, 4> kRows = {{
+    {"Bending moment", "kN m", 1e-3, &DynamicRegion::bending_moment, &RegionResult::bending_moment, 1, false},
+    {"Bending stress", "MPa", 1e-6, &DynamicRegion::bending_stress, &RegionResult::bending_stress, 1, true},
+    {"Strain", "%", 1e2, &DynamicRegion::strain, &RegionResult::strain, 4, false},
+    {"von Mises stress", "MPa", 1e-6, &DynamicRegion::von_mises, &RegionResult::von_mises, 1, true},
+}};
+
+/// Largest values of a region over its length and time beside those of the static state.
+std::string region_table(const StaticResults& statics, const std::string& caption, const DynamicRegion& region,
+                         const RegionResult& before) {
+  html::Table table(caption,
+                    {{"Largest", "", true},
+                     {"dynamic", ""},
+                     {"static", ""},
+                     {"ratio", ""},
+                     {"dynamic", "% of yield"},
+                     {"static", "% of yield"},
+                     {"Time", "s"},
+                     {"Along pipe", "m"},
+                     {"X", "m"},
+                     {"Z", "m"},
+                     {"Place", "", true}},
+                    "plain");
+  for (const ExtremeRow& row : kRows) {
+    const DynamicExtreme& now = region.*(row.member);
+    const Extreme& then = before.*(row.before);
+    const Vec3 p = ship_point(statics, now.p_W);
+    table.row({fmt::format("{} [{}]", row.name, row.unit), fixed(now.over_time.max * row.factor, row.digits),
+               fixed(then.value * row.factor, row.digits),
+               then.value > 0.0 ? fixed(now.over_time.max / then.value, 2) : "",
+               row.stress ? fixed(yield_percent(statics, now.s, now.over_time.max), 1) : "",
+               row.stress ? fixed(yield_percent(statics, then.s, then.value), 1) : "", fixed(now.time, 1),
+               fixed(from_tensioner(statics, now.s), 2), fixed(p.x(), 2), fixed(p.z(), 2), place_name(statics, now.s)});
+  }
+  return table.str();
+}
+
+void judge(std::vector<std::string>& all, const StaticResults& statics, const char* name,
+           const DynamicExtreme& extreme) {
+  if (yields(statics, extreme)) {
+    all.push_back(
+        fmt::format("{} von Mises stress in the dynamic run: {}. The steel is taken as linear elastic, so what lies "
+                    "beyond yield only indicates that the lay is not feasible as given",
+                    name, stress_note(statics, extreme)));
+  }
+}
+
+}  // namespace
+
+std::string dynamic_title_block(const StaticResults& statics, const DynamicResults& results,
+                                const std::optional<Description>& description, const std::string& written) {
+  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
+  if (description) {
+    entries.emplace_back("Sea", sea_words(description->environment.waves));
+    entries.emplace_back("Vessel motion", motion_words(description->vessel));
+  }
+  entries.emplace_back("Seed", std::to_string(results.seed));
+  entries.emplace_back("Duration",
+                       duration_words(results.duration) + " after a build-up of " + duration_words(results.build_up));
+  entries.emplace_back("Integrator", results.run.integrator);
+  entries.emplace_back("Tensioner", results.tensioner.mode);
+  entries.emplace_back("Status", status_words("completed", dynamic_remarks(statics, results).size()));
+  entries.emplace_back("Program", "Overbend " + statics.version);
+  entries.emplace_back("Written", written);
+  return title_block("Dynamic pipelay analysis", statics.title, entries);
+}
+
+std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results) {
+  std::vector<std::string> all = results.warnings;
+  if (has_overbend(statics)) judge(all, statics, "overbend", results.overbend.von_mises);
+  judge(all, statics, "sagbend", results.sagbend.von_mises);
+  for (const std::string& remark : static_remarks(statics)) {
+    if (std::find(all.begin(), all.end(), remark) == all.end()) all.push_back(remark);
+  }
+  return all;
+}
+
+std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results) {
+  std::string body = tiles(statics, results) + "<div class=\"results one\">\n";
+  if (has_overbend(statics)) {
+    body += region_table(statics, "Overbend: tensioner to the inflection below the last support in contact",
+                         results.overbend, *statics.overbend);
+  }
+  body += region_table(
+      statics, has_overbend(statics) ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
+      results.sagbend, statics.sagbend);
+  body +=
+      "</div>\n<p class=\"small\">Times count from the end of the build-up, and so do all statistics. Along pipe: "
+      "unstressed length from the tensioner. X: horizontal, astern of the stern shoe. Z: above the mean water level. "
+      "Places are those of the static state. Ratio: dynamic over static.</p>\n";
+  return html::section("results", "Key results", body);
+}
+
+}  // namespace overbend

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/dynamic_sections.h"
+#include "report/html.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+html::Table listing(const std::string& caption) {
+  return html::Table(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
+}
+
+std::string spread_words(const Spread& spread, double factor, int digits) {
+  return fmt::format("{} to {}, mean {}", fixed(spread.min * factor, digits), fixed(spread.max * factor, digits),
+                     fixed(spread.mean * factor, digits));
+}
+
+html::Table energy_listing(const std::string& caption) {
+  return html::Table(caption, {{"Energy", "", true}, {"Value", "kJ"}}, "plain");
+}
+
+std::string energy_tables(const EnergyBalance& e) {
+  const auto row = [](html::Table& table, const char* name, double value, const char* css = "") {
+    table.row({name, fixed(value / 1e3, 3)}, css);
+  };
+  html::Table in = energy_listing("Energy: work done on the pipe, and where it went");
+  row(in, "Work of the water", e.fluid);
+  row(in, "Work of the rollers' motion", e.rollers);
+  row(in, "Work at the tensioner", e.top);
+  row(in, "Work at the anchor", e.anchor);
+  row(in, "Work in", e.fluid + e.rollers + e.top + e.anchor, "total");
+  row(in, "Lost in contacts", e.contact_loss);
+  row(in, "Lost to friction", e.friction_loss);
+  row(in, "Lost in the seabed", e.seabed_loss);
+  row(in, "Lost", e.contact_loss + e.friction_loss + e.seabed_loss, "total");
+  html::Table stored = energy_listing("Energy: stored, change since the start");
+  row(stored, "Motion", e.kinetic);
+  row(stored, "Strain", e.strain);
+  row(stored, "Height", e.gravity);
+  row(stored, "Contacts", e.contact);
+  row(stored, "Seabed", e.seabed);
+  row(stored, "Stored", e.kinetic + e.strain + e.gravity + e.contact + e.seabed, "total");
+  row(stored, "Stored + lost - work in", e.error);
+  row(stored, "Work and losses passed, absolute", e.throughput);
+  stored.row({"Drift, error over what has passed", fixed(100.0 * e.drift(), 4) + " %"}, "total");
+  return in.str() + stored.str();
+}
+
+std::string run_table(const DynamicResults& r) {
+  const DynamicRunReport& run = r.run;
+  const double steps = static_cast<double>(std::max<std::int64_t>(run.steps, 1));
+  html::Table table = listing("Time integration");
+  table.row({"Simulated, build-up and storm", fixed(r.build_up + r.duration, 1), "s"})
+      .row({"Steps", std::to_string(run.steps), ""})
+      .row({"Steps rejected", std::to_string(run.rejected_steps), ""})
+      .row({"Smallest step", fmt::format("{:.4g}", run.smallest_step), "s"})
+      .row({"Largest step", fmt::format("{:.4g}", run.largest_step), "s"})
+      .row({"Newton iterations", std::to_string(run.newton_iterations), ""})
+      .row({"Newton iterations per step", fixed(static_cast<double>(run.newton_iterations) / steps, 2), ""})
+      .row({"Factorisations", std::to_string(run.factorisations), ""})
+      .row({"Rows of histories every", fmt::format("{:.4g}", r.output_step), "s"})
+      .row({"Time in the loop", fixed(run.wall_time, 1), "s"})
+      .row({"Simulated over elapsed time", fmt::format("{:.3g}", run.real_time_ratio), ""});
+  return table.str();
+}
+
+}  // namespace
+
+std::string tensioner_section(const StaticResults& statics, const DynamicResults& results) {
+  const TensionerDynamics& t = results.tensioner;
+  html::Table table = listing("");
+  table.row({"Mode", t.mode, ""})
+      .row({"Static tension", fixed(statics.top_tension / 1e3, 2), "kN"})
+      .row({"Tension", spread_words(t.tension, 1e-3, 1), "kN"})
+      .row({"Tension, standard deviation", fixed(t.tension.std / 1e3, 2), "kN"})
+      .row({"Travel", spread_words(t.travel, 1.0, 3), "m"})
+      .row({"Time out of the operational range", fixed(t.time_out_of_range, 1), "s"})
+      .row({"Time at the end of its travel", fixed(t.time_at_limit, 1), "s"})
+      .row({"Times it paid out", std::to_string(t.pay_out_count), ""})
+      .row({"Times it hauled in", std::to_string(t.haul_in_count), ""});
+  return html::section("tensioner", "Tensioner", table.str());
+}
+
+std::string dynamic_run_section(const DynamicResults& results) {
+  return html::section("run", "Energy balance and run",
+                       "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) +
+                           "</div>\n<p class=\"small\">Integrator: " + html::escape(results.run.integrator) +
+                           ".</p>\n");
+}
+
+}  // namespace overbend

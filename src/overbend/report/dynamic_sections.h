@@ -1,0 +1,28 @@
+/// The parts of a dynamic report that are words and tables. Each returns HTML; empty where there is nothing to say.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/description.h"
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// `description` tells of the sea and of what moves the vessel; without it the head does not.
+std::string dynamic_title_block(const StaticResults& statics, const DynamicResults& results,
+                                const std::optional<Description>& description, const std::string& written);
+/// Warnings of both runs, and what the numbers call for in words.
+std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results);
+std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
+/// Statistics of the key quantities and the most probable extremes.
+std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);
+/// Boxes and rollers over time.
+std::string dynamic_supports_section(const DynamicResults& results);
+std::string impacts_section(const StaticResults& statics, const DynamicResults& results);
+std::string tensioner_section(const StaticResults& statics, const DynamicResults& results);
+/// Energy balance and the course of the run.
+std::string dynamic_run_section(const DynamicResults& results);
+
+}  // namespace overbend

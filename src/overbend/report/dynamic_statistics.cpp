@@ -1,0 +1,131 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "report/dynamic_sections.h"
+#include "report/html.h"
+#include "report/quantity.h"
+#include "report/static_value.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+/// Forces, moments, stresses and strains grow by a factor; lengths and angles do not.
+bool has_ratio(const std::string& units) {
+  return units == "N" || units == "N m" || units == "Pa" || units == "1";
+}
+
+/// The table of statistics: each quantity in its own unit.
+class Statistics {
+ public:
+  Statistics(const StaticResults& statics, const DynamicResults& results)
+      : statics_(statics),
+        results_(results),
+        table_("Statistics over time",
+               {{"Quantity", "", true},
+                {"Unit", "", true},
+                {"Static", ""},
+                {"Min", ""},
+                {"Mean", ""},
+                {"Max", ""},
+                {"Std. dev.", ""},
+                {"Max / static", ""}},
+               "plain full") {}
+
+  void add(const std::string& name, const std::string& units, const Spread& spread, bool largest = false) {
+    const Quantity q = quantity(name, units);
+    const std::optional<double> before = static_value(statics_, results_, name);
+    table_.row({largest ? q.name + ", largest of the region" : q.name, q.unit, before ? q.text(*before) : "",
+                q.text(spread.min), q.text(spread.mean), q.text(spread.max), q.text(spread.std),
+                before && *before > 0.0 && has_ratio(units) ? fixed(spread.max / *before, 2) : ""});
+  }
+
+  void add_region(const std::string& region, const DynamicRegion& r) {
+    add(region + "_bending_moment", "N m", r.bending_moment.over_time, true);
+    add(region + "_bending_stress", "Pa", r.bending_stress.over_time, true);
+    add(region + "_von_mises", "Pa", r.von_mises.over_time, true);
+    add(region + "_strain", "1", r.strain.over_time, true);
+  }
+
+  void add_history(const std::string& name) {
+    for (const HistorySummary& history : results_.histories) {
+      if (history.name == name) add(history.name, history.units, history.over_time);
+    }
+  }
+
+  std::string str() const { return table_.str(); }
+
+ private:
+  const StaticResults& statics_;
+  const DynamicResults& results_;
+  html::Table table_;
+};
+
+std::string statistics_table(const StaticResults& statics, const DynamicResults& r) {
+  Statistics table(statics, r);
+  table.add("top_tension", "N", r.top_tension);
+  table.add("bottom_tension", "N", r.bottom_tension);
+  if (statics.overbend) {
+    table.add_region("overbend", r.overbend);
+  }
+  table.add_region("sagbend", r.sagbend);
+  table.add("lay_back", "m", r.lay_back);
+  table.add("departure_angle", "rad", r.departure_angle);
+  if (statics.stinger_tip_clearance) {
+    table.add("stinger_tip_clearance", "m", r.stinger_tip_clearance);
+  }
+  for (const char* name : {"elevation", "surge", "sway", "heave", "roll", "pitch", "yaw"}) {
+    table.add_history(name);
+  }
+  return table.str();
+}
+
+std::string extremes_table(const StaticResults& statics, const DynamicResults& r) {
+  if (r.extremes.empty()) {
+    return "";
+  }
+  html::Table table("Most probable largest values in three hours",
+                    {{"Quantity", "", true},
+                     {"Unit", "", true},
+                     {"Static", ""},
+                     {"Observed", ""},
+                     {"Peaks", ""},
+                     {"estimate", ""},
+                     {"95 % interval", ""},
+                     {"estimate", ""},
+                     {"95 % interval", ""}},
+                    "plain full");
+  table.groups({{"", 5}, {"Weibull", 2}, {"Gumbel", 2}});
+  for (const ExtremeEstimate& e : r.extremes) {
+    const Quantity q = quantity(e.name, e.units);
+    const std::optional<double> before = static_value(statics, r, e.name);
+    std::vector<std::string> cells = {q.name, q.unit, before ? q.text(*before) : "", q.text(e.observed),
+                                      std::to_string(e.peaks)};
+    if (e.enough) {
+      for (const auto& [estimate, low, high] :
+           {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {
+        cells.push_back(q.text(estimate));
+        cells.push_back(q.text(low) + " to " + q.text(high));
+      }
+    } else {
+      cells.insert(cells.end(), {"", "not enough peaks", "", "not enough peaks"});
+    }
+    table.row(cells);
+  }
+  return table.str() +
+         "<p class=\"small\">Interval: 95 % confidence. Peaks are the largest values between mean up-crossings after "
+         "the build-up. Where there "
+         "are too few of them nothing is fitted, and the observed value is all that is known. Observed: largest of "
+         "this run, whose length may differ from three hours.</p>\n";
+}
+
+}  // namespace
+
+std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results) {
+  return html::section("statistics", "Statistics and extremes",
+                       statistics_table(statics, results) + extremes_table(statics, results));
+}
+
+}  // namespace overbend

@@ -1,0 +1,165 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/dynamic_contacts.h"
+#include "report/dynamic_sections.h"
+#include "report/html.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+/// "never" and "always" are told from shares that only round to them.
+std::string share(double part) {
+  if (part <= 0.0) return "0";
+  if (part >= 1.0) return "100";
+  return fixed(std::min(std::max(100.0 * part, 0.1), 99.9), 1);
+}
+
+std::string support_table(const DynamicResults& results) {
+  html::Table table("Roller boxes over time",
+                    {{"Box", "", true},
+                     {"On", "", true},
+                     {"static", "kN"},
+                     {"min", "kN"},
+                     {"mean", "kN"},
+                     {"max", "kN"},
+                     {"std", "kN"},
+                     {"vertical max", "kN"},
+                     {"lateral range", "kN"},
+                     {"static", "m"},
+                     {"min", "m"},
+                     {"max", "m"},
+                     {"Contact", "% of time"},
+                     {"count", ""},
+                     {"largest", "kN"}},
+                    "dense boxes");
+  table.groups({{"", 2}, {"Reaction on the pipe, resultant", 7}, {"Separation", 3}, {"", 1}, {"Impacts", 2}});
+  for (const SupportDynamics& box : results.supports) {
+    double impact = 0.0;
+    for (const RollerDynamics& r : box.rollers) {
+      impact = std::max(impact, r.largest_impact_force);
+    }
+    table.row(
+        {box.name, box.stinger ? "stinger" : "ramp", fixed(box.static_reaction / 1e3, 1),
+         fixed(box.reaction.min / 1e3, 1), fixed(box.reaction.mean / 1e3, 1), fixed(box.reaction.max / 1e3, 1),
+         fixed(box.reaction.std / 1e3, 1), fixed(box.vertical.max / 1e3, 1),
+         fixed(box.lateral.min / 1e3, 1) + " to " + fixed(box.lateral.max / 1e3, 1), fixed(box.static_separation, 4),
+         fixed(box.separation.min, 4), fixed(box.separation.max, 4), share(box.contact_share),
+         std::to_string(box.impact_count), box.impact_count > 0 ? fixed(impact / 1e3, 1) : ""},
+        box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
+  }
+  return table.str() +
+         "<p class=\"small\">Lateral: to port positive. Separation: clear distance of pipe and roller, the smallest of "
+         "the box's bottom rollers; negative is penetration by the contact stiffness. Contact: any roller of the box "
+         "carries.</p>\n";
+}
+
+std::string roller_table(const DynamicResults& results) {
+  html::Table table("",
+                    {{"Box", "", true},
+                     {"Row", ""},
+                     {"Roller", "", true},
+                     {"static", "kN"},
+                     {"mean", "kN"},
+                     {"max", "kN"},
+                     {"static", "m"},
+                     {"min", "m"},
+                     {"max", "m"},
+                     {"Contact", "% of time"},
+                     {"count", ""},
+                     {"approach", "m/s"},
+                     {"force", "kN"},
+                     {"impulse", "N s"},
+                     {"dent", "mm"},
+                     {"line load", "kN/m"}},
+                    "dense rollers");
+  table.groups({{"", 3}, {"Reaction", 3}, {"Separation", 3}, {"", 1}, {"Impacts, largest", 4}, {"Largest force", 2}});
+  int count = 0;
+  for (const SupportDynamics& box : results.supports) {
+    for (const RollerDynamics& r : box.rollers) {
+      ++count;
+      const bool hit = r.impact_count > 0;
+      const bool touched = r.contact_share > 0.0;
+      table.row({box.name, std::to_string(r.row + 1), word(r.position), fixed(r.static_reaction / 1e3, 2),
+                 fixed(r.reaction.mean / 1e3, 2), fixed(r.reaction.max / 1e3, 2), fixed(r.static_separation, 4),
+                 fixed(r.separation.min, 4), fixed(r.separation.max, 4), share(r.contact_share),
+                 std::to_string(r.impact_count), hit ? fixed(r.largest_approach_velocity, 3) : "",
+                 hit ? fixed(r.largest_impact_force / 1e3, 2) : "", hit ? fixed(r.largest_impulse, 1) : "",
+                 touched ? fixed(r.dent_depth * 1e3, 2) : "", touched ? fixed(r.line_load / 1e3, 1) : ""},
+                touched ? "loaded" : "");
+    }
+  }
+  return html::folded(fmt::format("Rollers one by one, over time ({})", count), table.str());
+}
+
+html::Table impact_table(const std::string& caption) {
+  return html::Table(caption,
+                     {{"No.", ""},
+                      {"Time", "s"},
+                      {"Box", "", true},
+                      {"Row", ""},
+                      {"Roller", "", true},
+                      {"Approach velocity", "m/s"},
+                      {"Peak force", "kN"},
+                      {"Duration", "ms"},
+                      {"Impulse", "N s"},
+                      {"Dent depth", "mm"},
+                      {"Line load", "kN/m"}},
+                     "dense");
+}
+
+void impact_row(html::Table& table, const DynamicResults& results, std::size_t index) {
+  const Impact& impact = results.hardest_impacts[index];
+  const RollerPlace at = find_roller(results, impact.roller);
+  table.row({std::to_string(index + 1), fixed(impact.time, 2), at.box != nullptr ? at.box->name : "",
+             at.roller != nullptr ? std::to_string(at.roller->row + 1) : "",
+             at.roller != nullptr ? word(at.roller->position) : "", fixed(impact.approach_velocity, 3),
+             fixed(impact.peak_force / 1e3, 2), fixed(impact.duration * 1e3, 2), fixed(impact.impulse, 1),
+             fixed(impact.dent_depth * 1e3, 3), fixed(impact.line_load / 1e3, 1)});
+}
+
+}  // namespace
+
+std::string dynamic_supports_section(const DynamicResults& results) {
+  if (results.supports.empty()) {
+    return "";
+  }
+  return html::section("dynamic-supports", "Supports over time", support_table(results) + roller_table(results));
+}
+
+std::string impacts_section(const StaticResults& statics, const DynamicResults& results) {
+  if (statics.supports.empty()) {
+    return "";
+  }
+  constexpr std::size_t kPrinted = 20;
+  const std::size_t count = results.hardest_impacts.size();
+  if (count == 0) {
+    return html::section("impacts", "Impacts", "<p>The pipe never comes down on a roller it has left.</p>\n");
+  }
+  const std::size_t first = std::min(count, kPrinted);
+  html::Table table = impact_table(first < static_cast<std::size_t>(results.impact_count)
+                                       ? fmt::format("The {} hardest of {}", first, results.impact_count)
+                                       : "All impacts, hardest first");
+  for (std::size_t i = 0; i < first; ++i) {
+    impact_row(table, results, i);
+  }
+  std::string body = table.str();
+  if (count > first) {
+    html::Table more = impact_table("");
+    for (std::size_t i = first; i < count; ++i) {
+      impact_row(more, results, i);
+    }
+    body += html::folded(fmt::format("The next {}", count - first), more.str(), false);
+  }
+  return html::section(
+      "impacts", "Impacts",
+      body +
+          "<p class=\"small\">From first touch until the pipe leaves the roller or rests on it. Dent depth: of bare "
+          "steel under the peak force, the coating's help left out. Line load: peak force over the length of the "
+          "coating under the roller.</p>\n");
+}
+
+}  // namespace overbend

@@ -1,0 +1,206 @@
+#include "report/history_data.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "report/json_number.h"
+#include "report/quantity.h"
+#include "report/static_value.h"
+
+namespace overbend {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostStretches = 1000;  ///< About the width of a figure in points.
+constexpr std::size_t kMostSupports = 4;
+constexpr double kLevels = 4095.0;
+
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
+
+const HistorySummary* find(const DynamicResults& results, const std::string& name) {
+  const auto at = std::find_if(results.histories.begin(), results.histories.end(),
+                               [&](const HistorySummary& h) { return h.name == name; });
+  return at == results.histories.end() ? nullptr : &*at;
+}
+
+/// Neighbouring stretches joined until few enough are left.
+std::vector<double> joined(const std::vector<double>& values, bool greatest) {
+  const std::size_t each = (values.size() + kMostStretches - 1) / kMostStretches;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < values.size(); i += each) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto last = values.begin() + static_cast<std::ptrdiff_t>(std::min(i + each, values.size()));
+    out.push_back(greatest ? *std::max_element(first, last) : *std::min_element(first, last));
+  }
+  return out;
+}
+
+struct Range {
+  double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
+  void widen(const std::vector<double>& values) {
+    for (const double value : values) {
+      if (std::isfinite(value)) {
+        lo = std::min(lo, value);
+        hi = std::max(hi, value);
+      }
+    }
+  }
+  bool empty() const { return lo > hi; }
+};
+
+json levels(const std::vector<double>& values, const Range& range) {
+  json out = json::array();
+  const double width = range.hi - range.lo;
+  for (const double value : values) {
+    if (!std::isfinite(value)) {
+      out.push_back(nullptr);
+    } else {
+      out.push_back(width > 0.0 ? static_cast<int>(std::lround(kLevels * (value - range.lo) / width)) : 0);
+    }
+  }
+  return out;
+}
+
+json spread_data(const Spread& spread, const Quantity& q) {
+  return {{"min", json_number(q.shown(spread.min))},
+          {"max", json_number(q.shown(spread.max))},
+          {"mean", json_number(q.shown(spread.mean))},
+          {"std", json_number(q.shown(spread.std))}};
+}
+
+/// Whether it varies by more than the last digit shown.
+bool moves(const Spectrum& spectrum, double total, const Quantity& q) {
+  const double step = spectrum.frequency.back() / static_cast<double>(spectrum.frequency.size());
+  return q.shown(std::sqrt(total * step)) > 0.5 * std::pow(10.0, -q.digits);
+}
+
+/// The picker of histories: each once, only those with values.
+class Histories {
+ public:
+  Histories(const StaticResults& statics, const DynamicResults& results) : statics_(statics), results_(results) {}
+
+  bool add(const std::string& group, const HistorySummary* history) {
+    if (history == nullptr || history->low.empty() || history->low.size() != history->high.size()) {
+      return false;
+    }
+    const std::vector<double> low = joined(history->low, false);
+    const std::vector<double> high = joined(history->high, true);
+    Range range;
+    range.widen(low);
+    range.widen(high);
+    if (range.empty()) {
+      return false;
+    }
+    const Quantity q = quantity(history->name, history->units);
+    const std::optional<double> before = static_value(statics_, results_, history->name);
+    out_.push_back({{"group", group},
+                    {"title", q.name},
+                    {"unit", q.unit},
+                    {"digits", q.digits},
+                    {"description", history->description},
+                    {"lowest", json_number(q.shown(range.lo))},
+                    {"quantum", json_number(q.shown(range.hi - range.lo) / kLevels)},
+                    {"low", levels(low, range)},
+                    {"high", levels(high, range)},
+                    {"over_time", spread_data(history->over_time, q)},
+                    {"static", before ? json_number(q.shown(*before)) : json(nullptr)}});
+    return true;
+  }
+
+  bool add(const std::string& group, const std::string& name) { return add(group, find(results_, name)); }
+
+  /// The peak between rows tells more than the value at the row.
+  void add_peak(const std::string& group, const std::string& name) {
+    if (!add(group, name + "_peak")) {
+      add(group, name);
+    }
+  }
+
+  json take() { return std::move(out_); }
+
+ private:
+  const StaticResults& statics_;
+  const DynamicResults& results_;
+  json out_ = json::array();
+};
+
+std::vector<const HistorySummary*> hardest_supports(const DynamicResults& results) {
+  std::vector<const HistorySummary*> all;
+  for (const SupportDynamics& box : results.supports) {
+    if (const HistorySummary* history = find(results, "support/" + box.name + "/reaction")) {
+      all.push_back(history);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), [](const HistorySummary* a, const HistorySummary* b) {
+    return a->over_time.max > b->over_time.max;
+  });
+  all.resize(std::min(all.size(), kMostSupports));
+  return all;
+}
+
+}  // namespace
+
+json history_data(const StaticResults& statics, const DynamicResults& results) {
+  Histories histories(statics, results);
+  histories.add("wave", "elevation");
+  for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
+    histories.add("motions", freedom);
+  }
+  histories.add("tension", "top_tension");
+  histories.add("tension", "bottom_tension");
+  for (const HistorySummary& history : results.histories) {
+    if (starts_with(history.name, "tensioner")) {
+      histories.add("tension", &history);
+    }
+  }
+  if (statics.overbend) {
+    histories.add_peak("stress", "overbend_von_mises");
+  }
+  histories.add_peak("stress", "sagbend_von_mises");
+  for (const HistorySummary* history : hardest_supports(results)) {
+    histories.add("reactions", history);
+  }
+  if (statics.stinger_tip_clearance) {
+    histories.add("separation", "stinger_tip_clearance");
+  }
+  return histories.take();
+}
+
+json spectrum_data(const DynamicResults& results) {
+  constexpr double kShare = 0.995;
+  constexpr std::size_t kMostPoints = 400;
+  json all = json::array();
+  for (const Spectrum& spectrum : results.spectra) {
+    const std::size_t count = std::min(spectrum.frequency.size(), spectrum.density.size());
+    double total = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      total += spectrum.density[i];
+    }
+    const Quantity q = quantity(spectrum.name, spectrum.units);
+    if (!(total > 0.0) || !std::isfinite(total) || !moves(spectrum, total, q)) {
+      continue;
+    }
+    json frequency = json::array(), density = json::array();
+    double part = 0.0;
+    std::size_t last = 0;
+    while (last < count && part < kShare * total) {
+      part += spectrum.density[last++];
+    }
+    const std::size_t stride = (last + kMostPoints - 1) / kMostPoints;
+    for (std::size_t i = 0; i < last; i += stride) {
+      const auto first = spectrum.density.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto peak = std::max_element(first, first + static_cast<std::ptrdiff_t>(std::min(stride, last - i)));
+      frequency.push_back(json_number(spectrum.frequency[static_cast<std::size_t>(peak - spectrum.density.begin())]));
+      density.push_back(json_number(q.factor * q.factor * *peak));
+    }
+    all.push_back({{"title", q.name}, {"unit", q.unit}, {"frequency", frequency}, {"density", density}});
+  }
+  return all;
+}
+
+}  // namespace overbend

@@ -1,0 +1,19 @@
+/// Numbers as the figures' data hold them.
+#pragma once
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace overbend {
+
+/// Seven significant digits: a tenth of a millimetre in a kilometre. What is not finite, which JSON can not hold, is 0.
+inline nlohmann::json json_number(double value) {
+  if (value == 0.0 || !std::isfinite(value)) {
+    return 0;
+  }
+  const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
+  const double rounded = std::round(value * scale) / scale;
+  return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number next to zero has no end
+}
+
+}  // namespace overbend

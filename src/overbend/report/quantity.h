@@ -1,0 +1,26 @@
+/// Quantities of dynamic results as a reader wants them: names in words, customary units.
+#pragma once
+
+#include <string>
+
+namespace overbend {
+
+/// How a quantity is shown: SI value times `factor`, with `digits` decimals.
+struct Quantity {
+  std::string name, unit;
+  double factor = 1.0;
+  int digits = 3;
+
+  double shown(double si) const { return factor * si; }
+  std::string text(double si) const;
+};
+
+/// For the script name and SI units of a history or an extreme: "support/stinger 8/reaction" in N becomes
+/// "Reaction, stinger 8" in kN. A name that is not known is told as it is, its underscores as blanks; unknown units
+/// stay.
+Quantity quantity(const std::string& name, const std::string& units);
+
+/// A duration in the largest unit that leaves it above one: "45 s", "10 min", "3 h". [s]
+std::string duration_words(double seconds);
+
+}  // namespace overbend

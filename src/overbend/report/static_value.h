@@ -1,0 +1,15 @@
+/// What a quantity of a dynamic run was before the run began.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// The static value of the history or extreme of this name; none where statics has no such quantity.
+std::optional<double> static_value(const StaticResults& statics, const DynamicResults& results,
+                                   const std::string& name);
+
+}  // namespace overbend

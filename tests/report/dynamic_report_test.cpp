@@ -1,0 +1,265 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "report/bgl1_results.h"
+#include "report/html.h"
+#include "report/page_text.h"
+#include "report/quantity.h"
+#include "report/report.h"
+#include "report/report_data.h"
+#include "report/synthetic_dynamics.h"
+
+namespace overbend {
+namespace {
+
+using testing::bgl1;
+using testing::count;
+using testing::synthetic_dynamics;
+using testing::visible;
+
+const DynamicResults& example() {
+  static const DynamicResults kResults = synthetic_dynamics(bgl1().results);
+  return kResults;
+}
+
+std::string page_of(const DynamicResults& results) {
+  return report_html(bgl1().results, results, bgl1().model_text);
+}
+
+nlohmann::json data_of(const DynamicResults& results) {
+  return nlohmann::json::parse(report_data(bgl1().results, &results))["dynamic"];
+}
+
+/// The section with this id.
+std::string section(const std::string& page, const std::string& id) {
+  const std::size_t at = page.find("<section id=\"" + id + "\"");
+  return at == std::string::npos ? "" : page.substr(at, page.find("</section>", at) - at);
+}
+
+TEST(dynamic_report, stands_alone_and_stays_below_a_size_that_mail_carries) {
+  const std::string page = page_of(example());
+  EXPECT_FALSE(std::regex_search(page, std::regex(R"((src|href)\s*=\s*["']?\s*(https?:|//))")));
+  EXPECT_LT(page.size(), 2'000'000u);
+}
+
+TEST(dynamic_report, says_in_its_head_what_sea_and_motion_it_ran_in) {
+  const std::string page = page_of(example());
+  const std::string head = page.substr(page.find("<header>"), page.find("</header>") - page.find("<header>"));
+  EXPECT_NE(head.find("Dynamic pipelay analysis"), std::string::npos);
+  EXPECT_NE(head.find("JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1 by rule, from 180 deg, long-crested"), std::string::npos);
+  EXPECT_NE(head.find("RAOs of rao.csv"), std::string::npos);
+  EXPECT_NE(head.find("60 min after a build-up of 60 s"), std::string::npos);
+  EXPECT_NE(head.find("generalized-alpha"), std::string::npos);
+  EXPECT_NE(head.find("<dt>Seed</dt><dd>7</dd>"), std::string::npos);
+}
+
+TEST(dynamic_report, sets_static_beside_dynamic_in_its_key_results) {
+  const std::string text = section(page_of(example()), "results");
+  const StaticResults& statics = bgl1().results;
+  for (const double stress : {statics.overbend->von_mises.value, example().overbend.von_mises.over_time.max,
+                              statics.sagbend.von_mises.value, example().sagbend.von_mises.over_time.max}) {
+    EXPECT_NE(text.find("<td>" + html::fixed(stress / 1e6, 1) + "</td>"), std::string::npos) << stress;
+  }
+  EXPECT_NE(text.find(html::fixed(example().top_tension.min / 1e3, 1) + " to " +
+                      html::fixed(example().top_tension.max / 1e3, 1)),
+            std::string::npos);
+  EXPECT_NE(text.find(html::fixed(100.0 * example().energy.drift(), 4)), std::string::npos);
+}
+
+TEST(dynamic_report, holds_the_static_report_too) {
+  const std::string text = visible(page_of(example()));
+  for (const char* id : {"static-results", "figures", "summary", "supports", "inputs", "assumptions", "balance"}) {
+    EXPECT_NE(section(text, id), "") << id;
+  }
+  EXPECT_EQ(count(text, "data-figure=\"mises\""), 2u);
+  // Assumptions of both, each once.
+  for (const std::string& assumption : example().assumptions) {
+    EXPECT_EQ(count(section(text, "assumptions"), html::escape(assumption)), 1u) << assumption;
+  }
+}
+
+TEST(dynamic_report, numbers_its_figures_without_a_gap) {
+  const std::string text = visible(page_of(example()));
+  const std::size_t figures = count(text, "<figcaption>");
+  ASSERT_GT(figures, 20u);
+  for (std::size_t i = 1; i <= figures; ++i) {
+    EXPECT_EQ(count(text, "<figcaption>Figure " + std::to_string(i) + ". "), 1u) << i;
+  }
+}
+
+TEST(dynamic_report, has_no_two_sections_of_one_name) {
+  const std::string text = visible(page_of(example()));
+  const std::regex id("<section id=\"([^\"]+)\"");
+  std::set<std::string> seen;
+  for (auto at = std::sregex_iterator(text.begin(), text.end(), id); at != std::sregex_iterator(); ++at) {
+    EXPECT_TRUE(seen.insert((*at)[1]).second) << (*at)[1];
+  }
+}
+
+TEST(dynamic_report, has_a_line_for_every_box_and_every_roller) {
+  const std::string text = section(page_of(example()), "dynamic-supports");
+  std::size_t rollers = 0;
+  for (const SupportDynamics& box : example().supports) rollers += box.rollers.size();
+  const std::size_t split = text.find("dense rollers");
+  EXPECT_EQ(count(text.substr(0, split), "<tr"), example().supports.size() + 2);  // and two lines of head
+  EXPECT_EQ(count(text.substr(split), "<tr"), rollers + 2);
+}
+
+TEST(dynamic_report, prints_the_twenty_hardest_impacts_and_folds_the_rest) {
+  const std::string text = section(page_of(example()), "impacts");
+  const std::size_t split = text.find("<details class=\"print-not\">");
+  ASSERT_NE(split, std::string::npos);
+  EXPECT_EQ(count(text.substr(0, split), "<tr"), 21u);
+  EXPECT_EQ(count(text.substr(split), "<tr"), example().hardest_impacts.size() - 20 + 1);
+}
+
+TEST(dynamic_report, of_a_calm_run_claims_no_impacts_and_no_fits) {
+  const std::string text = visible(page_of(synthetic_dynamics(bgl1().results, true)));
+  EXPECT_NE(text.find("The pipe never comes down on a roller it has left."), std::string::npos);
+  EXPECT_EQ(text.find("data-figure=\"impacts\""), std::string::npos);
+  EXPECT_NE(text.find("not enough peaks"), std::string::npos);
+  EXPECT_NE(text.find("<div class=\"name\">Rollers that lose contact</div><div class=\"value\">0 "), std::string::npos);
+}
+
+TEST(dynamic_report, warns_of_stress_beyond_yield_in_the_dynamic_run_only_then) {
+  const char* warning = "overbend von Mises stress in the dynamic run: 200.0 % of yield";
+  DynamicResults results = example();
+  EXPECT_EQ(page_of(results).find("in the dynamic run"), std::string::npos);
+  results.overbend.von_mises.over_time.max = 2.0 * bgl1().results.stations.back().yield_stress;
+  const std::string page = page_of(results);
+  EXPECT_NE(page.find(warning), std::string::npos);
+  EXPECT_NE(page.find("<div class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+}
+
+TEST(dynamic_report, hostile_words_of_the_user_are_harmless) {
+  const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(2)>";
+  DynamicResults results = example();
+  results.warnings = results.assumptions = {attack};
+  results.supports.front().name = attack;
+  results.histories.front().name = "support/" + attack + "/reaction";
+  results.run.integrator = attack;
+  const std::string page = page_of(results);
+  EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+}
+
+TEST(dynamic_report, without_supports_shows_no_empty_overbend) {
+  StaticResults statics = bgl1().results;
+  statics.supports.clear();
+  statics.overbend.reset();
+  statics.stinger_tip_clearance.reset();
+  const std::string text = visible(report_html(statics, synthetic_dynamics(statics), ""));
+  EXPECT_EQ(text.find("data-part=\"overbend\""), std::string::npos);
+  EXPECT_EQ(text.find("data-part=\"reactions\""), std::string::npos);
+  EXPECT_EQ(section(text, "dynamic-supports"), "");
+  EXPECT_EQ(section(text, "impacts"), "");
+  EXPECT_EQ(text.find("Overbend von Mises"), std::string::npos);
+}
+
+TEST(dynamic_report, is_written_as_a_file) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "overbend_dynamic_report_test.html";
+  write_report(bgl1().results, example(), bgl1().model_text, file);
+  EXPECT_GT(std::filesystem::file_size(file), 300'000u);
+  std::filesystem::remove(file);
+}
+
+TEST(dynamic_report_data, envelopes_run_from_the_tensioner_and_keep_their_peaks) {
+  const nlohmann::json data = data_of(example());
+  const std::vector<double> s = data["envelopes"]["s"];
+  EXPECT_DOUBLE_EQ(s.front(), 0.0);
+  EXPECT_TRUE(std::is_sorted(s.begin(), s.end()));
+  const std::vector<double> most = data["envelopes"]["mises"]["max"];
+  const double wanted = *std::max_element(example().von_mises.max.begin(), example().von_mises.max.end());
+  EXPECT_NEAR(*std::max_element(most.begin(), most.end()), wanted, 1e-6 * wanted);  // seven digits are kept
+}
+
+TEST(dynamic_report_data, histories_keep_least_and_greatest_to_their_resolution) {
+  const nlohmann::json data = data_of(example());
+  for (const nlohmann::json& history : data["histories"]) {
+    if (history["title"] != "Top tension") continue;
+    const auto source = std::find_if(example().histories.begin(), example().histories.end(),
+                                     [](const HistorySummary& h) { return h.name == "top_tension"; });
+    const double quantum = history["quantum"], lowest = history["lowest"];
+    const std::vector<int> low = history["low"], high = history["high"];
+    EXPECT_LE(low.size(), 1000u);
+    const double least = 1e-3 * *std::min_element(source->low.begin(), source->low.end());
+    const double most = 1e-3 * *std::max_element(source->high.begin(), source->high.end());
+    EXPECT_NEAR(lowest + quantum * *std::min_element(low.begin(), low.end()), least, quantum);
+    EXPECT_NEAR(lowest + quantum * *std::max_element(high.begin(), high.end()), most, quantum);
+    EXPECT_NEAR(history["static"].get<double>(), 1e-3 * bgl1().results.top_tension, 1e-4);
+    return;
+  }
+  FAIL() << "no history of the top tension";
+}
+
+TEST(dynamic_report_data, shows_the_supports_that_are_pressed_hardest) {
+  std::vector<std::string> shown;
+  const nlohmann::json data = data_of(example());
+  for (const nlohmann::json& history : data["histories"]) {
+    if (history["group"] == "reactions") shown.push_back(history["title"]);
+  }
+  ASSERT_EQ(shown.size(), 4u);
+  const auto hardest = std::max_element(example().supports.begin(), example().supports.end(),
+                                        [](const SupportDynamics& a, const SupportDynamics& b) {
+                                          return a.static_reaction < b.static_reaction;  // as the made-up run scales
+                                        });
+  EXPECT_EQ(shown.front(), "Reaction, " + hardest->name);
+}
+
+TEST(dynamic_report_data, what_is_not_finite_does_not_break_the_page) {
+  DynamicResults results = example();
+  const double infinity = std::numeric_limits<double>::infinity();
+  results.histories.front().low.front() = -infinity;
+  results.histories.front().high.back() = std::numeric_limits<double>::quiet_NaN();
+  results.von_mises.max.front() = infinity;
+  results.supports.front().separation.min = infinity;
+  const std::string data = report_data(bgl1().results, &results);
+  EXPECT_TRUE(nlohmann::json::accept(data));
+  for (const char* word : {"NaN", "nan", "Infinity", "inf,"}) {
+    EXPECT_EQ(data.find(word), std::string::npos) << word;
+  }
+  const std::string text = section(page_of(results), "dynamic-supports");
+  EXPECT_EQ(text.find("<td>inf"), std::string::npos);
+}
+
+TEST(dynamic_report_data, spectra_are_cut_where_nothing_is_left) {
+  const nlohmann::json data = data_of(example());
+  EXPECT_EQ(data["spectra"].size(), example().spectra.size());
+  for (const nlohmann::json& spectrum : data["spectra"]) {
+    const std::vector<double> f = spectrum["frequency"];
+    EXPECT_LT(f.back(), 0.5) << spectrum["title"];  // the made-up ones reach to 1 Hz
+    EXPECT_GT(f.back(), 2.0 / 12.9) << spectrum["title"];
+  }
+}
+
+TEST(dynamic_report_data, what_does_not_move_has_no_spectrum) {
+  DynamicResults results = example();
+  for (double& density : results.spectra.front().density) density *= 1e-16;
+  EXPECT_EQ(data_of(results)["spectra"].size(), example().spectra.size() - 1);
+}
+
+TEST(quantity, names_and_units_are_those_of_people) {
+  EXPECT_EQ(quantity("support/stinger 8/reaction", "N").name, "Reaction, stinger 8");
+  EXPECT_EQ(quantity("support/a/b/reaction", "N").name, "Reaction, a/b");
+  EXPECT_EQ(quantity("top_tension_peak", "N").name, "Top tension");
+  EXPECT_EQ(quantity("overbend_von_mises_peak", "Pa").name, "Overbend von Mises stress");
+  EXPECT_EQ(quantity("top_tension", "N").text(250'000.0), "250.0");
+  EXPECT_EQ(quantity("pitch", "rad").text(0.0174532925), "1.00");
+  EXPECT_EQ(quantity("sagbend_strain_peak", "1").text(0.00054), "0.0540");
+  EXPECT_EQ(quantity("something new", "furlong").unit, "furlong");
+}
+
+TEST(quantity, durations_are_told_in_a_unit_that_fits) {
+  EXPECT_EQ(duration_words(60.0), "60 s");
+  EXPECT_EQ(duration_words(3600.0), "60 min");
+  EXPECT_EQ(duration_words(10'800.0), "3 h");
+}
+
+}  // namespace
+}  // namespace overbend
