@@ -353,20 +353,4 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
   return run.go(sink, from, statics, control);
 }
 
-std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
-  const Description& d = model.description;
-  if (!d.dynamics) {
-    return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};
-  }
-  if (d.vessel.motion == VesselMotion::coupled) {
-    return StaticFailure{"vessel.motion: coupled can not be run yet", "", "raos, harmonic and history can"};
-  }
-  if (d.tensioner.range_low && d.tensioner.tension &&
-      (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
-    return StaticFailure{"tensioner.range does not hold tensioner.tension", "",
-                         "the tensioner would move from the first moment on"};
-  }
-  return std::nullopt;
-}
-
 }  // namespace overbend

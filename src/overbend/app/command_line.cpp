@@ -41,6 +41,8 @@ void add_dynamic(CLI::App& program, int& code) {
   command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  command->add_option("--threads", arguments->threads, "Seeds at work at the same time; left out: one per core")
+      ->check(CLI::Range(1, 4096));
   command->callback([arguments, &code] { code = run_dynamic(*arguments); });
 }
 

@@ -22,9 +22,11 @@ struct DynamicArguments {
   std::string duration;            ///< With its unit; empty: the model's.
   bool resume = false;             ///< Go on from the last checkpoint in `output`.
   double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
+  int threads = 0;                 ///< Seeds at work at the same time; 0: as many as there are cores.
 };
 
-/// Statics, then the time domain. Interrupted, it leaves a checkpoint and returns kInterrupted.
+/// Statics, then the time domain, for every seed of the model. Interrupted, it leaves checkpoints and returns
+/// kInterrupted.
 int run_dynamic(const DynamicArguments& arguments);
 
 /// Writes report.html beside a results.h5, given that file or its folder.

@@ -1,22 +1,16 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 
-#include "analysis/dynamics.h"
 #include "analysis/recovery.h"
 #include "app/commands.h"
-#include "app/dynamic_finish.h"
-#include "app/exit_code.h"
+#include "app/dynamic_seeds.h"
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "base/units.h"
-#include "io/dynamic_writer.h"
 #include "io/run_store.h"
-#include "io/staged_folder.h"
-#include "report/report.h"
 
 namespace overbend {
 namespace {
@@ -51,58 +45,9 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   for (const std::string& warning : r.warnings) std::cout << "  warning: " << warning << "\n";
 }
 
-int tell(const StaticFailure& failure, int code) {
-  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
-  std::cerr << "overbend: " << (code == kNoSolution ? "no solution: " : "") << failure.what << where << ": "
-            << failure.why << "\n";
-  return code;
-}
-
 int refuse(const std::string& why) {
   std::cerr << "overbend: " << why << "\n";
   return kWrongInput;
-}
-
-std::string file_text(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-/// All that a run depends on: a run is taken up again with the same alone.
-std::string input_text(const Description& d) {
-  std::string text = d.source_text;
-  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
-    if (!file.empty()) {
-      text += "\n# " + file + "\n" + file_text(file);
-    }
-  }
-  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
-}
-
-/// Where the run's data go, and the state to go on from.
-struct Begun {
-  std::optional<RunStore> store;
-  std::optional<DynamicCheckpoint> state;
-};
-
-Begun begin(const fs::path& folder, const Description& description, std::uint64_t seed, bool resume) {
-  const std::string text = input_text(description);
-  if (resume) {
-    if (std::optional<ResumedRun> resumed = RunStore::resume(folder, text, seed)) {
-      std::cerr << fmt::format("Goes on from t = {:.1f} s.\n", resumed->state.time);
-      return {std::move(resumed->store), std::move(resumed->state)};
-    }
-    std::cerr << "There is no unfinished run in " << folder.string() << ": begins anew.\n";
-  }
-  return {RunStore::create(folder, text, seed), std::nullopt};
-}
-
-void write_results(const StaticResults& statics, const DynamicResults& results, const RunStore& store,
-                   const Description& description, const fs::path& folder) {
-  StagedFolder staged(folder);
-  write_dynamic_files(statics, results, store, description, staged.path());
-  write_report(statics, results, description.source_text, staged.path() / "report.html");
-  staged.commit("summary.json");
 }
 
 /// Follows the run: progress, checkpoints, interruption.
@@ -142,46 +87,51 @@ std::optional<Description> read(const DynamicArguments& arguments) {
   return description;
 }
 
-int run_in(const fs::path& folder, const Description& description, const DynamicArguments& arguments) {
-  const Model model = build_model(description);
-  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) return tell(*obstacle, kWrongInput);
-  const StaticOutcome start = solve_statics(model);
-  if (start.failure) return tell(*start.failure, kNoSolution);
-  const StaticResults statics = recover_statics(model, *start.solution);
-  const DynamicOptions options = dynamic_options(model);
-  Begun begun;
-  try {
-    begun = begin(folder, description, options.seed, arguments.resume);
-  } catch (const std::runtime_error& fault) {
-    return refuse(fault.what());
+/// One run straight into the folder.
+int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments) {
+  if (arguments.resume) {
+    const std::optional<StoredRun> stored = RunStore::find(folder);
+    std::cerr << (stored ? fmt::format("Goes on from t = {:.1f} s.\n", stored->time)
+                         : fmt::format("There is no unfinished run in {}: begins anew.\n", folder.string()));
   }
-  DynamicOutcome outcome;
+  const DynamicOptions options = dynamic_options(shared.model);
+  std::mutex writing;
+  RealisationEnd end;
   {
     const Interruption interruption;
     Watch watch(options, arguments.checkpoint_every);
-    try {
-      outcome =
-          run_dynamics(model, *start.solution, statics, options, *begun.store, begun.state ? &*begun.state : nullptr,
-                       [&](const DynamicProgress& at) { return watch(at); });
-    } catch (const std::invalid_argument& fault) {  // a sea or a motion that can not be made
-      begun.store->remove();
-      return refuse(fault.what());
-    }
+    end = run_realisation(shared, folder, options.seed, arguments.resume, std::ref(watch), writing);
   }
-  if (outcome.stopped) {
-    std::cerr << "overbend: interrupted; the run goes on with --resume\n";
-    return kInterrupted;
+  if (end.code != kDone) {
+    std::cerr << "overbend: " << end.why << "\n";
+    return end.code;
   }
-  if (outcome.failure) {
-    begun.store->remove();
-    return tell(*outcome.failure, kNoSolution);
-  }
-  finish_histories(*outcome.results, *begun.store);
-  write_results(statics, *outcome.results, *begun.store, description, folder);
-  begun.store->remove();
-  print_results(statics, *outcome.results);
+  print_results(shared.statics, *end.results);
   std::cout << "Results are in " << folder.string() << "\n";
   return kDone;
+}
+
+std::optional<std::string> twice(std::vector<std::uint64_t> seeds) {
+  std::sort(seeds.begin(), seeds.end());
+  const auto found = std::adjacent_find(seeds.begin(), seeds.end());
+  if (found == seeds.end()) return std::nullopt;
+  return fmt::format("analysis.dynamic.seeds: {} is given twice", *found);
+}
+
+int run_in(const fs::path& folder, const Description& description, const DynamicArguments& arguments) {
+  const Model model = build_model(description);
+  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) return refuse(failure_line(*obstacle));
+  const std::vector<std::uint64_t>& seeds = description.dynamics->seeds;
+  if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
+  const StaticOutcome start = solve_statics(model);
+  if (start.failure) {
+    std::cerr << "overbend: no solution: " << failure_line(*start.failure) << "\n";
+    return kNoSolution;
+  }
+  const StaticResults statics = recover_statics(model, *start.solution);
+  const DynamicCase shared{description, model, *start.solution, statics, input_text(description)};
+  if (seeds.size() < 2) return run_one(shared, folder, arguments);
+  return run_seeds(shared, seeds, folder, {arguments.resume, arguments.checkpoint_every, arguments.threads});
 }
 
 }  // namespace

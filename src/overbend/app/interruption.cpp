@@ -1,21 +1,23 @@
 #include "app/interruption.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace overbend {
 namespace {
 
-volatile std::sig_atomic_t flag = 0;
+std::atomic<bool> flag{false};  // several threads look at it
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
 void set_flag(int signal) {
-  flag = 1;
+  flag = true;
   std::signal(signal, SIG_DFL);  // who asks twice means it
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-  flag = 0;
+  flag = false;
   std::signal(SIGINT, set_flag);
   std::signal(SIGTERM, set_flag);
 }
@@ -26,7 +28,7 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::wanted() {
-  return flag != 0;
+  return flag;
 }
 
 }  // namespace overbend

@@ -1,0 +1,100 @@
+#include "app/dynamic_realisation.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "app/dynamic_finish.h"
+#include "io/dynamic_writer.h"
+#include "io/run_store.h"
+#include "io/staged_folder.h"
+#include "report/report.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Where the run's data go, and the state to go on from.
+struct Begun {
+  RunStore store;
+  std::optional<DynamicCheckpoint> state;
+};
+
+Begun begin(const fs::path& folder, const std::string& input, std::uint64_t seed, bool resume) {
+  if (resume) {
+    if (std::optional<ResumedRun> resumed = RunStore::resume(folder, input, seed)) {
+      return {std::move(resumed->store), std::move(resumed->state)};
+    }
+  }
+  return {RunStore::create(folder, input, seed), std::nullopt};
+}
+
+void write_results(const DynamicCase& shared, const DynamicResults& results, const RunStore& store,
+                   const fs::path& folder) {
+  StagedFolder staged(folder);
+  write_dynamic_files(shared.statics, results, store, shared.description, staged.path());
+  write_report(shared.statics, results, shared.description.source_text, staged.path() / "report.html");
+  staged.commit("summary.json");
+}
+
+}  // namespace
+
+std::string input_text(const Description& d) {
+  std::string text = d.source_text;
+  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
+    if (!file.empty()) {
+      text += "\n# " + file + "\n" + file_text(file);
+    }
+  }
+  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
+}
+
+std::string failure_line(const StaticFailure& failure) {
+  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
+  return failure.what + where + ": " + failure.why;
+}
+
+RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
+                               const std::function<DynamicControl(const DynamicProgress&)>& control,
+                               std::mutex& writing) {
+  std::optional<Begun> begun;
+  try {
+    begun.emplace(begin(folder, shared.input, seed, resume));
+  } catch (const std::runtime_error& fault) {  // a folder that can not be, or a run of something else in it
+    return {kWrongInput, fault.what(), std::nullopt};
+  }
+  DynamicOptions options = dynamic_options(shared.model);
+  options.seed = seed;
+  DynamicOutcome outcome;
+  try {
+    outcome = run_dynamics(shared.model, shared.start, shared.statics, options, begun->store,
+                           begun->state ? &*begun->state : nullptr, control);
+  } catch (const std::invalid_argument& fault) {  // a sea or a motion that can not be made
+    begun->store.remove();
+    return {kWrongInput, fault.what(), std::nullopt};
+  }
+  if (outcome.stopped) {
+    return {kInterrupted, "interrupted; the run goes on with --resume", std::nullopt};
+  }
+  if (outcome.failure) {
+    begun->store.remove();
+    return {kNoSolution, "no solution: " + failure_line(*outcome.failure), std::nullopt};
+  }
+  finish_histories(*outcome.results, begun->store);
+  {
+    const std::lock_guard<std::mutex> hold(writing);
+    write_results(shared, *outcome.results, begun->store, folder);
+  }
+  begun->store.remove();
+  return {kDone, "", std::move(outcome.results)};
+}
+
+}  // namespace overbend

@@ -1,0 +1,118 @@
+#include "app/seeds_gather.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/log_weibull.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kThreeHours = 10800.0;  ///< [s]
+
+/// What is gathered of a run, and how it is found there.
+struct Rule {
+  SeedQuantity quantity;
+  double (*value)(const DynamicResults&);
+};
+
+double largest_reaction(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const SupportDynamics& support : r.supports) largest = std::max(largest, support.reaction.max);
+  return largest;
+}
+
+std::vector<Rule> rules(const StaticResults& statics) {
+  constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
+  using Results = DynamicResults;
+  std::vector<Rule> list = {{{"top_tension_max", "N", "Largest effective tension at the tensioner", kLargest},
+                             [](const Results& r) { return r.top_tension.max; }},
+                            {{"top_tension_min", "N", "Smallest effective tension at the tensioner", kSmallest},
+                             [](const Results& r) { return r.top_tension.min; }}};
+  const auto add = [&](const SeedQuantity& quantity, double (*value)(const Results&)) {
+    list.push_back({quantity, value});
+  };
+  if (statics.overbend) {
+    add({"overbend_max_bending_moment", "N m", "Largest bending moment of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.bending_moment.over_time.max; });
+    add({"overbend_max_von_mises", "Pa", "Largest von Mises stress of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.von_mises.over_time.max; });
+    add({"overbend_max_strain", "1", "Largest strain of the overbend", kLargest},
+        [](const Results& r) { return r.overbend.strain.over_time.max; });
+  }
+  add({"sagbend_max_bending_moment", "N m", "Largest bending moment of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.bending_moment.over_time.max; });
+  add({"sagbend_max_von_mises", "Pa", "Largest von Mises stress of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.von_mises.over_time.max; });
+  add({"sagbend_max_strain", "1", "Largest strain of the sagbend", kLargest},
+      [](const Results& r) { return r.sagbend.strain.over_time.max; });
+  if (statics.stinger_tip_clearance) {
+    add({"stinger_tip_clearance_min", "m", "Smallest separation at the last row of the stinger", kSmallest},
+        [](const Results& r) { return r.stinger_tip_clearance.min; });
+  }
+  if (!statics.supports.empty()) {
+    add({"largest_reaction", "N", "Largest reaction of a support", kLargest}, largest_reaction);
+    add({"impact_count", "1", "Number of impacts", kNone},
+        [](const Results& r) { return static_cast<double>(r.impact_count); });
+  }
+  add({"energy_drift", "1", "Error of the energy balance over the energy that has passed", kNone},
+      [](const Results& r) { return r.energy.drift(); });
+  return list;
+}
+
+void fit(SeedStatistics& statistics, std::span<const double> values, bool largest, double duration) {
+  std::vector<double> turned;  // of largest values: their negatives have the distribution that fit_log_weibull fits
+  for (const double value : values) turned.push_back(largest ? -value : value);
+  std::sort(turned.begin(), turned.end());
+  const std::optional<LogWeibull> found = values.size() < kFewestRuns ? std::nullopt : fit_log_weibull(turned, 0);
+  statistics.enough = found.has_value();
+  if (!found) return;
+  const ConfidentEstimate least = confident(*found, turned.size(), 0, -std::log(kThreeHours / duration));
+  const double sign = largest ? -1.0 : 1.0;
+  statistics.mode = sign * found->location;
+  statistics.scale = found->scale;
+  statistics.estimate = sign * least.value;
+  statistics.low = largest ? -least.high : least.low;
+  statistics.high = largest ? -least.low : least.high;
+}
+
+}  // namespace
+
+std::vector<SeedQuantity> seed_quantities(const StaticResults& statics) {
+  std::vector<SeedQuantity> quantities;
+  for (const Rule& rule : rules(statics)) quantities.push_back(rule.quantity);
+  return quantities;
+}
+
+std::vector<double> seed_values(const StaticResults& statics, const DynamicResults& results) {
+  std::vector<double> values;
+  for (const Rule& rule : rules(statics)) values.push_back(rule.value(results));
+  return values;
+}
+
+SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extreme, double duration) {
+  SeedStatistics s;
+  const double count = static_cast<double>(values.size());
+  const auto [least, largest] = std::minmax_element(values.begin(), values.end());
+  s.min = *least;
+  s.max = *largest;
+  for (const double value : values) s.mean += value / count;
+  double squares = 0.0;
+  for (const double value : values) squares += (value - s.mean) * (value - s.mean);
+  s.std = values.size() > 1 ? std::sqrt(squares / (count - 1.0)) : 0.0;
+  if (extreme != SeedExtreme::none) fit(s, values, extreme == SeedExtreme::largest, duration);
+  return s;
+}
+
+void fill_statistics(SeedsResults& results) {
+  results.statistics.clear();
+  if (results.runs.empty()) return;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < results.quantities.size(); ++i) {
+    values.clear();
+    for (const SeedRun& run : results.runs) values.push_back(run.values.at(i));
+    results.statistics.push_back(seed_statistics(values, results.quantities[i].extreme, results.duration));
+  }
+}
+
+}  // namespace overbend

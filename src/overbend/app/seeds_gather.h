@@ -1,0 +1,27 @@
+/// From the results of several realisations to what they say together.
+#pragma once
+
+#include <span>
+
+#include "results/dynamic_results.h"
+#include "results/seeds_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+inline constexpr std::size_t kFewestRuns = 10;  ///< Below this no distribution is fitted.
+
+/// The key values of a run; a J-lay has none of the overbend and of supports.
+std::vector<SeedQuantity> seed_quantities(const StaticResults& statics);
+
+/// Those of one run, in the same order.
+std::vector<double> seed_values(const StaticResults& statics, const DynamicResults& results);
+
+/// A quantity over the runs, at least one. A run's extreme is taken for a Gumbel variable; the estimate
+/// is for three hours, whatever the duration [s] of a run: mode + scale ln(3 h/duration), turned for smallest values.
+SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extreme, double duration);
+
+/// Fills `statistics` from `runs`.
+void fill_statistics(SeedsResults& results);
+
+}  // namespace overbend

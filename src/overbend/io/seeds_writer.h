@@ -1,0 +1,22 @@
+/// Writes what several realisations of a sea state gave together: summary.json and seeds.csv.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/seeds_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Both files into an existing folder. Throws std::runtime_error when a value is not finite (and names it) or a file
+/// can not be written.
+void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder);
+
+/// The text of summary.json: what statics writes, and the key `seeds`.
+std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);
+
+/// The text of seeds.csv: a row per seed, engineering units; values of a failed one stay empty.
+std::string seeds_table(const SeedsResults& results);
+
+}  // namespace overbend

@@ -1,0 +1,56 @@
+/// What several realisations of the same sea state gave: a run with several seeds. Plain data, SI units.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+/// How a value of each run is looked at over the runs.
+enum class SeedExtreme {
+  largest,   ///< The largest of a run; larger is worse.
+  smallest,  ///< The smallest of a run; smaller is worse.
+  none,      ///< A count or a measure of quality.
+};
+
+/// A key value of a run.
+struct SeedQuantity {
+  std::string name;         ///< For scripts: "overbend_max_von_mises".
+  std::string units;        ///< SI.
+  std::string description;  ///< One line.
+  SeedExtreme extreme = SeedExtreme::none;
+};
+
+/// A run that came to its end.
+struct SeedRun {
+  std::uint64_t seed = 0;
+  std::string folder;          ///< Within the folder of results: "seed-3".
+  std::vector<double> values;  ///< As many as there are quantities.
+  std::vector<std::string> warnings;
+};
+
+struct FailedSeed {
+  std::uint64_t seed = 0;
+  std::string why;
+};
+
+/// A quantity over the runs.
+struct SeedStatistics {
+  double mean = 0.0, std = 0.0, min = 0.0, max = 0.0;  ///< `std` of a sample: divided by the number less one.
+  bool enough = false;                                 ///< False: too few runs for a fit, or all the same.
+  // Gumbel distribution of a run's extreme (of its negative, turned back, for a smallest one).
+  double mode = 0.0, scale = 0.0;
+  double estimate = 0.0, low = 0.0, high = 0.0;  ///< Most probable extreme of three hours, 95 % confidence.
+};
+
+struct SeedsResults {
+  double duration = 0.0, build_up = 0.0;  ///< Of each run [s].
+  std::vector<SeedQuantity> quantities;
+  std::vector<SeedRun> runs;               ///< In the order of the model's list.
+  std::vector<SeedStatistics> statistics;  ///< As many as quantities; empty without runs.
+  std::vector<FailedSeed> failed;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace overbend
