@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# From a fresh clone to a first result: installs what is missing, builds the program and solves the BGL-1 example.
+# From a fresh clone to a first result: installs what is missing, builds the program, solves the BGL-1 example and runs
+# two minutes of its storm.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -14,7 +15,12 @@ cmake --build --preset release --target overbend --parallel "$(nproc)"
 echo "== Solving the statics of examples/bgl1.yaml"
 build/release/overbend static examples/bgl1.yaml -o "$results"
 
+
+echo "== Two minutes of the storm"
+build/release/overbend dynamic examples/bgl1.yaml --duration '120 s' -o "$results-storm"
+
 echo
-echo "Done. Open the report in a browser:"
-echo "  $PWD/$results/report.html"
-echo "Beside it lie summary.json, pipe.csv, supports.csv and results.h5."
+echo "Done. Open the reports in a browser:"
+echo "  $PWD/$results/report.html          statics"
+echo "  $PWD/$results-storm/report.html    statics and the run in time"
+echo "Beside each lie summary.json, pipe.csv, supports.csv and results.h5."
