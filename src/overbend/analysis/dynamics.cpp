@@ -16,6 +16,7 @@
 namespace overbend {
 namespace {
 
+constexpr double kLeastMotion = 1e-6;      ///< Of the whole line: less is rest [m].
 constexpr double kSmallestStep = 1e-7;     ///< [s]
 constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
 constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
@@ -161,7 +162,7 @@ bool Run::begin() {
   state_.anchor_guide.alg = state_.anchor_guide.acc;
   const DynamicState before = state_;
   system_->evaluate(state_, before, {}, false);
-  energy_.start(system_->energy(state_));
+  energy_.start(system_->energy(state_), kLeastMotion * setup_.line.force_scale);
   ended_.clear();
   tracker_->accept(system_->contacts(), state_.time, 1.0, ended_);
   recorder_->start(instant());

@@ -42,9 +42,10 @@ void visit_balance(Balance& b, const Visit& visit_one) {
 
 }  // namespace
 
-void EnergyAccount::start(const InstantEnergy& first) {
+void EnergyAccount::start(const InstantEnergy& first, double least) {
   first_ = last_ = first;
   balance_ = {};
+  balance_.throughput = least;
 }
 
 void EnergyAccount::add(const InstantEnergy& now, double h) {

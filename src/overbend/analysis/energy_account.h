@@ -12,7 +12,8 @@ namespace overbend {
 /// damps appears as error.
 class EnergyAccount {
  public:
-  void start(const InstantEnergy& first);
+  /// `least` energy counts as passed from the start, so that a pipe at rest does not drift by its rounding [J].
+  void start(const InstantEnergy& first, double least);
   /// The state after a step of `h`.
   void add(const InstantEnergy& now, double h);
   const EnergyBalance& balance() const { return balance_; }
