@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# From a fresh clone to a first result: installs what is missing, builds the program, solves the BGL-1 example and sets
-# it in motion for two minutes.
+# From a fresh clone to a first result: installs what is missing, builds the program, solves the BGL-1 example and runs
+# two minutes of its storm.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-statics=results/bgl1
-dynamics=results/bgl1-dynamic
+results=results/bgl1
 
 bash scripts/install.sh build
 
@@ -14,13 +13,14 @@ cmake --preset release -DOVERBEND_TESTS=OFF -DOVERBEND_BENCH=OFF
 cmake --build --preset release --target overbend --parallel "$(nproc)"
 
 echo "== Solving the statics of examples/bgl1.yaml"
-build/release/overbend static examples/bgl1.yaml -o "$statics"
+build/release/overbend static examples/bgl1.yaml -o "$results"
 
-echo "== Two minutes of its storm"
-build/release/overbend dynamic examples/bgl1.yaml --duration '120 s' -o "$dynamics"
+
+echo "== Two minutes of the storm"
+build/release/overbend dynamic examples/bgl1.yaml --duration '120 s' -o "$results-storm"
 
 echo
 echo "Done. Open the reports in a browser:"
-echo "  $PWD/$statics/report.html    the static state"
-echo "  $PWD/$dynamics/report.html    in motion"
+echo "  $PWD/$results/report.html          statics"
+echo "  $PWD/$results-storm/report.html    statics and the run in time"
 echo "Beside each lie summary.json, pipe.csv, supports.csv and results.h5."

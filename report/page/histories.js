@@ -12,6 +12,7 @@
   // Hours and minutes where seconds would be long numbers.
   const time_unit = duration > 7200 ? { name: 'min', seconds: 60 } : { name: 's', seconds: 1 };
 
+  // Whether it is drawn as a line is what it tells.
   function band(frame, history) {
     const count = history.low.length;
     const time = (k) => (-build_up + (k + 0.5) * (duration + build_up) / count) / time_unit.seconds;
@@ -23,6 +24,7 @@
     const line = d3.median(all, (k) => history.high[k] - history.low[k]) < 60;
     const colour = line ? colours.dynamic : colours.history;
     frame.plot.append('path').attr('d', area(all)).attr('fill', colour).attr('stroke', colour).attr('stroke-width', line ? 1.4 : 0.9).attr('stroke-linejoin', 'round');
+    return line;
   }
 
   function build_up_shade(frame) {
@@ -59,9 +61,9 @@
     });
     frame.svg.classed('small', small);
     build_up_shade(frame);
-    band(frame, history);
+    const line = band(frame, history);
     if (history.static !== null) {
-      level_line(frame, history.static, '#fff', null, 3.5);
+      if (!line) level_line(frame, history.static, '#fff', null, 3.5);
       level_line(frame, history.static, colours.accent, '7 4');
       Report.legend(frame, [{ text: `static ${Report.fixed(history.static, history.digits)}`, colour: colours.accent, dash: '7 4' }]);
     }

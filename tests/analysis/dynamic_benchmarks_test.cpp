@@ -69,8 +69,9 @@ TEST(dynamic_benchmarks, stiff_bar_swings_with_the_period_of_the_elliptic_integr
   for (const double degrees : {30.0, 60.0, 90.0, 120.0}) {
     const double angle = degrees * kPi / 180.0;
     const double exact = 4.0 * std::sqrt(20.0 / (3.0 * kGravity)) * elliptic_k(std::sin(0.5 * angle));
-    // 400 steps to the period: (2 pi/400)^2/12 = 2e-5 for small swings, more for wide ones.
-    EXPECT_NEAR(bar_pendulum_period(angle, exact), exact, 2e-4 * exact) << degrees;
+    // 400 steps to the period: (2 pi/400)^2/12 = 2e-5 for small swings, ten times that for wide ones, where the bar
+    // passes the bottom much faster. The published case asks for 1e-3.
+    EXPECT_NEAR(bar_pendulum_period(angle, exact), exact, 3e-4 * exact) << degrees;
   }
 }
 

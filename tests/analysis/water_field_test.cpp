@@ -63,8 +63,9 @@ TEST(water_field, agrees_with_the_sums_of_the_waves_within_its_stated_error) {
       largest_a = std::max(largest_a, exact.acceleration.norm());
     }
   }
-  // The shortest waves of the sea are 10 m long and lose (k d)^2 / 8 = 2 % between stations 1.5 to 2 m apart; they hold
-  // a hundredth of the energy. The moving pipe adds v k / omega of the rate, a few per cent, between moments.
+  // Waves of twice the peak's frequency lose (k d)^2 / 8 = 0.6 % between stations 2 m apart and (omega D)^2 / 8 = 0.8 %
+  // of their acceleration between moments; shorter ones more, of less. The moving pipe adds v k / omega of the
+  // velocity's rate, a few per cent, between moments.
   EXPECT_LT(worst_v, 0.01 * largest_v);
   EXPECT_LT(worst_a, 0.04 * largest_a);
 }

@@ -1,6 +1,7 @@
 #include "io/spectrum_reader.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -70,7 +71,8 @@ class SpectrumFile : public ::testing::Test {
   }
   void write(const std::string& text) const { std::ofstream(folder / "sea.csv") << text; }
 
-  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "overbend_spectrum_file";
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("overbend_spectrum_" + std::to_string(::getpid()));
   const std::string user = "{type: user, spectrum_file: sea.csv, from: 180 deg}";
 };
 

@@ -74,7 +74,7 @@ TEST(yaml_reader, the_example_arrives_in_si) {
   EXPECT_DOUBLE_EQ(d.supports.stinger_radius.value_or(0.0), 150.0);
   ASSERT_TRUE(d.dynamics.has_value());
   EXPECT_DOUBLE_EQ(d.dynamics->duration, 10800.0);
-  EXPECT_DOUBLE_EQ(d.dynamics->spectral_radius, 0.8);
+  EXPECT_DOUBLE_EQ(d.dynamics->spectral_radius, 0.6);
 }
 
 TEST(yaml_reader, boxes_override_what_their_structure_says) {

@@ -1,22 +1,11 @@
 /// The recorder into a checkpoint and out of it.
-#include <algorithm>
-#include <stdexcept>
-
+#include "analysis/dynamic_checkpoint.h"
 #include "analysis/dynamic_recorder.h"
 
 namespace overbend {
 namespace {
 
 constexpr std::size_t kImpactNumbers = 8;
-
-const DynamicCheckpoint::Array& array_of(const DynamicCheckpoint& checkpoint, const std::string& name) {
-  const auto found = std::find_if(checkpoint.arrays.begin(), checkpoint.arrays.end(),
-                                  [&](const DynamicCheckpoint::Array& a) { return a.name == name; });
-  if (found == checkpoint.arrays.end()) {
-    throw std::runtime_error("the checkpoint has no " + name);
-  }
-  return *found;
-}
 
 }  // namespace
 
@@ -51,7 +40,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
 }
 
 void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
-  const auto get = [&](const char* name) -> const std::vector<double>& { return array_of(checkpoint, name).values; };
+  const auto get = [&](const char* name) -> const std::vector<double>& { return checkpoint_array(checkpoint, name); };
   forget_interval();  // checkpoints stand right after a row
   node_statistics_.restore(get("record/nodes"));
   support_statistics_.restore(get("record/supports"));

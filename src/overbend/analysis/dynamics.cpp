@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "analysis/dynamic_checkpoint.h"
+#include "analysis/dynamic_clock.h"
 #include "analysis/dynamic_recorder.h"
 #include "analysis/dynamic_setup.h"
 #include "analysis/energy_account.h"
@@ -16,7 +18,6 @@ namespace {
 
 constexpr double kSmallestStep = 1e-7;     ///< [s]
 constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
-constexpr double kLeastGrowth = 1.15;      ///< Less than this is not worth new factors.
 constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
 
 /// Everything that stands still during a run.
@@ -57,43 +58,6 @@ Setup make_setup(const Model& model, const StaticSolution& start, const DynamicO
   setup.interval = water_interval(setup.sea, options.output_step);
   return setup;
 }
-
-/// Counts the clock's ticks, so that times are products and not sums.
-struct Clock {
-  double interval = 0.5;
-  std::int64_t tick = 0, ticks_per_row = 1, last_tick = 0;
-
-  double time() const { return static_cast<double>(tick) * interval; }
-  bool at_row() const { return tick % ticks_per_row == 0; }
-};
-
-Clock make_clock(const DynamicOptions& options, double interval) {
-  Clock clock;
-  clock.interval = interval;
-  clock.ticks_per_row = std::llround(options.output_step / interval);
-  const std::int64_t rows_before = static_cast<std::int64_t>(std::ceil(options.build_up / options.output_step - 1e-9));
-  const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
-  clock.tick = -rows_before * clock.ticks_per_row;
-  clock.last_tick = rows_after * clock.ticks_per_row;
-  return clock;
-}
-
-/// Chooses steps between ticks.
-struct StepChooser {
-  double wanted = 0.02;  ///< By error and impacts [s].
-  double last = 0.0;     ///< Step taken last [s].
-
-  /// A step that leads to the next tick in equal parts; that of before where it does so too, so that factors serve on.
-  double choose(double remaining, double longest) {
-    const double limit = std::min(wanted, longest);
-    const double parts = remaining / last;
-    const bool fits = last > 0.0 && std::abs(parts - std::round(parts)) < 1e-6 && parts > 0.5;
-    if (!(fits && last <= limit * (1.0 + 1e-9) && last * kLeastGrowth > std::min(limit, remaining))) {
-      last = remaining / std::ceil(remaining / limit - 1e-9);
-    }
-    return last;
-  }
-};
 
 std::string place_text(double time, double s) {
   return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
@@ -279,94 +243,25 @@ void Run::write_row(DynamicSink& sink) {
 DynamicCheckpoint Run::checkpoint() const {
   DynamicCheckpoint c;
   c.time = state_.time;
-  const auto put = [&](const char* name, std::vector<double> values) { c.arrays.push_back({name, std::move(values)}); };
-  put("state/q", state_.q);
-  put("state/v", state_.v);
-  put("state/acc", state_.acc);
-  put("state/alg", state_.alg);
-  put("state/bed_slip", {state_.bed_slip.begin(), state_.bed_slip.end()});
-  const GuideValues &a = state_.anchor_guide, &t = state_.top_guide;
-  put("state/scalars", {state_.time, state_.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
-  std::vector<double> contacts;
-  for (const ContactMemory& m : state_.contacts) {
-    contacts.insert(contacts.end(), {m.slip_axial, m.slip_lateral, m.carries ? 1.0 : 0.0, static_cast<double>(m.axial),
-                                     static_cast<double>(m.lateral), static_cast<double>(m.element), m.xi});
-  }
-  put("state/contacts", std::move(contacts));
-  std::vector<double> water{water_memory_.time};
-  for (const std::vector<WaterState>* moment : {&water_memory_.first, &water_memory_.second}) {
-    for (const WaterState& w : *moment) {
-      water.insert(water.end(), {w.velocity.x(), w.velocity.y(), w.velocity.z(), w.acceleration.x(), w.acceleration.y(),
-                                 w.acceleration.z(), w.elevation});
-    }
-  }
-  put("water", std::move(water));
-  put("impacts", tracker_->save());
-  put("energy", energy_.save());
-  put("control", {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick)});
-  put("report", {static_cast<double>(report_.steps), static_cast<double>(report_.rejected_steps),
-                 static_cast<double>(report_.newton_iterations), static_cast<double>(report_.factorisations),
-                 report_.smallest_step, report_.largest_step, report_.wall_time});
+  save_state(c, state_);
+  save_water(c, water_memory_);
+  c.arrays.push_back({"impacts", tracker_->save()});
+  c.arrays.push_back({"energy", energy_.save()});
+  c.arrays.push_back({"control", {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick)}});
+  save_report(c, report_);
   recorder_->save(c);
   return c;
 }
 
 void Run::resume(const DynamicCheckpoint& checkpoint) {
-  const auto get = [&](const char* name) -> const std::vector<double>& {
-    for (const DynamicCheckpoint::Array& array : checkpoint.arrays) {
-      if (array.name == name) {
-        return array.values;
-      }
-    }
-    throw std::runtime_error(std::string("the checkpoint has no ") + name);
-  };
-  state_.q = get("state/q");
-  state_.v = get("state/v");
-  state_.acc = get("state/acc");
-  state_.alg = get("state/alg");
-  const std::vector<double>& slip = get("state/bed_slip");
-  state_.bed_slip.assign(slip.begin(), slip.end());
-  const std::vector<double>& s = get("state/scalars");
-  state_.time = s.at(0);
-  state_.last_step = s.at(1);
-  state_.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
-  state_.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
-  const std::vector<double>& contacts = get("state/contacts");
-  for (std::size_t i = 0; i < state_.contacts.size(); ++i) {
-    const double* v = &contacts.at(7 * i);
-    state_.contacts[i] = {v[0],
-                          v[1],
-                          v[2] != 0.0,
-                          static_cast<Slip>(std::lround(v[3])),
-                          static_cast<Slip>(std::lround(v[4])),
-                          static_cast<int>(std::lround(v[5])),
-                          v[6]};
-  }
-  const std::vector<double>& water = get("water");
-  water_memory_.time = water.at(0);
-  std::size_t i = 1;
-  for (std::vector<WaterState>* moment : {&water_memory_.first, &water_memory_.second}) {
-    moment->resize(water_.stations());
-    for (WaterState& w : *moment) {
-      const double* v = &water.at(i);
-      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6]};
-      i += 7;
-    }
-  }
-  tracker_->restore(get("impacts"));
-  energy_.restore(get("energy"));
-  const std::vector<double>& control = get("control");
-  chooser_.wanted = control.at(0);
-  chooser_.last = control.at(1);
+  restore_state(checkpoint, state_);
+  restore_water(checkpoint, water_memory_);
+  tracker_->restore(checkpoint_array(checkpoint, "impacts"));
+  energy_.restore(checkpoint_array(checkpoint, "energy"));
+  const std::vector<double>& control = checkpoint_array(checkpoint, "control");
+  chooser_ = {control.at(0), control.at(1)};
   clock_.tick = std::llround(control.at(2));
-  const std::vector<double>& report = get("report");
-  report_.steps = std::llround(report.at(0));
-  report_.rejected_steps = std::llround(report.at(1));
-  report_.newton_iterations = std::llround(report.at(2));
-  report_.factorisations = std::llround(report.at(3));
-  report_.smallest_step = report.at(4);
-  report_.largest_step = report.at(5);
-  report_.wall_time = report.at(6);
+  restore_report(checkpoint, report_);
   recorder_->restore(checkpoint);
 }
 

@@ -26,12 +26,6 @@ Vec3 between(const Vec3& v0, const Vec3& a0, const Vec3& v1, const Vec3& a1, dou
          (h * (x3 - x2)) * a1;
 }
 
-/// Its derivative in time.
-Vec3 rate_between(const Vec3& v0, const Vec3& a0, const Vec3& v1, const Vec3& a1, double x, double h) {
-  const double slope = (6.0 * x - 6.0 * x * x) / h;
-  return slope * (v1 - v0) + (1.0 - 4.0 * x + 3.0 * x * x) * a0 + (3.0 * x * x - 2.0 * x) * a1;
-}
-
 }  // namespace
 
 double water_interval(const Sea& sea, double output_step) {
@@ -100,7 +94,7 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const WaterState &a = memory.first[i], &b = memory.second[i];
     now_[i].velocity = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
-    now_[i].acceleration = rate_between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
+    now_[i].acceleration = (1.0 - x) * a.acceleration + x * b.acceleration;
     now_[i].elevation = (1.0 - x) * a.elevation + x * b.elevation;
   }
   for (std::size_t node = 0; node < share_.size(); ++node) {

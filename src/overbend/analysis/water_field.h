@@ -1,7 +1,8 @@
 /// The moving water along a line, tabulated: waves are evaluated at stations of the line and at moments of a coarse
 /// clock, and interpolated in between.
 ///
-///     time     T_j ----------- T_j+1      every `interval`; between, the cubic through velocities and accelerations
+///     time     T_j ----------- T_j+1      every `interval`; between, velocities on the cubic through both and their
+///                                         rates, accelerations and elevation linear
 ///     line     o---o---o---o---o          stations close where short waves reach, far apart below; between, linear
 ///
 /// A station is evaluated where the line will be at the moment: extrapolated from where it is when the moment before is

@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "io/dynamic_reader.h"
 #include "io/results_reader.h"
 
 namespace overbend {
@@ -13,15 +14,19 @@ namespace fs = std::filesystem;
 
 int run_report(const std::string& place) {
   const fs::path h5 = fs::is_directory(place) ? fs::path(place) / "results.h5" : fs::path(place);
-  std::optional<StoredStatics> stored;
+  const fs::path file = h5.parent_path() / "report.html";
   try {
-    stored = read_static_results(h5);
+    if (has_dynamic(h5)) {
+      const StoredDynamics stored = read_dynamic_results(h5);
+      write_report(stored.statics.results, stored.results, stored.statics.model_text, file);
+    } else {
+      const StoredStatics stored = read_static_results(h5);
+      write_report(stored.results, stored.model_text, file);
+    }
   } catch (const std::runtime_error& fault) {
     std::cerr << "overbend: " << fault.what() << "\n";
     return kWrongInput;
   }
-  const fs::path file = h5.parent_path() / "report.html";
-  write_report(stored->results, stored->model_text, file);
   std::cout << "The report is " << file.string() << "\n";
   return kDone;
 }

@@ -19,14 +19,14 @@ struct BlockView {
 namespace isa_baseline {
 BlockSolveReport solve_blocks(const BlockView& system);
 void resolve_blocks(const BlockView& system, double* x);
-}
+}  // namespace isa_baseline
 namespace isa_avx2 {
 BlockSolveReport solve_blocks(const BlockView& system);
 void resolve_blocks(const BlockView& system, double* x);
-}
+}  // namespace isa_avx2
 namespace isa_avx512 {
 BlockSolveReport solve_blocks(const BlockView& system);
 void resolve_blocks(const BlockView& system, double* x);
-}
+}  // namespace isa_avx512
 
 }  // namespace overbend

@@ -149,7 +149,6 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
       .add("Build-up, duration", general(results.build_up) + ", " + general(results.duration), "s")
       .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
   if (model.dynamics) {
-    list.add("Spectral radius", model.dynamics->spectral_radius, "");
     if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
     if (model.dynamics->max_step) list.add("Largest step allowed", *model.dynamics->max_step, "s");
   }

@@ -1,0 +1,111 @@
+#include "analysis/dynamic_checkpoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kContactNumbers = 7;
+constexpr std::size_t kWaterNumbers = 7;
+
+void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
+  checkpoint.arrays.push_back({name, std::move(values)});
+}
+
+Slip slip_of(double value) {
+  return static_cast<Slip>(static_cast<int>(value));
+}
+
+}  // namespace
+
+const std::vector<double>& checkpoint_array(const DynamicCheckpoint& checkpoint, const std::string& name) {
+  const auto found = std::find_if(checkpoint.arrays.begin(), checkpoint.arrays.end(),
+                                  [&](const DynamicCheckpoint::Array& a) { return a.name == name; });
+  if (found == checkpoint.arrays.end()) {
+    throw std::runtime_error("the checkpoint has no " + name);
+  }
+  return found->values;
+}
+
+void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state) {
+  put(checkpoint, "state/q", state.q);
+  put(checkpoint, "state/v", state.v);
+  put(checkpoint, "state/acc", state.acc);
+  put(checkpoint, "state/alg", state.alg);
+  put(checkpoint, "state/bed_slip", {state.bed_slip.begin(), state.bed_slip.end()});
+  const GuideValues &a = state.anchor_guide, &t = state.top_guide;
+  put(checkpoint, "state/scalars", {state.time, state.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
+  std::vector<double> contacts;
+  for (const ContactMemory& m : state.contacts) {
+    contacts.insert(contacts.end(), {m.slip_axial, m.slip_lateral, m.carries ? 1.0 : 0.0, static_cast<double>(m.axial),
+                                     static_cast<double>(m.lateral), static_cast<double>(m.element), m.xi});
+  }
+  put(checkpoint, "state/contacts", std::move(contacts));
+}
+
+void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
+  state.q = checkpoint_array(checkpoint, "state/q");
+  state.v = checkpoint_array(checkpoint, "state/v");
+  state.acc = checkpoint_array(checkpoint, "state/acc");
+  state.alg = checkpoint_array(checkpoint, "state/alg");
+  const std::vector<double>& slip = checkpoint_array(checkpoint, "state/bed_slip");
+  state.bed_slip.assign(slip.begin(), slip.end());
+  const std::vector<double>& s = checkpoint_array(checkpoint, "state/scalars");
+  state.time = s.at(0);
+  state.last_step = s.at(1);
+  state.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
+  state.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
+  const std::vector<double>& contacts = checkpoint_array(checkpoint, "state/contacts");
+  for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+    const double* v = &contacts.at(kContactNumbers * i);
+    state.contacts[i] = {v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6]};
+  }
+}
+
+void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& memory) {
+  std::vector<double> out{memory.time, static_cast<double>(memory.first.size())};
+  for (const std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
+    for (const WaterState& w : *moment) {
+      out.insert(out.end(), {w.velocity.x(), w.velocity.y(), w.velocity.z(), w.acceleration.x(), w.acceleration.y(),
+                             w.acceleration.z(), w.elevation});
+    }
+  }
+  put(checkpoint, "water", std::move(out));
+}
+
+void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& memory) {
+  const std::vector<double>& in = checkpoint_array(checkpoint, "water");
+  memory.time = in.at(0);
+  const std::size_t stations = static_cast<std::size_t>(in.at(1));
+  std::size_t i = 2;
+  for (std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
+    moment->resize(stations);
+    for (WaterState& w : *moment) {
+      const double* v = &in.at(i);
+      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6]};
+      i += kWaterNumbers;
+    }
+  }
+}
+
+void save_report(DynamicCheckpoint& checkpoint, const DynamicRunReport& report) {
+  put(checkpoint, "report",
+      {static_cast<double>(report.steps), static_cast<double>(report.rejected_steps),
+       static_cast<double>(report.newton_iterations), static_cast<double>(report.factorisations), report.smallest_step,
+       report.largest_step, report.wall_time});
+}
+
+void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& report) {
+  const std::vector<double>& in = checkpoint_array(checkpoint, "report");
+  report.steps = std::llround(in.at(0));
+  report.rejected_steps = std::llround(in.at(1));
+  report.newton_iterations = std::llround(in.at(2));
+  report.factorisations = std::llround(in.at(3));
+  report.smallest_step = in.at(4);
+  report.largest_step = in.at(5);
+  report.wall_time = in.at(6);
+}
+
+}  // namespace overbend

@@ -1,0 +1,34 @@
+#include "analysis/dynamic_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr double kLeastGrowth = 1.15;  ///< Of the step: less is not worth new factors.
+
+}  // namespace
+
+Clock make_clock(const DynamicOptions& options, double interval) {
+  Clock clock;
+  clock.interval = interval;
+  clock.ticks_per_row = std::llround(options.output_step / interval);
+  const std::int64_t rows_before = static_cast<std::int64_t>(std::ceil(options.build_up / options.output_step - 1e-9));
+  const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
+  clock.tick = -rows_before * clock.ticks_per_row;
+  clock.last_tick = rows_after * clock.ticks_per_row;
+  return clock;
+}
+
+double StepChooser::choose(double remaining, double longest) {
+  const double limit = std::min(wanted, longest);
+  const double parts = remaining / last;
+  const bool fits = last > 0.0 && std::abs(parts - std::round(parts)) < 1e-6 && parts > 0.5;
+  if (!(fits && last <= limit * (1.0 + 1e-9) && last * kLeastGrowth > std::min(limit, remaining))) {
+    last = remaining / std::ceil(remaining / limit - 1e-9);
+  }
+  return last;
+}
+
+}  // namespace overbend
