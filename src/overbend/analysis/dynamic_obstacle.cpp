@@ -38,6 +38,10 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   if (std::optional<StaticFailure> obstacle = motion_obstacle(d)) {
     return obstacle;
   }
+  if (d.environment.waves.type == WaveType::user && d.environment.waves.spectrum.empty()) {
+    return StaticFailure{"the sea can not be made", "",
+                         "the file " + d.environment.waves.spectrum_file + " could not be read"};
+  }
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
     return StaticFailure{"tensioner.range does not hold tensioner.tension", "",

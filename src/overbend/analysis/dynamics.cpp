@@ -88,7 +88,7 @@ class Run {
     tracker_.emplace(setup_.line.rollers, options.impacts);
     recorder_.emplace(model, setup_.line);
     state_ = static_state(setup_.line, start, clock_.time());
-    chooser_.wanted = std::min(chooser_.wanted, options.max_step);
+    chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
     ended_.reserve(setup_.line.rollers.size());
   }
   Run(const Run&) = delete;

@@ -143,7 +143,8 @@ class SeedsRun {
       return DynamicControl::checkpoint;
     };
     try {
-      if (!options_.resume) fs::remove(seed.folder / kMark);
+      std::error_code ignored;  // where that fails the run can not be stored either, which is told
+      if (!options_.resume) fs::remove(seed.folder / kMark, ignored);
       RealisationEnd end = run_realisation(shared_, seed.folder, seed.seed, options_.resume, control, writing_);
       if (end.code == kDone) mark(seed.folder, shared_.input);
       return end;
@@ -189,8 +190,9 @@ void print(const SeedsResults& results) {
   for (std::size_t i = 0; i < results.statistics.size(); ++i) {
     const SeedQuantity& quantity = results.quantities[i];
     const SeedStatistics& s = results.statistics[i];
-    std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean, s.std, s.min,
-                             s.max, quantity.units == "1" ? "" : quantity.units);
+    const TableUnit unit = table_unit(quantity);
+    std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean * unit.factor,
+                             s.std * unit.factor, s.min * unit.factor, s.max * unit.factor, unit.name);
   }
   std::map<std::string, int> warnings;
   for (const SeedRun& run : results.runs) {
@@ -208,7 +210,7 @@ int end(const DynamicCase& shared, const std::vector<Seed>& seeds, const fs::pat
   if (wrong) {
     std::cerr << "overbend: " << seeds.front().end.why << "\n";
     std::error_code ignored;
-    fs::remove(folder, ignored);  // where nothing else is in it
+    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);  // where nothing else is in it
     return kWrongInput;
   }
   for (const FailedSeed& failed : results.failed) {

@@ -10,20 +10,6 @@
 namespace overbend {
 namespace {
 
-/// What a unit of ours is in tables.
-struct TableUnit {
-  std::string name;
-  double factor = 1.0;
-};
-
-TableUnit table_unit(const SeedQuantity& quantity) {
-  if (quantity.units == "N") return {"kN", kKilo};
-  if (quantity.units == "N m") return {"kN m", kKilo};
-  if (quantity.units == "Pa") return {"MPa", kMega};
-  if (quantity.name.find("strain") != std::string::npos) return {"%", kPercent};
-  return {quantity.units == "1" ? "-" : quantity.units, 1.0};
-}
-
 void require_finite_values(const SeedsResults& results) {
   for (const SeedRun& run : results.runs) {
     for (std::size_t i = 0; i < results.quantities.size(); ++i) {
@@ -57,6 +43,14 @@ Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
 }
 
 }  // namespace
+
+TableUnit table_unit(const SeedQuantity& quantity) {
+  if (quantity.units == "N") return {"kN", kKilo};
+  if (quantity.units == "N m") return {"kN m", kKilo};
+  if (quantity.units == "Pa") return {"MPa", kMega};
+  if (quantity.name.find("strain") != std::string::npos) return {"%", kPercent};
+  return {quantity.units == "1" ? "-" : quantity.units, 1.0};
+}
 
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {
   Json runs = Json::array(), failed = Json::array(), over_seeds = Json::object();

@@ -13,6 +13,13 @@ namespace overbend {
 /// can not be written.
 void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder);
 
+/// What people read a quantity in, with the factor from SI.
+struct TableUnit {
+  std::string name;
+  double factor = 1.0;
+};
+TableUnit table_unit(const SeedQuantity& quantity);
+
 /// The text of summary.json: what statics writes, and the key `seeds`.
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);
 

@@ -1,0 +1,220 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "app/child_program.h"
+#include "app/program.h"
+#include "app/small_lay.h"
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ChildProgram;
+using testing::file_text;
+using testing::kMoving;
+using testing::kSmallLay;
+using testing::kWaves;
+using testing::ProgramRun;
+using testing::run_program;
+using testing::TemporaryFolder;
+using testing::with;
+using Json = nlohmann::json;
+
+/// `overbend dynamic MODEL -o FOLDER/out MORE`, the model written to FOLDER/lay.yaml first.
+ProgramRun run_dynamic_model(const TemporaryFolder& folder, const std::string& model, const std::string& more = "") {
+  testing::write_file(folder / "lay.yaml", model);
+  return run_program("dynamic " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string() + " " + more);
+}
+
+Json summary_of(const fs::path& results) {
+  return Json::parse(file_text(results / "summary.json"));
+}
+
+/// What a script finds different between two folders of results; empty: nothing but measured times.
+std::string differences(const fs::path& one, const fs::path& two) {
+  const TemporaryFolder told;
+  const std::string command = "/usr/bin/python3 " OVERBEND_SOURCE_DIR "/tests/app/same_results.py " + one.string() +
+                              " " + two.string() + " > " + (told / "out").string() + " 2>&1";
+  return std::system(command.c_str()) == 0 ? "" : "different: " + file_text(told / "out");
+}
+
+TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, kSmallLay);
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* file : {"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "results.h5", "report.html"}) {
+    EXPECT_TRUE(fs::is_regular_file(folder / "out" / file)) << file;
+  }
+  EXPECT_FALSE(fs::exists(folder / "out/.run"));
+  for (const char* said : {"small lay", "top tension", "overbend von Mises", "sagbend von Mises",
+                           "stinger tip clearance", "impacts", "energy drift", "time loop", "/out"}) {
+    EXPECT_NE(run.out.find(said), std::string::npos) << said << "\n" << run.out;
+  }
+  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  EXPECT_DOUBLE_EQ(dynamic.at("duration"), 10.0);
+  EXPECT_EQ(dynamic.at("seed"), 3);
+  const double least = dynamic.at("top_tension").at("min"), largest = dynamic.at("top_tension").at("max");
+  EXPECT_LT(least, 290e3);  // a locked brake on a heaving barge: the tension swings about what statics has
+  EXPECT_GT(largest, 310e3);
+  EXPECT_LT(std::abs(dynamic.at("energy_drift").get<double>()), 0.01);
+}
+
+TEST(dynamic_command, takes_the_duration_from_the_command_line) {
+  const TemporaryFolder folder;
+  const std::string model = with(kSmallLay, "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n", "");
+  const ProgramRun run = run_dynamic_model(folder, model, "--duration '0.05 min'");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NEAR(summary_of(folder / "out").at("dynamic").at("duration"), 3.0, 1e-9);
+}
+
+// A run long enough to be met at work, with a checkpoint after each of its rows.
+const std::string kLongLay = with(kSmallLay, "duration: 10 s, build_up: 5 s, output_step: 0.5 s",
+                                  "duration: 50 s, build_up: 5 s, output_step: 0.1 s");
+
+TEST(dynamic_command, killed_at_any_moment_and_resumed_gives_the_same_bits) {
+  const TemporaryFolder whole, killed;
+  ASSERT_EQ(run_dynamic_model(whole, kLongLay).code, 0);
+  testing::write_file(killed / "lay.yaml", kLongLay);
+  std::mt19937 random(1);
+  for (const double from : {-5.0, 10.0, 25.0}) {
+    const double moment = std::uniform_real_distribution<double>(from, from + 14.0)(random);
+    ChildProgram program(killed.path(), {"dynamic", "lay.yaml", "-o", "out", "--checkpoint", "0", "--resume"});
+    ASSERT_TRUE(program.signal_after(killed / "out", moment, SIGKILL)) << "it ended before " << moment << " s";
+    EXPECT_EQ(program.end(), -SIGKILL);
+    EXPECT_FALSE(fs::exists(killed / "out/summary.json"));
+  }
+  const ProgramRun resumed = run_dynamic_model(killed, kLongLay, "--resume");
+  EXPECT_EQ(resumed.code, 0);
+  EXPECT_NE(resumed.err.find("Goes on from t = "), std::string::npos) << resumed.err;
+  EXPECT_EQ(differences(whole / "out", killed / "out"), "");
+}
+
+TEST(dynamic_command, interrupted_leaves_a_checkpoint_that_serves_the_same_model_alone) {
+  const TemporaryFolder whole, stopped;
+  ASSERT_EQ(run_dynamic_model(whole, kLongLay).code, 0);
+  testing::write_file(stopped / "lay.yaml", kLongLay);
+  ChildProgram program(stopped.path(), {"dynamic", "lay.yaml", "-o", "out", "--checkpoint", "0"});
+  ASSERT_TRUE(program.signal_after(stopped / "out", 5.0, SIGINT));
+  EXPECT_EQ(program.end(), 130);
+  EXPECT_TRUE(fs::exists(stopped / "out/.run/checkpoint"));
+  EXPECT_FALSE(fs::exists(stopped / "out/summary.json"));
+
+  for (const std::string& other : {with(kLongLay, "tension: 300 kN", "tension: 301 kN"),
+                                   with(kLongLay, "components: 20, seed: 3", "components: 20, seed: 4")}) {
+    const ProgramRun refused = run_dynamic_model(stopped, other, "--resume");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("the model file has changed"), std::string::npos) << refused.err;
+  }
+  const ProgramRun longer = run_dynamic_model(stopped, kLongLay, "--resume --duration '60 s'");
+  EXPECT_EQ(longer.code, 2) << longer.err;
+
+  EXPECT_EQ(run_dynamic_model(stopped, kLongLay, "--resume").code, 0);
+  EXPECT_EQ(differences(whole / "out", stopped / "out"), "");
+}
+
+struct Refusal {
+  const char* what;
+  std::string model;
+  std::string more;
+  std::string said;
+};
+
+TEST(dynamic_command, refuses_what_it_can_not_run_in_one_clear_line_and_writes_nothing) {
+  const std::string dynamic = "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n";
+  const std::string duration = "duration: 10 s, build_up";
+  const std::vector<Refusal> refusals = {
+      {"no dynamics", with(kSmallLay, dynamic, ""), "", "no analysis.dynamic"},
+      {"coupled", with(kSmallLay, kMoving, "motion: {coupled: barge.1}"), "", "coupled"},
+      {"no RAO file", with(kSmallLay, kMoving, "motion: {raos: nowhere.csv}"), "", "nowhere.csv could not be read"},
+      {"no record", with(kSmallLay, kMoving, "motion: {history: nowhere.csv}"), "", "nowhere.csv could not be read"},
+      {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN]"), "", "tensioner.range"},
+      {"short record", with(kSmallLay, kMoving, "motion: {history: motion.csv}"), "", "to 9 s"},
+      {"late record", with(kSmallLay, kMoving, "motion: {history: late.csv}"), "", "from t = 2 s"},
+      {"spectrum", with(kSmallLay, kWaves, "waves: {type: user, spectrum_file: nowhere.csv}"), "", "nowhere.csv"},
+      {"seed twice", with(kSmallLay, duration, "seeds: [4, 5, 4], " + duration), "", "4 is given twice"},
+      {"no unit", kSmallLay, "--duration 600", "--duration"},
+      {"no time", kSmallLay, "--duration '6 m'", "--duration"},
+      {"backwards", kSmallLay, "--duration=-6s", "--duration"},
+      {"nothing", kSmallLay, "--duration '0 s'", "--duration"}};
+  for (const Refusal& refusal : refusals) {
+    SCOPED_TRACE(refusal.what);
+    const TemporaryFolder folder;
+    testing::write_file(folder / "motion.csv", "time_s,heave_m\n-10,0\n0,0.1\n9,0\n");
+    testing::write_file(folder / "late.csv", "time_s,heave_m\n2,0\n5,0.1\n20,0\n");
+    const ProgramRun run = run_dynamic_model(folder, refusal.model, refusal.more);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.out, "");
+    EXPECT_NE(run.err.find(refusal.said), std::string::npos) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_FALSE(fs::exists(folder / "out"));
+  }
+}
+
+TEST(dynamic_command, follows_a_record_that_covers_the_run) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "motion.csv", "time_s,heave_m\n0,0\n5,0.1\n10,0\n");
+  const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, kMoving, "motion: {history: motion.csv}"));
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
+TEST(dynamic_command, ends_with_3_when_statics_has_no_solution) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "tension: 300 kN", "tension: 3 kN"));
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.err.rfind("overbend: no solution: ", 0), 0U) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(dynamic_command, keeps_a_fixed_step) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "build_up: 5 s", "step: 0.05 s, build_up: 5 s"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  EXPECT_NEAR(dynamic.at("smallest_step"), 0.05, 1e-6);
+  EXPECT_NEAR(dynamic.at("largest_step"), 0.05, 1e-6);
+  EXPECT_EQ(dynamic.at("steps"), 300);  // of 15 s
+}
+
+TEST(dynamic_command, in_calm_water_on_a_barge_at_rest_nothing_happens) {
+  const TemporaryFolder folder;
+  const std::string model = with(with(kSmallLay, kMoving, "motion: fixed"), kWaves, "waves: {type: none}");
+  ASSERT_EQ(run_dynamic_model(folder, model).code, 0);
+  const Json summary = summary_of(folder / "out");
+  const Json statics = summary.at("static"), dynamic = summary.at("dynamic");
+  const double tension = statics.at("top_tension");
+  for (const char* quantity : {"top_tension", "bottom_tension", "lay_back", "departure_angle"}) {
+    const Json& spread = dynamic.at(quantity);
+    const double mean = spread.at("mean");
+    // Statics balances forces to 1e-9 of the line's weight; a line that hangs free feels that 100 times over at most.
+    EXPECT_NEAR(spread.at("min"), mean, 1e-6 * std::abs(mean)) << quantity;
+    EXPECT_NEAR(spread.at("max"), mean, 1e-6 * std::abs(mean)) << quantity;
+  }
+  // Statics and dynamics read the tension from the same state in two ways, which differ by the coarseness of the mesh.
+  EXPECT_NEAR(dynamic.at("top_tension").at("mean"), tension, 1e-4 * tension);
+  EXPECT_EQ(dynamic.at("impact_count"), 0);
+  for (std::size_t i = 0; i < statics.at("supports").size(); ++i) {
+    const double reaction = statics.at("supports").at(i).at("reaction");
+    EXPECT_NEAR(dynamic.at("supports").at(i).at("reaction").at("max"), reaction, 1e-3 * tension);
+  }
+}
+
+TEST(dynamic_command, runs_a_j_lay_without_supports) {
+  const TemporaryFolder folder;
+  std::string model = kSmallLay.substr(0, kSmallLay.find("rollers:")) + kSmallLay.substr(kSmallLay.find("analysis:"));
+  model = with(model, "{x: -40 m, z: 1.6 m, tension: 300 kN}", "{x: 0 m, z: 10 m, guide: pinned, tension: 120 kN}");
+  const ProgramRun run = run_dynamic_model(folder, model);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json dynamic = summary_of(folder / "out").at("dynamic");
+  EXPECT_TRUE(dynamic.at("overbend").is_null());
+  EXPECT_TRUE(dynamic.at("stinger_tip_clearance").is_null());
+  EXPECT_TRUE(dynamic.at("supports").empty());
+  EXPECT_GT(dynamic.at("sagbend").at("max_von_mises").at("max"), dynamic.at("sagbend").at("max_von_mises").at("min"));
+  EXPECT_EQ(run.out.find("impacts"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overbend

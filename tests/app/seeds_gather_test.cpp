@@ -1,0 +1,76 @@
+#include "app/seeds_gather.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace overbend {
+namespace {
+
+/// Quantiles of the Gumbel distribution at evenly spaced probabilities: a sample without chance.
+std::vector<double> gumbel_sample(double mode, double scale, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(mode - scale * std::log(-std::log((i + 0.5) / count)));
+  std::shuffle(values.begin(), values.end(), std::mt19937(1));
+  return values;
+}
+
+TEST(seeds_gather, finds_the_gumbel_distribution_of_a_sample_from_one) {
+  const SeedStatistics s = seed_statistics(gumbel_sample(400.0, 10.0, 200), SeedExtreme::largest, 1080.0);
+  ASSERT_TRUE(s.enough);
+  // Evenly spaced quantiles leave out the tail beyond 1/400, which takes a few per cent of the scale.
+  EXPECT_NEAR(s.mode, 400.0, 0.3);
+  EXPECT_NEAR(s.scale, 10.0, 0.3);
+  EXPECT_NEAR(s.estimate, 400.0 + 10.0 * std::log(10.0), 1.0);  // ten runs in three hours
+  EXPECT_LT(s.low, s.estimate);
+  EXPECT_GT(s.high, s.estimate);
+  EXPECT_NEAR(s.mean, 400.0 + 10.0 * 0.5772, 0.3);
+}
+
+TEST(seeds_gather, of_three_hours_the_estimate_is_the_mode) {
+  const SeedStatistics s = seed_statistics(gumbel_sample(5.0, 1.0, 20), SeedExtreme::largest, 10800.0);
+  EXPECT_NEAR(s.estimate, s.mode, 1e-9);
+}
+
+TEST(seeds_gather, smallest_values_are_largest_ones_turned) {
+  std::vector<double> turned = gumbel_sample(400.0, 10.0, 30);
+  const SeedStatistics largest = seed_statistics(turned, SeedExtreme::largest, 1080.0);
+  for (double& value : turned) value = -value;
+  const SeedStatistics smallest = seed_statistics(turned, SeedExtreme::smallest, 1080.0);
+  EXPECT_DOUBLE_EQ(smallest.mode, -largest.mode);
+  EXPECT_DOUBLE_EQ(smallest.estimate, -largest.estimate);
+  EXPECT_DOUBLE_EQ(smallest.low, -largest.high);
+  EXPECT_DOUBLE_EQ(smallest.high, -largest.low);
+  EXPECT_DOUBLE_EQ(smallest.std, largest.std);
+}
+
+TEST(seeds_gather, few_or_equal_values_are_not_fitted) {
+  EXPECT_FALSE(seed_statistics(gumbel_sample(1.0, 1.0, 9), SeedExtreme::largest, 600.0).enough);
+  EXPECT_FALSE(seed_statistics(std::vector<double>(20, 3.0), SeedExtreme::largest, 600.0).enough);
+  const SeedStatistics one = seed_statistics(std::vector<double>{3.0}, SeedExtreme::largest, 600.0);
+  EXPECT_EQ(one.mean, 3.0);
+  EXPECT_EQ(one.std, 0.0);
+}
+
+TEST(seeds_gather, the_deviation_is_that_of_a_sample) {
+  const SeedStatistics s = seed_statistics(std::vector<double>{1.0, 2.0, 3.0, 4.0}, SeedExtreme::none, 600.0);
+  EXPECT_DOUBLE_EQ(s.mean, 2.5);
+  EXPECT_DOUBLE_EQ(s.std, std::sqrt(5.0 / 3.0));
+  EXPECT_EQ(s.min, 1.0);
+  EXPECT_EQ(s.max, 4.0);
+  EXPECT_FALSE(s.enough);
+}
+
+TEST(seeds_gather, a_j_lay_has_values_of_the_sagbend_alone) {
+  const StaticResults statics;  // no overbend, supports, tip
+  const std::vector<SeedQuantity> quantities = seed_quantities(statics);
+  EXPECT_EQ(quantities.size(), seed_values(statics, DynamicResults{}).size());
+  for (const SeedQuantity& quantity : quantities) {
+    EXPECT_EQ(quantity.name.find("overbend"), std::string::npos);
+    EXPECT_EQ(quantity.name.find("impact"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace overbend
