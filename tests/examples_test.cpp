@@ -58,8 +58,7 @@ TEST(examples, first_model_leaves_its_stinger_at_the_last_but_one_box) {
 }
 
 TEST(examples, workable_sea_keeps_the_pipe_between_its_rollers_and_below_yield) {
-  Description description =
-      load_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1-workable-sea.yaml").value();
+  Description description = load_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1-workable-sea.yaml").value();
   description.dynamics->duration = 60.0;
   description.dynamics->build_up = 20.0;
   const Model model = build_model(description);
