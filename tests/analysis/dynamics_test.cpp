@@ -4,56 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 
 #include "analysis/recovery.h"
 #include "io/yaml_reader.h"
+#include "support/allocation_count.h"
 #include "support/memory_sink.h"
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-void* counted(std::size_t size, std::size_t alignment) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  void* p = alignment == 0 ? std::malloc(size)
-                           : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (p == nullptr) {
-    throw std::bad_alloc();
-  }
-  return p;
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return counted(size, 0);
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  return counted(size, static_cast<std::size_t>(alignment));
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  return std::malloc(size);
-}
-void operator delete(void* p) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, const std::nothrow_t&) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::align_val_t) noexcept {
-  std::free(p);
-}
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept {
-  std::free(p);
-}
 
 namespace overbend {
 namespace {
@@ -187,7 +143,7 @@ TEST(dynamics, the_time_loop_allocates_nothing) {
   EmptySink sink;
   long at_first = 0, at_last = 0;
   c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {
-    (at.time < 0.0 ? at_first : at_last) = allocations.load();
+    (at.time < 0.0 ? at_first : at_last) = testing::allocation_count();
     return DynamicControl::go_on;
   });
   EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end
