@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh clone to a first result: installs what is missing, builds the program, solves the BGL-1 example and runs
-# two minutes of its storm.
+# two minutes in the waves.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -15,12 +15,11 @@ cmake --build --preset release --target overbend --parallel "$(nproc)"
 echo "== Solving the statics of examples/bgl1.yaml"
 build/release/overbend static examples/bgl1.yaml -o "$results"
 
-
-echo "== Two minutes of the storm"
-build/release/overbend dynamic examples/bgl1.yaml --duration '120 s' -o "$results-storm"
+echo "== Two minutes of the same lay in a sea in which work goes on"
+build/release/overbend dynamic examples/bgl1-workable-sea.yaml --duration '120 s' -o "$results-waves"
 
 echo
 echo "Done. Open the reports in a browser:"
 echo "  $PWD/$results/report.html          statics"
-echo "  $PWD/$results-storm/report.html    statics and the run in time"
+echo "  $PWD/$results-waves/report.html    statics and the run in time"
 echo "Beside each lie summary.json, pipe.csv, supports.csv and results.h5."
