@@ -94,7 +94,9 @@ TEST(dynamics, energy_in_is_energy_stored_and_lost) {
 }
 
 TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
-  const Case c(workable());
+  Description d = workable();
+  d.tensioner.mode = TensionerMode::locked;  // the moments at which a machine moves depend on single peaks
+  const Case c(d);
   MemorySink a, b;
   DynamicOptions options = dynamic_options(c.model);
   const DynamicResults coarse = c.run(a, options).results.value();
@@ -106,6 +108,92 @@ TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
   EXPECT_NEAR(coarse.top_tension.std, fine.top_tension.std, 0.02 * fine.top_tension.std);
   EXPECT_NEAR(coarse.sagbend.von_mises.over_time.max, fine.sagbend.von_mises.over_time.max,
               0.02 * fine.sagbend.von_mises.over_time.max);
+}
+
+/// Head waves that move the barge to and fro, rollers that carry and do not strike.
+Description hauling(TensionerMode mode) {
+  Description d = workable();
+  d.environment.waves = {};
+  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.height = 1.2;
+  d.environment.waves.period = 12.0;
+  d.environment.waves.from = 1.5707963;
+  d.environment.current.clear();
+  d.tensioner.mode = mode;
+  d.dynamics->build_up = 24.0;
+  d.dynamics->duration = 48.0;
+  d.dynamics->output_step = 0.1;
+  return d;
+}
+
+TEST(tensioner_in_time, constant_keeps_the_tension_and_pays_out_and_in) {
+  const Case c(hauling(TensionerMode::constant));
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_NEAR(r.tensioner.tension.min, 250e3, 5.0);  // what a step may leave out of balance
+  EXPECT_NEAR(r.tensioner.tension.max, 250e3, 5.0);
+  EXPECT_NEAR(r.top_tension.max, 250e3, 250.0);
+  EXPECT_GT(r.tensioner.travel.max - r.tensioner.travel.min, 0.2);
+  EXPECT_LT(std::abs(r.energy.drift()), 1e-4);
+}
+
+TEST(tensioner_in_time, controlled_lies_between_the_brake_and_the_ideal) {
+  const Case on(hauling(TensionerMode::controlled)), off(hauling(TensionerMode::locked));
+  MemorySink a, b;
+  const DynamicResults controlled = on.results(a), locked = off.results(b);
+  EXPECT_LT(controlled.tensioner.time_out_of_range, 0.6 * locked.tensioner.time_out_of_range);
+  EXPECT_LT(controlled.tensioner.tension.std, 0.9 * locked.tensioner.tension.std);
+  EXPECT_EQ(locked.tensioner.travel.max, 0.0);
+  const TensionerDynamics& t = controlled.tensioner;
+  EXPECT_GT(t.pay_out_count, 2);
+  EXPECT_GT(t.haul_in_count, 2);
+  EXPECT_NEAR(t.time_holding + t.time_delayed + t.time_paying_out + t.time_hauling_in + t.time_at_limit, 48.0, 1e-6);
+  EXPECT_LT(std::abs(controlled.energy.drift()), 1e-4);
+}
+
+TEST(tensioner_in_time, moves_no_faster_than_it_can_and_waits_its_delay) {
+  const Case c(hauling(TensionerMode::controlled));
+  MemorySink sink;
+  c.results(sink);
+  const std::vector<double> time = sink.column("time"), tension = sink.column("tensioner/tension"),
+                            travel = sink.column("tensioner/travel");
+  ASSERT_EQ(travel.size(), sink.rows.size());
+  double waited = 0.0;  // with the tension out of range, standing
+  for (std::size_t i = 1; i < travel.size(); ++i) {
+    const double moved = travel[i] - travel[i - 1], h = time[i] - time[i - 1];
+    EXPECT_LE(std::abs(moved), 0.25 * h * (1.0 + 1e-6));
+    const bool out = tension[i] > 260e3 || tension[i] < 240e3;
+    waited = out && moved == 0.0 ? waited + h : 0.0;
+    EXPECT_LE(waited, 2.0 + 2.0 * h);
+  }
+}
+
+TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
+  Description d = hauling(TensionerMode::controlled);
+  d.tensioner.travel = 0.05;
+  d.tensioner.delay = 0.5;
+  const Case c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_NEAR(r.tensioner.travel.max, 0.05, 1e-4);  // while it is governed its speed is what is bounded, not its place
+  EXPECT_NEAR(r.tensioner.travel.min, -0.05, 1e-4);
+  EXPECT_GT(r.tensioner.limit_count, 0);
+  EXPECT_GT(r.tensioner.time_at_limit, 0.0);
+  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
+    return w.find("the tensioner stood at the end of its travel") != std::string::npos;
+  }));
+}
+
+TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
+  Description d = hauling(TensionerMode::controlled);
+  d.environment.waves.type = WaveType::none;
+  d.vessel.motion = VesselMotion::fixed;
+  const Case c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_EQ(r.tensioner.travel.max, 0.0);
+  EXPECT_EQ(r.tensioner.pay_out_count + r.tensioner.haul_in_count, 0);
+  EXPECT_NEAR(r.tensioner.time_holding, r.duration, 1e-9);
 }
 
 TEST(dynamics, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {

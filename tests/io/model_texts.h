@@ -51,6 +51,7 @@ tensioner:
   tension: 250 kN
   range: [240 kN, 260 kN]
   delay: 2 s
+  velocity: 0.25 m/s
 
 rollers:
   v:

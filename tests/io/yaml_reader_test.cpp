@@ -212,16 +212,17 @@ TEST(yaml_reader, time_steps_can_be_made_finer) {
   EXPECT_DOUBLE_EQ(left_out.dynamics->step_error, settings.step_error);
 }
 
-TEST(yaml_reader, a_mode_of_the_tensioner_that_time_does_not_have_is_told_where_it_is_asked_for) {
-  const auto warnings = [](const std::string& mode) {
-    const Description d = read_good(replaced(kGoodModel, "  delay: 2 s\n", "  delay: 2 s\n" + mode));
+TEST(yaml_reader, a_controlled_tensioner_without_a_speed_is_told) {
+  const auto warnings = [](const std::string& velocity, const std::string& mode) {
+    const Description d = read_good(replaced(kGoodModel, "  velocity: 0.25 m/s\n", velocity + mode));
     return std::count_if(d.warnings.begin(), d.warnings.end(),
-                         [](const std::string& w) { return w.find("locked brake") != std::string::npos; });
+                         [](const std::string& w) { return w.find("never moves") != std::string::npos; });
   };
-  EXPECT_EQ(warnings("  mode: constant\n"), 1);
-  EXPECT_EQ(warnings("  mode: controlled\n"), 1);
-  EXPECT_EQ(warnings("  mode: locked\n"), 0);
-  EXPECT_EQ(warnings(""), 0);
+  EXPECT_EQ(warnings("", ""), 1);
+  EXPECT_EQ(warnings("", "  mode: controlled\n"), 1);
+  EXPECT_EQ(warnings("", "  mode: locked\n"), 0);
+  EXPECT_EQ(warnings("", "  mode: constant\n"), 0);
+  EXPECT_EQ(warnings("  velocity: 0.25 m/s\n", "  mode: controlled\n"), 0);
 }
 
 TEST(yaml_reader, what_is_left_out_keeps_the_default_of_the_description) {

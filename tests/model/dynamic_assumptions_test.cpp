@@ -86,14 +86,26 @@ TEST(dynamic_assumptions, tell_of_stretching_where_there_is_some) {
   EXPECT_EQ(mentions(d, "in the water depth at the stern shoe"), 0);
 }
 
-TEST(dynamic_assumptions, tell_that_the_tensioner_is_locked_whatever_was_asked_for) {
+TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "is a locked brake"), 1);
-  EXPECT_EQ(mentions(d, "not there yet"), 0);
+  EXPECT_EQ(mentions(d, "no mass or weight"), 0);
   d.tensioner.mode = TensionerMode::controlled;
-  EXPECT_EQ(mentions(d, "controlled tensioner, which is not there yet"), 1);
+  d.tensioner.range_low = 240e3;
+  d.tensioner.range_high = 260e3;
+  d.tensioner.delay = 2.0;
+  d.tensioner.velocity = 0.25;
+  EXPECT_EQ(mentions(d, "waits 2 s when the tension has left its range of 240 to 260 kN, then moves at up to 0.25 m/s"),
+            1);
+  EXPECT_EQ(mentions(d, "no acceleration is given: it gathers that speed in 0.5 s"), 1);
+  EXPECT_EQ(mentions(d, "its travel is not limited"), 1);
+  d.tensioner.acceleration = 0.1;
+  d.tensioner.travel = 2.5;
+  EXPECT_EQ(mentions(d, "gathers speed and brakes at 0.1 m/s2"), 1);
+  EXPECT_EQ(mentions(d, "its travel ends 2.5 m either way"), 1);
   d.tensioner.mode = TensionerMode::constant;
-  EXPECT_EQ(mentions(d, "constant tension, which is not there yet"), 1);
+  EXPECT_EQ(mentions(d, "keeps the tension constant, without mass"), 1);
+  EXPECT_EQ(mentions(d, "no mass or weight"), 1);
 }
 
 TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {

@@ -37,10 +37,14 @@ void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state) {
   put(checkpoint, "state/bed_slip", {state.bed_slip.begin(), state.bed_slip.end()});
   const GuideValues &a = state.anchor_guide, &t = state.top_guide;
   put(checkpoint, "state/scalars", {state.time, state.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
+  const TensionerMachine& m = state.machine;
+  put(checkpoint, "state/tensioner",
+      {static_cast<double>(m.state), static_cast<double>(m.drive), static_cast<double>(m.side), m.timer, m.tension,
+       state.travel.q, state.travel.v, state.travel.acc, state.travel.alg});
   std::vector<double> contacts;
-  for (const ContactMemory& m : state.contacts) {
-    contacts.insert(contacts.end(), {m.slip_axial, m.slip_lateral, m.carries ? 1.0 : 0.0, static_cast<double>(m.axial),
-                                     static_cast<double>(m.lateral), static_cast<double>(m.element), m.xi});
+  for (const ContactMemory& c : state.contacts) {
+    contacts.insert(contacts.end(), {c.slip_axial, c.slip_lateral, c.carries ? 1.0 : 0.0, static_cast<double>(c.axial),
+                                     static_cast<double>(c.lateral), static_cast<double>(c.element), c.xi});
   }
   put(checkpoint, "state/contacts", std::move(contacts));
 }
@@ -57,6 +61,10 @@ void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
   state.last_step = s.at(1);
   state.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
   state.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
+  const std::vector<double>& t = checkpoint_array(checkpoint, "state/tensioner");
+  state.machine = {static_cast<TensionerState>(std::lround(t.at(0))), static_cast<TensionerDrive>(std::lround(t.at(1))),
+                   static_cast<int>(std::lround(t.at(2))), t.at(3), t.at(4)};
+  state.travel = {t.at(5), t.at(6), t.at(7), t.at(8)};
   const std::vector<double>& contacts = checkpoint_array(checkpoint, "state/contacts");
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     const double* v = &contacts.at(kContactNumbers * i);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/simd.h"
+#include "mechanics/build_up.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
@@ -30,6 +31,15 @@ void impose(DynamicState& state, int node, const LineEnd& end, const EndMotion& 
   }
 }
 
+/// The motion of a place that has been paid out by `travel` against the guide's direction.
+EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
+  motion.place -= travel.q * motion.direction;
+  motion.velocity -= travel.v * motion.direction + travel.q * motion.direction_rate;
+  motion.acceleration -=
+      travel.acc * motion.direction + 2.0 * travel.v * motion.direction_rate + travel.q * motion.direction_acceleration;
+  return motion;
+}
+
 /// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
 double normal_loss(const ContactLaw& law, const MovingContact& contact) {
   if (contact.penetration <= 0.0) {
@@ -46,10 +56,10 @@ DynamicSystem::DynamicSystem(const DynamicLine& line)
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       tangent_(line.mesh.nodes()) {}
 
-HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motion) const {
+HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motion, bool free_along) const {
   HeldDirections held;
   if (end.hold_place) {
-    held.position = all_directions();
+    held.position = free_along ? across(motion.direction) : all_directions();
   }
   if (end.hold_direction) {
     held.tangent = across(motion.direction);
@@ -61,13 +71,35 @@ void DynamicSystem::set_time(double time, const DynamicState& near) {
   constexpr double kReach = 0.5;  // further than any node moves in a step [m]
   line_->surroundings(time, surroundings_);
   contacts_.place(surroundings_.vessel, near.q.data(), kReach);
-  held_anchor_ = held_by(line_->anchor, surroundings_.anchor);
-  held_top_ = held_by(line_->top, surroundings_.top);
+  held_anchor_ = held_by(line_->anchor, surroundings_.anchor, false);
+  held_top_ = held_by(line_->top, surroundings_.top, governed());
+}
+
+void DynamicSystem::set_drive(TensionerDrive drive) {
+  drive_ = drive;
+  held_top_ = held_by(line_->top, surroundings_.top, governed());
+}
+
+/// The force of the governor along the guide: it grows with the speed of paying out, which the top's place makes.
+void DynamicSystem::add_governor(const DynamicState& state, const StepShares& shares, bool with_tangent) {
+  const Vec3& d = surroundings_.top.direction;
+  const std::size_t first = residual_.size() - 6;
+  Vec3Map(residual_.data() + first) -= governed_tension(line_->tensioner, state.travel.v) * d;
+  if (!with_tangent) {
+    return;
+  }
+  const double rate = governor_slope(line_->tensioner, state.travel.v) * shares.velocity;
+  double* block = tangent_.diag(line_->mesh.nodes() - 1);
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      block[r * kRowWidth + c] += rate * d(r) * d(c);
+    }
+  }
 }
 
 void DynamicSystem::impose_ends(DynamicState& state) const {
   impose(state, 0, line_->anchor, surroundings_.anchor, state.anchor_guide);
-  impose(state, line_->mesh.nodes() - 1, line_->top, surroundings_.top, state.top_guide);
+  impose(state, line_->mesh.nodes() - 1, line_->top, paid_out(surroundings_.top, state.travel), state.top_guide);
 }
 
 LineMotion DynamicSystem::motion_of(const DynamicState& state, const DynamicState& before, const StepShares& shares,
@@ -98,6 +130,9 @@ void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, co
                      {&residual_, with_tangent ? &tangent_ : nullptr});
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
   std::copy_n(residual_.end() - 6, 6, top_residual_.begin());
+  if (governed()) {
+    add_governor(state, shares, with_tangent);
+  }
 }
 
 void DynamicSystem::hold(bool with_tangent) {
@@ -197,18 +232,23 @@ bool DynamicSystem::find_accelerations(DynamicState& state) {
   for (std::size_t i = 0; i < dq.size(); ++i) {
     state.acc[i] += kMassDominates * dq[i];
   }
-  const auto guide_acc = [&](int node, const EndMotion& motion) {
-    return kMassDominates * motion.direction.dot(Vec3(dq[static_cast<std::size_t>(6 * node + 3)],
-                                                      dq[static_cast<std::size_t>(6 * node + 4)],
-                                                      dq[static_cast<std::size_t>(6 * node + 5)]));
+  const auto along = [&](int first, const EndMotion& motion) {
+    return kMassDominates * motion.direction.dot(Vec3(Eigen::Map<const Vec3>(dq.data() + first)));
   };
   if (line_->anchor.hold_direction) {
-    state.anchor_guide.acc += guide_acc(0, surroundings_.anchor);
+    state.anchor_guide.acc += along(3, surroundings_.anchor);
   }
   if (line_->top.hold_direction) {
-    state.top_guide.acc += guide_acc(last, surroundings_.top);
+    state.top_guide.acc += along(6 * last + 3, surroundings_.top);
+  }
+  if (governed()) {
+    state.travel.acc -= along(6 * last, surroundings_.top);
   }
   return true;
+}
+
+double tensioner_authority(const DynamicLine& line, double time) {
+  return half_cosine(time, line.build_up).value;
 }
 
 DynamicState state_at_rest(const DynamicLine& line, const std::vector<double>& q, double time) {

@@ -9,6 +9,7 @@
 #include "analysis/line_mesh.h"
 #include "analysis/moving_contacts.h"
 #include "mechanics/line_elements.h"
+#include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
 
 namespace overbend {
@@ -42,6 +43,8 @@ struct DynamicLine {
   LineElements elements;
   LineEnvironment environment;
   LineEnd anchor, top;
+  TensionerLaw tensioner;  ///< Moves the top along its guide, where it is held; the default is a locked brake.
+  double build_up = 0.0;   ///< Before t = 0, over which the tensioner is brought in [s].
   std::vector<MovingRoller> rollers;
   ContactCells cells;
   Vec3 shoe_V = Vec3::Zero();  ///< Origin of the ramp's frame, for the cells [m].
@@ -58,6 +61,8 @@ struct DynamicState {
   std::vector<double> q, v, acc;  ///< Six per node: r, t and their rates; W.
   std::vector<double> alg;        ///< Algorithmic accelerations, see GeneralizedAlpha.
   GuideValues anchor_guide{}, top_guide{};
+  TensionerMachine machine;
+  MotionValues travel{};    ///< Of the tensioner, what was paid out [m].
   double last_step = 0.0;   ///< That led here; 0 at the start [s].
   AlignedDoubles bed_slip;  ///< See LineMotion.
   std::vector<ContactMemory> contacts;
@@ -86,6 +91,8 @@ class DynamicSystem {
 
   /// Brings the surroundings to a time, and the rollers to the line as it is in `near`.
   void set_time(double time, const DynamicState& near);
+  /// What decides the speed of the tensioner at the instants to come.
+  void set_drive(TensionerDrive drive);
   /// Puts prescribed places, directions and their rates into the ends of a state.
   void impose_ends(DynamicState& state) const;
 
@@ -110,14 +117,18 @@ class DynamicSystem {
   InstantEnergy energy(const DynamicState& state) const;
   /// Force on the line by what holds its top, at the state evaluated last [N].
   Vec3 top_force() const;
+  /// What the tensioner measures: its force along the guide [N].
+  double machine_tension() const { return top_force().dot(surroundings_.top.direction); }
 
   /// True accelerations from the balance of forces at rest or in motion; false where the mass is singular.
   bool find_accelerations(DynamicState& state);
 
  private:
+  bool governed() const { return line_->top.hold_place && drive_ == TensionerDrive::governor; }
+  void add_governor(const DynamicState& state, const StepShares& shares, bool with_tangent);
   LineMotion motion_of(const DynamicState& state, const DynamicState& before, const StepShares& shares,
                        double* next_slip) const;
-  HeldDirections held_by(const LineEnd& end, const EndMotion& motion) const;
+  HeldDirections held_by(const LineEnd& end, const EndMotion& motion, bool free_along) const;
 
   const DynamicLine* line_;
   Surroundings surroundings_;
@@ -126,8 +137,12 @@ class DynamicSystem {
   std::array<double, 6> anchor_residual_{}, top_residual_{};  ///< Before hold().
   BlockTridiagonal tangent_;
   HeldDirections held_anchor_, held_top_;
+  TensionerDrive drive_ = TensionerDrive::brake;
   mutable int worst_node_ = 0;
 };
+
+/// Share of its response velocity that the tensioner may use: it is brought in with the sea.
+double tensioner_authority(const DynamicLine& line, double time);
 
 /// A state at rest in the given shape, memories empty, at `time`.
 DynamicState state_at_rest(const DynamicLine& line, const std::vector<double>& q, double time);

@@ -39,7 +39,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
       recovery_(model, line),
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
-      boxes_(model.supports.boxes.size()) {
+      boxes_(model.supports.boxes.size()),
+      tensioner_(line.tensioner) {
   const std::size_t n = static_cast<std::size_t>(line.mesh.nodes());
   nodes_.resize(n);
   node_sample_.resize(kNodeQuantities * n);
@@ -86,6 +87,9 @@ std::vector<HistoryColumn> DynamicRecorder::columns() const {
   region("overbend");
   region("sagbend");
   columns.push_back({"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false});
+  columns.push_back({"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false});
+  columns.push_back({"tensioner/travel", "m", "Paid out by the tensioner, hauled in negative", false, false});
+  columns.push_back({"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false});
   columns.push_back({"step", "s", "Time step that led here", false, false});
   columns.push_back({"energy_drift", "1", "Error of the energy balance over the energy that has passed", false, false});
   for (const SupportBox& box : model_->supports.boxes) {
@@ -230,6 +234,7 @@ void DynamicRecorder::find_support_values(const RecordedInstant& at) {
 
 void DynamicRecorder::step(const RecordedInstant& at) {
   recover(at);
+  tensioner_.add(*at.state, at.step);
   if (at.state->time <= 0.0) {
     return;
   }
@@ -261,6 +266,9 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
     put(largest_key_[first + 2]);
   }
   put(largest_key_[0]);
+  put(at.state->machine.tension);
+  put(at.state->travel.q);
+  put(static_cast<double>(at.state->machine.state));
   put(at.step);
   put(at.drift);
   for (std::size_t box = 0; box < boxes_; ++box) {

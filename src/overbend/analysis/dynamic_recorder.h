@@ -6,6 +6,7 @@
 
 #include "analysis/dynamic_stations.h"
 #include "analysis/dynamics.h"
+#include "analysis/tensioner_account.h"
 #include "numerics/running_statistics.h"
 
 namespace overbend {
@@ -65,6 +66,7 @@ class DynamicRecorder {
   void find_support_values(const RecordedInstant& at);
   void find_passed(const RecordedInstant& at);
   void fill_warnings(DynamicResults& results) const;
+  void fill_tensioner_warnings(DynamicResults& results) const;
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;
 
@@ -78,6 +80,7 @@ class DynamicRecorder {
 
   std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;
   RunningStatistics node_statistics_, support_statistics_, key_statistics_;
+  TensionerAccount tensioner_;
   std::vector<double> row_, snapshot_;
   std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.
   struct RollerImpacts {

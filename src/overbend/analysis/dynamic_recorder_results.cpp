@@ -1,6 +1,7 @@
 /// What the recorder knows as results.
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "analysis/dynamic_recorder.h"
 #include "analysis/dynamic_recorder_layout.h"
@@ -94,13 +95,29 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
   }
 }
 
+void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
+  const TensionerDynamics& t = results.tensioner;
+  if (t.time_at_limit > 0.0) {
+    results.warnings.push_back(fmt::format(
+        "the tensioner stood at the end of its travel for {:.1f} s, with the tension out of control", t.time_at_limit));
+  }
+  if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
+    const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
+    if (t.travel.max > free) {
+      results.warnings.push_back(
+          fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the pipe's end, which "
+                      "the program moves with the travel, passed it",
+                      t.travel.max, free));
+    }
+  }
+}
+
 void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   for (std::size_t box = 0; box < boxes_; ++box) {
     if (left_[box].time < kNever) {
-      char text[200];
-      std::snprintf(text, sizeof text, "at t = %.1f s the pipe left '%s' over its side to %s", left_[box].time,
-                    model_->supports.boxes[box].name.c_str(), left_[box].side > 0.0 ? "port" : "starboard");
-      results.warnings.emplace_back(text);
+      results.warnings.push_back(fmt::format("at t = {:.1f} s the pipe left '{}' over its side to {}", left_[box].time,
+                                             model_->supports.boxes[box].name,
+                                             left_[box].side > 0.0 ? "port" : "starboard"));
     }
   }
   const double yield = model_->sections.front().yield_stress;
@@ -114,6 +131,7 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   if (results.top_tension.min < 0.0) {
     results.warnings.emplace_back("the tension at the tensioner falls below zero");
   }
+  fill_tensioner_warnings(results);
 }
 
 void DynamicRecorder::fill(DynamicResults& results) const {
@@ -143,8 +161,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   fill_supports(results);
   results.hardest_impacts = hardest_;
   results.impact_count = static_cast<std::int64_t>(impact_count_);
-  results.tensioner.mode = "locked";
-  results.tensioner.tension = results.top_tension;
+  results.tensioner = tensioner_.results();
   fill_warnings(results);
 }
 

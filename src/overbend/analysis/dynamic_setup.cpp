@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/quadrature.h"
 
@@ -72,6 +73,23 @@ std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<P
     rollers.push_back(moving);
   }
   return rollers;
+}
+
+TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_tension) {
+  constexpr double kToSpeed = 0.5;      // [s]
+  constexpr double kResolution = 1e-5;  // of the tension wanted; ten times what a step may leave out of balance
+  TensionerLaw law;
+  const bool can_move = tensioner.velocity > 0.0 || tensioner.mode == TensionerMode::constant;
+  law.mode = can_move ? tensioner.mode : TensionerMode::locked;
+  law.wanted = tensioner.tension.value_or(static_tension);
+  law.low = tensioner.range_low.value_or(0.0);
+  law.high = tensioner.range_high.value_or(0.0);
+  law.delay = tensioner.delay;
+  law.velocity = tensioner.velocity;
+  law.acceleration = tensioner.acceleration.value_or(tensioner.velocity / kToSpeed);
+  law.limit = tensioner.travel.value_or(std::numeric_limits<double>::infinity());
+  law.resolution = kResolution * law.wanted;
+  return law;
 }
 
 DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {

@@ -16,6 +16,11 @@ namespace overbend {
 /// a tenth of the normal one.
 std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary);
 
+/// The machine as the model sets it. Without a tension of its own it wants that of the equilibrium; without an
+/// acceleration it gathers speed in half a second, for a speed at once would strike the pipe with a wave of
+/// velocity * sqrt(EA m).
+TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_tension);
+
 /// Everything but what depends on time: `surroundings` is left to the caller.
 DynamicLine dynamic_line(const Model& model, const StaticSolution& solution);
 

@@ -20,6 +20,7 @@ constexpr double kLeastMotion = 1e-6;      ///< Of the whole line: less is rest 
 constexpr double kSmallestStep = 1e-7;     ///< [s]
 constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
 constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
+constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
 
 /// Everything that stands still during a run.
 struct Setup {
@@ -49,13 +50,16 @@ EndMotion anchor_motion(const StaticSolution& start) {
   return motion;
 }
 
-Setup make_setup(const Model& model, const StaticSolution& start, const DynamicOptions& options) {
+Setup make_setup(const Model& model, const StaticSolution& start, double static_tension,
+                 const DynamicOptions& options) {
   Setup setup;
   const Description& d = model.description;
   setup.sea =
       make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
   setup.motion = make_vessel_motion(model, setup.sea);
   setup.line = dynamic_line(model, start);
+  setup.line.build_up = options.build_up;
+  setup.line.tensioner = tensioner_law(d.tensioner, static_tension);
   setup.interval = water_interval(setup.sea, options.output_step);
   return setup;
 }
@@ -73,10 +77,10 @@ StaticFailure step_failure(const StepReport& report, const DynamicLine& line, do
 
 class Run {
  public:
-  Run(const Model& model, const StaticSolution& start, const DynamicOptions& options)
+  Run(const Model& model, const StaticSolution& start, double static_tension, const DynamicOptions& options)
       : model_(model),
         options_(options),
-        setup_(make_setup(model, start, options)),
+        setup_(make_setup(model, start, static_tension, options)),
         anchor_(anchor_motion(start)),
         tensioner_(tensioner_place(model)),
         clock_(make_clock(options, setup_.interval)),
@@ -105,6 +109,9 @@ class Run {
   std::optional<StaticFailure> to_next_tick(DynamicSink& sink);
   void accept(DynamicSink& sink, double h);
   void adapt(double h);
+  void observe_tension(DynamicState& state, double h);
+  double to_timed_event() const;
+  double step_to_tensioner(double h) const;
   RecordedInstant instant() const;
   void write_row(DynamicSink& sink);
   DynamicResults results(const StaticResults& statics) const;
@@ -153,6 +160,7 @@ bool Run::begin() {
     water_.start(water_memory_, clock_.time(), state_.q, state_.v);
   }
   system_->set_time(state_.time, state_);
+  system_->set_drive(first_drive(setup_.line.tensioner, state_.machine));
   system_->impose_ends(state_);
   if (!system_->find_accelerations(state_)) {
     return false;
@@ -162,6 +170,7 @@ bool Run::begin() {
   state_.anchor_guide.alg = state_.anchor_guide.acc;
   const DynamicState before = state_;
   system_->evaluate(state_, before, {}, false);
+  observe_tension(state_, 0.0);
   energy_.start(system_->energy(state_), kLeastMotion * setup_.line.force_scale);
   ended_.clear();
   tracker_->accept(system_->contacts(), state_.time, 1.0, ended_);
@@ -186,6 +195,7 @@ void Run::accept(DynamicSink& sink, double h) {
   energy_.add(system_->energy(next_), h);
   ended_.clear();
   tracker_->accept(system_->contacts(), next_.time, h, ended_);
+  observe_tension(next_, h);
   std::swap(state_, next_);
   for (Impact& impact : ended_) {
     recorder_->count(impact);
@@ -197,11 +207,41 @@ void Run::accept(DynamicSink& sink, double h) {
   report_.largest_step = std::max(report_.largest_step, h);
 }
 
+/// The tensioner takes the tension at the end of a step of `h`, and stops or starts.
+void Run::observe_tension(DynamicState& state, double h) {
+  const Travel travel{state.travel.q, state.travel.v, state.travel.acc};
+  const Travel after = observe(setup_.line.tensioner, system_->machine_tension(), h, travel, state.machine);
+  if (after.length != travel.length || after.speed != travel.speed) {
+    state.travel = {after.length, after.speed, after.acceleration, after.acceleration};
+  }
+}
+
+/// Until the tensioner's delay is over [s].
+double Run::to_timed_event() const {
+  const TensionerLaw& law = setup_.line.tensioner;
+  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+    return 1e300;
+  }
+  return std::max(time_to_move(law, state_.machine), kShortestToEvent);
+}
+
+/// How long the step just tried may be to meet the moment at which its tension makes the tensioner change [s].
+double Run::step_to_tensioner(double h) const {
+  const TensionerLaw& law = setup_.line.tensioner;
+  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+    return h;
+  }
+  return step_to_event(law, excess(law, state_.machine, state_.machine.tension, state_.travel.v),
+                       excess(law, next_.machine, system_->machine_tension(), next_.travel.v), h, kShortestToEvent);
+}
+
 std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  double to_event = 1e300;
   while (state_.time < target) {
     const double remaining = target - state_.time;
-    const double h = chooser_.choose(remaining, options_.fixed_step ? 1e300 : tracker_->step_limit());
+    const double h = std::min(chooser_.choose(remaining, options_.fixed_step ? 1e300 : tracker_->step_limit()),
+                              std::min(to_event, to_timed_event()));
     const StepReport step = stepper_->step(state_, h, next_);
     report_.newton_iterations += step.iterations;
     report_.factorisations += step.factorisations;
@@ -219,6 +259,12 @@ std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
       chooser_.wanted = impact.step;
       continue;
     }
+    to_event = step_to_tensioner(h);
+    if (to_event < h) {
+      ++report_.rejected_steps;
+      continue;
+    }
+    to_event = 1e300;
     if (remaining - h < 1e-6 * h) {
       next_.time = target;
     }
@@ -324,7 +370,6 @@ DynamicResults Run::results(const StaticResults& statics) const {
   r.run.integrator = "generalized-alpha, spectral radius " +
                      std::to_string(options_.step.spectral_radius).substr(0, 4) +
                      (options_.fixed_step ? ", fixed step" : ", adaptive step");
-  r.tensioner.travel = Spread{};
   return r;
 }
 
@@ -350,7 +395,7 @@ DynamicOptions dynamic_options(const Model& model) {
 DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
                             const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
                             const std::function<DynamicControl(const DynamicProgress&)>& control) {
-  Run run(model, start, options);
+  Run run(model, start, statics.top_tension, options);
   return run.go(sink, from, statics, control);
 }
 

@@ -15,7 +15,7 @@ void predict(const DynamicState& now, double h, DynamicState& next) {
     next.q[i] = now.q[i] + h * (now.v[i] + 0.5 * h * now.acc[i]);
     next.v[i] = now.v[i] + h * now.acc[i];
   }
-  for (GuideValues* guide : {&next.anchor_guide, &next.top_guide}) {
+  for (GuideValues* guide : {&next.anchor_guide, &next.top_guide, &next.travel}) {
     guide->q += h * (guide->v + 0.5 * h * guide->acc);
     guide->v += h * guide->acc;
   }
@@ -36,6 +36,9 @@ bool balance(DynamicSystem& system, const DynamicState& now, double h, DynamicSt
   };
   next.anchor_guide.acc += along(system.surroundings().anchor.direction, 3);
   next.top_guide.acc += along(system.surroundings().top.direction, dq.size() - 3);
+  if (system.line().tensioner.mode == TensionerMode::constant) {
+    next.travel.acc -= along(system.surroundings().top.direction, dq.size() - 6);
+  }
   return true;
 }
 
@@ -45,6 +48,7 @@ bool explicit_step(DynamicSystem& system, const DynamicState& now, double h, Dyn
   std::vector<double> dq(now.q.size());
   predict(now, h, next);
   system.set_time(next.time, next);
+  system.set_drive(first_drive(system.line().tensioner, now.machine));
   system.impose_ends(next);
   if (!balance(system, now, h, next, dq)) {
     return false;
@@ -56,9 +60,11 @@ bool explicit_step(DynamicSystem& system, const DynamicState& now, double h, Dyn
   }
   next.anchor_guide.v = now.anchor_guide.v + 0.5 * h * (now.anchor_guide.acc + next.anchor_guide.acc);
   next.top_guide.v = now.top_guide.v + 0.5 * h * (now.top_guide.acc + next.top_guide.acc);
+  next.travel.v = now.travel.v + 0.5 * h * (now.travel.acc + next.travel.acc);
   next.alg = next.acc;
   next.anchor_guide.alg = next.anchor_guide.acc;
   next.top_guide.alg = next.top_guide.acc;
+  next.travel.alg = next.travel.acc;
   system.impose_ends(next);
   system.evaluate(next, now, {0.0, 0.0, h}, false);  // energies and forces at the ends belong to the state now
   return finite;

@@ -41,8 +41,10 @@ TimeStepper::TimeStepper(DynamicSystem& system, const StepSettings& settings)
       dq_(system.residual().size()),
       lumped_mass_(lumped_mass(system.line())) {}
 
-void TimeStepper::predict(const DynamicState& now, double h, DynamicState& next) const {
+void TimeStepper::predict(const DynamicState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
+                          DynamicState& next) const {
   next = now;  // same sizes: nothing is allocated
+  next.machine.drive = drive;
   next.time = now.time + h;
   next.last_step = h;
   // The algorithmic acceleration stands apart from the true one in proportion to the step it was made with.
@@ -57,6 +59,31 @@ void TimeStepper::predict(const DynamicState& now, double h, DynamicState& next)
   }
   next.anchor_guide = advance(scheme_, corrected_for_step(now.anchor_guide, ratio), h, now.anchor_guide.acc);
   next.top_guide = advance(scheme_, corrected_for_step(now.top_guide, ratio), h, now.top_guide.acc);
+  predict_travel(now, h, bounds, next);
+}
+
+void TimeStepper::predict_travel(const DynamicState& now, double h, const SpeedBounds& bounds,
+                                 DynamicState& next) const {
+  const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;
+  const Travel from{now.travel.q, now.travel.v, now.travel.acc};
+  const auto drive_to = [&](double speed) {
+    const Travel to = driven(system_->line().tensioner, from, speed, h);
+    next.travel = {to.length, to.speed, to.acceleration, to.acceleration};
+  };
+  switch (next.machine.drive) {
+    case TensionerDrive::brake:
+      next.travel = {now.travel.q, 0.0, 0.0, 0.0};
+      return;
+    case TensionerDrive::governor:
+      next.travel = advance(scheme_, corrected_for_step(now.travel, ratio), h, now.travel.acc);
+      return;
+    case TensionerDrive::slowest:
+      drive_to(bounds.slowest);
+      return;
+    case TensionerDrive::fastest:
+      drive_to(bounds.fastest);
+      return;
+  }
 }
 
 void TimeStepper::correct(DynamicState& next, double h) const {
@@ -68,7 +95,7 @@ void TimeStepper::correct(DynamicState& next, double h) const {
     next.acc[i] += acceleration * dq_[i];
     next.alg[i] += algorithmic * dq_[i];
   }
-  const auto correct_guide = [&](GuideValues& guide, const Vec3& direction, std::size_t first) {
+  const auto correct_guide = [&](MotionValues& guide, const Vec3& direction, std::size_t first) {
     const double d = direction.x() * dq_[first] + direction.y() * dq_[first + 1] + direction.z() * dq_[first + 2];
     guide.q += d;
     guide.v += velocity * d;
@@ -77,6 +104,9 @@ void TimeStepper::correct(DynamicState& next, double h) const {
   };
   correct_guide(next.anchor_guide, system_->surroundings().anchor.direction, 3);
   correct_guide(next.top_guide, system_->surroundings().top.direction, dq_.size() - 3);
+  if (next.machine.drive == TensionerDrive::governor) {
+    correct_guide(next.travel, -system_->surroundings().top.direction, dq_.size() - 6);
+  }
 }
 
 bool TimeStepper::must_factor(double h) const {
@@ -84,9 +114,38 @@ bool TimeStepper::must_factor(double h) const {
 }
 
 StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& next) {
+  constexpr int kMostDrives = 4;  // two that each ask for the other differ by nothing
+  const TensionerLaw& law = system_->line().tensioner;
+  const Travel travel{now.travel.q, now.travel.v, now.travel.acc};
+  const double authority = tensioner_authority(system_->line(), now.time + 0.5 * h);
+  const SpeedBounds bounds = reachable_speeds(law, now.machine, travel, authority, h);
+  TensionerDrive drive = first_drive(law, now.machine);
   StepReport report;
-  predict(now, h, next);
+  for (int tries = 0; tries < kMostDrives; ++tries) {
+    const StepReport part = step_with(drive, bounds, now, h, next);
+    const int iterations = report.iterations + part.iterations,
+              factorisations = report.factorisations + part.factorisations;
+    report = part;
+    report.iterations = iterations;
+    report.factorisations = factorisations;
+    const TensionerDrive fitting = fitting_drive(law, bounds, drive, next.travel.v, system_->machine_tension());
+    if (!report.converged() || fitting == drive) {
+      break;
+    }
+    drive = fitting;
+  }
+  return report;
+}
+
+StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bounds, const DynamicState& now, double h,
+                                  DynamicState& next) {
+  StepReport report;
+  const bool governed = drive == TensionerDrive::governor;
+  factored_ = factored_ && governed == factored_governed_;
+  factored_governed_ = governed;
+  predict(now, h, drive, bounds, next);
   system_->set_time(next.time, next);
+  system_->set_drive(drive);
   system_->impose_ends(next);
   const StepShares shares{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);

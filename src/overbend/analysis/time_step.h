@@ -39,7 +39,11 @@ class TimeStepper {
   void forget_factors() { factored_ = false; }
 
  private:
-  void predict(const DynamicState& now, double h, DynamicState& next) const;
+  void predict(const DynamicState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
+               DynamicState& next) const;
+  void predict_travel(const DynamicState& now, double h, const SpeedBounds& bounds, DynamicState& next) const;
+  StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const DynamicState& now, double h,
+                       DynamicState& next);
   void correct(DynamicState& next, double h) const;
   bool must_factor(double h) const;
 
@@ -47,6 +51,7 @@ class TimeStepper {
   StepSettings settings_;
   GeneralizedAlpha scheme_;
   bool factored_ = false;
+  bool factored_governed_ = false;  ///< With the top free along its guide.
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;

@@ -63,12 +63,21 @@ void visit_energy(Row& r, Visit& visit) {
 template <class Row, class Visit>
 void visit_tensioner(Row& r, Visit& visit) {
   visit(ResultField{"mode", "1", "How the machine holds the pipe"}, r.mode);
-  visit_spread(ResultField{"tension", "N", "Effective tension at the tensioner"}, r.tension, visit);
+  visit(ResultField{"wanted", "N", "Tension it is set to"}, r.wanted);
+  visit(ResultField{"range_low", "N", "Operational range, from; 0 without one"}, r.range_low);
+  visit(ResultField{"range_high", "N", "Operational range, to; 0 without one"}, r.range_high);
+  visit(ResultField{"travel_limit", "m", "Largest travel either way; 0 without a limit"}, r.travel_limit);
+  visit_spread(ResultField{"tension", "N", "Force of the tensioner on the pipe along its guide"}, r.tension, visit);
   visit_spread(ResultField{"travel", "m", "Length paid out since the start, hauled in negative"}, r.travel, visit);
   visit(ResultField{"time_out_of_range", "s", "Time with the tension outside the range set"}, r.time_out_of_range);
+  visit(ResultField{"time_holding", "s", "Time in which it held, the tension in its range"}, r.time_holding);
+  visit(ResultField{"time_delayed", "s", "Time between leaving the range and moving"}, r.time_delayed);
+  visit(ResultField{"time_paying_out", "s", "Time in which it paid out"}, r.time_paying_out);
+  visit(ResultField{"time_hauling_in", "s", "Time in which it hauled in"}, r.time_hauling_in);
   visit(ResultField{"time_at_limit", "s", "Time at a limit of the machine"}, r.time_at_limit);
   visit(ResultField{"pay_out_count", "1", "Number of times the machine has paid out"}, r.pay_out_count);
   visit(ResultField{"haul_in_count", "1", "Number of times the machine has hauled in"}, r.haul_in_count);
+  visit(ResultField{"limit_count", "1", "Number of times it came to the end of its travel"}, r.limit_count);
 }
 
 template <class Row, class Visit>

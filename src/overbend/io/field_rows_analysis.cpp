@@ -58,7 +58,8 @@ std::vector<Field> tensioner() {
        .range = {.low = 0.0}},
       {.path = "tensioner.mode",
        .kind = FieldKind::choice,
-       .text = "controlled: works to keep the range; locked: brake on; constant: ideal constant tension.",
+       .text = "How it holds the pipe in time. controlled: works to keep the range; locked: brake on; constant: ideal "
+               "constant tension.",
        .fallback_text = "controlled with a range, else locked",
        .choices = {"controlled", "locked", "constant"}},
       {.path = "tensioner.delay",
@@ -80,7 +81,7 @@ std::vector<Field> tensioner() {
        .text = "Acceleration up to that speed.",
        .unit = "m/s^2",
        .show = "m/s^2",
-       .fallback_text = "at once",
+       .fallback_text = "the speed is reached in 0.5 s",
        .range = {.low = 0.0, .low_open = true}},
       {.path = "tensioner.travel",
        .kind = FieldKind::quantity,

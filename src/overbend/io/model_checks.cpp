@@ -113,12 +113,17 @@ void check_tensioner_range(Checker& check) {
   }
 }
 
-/// A mode asked for by name that motion in time does not have.
+/// A machine that is asked to move needs a speed.
 void check_tensioner_mode(Checker& check) {
-  const FieldValue* mode = check.root().find("tensioner.mode");
-  if (mode == nullptr || !mode->given || mode->text == "locked") return;
-  if (check.root().find("analysis.dynamic") == nullptr) return;
-  check.warn(*mode, mode->shown + " is not there yet: dynamics holds the tensioner as a locked brake");
+  const FieldValue* tensioner = check.root().find("tensioner");
+  if (tensioner == nullptr || check.root().find("analysis.dynamic") == nullptr) return;
+  const FieldValue* mode = tensioner->find("mode");
+  const bool by_name = mode != nullptr && mode->given;
+  const bool controlled = by_name ? mode->text == "controlled" : tensioner->mentions("range");
+  const auto velocity = check.root().get_number("tensioner.velocity");
+  if (controlled && velocity.value_or(0.0) <= 0.0) {
+    check.warn(*tensioner, "a controlled tensioner without velocity never moves: dynamics holds it as a locked brake");
+  }
 }
 
 void check_current(Checker& check) {

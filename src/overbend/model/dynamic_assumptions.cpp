@@ -129,23 +129,38 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
       "and bending do.");
 }
 
+std::string machine_words(const TensionerDescription& t) {
+  std::string words = fmt::format(
+      "The tensioner waits {:.4g} s when the tension has left its range of {:.4g} to {:.4g} kN, then moves at up to "
+      "{:.4g} m/s until the tension it wants is back",
+      t.delay, 1e-3 * t.range_low.value_or(0.0), 1e-3 * t.range_high.value_or(0.0), t.velocity);
+  words += t.acceleration ? fmt::format("; it gathers speed and brakes at {:.4g} m/s2", *t.acceleration)
+                          : std::string("; no acceleration is given: it gathers that speed in 0.5 s and brakes alike");
+  words += t.travel ? fmt::format("; its travel ends {:.4g} m either way.", *t.travel)
+                    : std::string("; its travel is not limited.");
+  return words;
+}
+
 void assume_held_top(Sentences& list, const TensionerDescription& tensioner) {
   switch (tensioner.mode) {
     case TensionerMode::controlled:
+      list.push_back(machine_words(tensioner));
       list.push_back(
-          "The model asks for a controlled tensioner, which is not there yet: in time it is a locked brake that moves "
-          "with "
-          "the vessel, and tensions leave its range where it would have paid out or hauled in.");
-      return;
+          "During the build-up the tensioner is brought in with the waves: it may use the same share of its speed.");
+      break;
     case TensionerMode::constant:
       list.push_back(
-          "The model asks for constant tension, which is not there yet: in time the tensioner is a locked brake that "
-          "moves "
-          "with the vessel, and tensions swing.");
-      return;
+          "The tensioner keeps the tension constant, without mass, friction, delay or limit: an ideal to compare "
+          "with.");
+      break;
     case TensionerMode::locked:
       list.push_back("In time the tensioner is a locked brake that moves with the vessel.");
+      return;
   }
+  list.push_back(
+      "What the tensioner pays out moves the pipe's top end along the guide; the pipe behind it has no mass or weight "
+      "of "
+      "its own.");
 }
 
 }  // namespace

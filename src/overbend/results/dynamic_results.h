@@ -108,11 +108,17 @@ struct EnergyBalance {
   double drift() const { return throughput > 0.0 ? error / throughput : 0.0; }
 };
 
+/// What the tensioner was set to and what it did. Travel counts what was paid out, hauled in negative.
 struct TensionerDynamics {
-  std::string mode;
-  Spread tension, travel;
-  double time_out_of_range = 0.0, time_at_limit = 0.0;  ///< [s]
-  std::int64_t pay_out_count = 0, haul_in_count = 0;
+  std::string mode;                               ///< "controlled", "locked" or "constant".
+  double wanted = 0.0;                            ///< Tension [N].
+  double range_low = 0.0, range_high = 0.0;       ///< Operational range; both 0 without one [N].
+  double travel_limit = 0.0;                      ///< Either way; 0 without one [m].
+  Spread tension, travel;                         ///< Along the guide [N], [m].
+  double time_out_of_range = 0.0;                 ///< [s]
+  double time_holding = 0.0, time_delayed = 0.0;  ///< In the range; out of it, waiting [s].
+  double time_paying_out = 0.0, time_hauling_in = 0.0, time_at_limit = 0.0;  ///< [s]
+  std::int64_t pay_out_count = 0, haul_in_count = 0, limit_count = 0;
 };
 
 struct DynamicRunReport {

@@ -1,0 +1,206 @@
+#include "mechanics/tensioner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kSameTime = 1e-12;  ///< Differences of time that are rounding [s].
+constexpr double kRestored = 0.01;   ///< Share of the range's half within which the wanted tension is restored.
+constexpr double kSamePlace = 1e-6;  ///< From the end of its travel: it is there [m].
+
+bool moves(const TensionerMachine& m) {
+  return m.state == TensionerState::pay_out || m.state == TensionerState::haul_in;
+}
+
+/// Greatest speed w after `h` from which it can still stand where its travel ends, `room` ahead now, braking within its
+/// acceleration and for one more step at least [m/s]: h (v + w) / 2 + max(w^2 / (2 a), h w / 2) = room.
+double stoppable_speed(double room, double v, double acceleration, double h) {
+  const double left = std::max(room - 0.5 * h * v, 0.0);
+  const double slowly = acceleration * (std::sqrt(0.25 * h * h + 2.0 * left / acceleration) - 0.5 * h);
+  return std::min(slowly, left / h);
+}
+
+void come_to_rest(TensionerMachine& m, TensionerState state) {
+  m.state = state;
+  m.drive = TensionerDrive::brake;
+  m.timer = 0.0;
+}
+
+void start_moving(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+  if (m.side * travel.length >= law.limit - kSamePlace) {
+    come_to_rest(m, TensionerState::at_limit);
+    return;
+  }
+  m.state = m.side > 0 ? TensionerState::pay_out : TensionerState::haul_in;
+  m.drive = m.side > 0 ? TensionerDrive::fastest : TensionerDrive::slowest;
+  m.timer = 0.0;
+}
+
+/// One change of state of a machine that stands, if there is one to make.
+bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+  const bool beyond = excess(law, m, m.tension, travel.speed) >= -law.resolution;
+  switch (m.state) {
+    case TensionerState::hold:
+      if (beyond) {
+        m.state = TensionerState::delay;
+        m.side = m.tension > 0.5 * (law.low + law.high) ? 1 : -1;
+        m.timer = 0.0;
+      }
+      return beyond;
+    case TensionerState::delay:
+      if (m.timer >= law.delay - kSameTime) {
+        start_moving(law, travel, m);
+        return true;
+      }
+      [[fallthrough]];
+    case TensionerState::at_limit:
+      if (beyond) {
+        come_to_rest(m, TensionerState::hold);
+      }
+      return beyond;
+    case TensionerState::pay_out:
+    case TensionerState::haul_in:
+      break;
+  }
+  return false;
+}
+
+/// Turns with the speed, and stands where its travel ends.
+Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+  if (travel.speed != 0.0) {
+    m.side = travel.speed > 0.0 ? 1 : -1;
+    m.state = m.side > 0 ? TensionerState::pay_out : TensionerState::haul_in;
+  }
+  const TensionerDrive outward = m.side > 0 ? TensionerDrive::fastest : TensionerDrive::slowest;
+  if (m.drive == outward && law.limit - m.side * travel.length <= kSamePlace) {
+    come_to_rest(m, TensionerState::at_limit);
+    return {m.side * law.limit, 0.0, 0.0};
+  }
+  return travel;
+}
+
+}  // namespace
+
+SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m, const Travel& now, double authority,
+                             double h) {
+  if (law.mode == TensionerMode::constant) {
+    return {-kNever, kNever};
+  }
+  if (!moves(m)) {
+    return {0.0, 0.0};
+  }
+  const auto greatest = [&](double v, double room) {
+    const double change = law.acceleration * h;
+    const double speed = std::min(std::max(law.velocity * authority, v - change), v + change);
+    return room < kNever ? std::min(speed, stoppable_speed(room, v, law.acceleration, h)) : speed;
+  };
+  const double fastest = greatest(now.speed, law.limit - now.length);
+  return {std::min(-greatest(-now.speed, law.limit + now.length), fastest), fastest};
+}
+
+Travel driven(const TensionerLaw& law, const Travel& now, double speed, double h) {
+  const double length = now.length + 0.5 * h * (now.speed + speed);
+  return {std::clamp(length, -law.limit, law.limit), speed, (speed - now.speed) / h};
+}
+
+double governor_slope(const TensionerLaw& law, double speed) {
+  if (law.mode == TensionerMode::constant) {
+    return 0.0;
+  }
+  const double band = speed > 0.0 ? law.high - law.wanted : law.wanted - law.low;
+  return std::max(band, law.resolution) / law.velocity;
+}
+
+double governed_tension(const TensionerLaw& law, double speed) {
+  return law.wanted + governor_slope(law, speed) * speed;
+}
+
+TensionerDrive first_drive(const TensionerLaw& law, const TensionerMachine& m) {
+  if (law.mode == TensionerMode::constant) {
+    return TensionerDrive::governor;
+  }
+  return moves(m) ? m.drive : TensionerDrive::brake;
+}
+
+TensionerDrive fitting_drive(const TensionerLaw& law, const SpeedBounds& bounds, TensionerDrive drive, double speed,
+                             double tension) {
+  switch (drive) {
+    case TensionerDrive::brake:
+      return drive;
+    case TensionerDrive::governor:
+      return speed > bounds.fastest   ? TensionerDrive::fastest
+             : speed < bounds.slowest ? TensionerDrive::slowest
+                                      : drive;
+    case TensionerDrive::slowest:
+      return bounds.fastest > bounds.slowest && tension > governed_tension(law, bounds.slowest)
+                 ? TensionerDrive::governor
+                 : drive;
+    case TensionerDrive::fastest:
+      return bounds.fastest > bounds.slowest && tension < governed_tension(law, bounds.fastest)
+                 ? TensionerDrive::governor
+                 : drive;
+  }
+  return drive;
+}
+
+double excess(const TensionerLaw& law, const TensionerMachine& m, double tension, double speed) {
+  if (law.mode != TensionerMode::controlled) {
+    return -kNever;
+  }
+  const double above = tension - law.high, below = law.low - tension;
+  switch (m.state) {
+    case TensionerState::hold:
+      return std::max(above, below);
+    case TensionerState::delay:  // a little within the range, so that meeting its edge from inside is not coming back
+      return -(m.side > 0 ? above : below) - 2.0 * law.resolution;
+    case TensionerState::at_limit:
+      return m.side * (law.wanted - tension);
+    case TensionerState::pay_out:
+    case TensionerState::haul_in: {
+      const double restored = kRestored * law.velocity;
+      const bool may_stop = m.drive == TensionerDrive::governor && m.timer >= law.delay - kSameTime;
+      return may_stop ? governor_slope(law, m.side) * (restored - m.side * speed) : -kNever;
+    }
+  }
+  return -kNever;
+}
+
+double time_to_move(const TensionerLaw& law, const TensionerMachine& m) {
+  return m.state == TensionerState::delay ? std::max(law.delay - m.timer, 0.0) : kNever;
+}
+
+Travel observe(const TensionerLaw& law, double tension, double h, const Travel& travel, TensionerMachine& m) {
+  m.tension = tension;
+  if (law.mode != TensionerMode::controlled) {
+    return travel;
+  }
+  Travel now = travel;
+  if (m.state == TensionerState::delay) {
+    m.timer += h;
+  } else if (moves(m)) {
+    m.timer = out_of_range(law, tension) ? 0.0 : m.timer + h;
+    if (excess(law, m, tension, travel.speed) >= -law.resolution) {
+      come_to_rest(m, TensionerState::hold);
+      now = {travel.length, 0.0, 0.0};
+    } else {
+      now = follow_speed(law, travel, m);
+    }
+  }
+  constexpr int kMostChanges = 4;  // out of one side of the range and at once out of the other
+  for (int i = 0; i < kMostChanges && !moves(m) && change_once(law, now, m); ++i) {
+  }
+  return now;
+}
+
+double step_to_event(const TensionerLaw& law, double before, double after, double h, double shortest) {
+  if (after <= law.resolution || h <= shortest || !std::isfinite(before)) {
+    return h;
+  }
+  const double share = before < 0.0 ? before / (before - after) : 0.0;
+  return std::clamp(share * h, std::min(shortest, 0.5 * h), 0.95 * h);
+}
+
+}  // namespace overbend
