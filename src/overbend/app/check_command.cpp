@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
+#include "runs/exit_code.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
 

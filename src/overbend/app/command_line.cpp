@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
+#include "runs/exit_code.h"
 #include "base/version.h"
 
 namespace overbend {

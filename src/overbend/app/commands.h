@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "app/new_model.h"
+#include "model/new_model.h"
 #include "model/description.h"
 
 namespace overbend {

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
+#include "runs/exit_code.h"
 #include "io/yaml_reader.h"
 
 namespace overbend {
