@@ -6,9 +6,9 @@
 #include "analysis/recovery.h"
 #include "analysis/statics.h"
 #include "app/commands.h"
+#include "io/staged_folder.h"
 #include "runs/exit_code.h"
 #include "runs/static_run.h"
-#include "io/staged_folder.h"
 
 namespace overbend {
 namespace {

@@ -18,8 +18,8 @@ constexpr double kYoungsModulus = 207e9;         // [Pa]
 constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
 
 constexpr std::array kWalls = {4.8,  5.6,  6.4,  7.1,  7.9,  8.7,  9.5,  10.3, 11.1, 11.9, 12.7, 14.3,
-                                 15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
-                                 34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
+                               15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
+                               34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
 
 /// Said by the user, or nothing; a sentence when it can not be understood.
 struct Said {

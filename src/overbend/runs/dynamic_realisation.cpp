@@ -6,11 +6,11 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "runs/dynamic_finish.h"
 #include "io/dynamic_writer.h"
 #include "io/run_store.h"
 #include "io/staged_folder.h"
 #include "report/report.h"
+#include "runs/dynamic_finish.h"
 
 namespace overbend {
 namespace {
