@@ -1,11 +1,17 @@
 #include "serve/static_json.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "report/json_number.h"
 
 namespace overbend {
 namespace {
+
+/// Of a place or a direction: what rounding leaves of a zero is zero.
+double visible(double value) {
+  return std::abs(value) < 1e-9 ? 0.0 : seven_digits(value);
+}
 
 double utilisation(const Station& at) {
   return at.yield_stress > 0.0 ? at.von_mises / at.yield_stress : 0.0;
@@ -97,12 +103,12 @@ Vec3 leaving(const StaticResults& r) {
 }  // namespace
 
 Json place_json(const Vec3& p_W) {
-  return {seven_digits(p_W.x()), seven_digits(p_W.y()), seven_digits(p_W.z())};
+  return {visible(p_W.x()), visible(p_W.y()), visible(p_W.z())};
 }
 
 Json pose_json(const Vec3& p_WV, const Mat3& R_WV) {
   Json pose = place_json(p_WV);
-  for (int i = 0; i < 9; ++i) pose.push_back(seven_digits(R_WV(i / 3, i % 3)));
+  for (int i = 0; i < 9; ++i) pose.push_back(visible(R_WV(i / 3, i % 3)));
   return pose;
 }
 
