@@ -25,7 +25,7 @@ TEST(serve_model, a_fault_is_told_at_its_line_and_column) {
   const json fault = reply.json["diagnostics"][0];
   EXPECT_EQ(fault["severity"], "error");
   EXPECT_EQ(fault["line"], 8);
-  EXPECT_EQ(fault["column"], 56);
+  EXPECT_EQ(fault["column"], 55);
   EXPECT_EQ(fault["key"], "pipe.steel.wall_thickness");
   EXPECT_NE(fault["message"].get<std::string>().find("a length"), std::string::npos) << fault;
 }
