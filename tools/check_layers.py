@@ -10,7 +10,9 @@ import pathlib
 import re
 import sys
 
-EVERYTHING = {"base", "model", "results", "numerics", "mechanics", "analysis", "checks", "io", "report", "app"}
+EVERYTHING = {
+    "base", "model", "results", "numerics", "mechanics", "analysis", "checks", "io", "report", "runs", "serve", "app",
+}
 
 # Layer -> the layers it may include, besides itself.
 MAY_INCLUDE = {
@@ -22,7 +24,9 @@ MAY_INCLUDE = {
     "analysis": {"mechanics", "numerics", "results", "model", "base"},
     "checks": {"results", "model", "base"},
     "io": {"checks", "results", "model", "base"},
-    "report": EVERYTHING - {"app"},
+    "report": EVERYTHING - {"app", "serve", "runs"},
+    "runs": EVERYTHING - {"app", "serve"},
+    "serve": EVERYTHING - {"app"},
     "app": EVERYTHING,
 }
 
@@ -34,7 +38,8 @@ LIBRARIES = [
     ("hwy/", {"numerics", "mechanics"}),
     ("yaml-cpp/", {"io"}),
     ("hdf5", {"io"}),
-    ("nlohmann/", {"io", "report"}),
+    ("nlohmann/", {"io", "report", "serve"}),
+    ("httplib.h", {"serve"}),
     ("udunits2.h", {"base"}),
     ("CLI/", {"app"}),
 ]

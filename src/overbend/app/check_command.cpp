@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
+#include "runs/exit_code.h"
 
 namespace overbend {
 namespace {

@@ -6,8 +6,8 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
 #include "base/version.h"
+#include "runs/exit_code.h"
 
 namespace overbend {
 namespace {
@@ -51,6 +51,18 @@ void add_report(CLI::App& program, int& code) {
   auto place = std::make_shared<std::string>();
   command->add_option("RESULTS", *place, "Folder of results, or its results.h5")->required();
   command->callback([place, &code] { code = run_report(*place); });
+}
+
+void add_serve(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand("serve", "The graphic interface, for a browser on this machine.");
+  auto arguments = std::make_shared<ServeArguments>();
+  command->add_option("MODEL", arguments->model_file, "Model file (YAML) to open");
+  command->add_option("--port", arguments->port, "Port on 127.0.0.1; left out: any that is free")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--folder", arguments->folder,
+                      "Folder of models and runs; left out: MODEL's, or the current one");
+  command->add_flag("!--no-browser", arguments->browser, "Only print the address");
+  command->callback([arguments, &code] { code = run_serve(*arguments); });
 }
 
 void add_schema(CLI::App& program, int& code) {
@@ -97,6 +109,7 @@ int run_command_line(int count, const char* const* words) {
   add_dynamic(program, code);
   add_report(program, code);
   add_new(program, code);
+  add_serve(program, code);
   add_schema(program, code);
   try {
     program.parse(count, words);

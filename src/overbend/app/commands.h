@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/new_model.h"
 #include "model/description.h"
+#include "model/new_model.h"
 
 namespace overbend {
 
@@ -31,6 +31,16 @@ int run_dynamic(const DynamicArguments& arguments);
 
 /// Writes report.html beside a results.h5, given that file or its folder.
 int run_report(const std::string& place);
+
+struct ServeArguments {
+  std::string model_file;  ///< Opened at the start; may be empty.
+  std::string folder;      ///< Of model files and runs; empty: the model's, or the current one.
+  int port = 0;            ///< 0: any that is free.
+  bool browser = true;     ///< Open one at the page.
+};
+
+/// The graphic interface, until Ctrl-C.
+int run_serve(const ServeArguments& arguments);
 
 int run_schema(bool reference);
 int run_new(const NewOptions& options);

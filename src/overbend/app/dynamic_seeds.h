@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "app/dynamic_realisation.h"
+#include "runs/dynamic_realisation.h"
 
 namespace overbend {
 

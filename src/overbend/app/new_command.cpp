@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
 #include "io/yaml_reader.h"
+#include "runs/exit_code.h"
 
 namespace overbend {
 namespace {

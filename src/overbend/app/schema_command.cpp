@@ -1,9 +1,9 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "app/exit_code.h"
 #include "io/json_schema.h"
 #include "io/reference_page.h"
+#include "runs/exit_code.h"
 
 namespace overbend {
 

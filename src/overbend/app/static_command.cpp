@@ -6,10 +6,9 @@
 #include "analysis/recovery.h"
 #include "analysis/statics.h"
 #include "app/commands.h"
-#include "app/exit_code.h"
-#include "io/results_writer.h"
 #include "io/staged_folder.h"
-#include "report/report.h"
+#include "runs/exit_code.h"
+#include "runs/static_run.h"
 
 namespace overbend {
 namespace {
@@ -74,16 +73,12 @@ int run_static(const std::string& model_file, const std::string& output) {
   if (outcome.failure) return tell(*outcome.failure);
   const StaticResults results = recover_statics(model, *outcome.solution);
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
-  std::optional<StagedFolder> staged;
   try {
-    staged.emplace(folder);
-  } catch (const std::runtime_error& fault) {  // a folder that can not be is the user's to mend
+    write_static_run(results, *description, folder);
+  } catch (const UnusableFolder& fault) {  // a folder that can not be is the user's to mend
     std::cerr << "overbend: " << fault.what() << "\n";
     return kWrongInput;
   }
-  write_static_files(results, *description, staged->path());
-  write_report(results, description->source_text, staged->path() / "report.html");
-  staged->commit("summary.json");
   print_results(results);
   std::cout << "Results are in " << folder.string() << "\n";
   return kDone;

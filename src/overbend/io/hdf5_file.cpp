@@ -222,6 +222,34 @@ std::vector<double> Hdf5Reader::doubles(const std::string& path) const {
   return values;
 }
 
+hsize_t Hdf5Reader::lines(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  if (shape.empty()) return 1;
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  return shape[0];
+}
+
+std::vector<double> Hdf5Reader::doubles(const std::string& path, hsize_t first, hsize_t count) const {
+  const Hdf5Handle set = dataset(path);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  require(shape.empty() ? -1 : H5Sget_simple_extent_dims(space, shape.data(), nullptr), path + " has no lines");
+  require(first + count <= shape[0] ? 0 : -1, path + " has fewer lines");
+  std::vector<hsize_t> start(shape.size(), 0);
+  start[0] = first;
+  shape[0] = count;
+  hsize_t total = 1;
+  for (const hsize_t extent : shape) total *= extent;
+  std::vector<double> values(total);
+  if (values.empty()) return values;
+  require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr), path);
+  const Hdf5Handle memory(H5Screate_simple(1, &total, nullptr), H5Sclose, "HDF5 dataspace");
+  require(H5Dread(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data()), path + " holds no numbers");
+  return values;
+}
+
 std::vector<int> Hdf5Reader::ints(const std::string& path) const {
   const Hdf5Handle set = dataset(path);
   std::vector<int> values(count_of(set));

@@ -88,6 +88,10 @@ class Hdf5Reader {
   bool has(const std::string& path) const;
   /// All values of a dataset, row by row.
   std::vector<double> doubles(const std::string& path) const;
+  /// Of the first dimension `count` lines from `first` on, all that lies in them.
+  std::vector<double> doubles(const std::string& path, hsize_t first, hsize_t count) const;
+  /// Extent of the first dimension; 1 for a single value.
+  hsize_t lines(const std::string& path) const;
   std::vector<int> ints(const std::string& path) const;
   std::vector<std::int64_t> counts(const std::string& path) const;
   /// A single integer without sign.

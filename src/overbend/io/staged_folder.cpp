@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& reason) {
-  throw std::runtime_error("the folder '" + folder.string() + "' can not be written: " + reason);
+  throw UnusableFolder("the folder '" + folder.string() + "' can not be written: " + reason);
 }
 
 /// The topmost part of the path that does not exist; empty when all of it does.

@@ -2,16 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 namespace overbend {
+
+/// A folder that can not be made or written, with the reason.
+class UnusableFolder : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Files are written to path(), a temporary folder inside the folder they are meant for (the same file system), and
 /// renamed into place by commit(). Without commit() everything is removed again, also the folders that had to be made.
 class StagedFolder {
  public:
-  /// Makes `folder` and its parents where they are missing. Throws std::runtime_error with the reason when it can not
-  /// be written.
+  /// Makes `folder` and its parents where they are missing. Throws UnusableFolder with the reason when it can not be
+  /// written.
   explicit StagedFolder(const std::filesystem::path& folder);
   ~StagedFolder();
   StagedFolder(const StagedFolder&) = delete;

@@ -7,13 +7,18 @@
 namespace overbend {
 
 /// Seven significant digits: a tenth of a millimetre in a kilometre. What is not finite, which JSON can not hold, is 0.
-inline nlohmann::json json_number(double value) {
+inline double seven_digits(double value) {
   if (value == 0.0 || !std::isfinite(value)) {
-    return 0;
+    return 0.0;
   }
   const double scale = std::pow(10.0, 6.0 - std::floor(std::log10(std::abs(value))));
   const double rounded = std::round(value * scale) / scale;
   return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number next to zero has no end
+}
+
+inline nlohmann::json json_number(double value) {
+  const double rounded = seven_digits(value);
+  return rounded == 0.0 ? nlohmann::json(0) : nlohmann::json(rounded);
 }
 
 }  // namespace overbend

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 
@@ -45,6 +46,9 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options);
 
 /// The commented model file.
 std::string model_text(const NewModel& model);
+
+/// Wall thicknesses of API 5L, thinnest first [mm].
+std::span<const double> api_walls();
 
 /// Outside diameter [m] of a nominal pipe size in inches (API 5L); empty when there is none.
 std::optional<double> nominal_diameter(double inches);

@@ -1,4 +1,4 @@
-#include "app/new_model.h"
+#include "model/new_model.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +16,10 @@ namespace {
 constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kYoungsModulus = 207e9;         // [Pa]
 constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
+
+constexpr std::array kWalls = {4.8,  5.6,  6.4,  7.1,  7.9,  8.7,  9.5,  10.3, 11.1, 11.9, 12.7, 14.3,
+                               15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
+                               34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
 
 /// Said by the user, or nothing; a sentence when it can not be understood.
 struct Said {
@@ -77,9 +81,6 @@ double collapse_pressure(double diameter, double wall, double yield) {
 
 /// Thinnest listed wall (API 5L) with D/t at most 40 that carries the water pressure with the usual factor 0.7.
 double choose_wall(double diameter, double yield, double depth) {
-  constexpr std::array kWalls = {4.8,  5.6,  6.4,  7.1,  7.9,  8.7,  9.5,  10.3, 11.1, 11.9, 12.7, 14.3,
-                                 15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
-                                 34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
   for (const double millimetres : kWalls) {
     const double wall = millimetres * 1e-3;
     const bool stout = wall >= diameter / 40.0;
@@ -179,6 +180,10 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
 
 VesselSize vessel_size(const std::string& vessel) {
   return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
+}
+
+std::span<const double> api_walls() {
+  return kWalls;
 }
 
 std::optional<double> nominal_diameter(double inches) {

@@ -1,5 +1,5 @@
 // What `overbend new` chooses must be a lay that stands, not only a file that reads.
-#include "app/new_model.h"
+#include "model/new_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/dynamic_finish.h"
+#include "runs/dynamic_finish.h"
 
 #include <algorithm>
 

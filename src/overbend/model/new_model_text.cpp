@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/new_model.h"
+#include "model/new_model.h"
 
 namespace overbend {
 namespace {

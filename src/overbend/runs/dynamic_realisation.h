@@ -6,10 +6,12 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "analysis/dynamics.h"
-#include "app/exit_code.h"
+#include "runs/exit_code.h"
 
 namespace overbend {
 
@@ -31,13 +33,16 @@ struct RealisationEnd {
   std::optional<DynamicResults> results;  ///< Of a run that came to its end.
 };
 
+/// Told of every row of histories as it is handed over: the columns and their values.
+using RowWatch = std::function<void(const std::vector<HistoryColumn>& columns, std::span<const double> values)>;
+
 /// Runs, or goes on where `resume` says so and there is something to go on from, and writes the files of results. Where
 /// it is stopped a checkpoint stays; where it fails nothing does. `writing` is held while files are written, for the
 /// libraries below them may serve one thread alone. Throws std::runtime_error when the disk refuses in the middle of
 /// the run.
 RealisationEnd run_realisation(const DynamicCase& shared, const std::filesystem::path& folder, std::uint64_t seed,
                                bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing);
+                               std::mutex& writing, const RowWatch& rows = {});
 
 /// The line for stderr about a failure.
 std::string failure_line(const StaticFailure& failure);

@@ -1,4 +1,4 @@
-#include "app/dynamic_realisation.h"
+#include "runs/dynamic_realisation.h"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "app/dynamic_finish.h"
 #include "io/dynamic_writer.h"
 #include "io/run_store.h"
 #include "io/staged_folder.h"
 #include "report/report.h"
+#include "runs/dynamic_finish.h"
 
 namespace overbend {
 namespace {
@@ -45,6 +45,25 @@ void write_results(const DynamicCase& shared, const DynamicResults& results, con
   staged.commit("summary.json");
 }
 
+/// Hands everything on to the store, and rows to who looks on as well.
+class WatchedStore : public DynamicSink {
+ public:
+  WatchedStore(RunStore& store, const RowWatch& rows) : store_(store), rows_(rows) {}
+
+  void begin(const std::vector<HistoryColumn>& columns, int stations) override { store_.begin(columns, stations); }
+  void row(std::span<const double> values) override {
+    store_.row(values);
+    if (rows_) rows_(store_.columns(), values);
+  }
+  void snapshot(double time, std::span<const double> values) override { store_.snapshot(time, values); }
+  void impact(const Impact& impact) override { store_.impact(impact); }
+  void checkpoint(const DynamicCheckpoint& state) override { store_.checkpoint(state); }
+
+ private:
+  RunStore& store_;
+  const RowWatch& rows_;
+};
+
 }  // namespace
 
 std::string input_text(const Description& d) {
@@ -64,7 +83,7 @@ std::string failure_line(const StaticFailure& failure) {
 
 RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
                                const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing) {
+                               std::mutex& writing, const RowWatch& rows) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
@@ -75,7 +94,8 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
   options.seed = seed;
   DynamicOutcome outcome;
   try {
-    outcome = run_dynamics(shared.model, shared.start, shared.statics, options, begun->store,
+    WatchedStore sink(begun->store, rows);
+    outcome = run_dynamics(shared.model, shared.start, shared.statics, options, sink,
                            begun->state ? &*begun->state : nullptr, control);
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that can not be made
     begun->store.remove();

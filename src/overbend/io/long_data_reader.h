@@ -1,0 +1,32 @@
+/// Reads the long data of a dynamic run in results.h5, in parts: whole, they may not fit into memory.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/dynamic_sink.h"
+
+namespace overbend {
+
+/// The histories of a run, without the time; `extreme` and `spectrum` are not kept. Throws std::runtime_error, as the
+/// others here, where the file is none of ours.
+std::vector<HistoryColumn> read_history_columns(const std::filesystem::path& h5);
+
+/// All values of a history, "time" too.
+std::vector<double> read_history(const std::filesystem::path& h5, const std::string& name);
+
+/// The line and the vessel at successive instants; what belongs to a frame lies together, stations as in
+/// DynamicResults.
+struct SnapshotBlock {
+  std::int64_t total = 0;  ///< Snapshots of the run.
+  std::int64_t stations = 0;
+  std::vector<double> time;                                   ///< [s]
+  std::vector<double> x, y, z, effective_tension, von_mises;  ///< W [m], [N], [Pa].
+  std::vector<double> vessel_position, vessel_axes;           ///< 3 and 9 of each: p_WV, R_WV by rows.
+};
+
+/// Snapshots from `first` on, at most `count`; fewer at the end of the run.
+SnapshotBlock read_snapshots(const std::filesystem::path& h5, std::int64_t first, std::int64_t count);
+
+}  // namespace overbend

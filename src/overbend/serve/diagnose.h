@@ -1,0 +1,12 @@
+/// A model text read, with its faults as the page shows them.
+#pragma once
+
+#include "io/yaml_reader.h"
+#include "serve/http.h"
+
+namespace overbend {
+
+/// `[{severity, line, column, key, message}]`, lines and columns from 1. `text` is what was read: it tells the columns.
+Json diagnostics_json(const Diagnostics& diagnostics, const std::string& text);
+
+}  // namespace overbend

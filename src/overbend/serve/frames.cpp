@@ -1,0 +1,48 @@
+#include "io/long_data_reader.h"
+#include "report/json_number.h"
+#include "serve/base64.h"
+#include "serve/run_data.h"
+
+namespace overbend {
+namespace {
+
+/// The stations of every frame from the tensioner on, as float32 in base64. `parts` are interleaved.
+std::string stations(const SnapshotBlock& block, std::initializer_list<const std::vector<double>*> parts) {
+  std::vector<float> numbers;
+  const auto count = static_cast<std::size_t>(block.stations);
+  numbers.reserve(block.time.size() * count * parts.size());
+  for (std::size_t frame = 0; frame < block.time.size(); ++frame) {
+    for (std::size_t i = count; i-- > 0;) {
+      for (const std::vector<double>* part : parts) numbers.push_back(static_cast<float>((*part)[frame * count + i]));
+    }
+  }
+  return base64_floats(numbers);
+}
+
+Json pose(const SnapshotBlock& block, std::size_t frame) {
+  Json numbers = Json::array();
+  for (std::size_t i = 0; i < 3; ++i) numbers.push_back(seven_digits(block.vessel_position[3 * frame + i]));
+  for (std::size_t i = 0; i < 9; ++i) numbers.push_back(seven_digits(block.vessel_axes[9 * frame + i]));
+  return numbers;
+}
+
+}  // namespace
+
+Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64_t count) {
+  const SnapshotBlock block = read_snapshots(h5, first, count);
+  Json times = Json::array(), poses = Json::array();
+  for (std::size_t frame = 0; frame < block.time.size(); ++frame) {
+    times.push_back(seven_digits(block.time[frame]));
+    poses.push_back(pose(block, frame));
+  }
+  return {{"total", block.total},
+          {"from", first},
+          {"stations", block.stations},
+          {"time", times},
+          {"pose", poses},
+          {"place", stations(block, {&block.x, &block.y, &block.z})},
+          {"tension", stations(block, {&block.effective_tension})},
+          {"von_mises", stations(block, {&block.von_mises})}};
+}
+
+}  // namespace overbend

@@ -1,0 +1,98 @@
+#include "serve/http.h"
+
+#include <optional>
+#include <string_view>
+
+#include "base/units.h"
+
+namespace overbend {
+namespace {
+
+std::vector<std::string_view> split(std::string_view path) {
+  std::vector<std::string_view> parts;
+  while (!path.empty()) {
+    const std::size_t end = std::min(path.find('/', 1), path.size());
+    parts.push_back(path.substr(1, end - 1));
+    path.remove_prefix(end);
+  }
+  return parts;
+}
+
+/// What stands for the '*'; nothing when the path is another.
+std::optional<std::vector<std::string>> match(const std::string& pattern, const std::string& path) {
+  const std::vector<std::string_view> wanted = split(pattern), found = split(path);
+  if (wanted.size() != found.size()) return std::nullopt;
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i] == "*") {
+      parts.emplace_back(found[i]);
+    } else if (wanted[i] != found[i]) {
+      return std::nullopt;
+    }
+  }
+  return parts;
+}
+
+HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
+  try {
+    return route.handler(request);
+  } catch (const HttpFault& fault) {
+    Json error = {{"message", fault.what()}, {"hint", fault.hint}};
+    error.update(fault.more);
+    return json_answer({{"error", error}}, fault.status);
+  } catch (const nlohmann::json::exception&) {
+    return error_answer(400, "the request is not laid out as it should be", "docs/api.md says how");
+  } catch (const std::exception& fault) {
+    return error_answer(500, fault.what(), "this is a fault of the program");
+  }
+}
+
+}  // namespace
+
+std::string HttpRequest::parameter(const std::string& name) const {
+  const auto found = query.find(name);
+  return found == query.end() ? std::string() : found->second;
+}
+
+double HttpRequest::number(const std::string& name, double fallback) const {
+  const std::string text = parameter(name);
+  if (text.empty()) return fallback;
+  const std::optional<double> value = parse_number(text);
+  if (!value) throw HttpFault(400, "the parameter " + name + " is no number");
+  return *value;
+}
+
+Json HttpRequest::json() const {
+  Json read = Json::parse(body.empty() ? "{}" : body, nullptr, false);
+  if (!read.is_object()) throw HttpFault(400, "the body of the request is no JSON object");
+  return read;
+}
+
+HttpAnswer json_answer(const Json& json, int status) {
+  // Bytes of a model that are no UTF-8 become the replacement character. The charset keeps the library from compressing
+  // what never leaves the machine.
+  return {status, "application/json; charset=utf-8", json.dump(-1, ' ', false, Json::error_handler_t::replace), ""};
+}
+
+HttpAnswer error_answer(int status, const std::string& message, const std::string& hint) {
+  return json_answer({{"error", {{"message", message}, {"hint", hint}}}}, status);
+}
+
+HttpFault::HttpFault(int code, const std::string& message, std::string advice)
+    : std::runtime_error(message), status(code), hint(std::move(advice)) {}
+
+HttpAnswer answer_by_routes(const std::vector<HttpRoute>& routes, HttpRequest request) {
+  bool known = false;
+  for (const HttpRoute& route : routes) {
+    std::optional<std::vector<std::string>> parts = match(route.pattern, request.path);
+    if (!parts) continue;
+    known = true;
+    if (route.method != request.method) continue;
+    request.parts = std::move(*parts);
+    return answer_guarded(route, request);
+  }
+  return known ? error_answer(405, "this address does not take " + request.method)
+               : error_answer(404, "there is nothing at " + request.path);
+}
+
+}  // namespace overbend

@@ -1,0 +1,147 @@
+#include "serve/http_server.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include "serve/guard.h"
+#include "serve/page_files.h"
+
+namespace overbend {
+namespace {
+
+/// As many pages and events as one user has open; each holds a thread.
+constexpr std::size_t kThreads = 32;
+
+HttpRequest request_of(const httplib::Request& from) {
+  return {from.method, from.path, {from.params.begin(), from.params.end()}, from.body, {}};
+}
+
+void fill(httplib::Response& to, HttpAnswer answer) {
+  to.status = answer.status;
+  if (!answer.download.empty()) {
+    to.set_header("Content-Disposition", "attachment; filename=\"" + answer.download + "\"");
+  }
+  if (answer.body.empty()) {
+    to.set_content("", answer.type);
+    return;
+  }
+  // As a provider of known length, for the library would compress texts, slowly and for nothing on one machine.
+  const auto body = std::make_shared<std::string>(std::move(answer.body));
+  to.set_content_provider(body->size(), answer.type,
+                          [body](std::size_t at, std::size_t count, httplib::DataSink& sink) {
+                            return sink.write(body->data() + at, count);
+                          });
+}
+
+HttpAnswer refusal(const httplib::Request& request, int port, const std::string& token) {
+  if (!own_host(request.get_header_value("Host"), port) || !own_origin(request.get_header_value("Origin"), port)) {
+    return error_answer(403, "this server answers its own page only", "open the address that the program printed");
+  }
+  if (!request.path.starts_with("/api")) return {};
+  const std::string header = request.get_header_value("X-Overbend-Token");
+  if (same_token(header.empty() ? request.get_param_value("token") : header, token)) return {};
+  return error_answer(401, "the token of the address is missing or of an earlier start",
+                      "open the address that the program printed");
+}
+
+const char* words(int status) {
+  switch (status) {
+    case 413:
+      return "the request is larger than 2 MB, which no model is";
+    case 404:
+      return "there is nothing at this address";
+    default:
+      return "the request can not be understood";
+  }
+}
+
+}  // namespace
+
+struct HttpServer::Library {
+  httplib::Server server;
+};
+
+HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port)
+    : routes_(std::move(routes)), events_(events), token_(random_token()), library_(std::make_unique<Library>()) {
+  httplib::Server& server = library_->server;
+  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+  server.set_payload_max_length(kLargestBody);
+  // Without the library's SO_REUSEPORT, under which two programs would share a port.
+  server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+  server.set_tcp_nodelay(true);
+  port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
+  if (port_ <= 0)
+    throw PortFault(fmt::format("the port {} on 127.0.0.1 can not be had; another program may use it", port));
+  guard();
+  serve_events();
+  serve_routes();
+  thread_ = std::thread([&server] { server.listen_after_bind(); });
+}
+
+HttpServer::~HttpServer() {
+  events_.close();
+  while (!library_->server.is_running()) std::this_thread::yield();  // stop() before the start would be lost
+  library_->server.stop();
+  thread_.join();
+}
+
+std::string HttpServer::url() const {
+  return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
+}
+
+void HttpServer::guard() {
+  httplib::Server& server = library_->server;
+  server.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
+    response.set_header("X-Content-Type-Options", "nosniff");
+    response.set_header("Referrer-Policy", "no-referrer");
+    response.set_header("Cache-Control", "no-store");
+    HttpAnswer answer = refusal(request, port_, token_);
+    if (answer.type.empty()) return httplib::Server::HandlerResponse::Unhandled;
+    fill(response, std::move(answer));
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
+    if (response.get_header_value("Content-Type").empty()) {
+      const HttpAnswer answer = error_answer(response.status, words(response.status));
+      response.set_content(answer.body, answer.type);
+    }
+  });
+}
+
+void HttpServer::serve_routes() {
+  httplib::Server& server = library_->server;
+  const auto by_routes = [this](const httplib::Request& request, httplib::Response& response) {
+    fill(response, answer_by_routes(routes_, request_of(request)));
+  };
+  server.Get("/api/.*", by_routes);
+  server.Put("/api/.*", by_routes);
+  server.Post("/api/.*", by_routes);
+  server.Get("/.*", [](const httplib::Request& request, httplib::Response& response) {
+    response.set_header("Content-Security-Policy", kPagePolicy);
+    fill(response, page_file(request.path));
+  });
+}
+
+void HttpServer::serve_events() {
+  library_->server.Get("/api/events", [this](const httplib::Request&, httplib::Response& response) {
+    const auto last = std::make_shared<std::uint64_t>(events_.newest());
+    const auto begun = std::make_shared<bool>(false);
+    response.set_chunked_content_provider("text/event-stream",
+                                          [this, last, begun](std::size_t, httplib::DataSink& sink) {
+                                            std::string text = *begun ? events_.wait(*last) : ": welcome\n\n";
+                                            *begun = true;
+                                            if (events_.closed()) {
+                                              sink.done();
+                                              return false;
+                                            }
+                                            // A comment now and then finds out whether anybody still listens.
+                                            if (text.empty()) text = ":\n\n";
+                                            return sink.write(text.data(), text.size());
+                                          });
+  });
+}
+
+}  // namespace overbend

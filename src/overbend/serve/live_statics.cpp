@@ -1,0 +1,75 @@
+#include "serve/live_statics.h"
+
+#include <chrono>
+
+#include "analysis/recovery.h"
+#include "report/json_number.h"
+#include "serve/diagnose.h"
+#include "serve/static_json.h"
+
+namespace overbend {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds_since(Clock::time_point start) {
+  return seven_digits(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+}
+
+Json invalid(const Diagnostics& diagnostics, const std::string& text) {
+  return {{"status", "invalid"}, {"diagnostics", diagnostics_json(diagnostics, text)}};
+}
+
+std::string with_changes(const ModelText& model, const std::vector<YamlChange>& changes) {
+  try {
+    return edit_yaml(model.text, changes);
+  } catch (const YamlEditFault& fault) {
+    throw HttpFault(422, fault.what());
+  }
+}
+
+}  // namespace
+
+Json LiveStatics::solve(const Model& model, bool full) {
+  const bool warm = !full && last_.has_value();
+  const auto start = Clock::now();
+  StaticOutcome outcome = solve_statics(model, warm ? &*last_ : nullptr);
+  const double solve_ms = milliseconds_since(start);
+  if (outcome.failure) {
+    const StaticFailure& f = *outcome.failure;
+    return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
+  }
+  last_ = std::move(outcome.solution);
+  Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
+  answer.update(static_json(recover_statics(model, *last_)));
+  return answer;
+}
+
+Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, bool full) {
+  const std::string text = with_changes(model, changes);
+  const std::lock_guard<std::mutex> hold(mutex_);
+  const auto start = Clock::now();
+  const ModelReading reading = read_model_text(text, model.path);
+  if (!reading.description) return invalid(reading.diagnostics, text);
+  Json answer = solve(build_model(*reading.description), full);
+  answer["elapsed_ms"] = milliseconds_since(start);
+  answer["revision"] = model.revision;
+  return answer;
+}
+
+Json scene_of(const ModelText& model) {
+  const ModelReading reading = read_model_text(model.text, model.path);
+  if (!reading.description) return invalid(reading.diagnostics, model.text);
+  return scene_json(build_model(*reading.description));
+}
+
+void add_static_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveStatics& statics) {
+  routes.push_back({"POST", "/api/static", [&](const HttpRequest& request) {
+                      const Json body = request.json();
+                      const std::vector<YamlChange> changes = changes_of(body.value("changes", Json::array()));
+                      return json_answer(statics.solve(model.now(), changes, body.value("full", false)));
+                    }});
+  routes.push_back({"GET", "/api/scene", [&](const HttpRequest&) { return json_answer(scene_of(model.now())); }});
+}
+
+}  // namespace overbend

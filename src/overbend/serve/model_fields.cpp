@@ -1,0 +1,121 @@
+#include "serve/model_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "io/field_tree.h"
+#include "io/scalar_reader.h"
+#include "report/json_number.h"
+
+namespace overbend {
+namespace {
+
+using Kind = YamlNode::Kind;
+
+const char* kind_name(FieldKind kind) {
+  constexpr std::array kNames = {"map", "list", "quantity", "number", "integer", "text", "choice"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+/// The value in SI, where it is a number that reads.
+Json si_value(const YamlNode& node, const Field& row) {
+  const ScalarReading reading = read_scalar(node, row);
+  if (!reading.value) return nullptr;
+  if (reading.value->kind == FieldValue::Kind::integer) return reading.value->integer;
+  return reading.value->kind == FieldValue::Kind::number ? Json(seven_digits(reading.value->number)) : Json(nullptr);
+}
+
+/// Walks the table of fields and what stands in the text side by side.
+class Lister {
+ public:
+  Json take() { return std::move(list_); }
+
+  void members(const FieldNode& field, const YamlNode* map, const std::string& path) {
+    if (field.any_name()) {
+      if (map == nullptr) return;
+      for (const YamlEntry& entry : map->entries) place(*field.members.front(), &entry, joined(path, entry.key));
+      return;
+    }
+    for (const auto& member : field.members) {
+      place(*member, map == nullptr ? nullptr : find(*map, member->key), joined(path, member->key));
+    }
+  }
+
+ private:
+  static std::string joined(const std::string& path, const std::string& key) {
+    return path.empty() ? key : path + "." + key;
+  }
+
+  static const YamlEntry* find(const YamlNode& map, const std::string& key) {
+    const auto found =
+        std::find_if(map.entries.begin(), map.entries.end(), [&](const YamlEntry& entry) { return entry.key == key; });
+    return found == map.entries.end() ? nullptr : &*found;
+  }
+
+  /// The row of the shape that stands in the text, else the first.
+  static const Field& row_of(const FieldNode& field, const YamlNode* node) {
+    const Field* row = nullptr;
+    if (node != nullptr && node->kind == Kind::scalar) row = field.scalar;
+    if (node != nullptr && node->kind == Kind::map) row = field.map;
+    if (node != nullptr && node->kind == Kind::list) row = field.list;
+    return row != nullptr ? *row : field.first();
+  }
+
+  void place(const FieldNode& field, const YamlEntry* entry, const std::string& path) {
+    value(field, entry == nullptr ? nullptr : &entry->value, entry == nullptr ? 0 : entry->line, path);
+  }
+
+  void value(const FieldNode& field, const YamlNode* node, int line, const std::string& path) {
+    const Field& row = row_of(field, node);
+    add(row, node, line, path);
+    if (node == nullptr) {
+      // The members of a group that could only be a group are offered as well.
+      if (field.map != nullptr && field.scalar == nullptr && field.list == nullptr) members(field, nullptr, path);
+    } else if (node->kind == Kind::map && field.map != nullptr) {
+      members(field, node, path);
+    } else if (node->kind == Kind::list && field.list != nullptr) {
+      for (std::size_t i = 0; i < node->items.size(); ++i) {
+        value(*field.item, &node->items[i], node->items[i].line, path + "[" + std::to_string(i) + "]");
+      }
+    }
+  }
+
+  void add(const Field& row, const YamlNode* node, int line, const std::string& path) {
+    const bool scalar = node != nullptr && node->kind == Kind::scalar;
+    Json item = {{"path", path},
+                 {"kind", kind_name(row.kind)},
+                 {"value", scalar ? Json(node->text) : Json(nullptr)},
+                 {"si", scalar ? si_value(*node, row) : Json(nullptr)},
+                 {"unit", text_or_null(row.show)},
+                 {"default", text_or_null(row.fallback)},
+                 {"given", node != nullptr},
+                 {"line", line > 0 ? Json(line) : Json(nullptr)},
+                 {"text", row.text},
+                 {"choices", row.choices},
+                 {"required", row.required},
+                 {"left_out", row.fallback_text},
+                 {"range", range_words(row, row.range)}};
+    if (node != nullptr && node->kind == Kind::list) item["count"] = node->items.size();
+    list_.push_back(std::move(item));
+  }
+
+  Json list_ = Json::array();
+};
+
+}  // namespace
+
+Json model_fields(const std::string& text) {
+  Diagnostics ignored;
+  const std::optional<YamlNode> root = parse_yaml(text, "", ignored);
+  if (!root || root->kind != Kind::map) return Json::array();
+  Lister lister;
+  lister.members(field_tree(), &*root, "");
+  return lister.take();
+}
+
+}  // namespace overbend

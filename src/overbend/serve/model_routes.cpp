@@ -1,0 +1,91 @@
+#include "serve/model_routes.h"
+
+#include "base/version.h"
+#include "io/json_schema.h"
+#include "serve/new_dialogue.h"
+#include "serve/page_files.h"
+
+namespace overbend {
+namespace {
+
+std::string text_of(const Json& request, const char* key) {
+  const auto found = request.find(key);
+  if (found == request.end() || !found->is_string()) {
+    throw HttpFault(400, std::string("the request lacks '") + key + "'", "docs/api.md says how it is laid out");
+  }
+  return found->get<std::string>();
+}
+
+std::int64_t revision_of(const Json& request) {
+  const auto found = request.find("revision");
+  if (found == request.end() || !found->is_number_integer()) throw HttpFault(400, "the request lacks 'revision'");
+  return found->get<std::int64_t>();
+}
+
+HttpAnswer info(const OpenModel& model) {
+  Json list = Json::array();
+  for (const Example& example : examples()) list.push_back({{"name", example.name}, {"title", example.title}});
+  return json_answer({{"version", kVersion},
+                      {"folder", model.folder().path().string()},
+                      {"examples", list},
+                      {"has_model", !model.now().text.empty()}});
+}
+
+HttpAnswer put_model(OpenModel& model, const HttpRequest& request) {
+  const Json body = request.json();
+  const bool named = body.contains("name");
+  const std::string name = named ? text_of(body, "name") : "";
+  Json answer = model_json(model.put(text_of(body, "text"), revision_of(body), named ? &name : nullptr));
+  answer.erase("text");
+  return json_answer(answer);
+}
+
+HttpAnswer set_keys(OpenModel& model, const HttpRequest& request) {
+  const Json body = request.json();
+  return json_answer(model_json(model.set(changes_of(body.at("changes")), revision_of(body))));
+}
+
+HttpAnswer save(OpenModel& model, const HttpRequest& request) {
+  const Json body = request.json();
+  if (body.contains("text")) model.put(text_of(body, "text"), revision_of(body), nullptr);
+  return json_answer(model_json(model.save(text_of(body, "name"))));
+}
+
+HttpAnswer example(const HttpRequest& request) {
+  for (const Example& found : examples()) {
+    if (found.name != request.parts[0]) continue;
+    std::string text(found.text);
+    // Examples lie beside data/; here that is below the program's folder.
+    const std::size_t at = text.find(" ../data/");
+    if (at != std::string::npos) text.erase(at + 1, 3);
+    return json_answer({{"text", text}, {"name", found.name}});
+  }
+  throw HttpFault(404, "there is no example " + request.parts[0]);
+}
+
+}  // namespace
+
+void add_model_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
+  routes.push_back({"GET", "/api/info", [&](const HttpRequest&) { return info(model); }});
+  routes.push_back({"GET", "/api/schema", [](const HttpRequest&) {
+                      return HttpAnswer{200, "application/json; charset=utf-8", json_schema(), ""};
+                    }});
+  routes.push_back({"GET", "/api/model", [&](const HttpRequest&) { return json_answer(model_json(model.now())); }});
+  routes.push_back({"PUT", "/api/model", [&](const HttpRequest& r) { return put_model(model, r); }});
+  routes.push_back({"POST", "/api/model/set", [&](const HttpRequest& r) { return set_keys(model, r); }});
+  routes.push_back({"POST", "/api/model/open", [&](const HttpRequest& r) {
+                      return json_answer(model_json(model.open(text_of(r.json(), "name"))));
+                    }});
+  routes.push_back({"POST", "/api/model/save", [&](const HttpRequest& r) { return save(model, r); }});
+  routes.push_back({"GET", "/api/examples/*", example});
+  routes.push_back(
+      {"GET", "/api/files", [&](const HttpRequest&) {
+         return json_answer({{"folder", model.folder().path().string()}, {"files", model.folder().files()}});
+       }});
+  routes.push_back({"GET", "/api/new", [](const HttpRequest&) { return json_answer(new_dialogue()); }});
+  routes.push_back({"POST", "/api/new", [](const HttpRequest& r) {
+                      return json_answer({{"text", new_text(r.json())}});
+                    }});
+}
+
+}  // namespace overbend

@@ -1,0 +1,112 @@
+#include "serve/open_model.h"
+
+#include "serve/diagnose.h"
+#include "serve/model_fields.h"
+
+namespace overbend {
+namespace {
+
+/// JSON as YAML in flow style, scalars in quotes only where they need them.
+std::string flow_text(const Json& value) {
+  if (value.is_string()) return yaml_scalar(value.get<std::string>());
+  if (!value.is_structured()) return value.dump();
+  std::string text;
+  for (const auto& [key, part] : value.items()) {
+    text += (text.empty() ? "" : ", ") + (value.is_object() ? yaml_scalar(key) + ": " : std::string());
+    text += flow_text(part);
+  }
+  return value.is_object() ? "{" + text + "}" : "[" + text + "]";
+}
+
+YamlChange change_of(const Json& request) {
+  const std::string path = request.at("path").get<std::string>();
+  const Json& value = request.at("value");
+  if (value.is_null()) return {path, YamlChange::Kind::remove, ""};
+  if (value.is_structured()) return {path, YamlChange::Kind::flow, flow_text(value)};
+  return {path, YamlChange::Kind::scalar, value.is_string() ? value.get<std::string>() : value.dump()};
+}
+
+}  // namespace
+
+OpenModel::OpenModel(ModelFolder folder, std::function<void(std::int64_t)> changed)
+    : folder_(std::move(folder)), changed_(std::move(changed)) {
+  model_.path = (folder_.path() / "model.yaml").string();
+}
+
+ModelText OpenModel::now() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return model_;
+}
+
+void OpenModel::require(std::int64_t revision) const {
+  if (revision == model_.revision) return;
+  HttpFault fault(409, "the model has been changed elsewhere since", "take the newer one, or put yours in its place");
+  fault.more["model"] = model_json(model_);
+  throw fault;
+}
+
+/// Called with the mutex held.
+ModelText OpenModel::take(ModelText next) {
+  next.revision = model_.revision + 1;
+  next.path = (folder_.path() / (next.name.empty() ? "model.yaml" : next.name)).string();
+  folder_.provide_data(next.text);
+  model_ = std::move(next);
+  changed_(model_.revision);
+  return model_;
+}
+
+ModelText OpenModel::put(const std::string& text, std::int64_t revision, const std::string* name) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  require(revision);
+  ModelText next = model_;
+  next.saved = next.saved && text == next.text;
+  next.text = text;
+  if (name != nullptr && *name != next.name) {
+    next.name = *name;
+    next.saved = false;
+  }
+  return take(std::move(next));
+}
+
+ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t revision) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  require(revision);
+  ModelText next = model_;
+  try {
+    next.text = edit_yaml(model_.text, changes);
+  } catch (const YamlEditFault& fault) {
+    throw HttpFault(422, fault.what());
+  }
+  next.saved = next.saved && next.text == model_.text;
+  return take(std::move(next));
+}
+
+ModelText OpenModel::open(const std::string& name) {
+  std::string text = folder_.read(name);
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return take({std::move(text), name, true, 0, ""});
+}
+
+ModelText OpenModel::save(const std::string& name) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  folder_.write(name, model_.text);
+  return take({model_.text, name, true, 0, ""});
+}
+
+Json model_json(const ModelText& model) {
+  const ModelReading reading = read_model_text(model.text, model.path);
+  return {{"text", model.text},
+          {"name", model.name},
+          {"saved", model.saved},
+          {"revision", model.revision},
+          {"diagnostics", diagnostics_json(reading.diagnostics, model.text)},
+          {"fields", model_fields(model.text)}};
+}
+
+std::vector<YamlChange> changes_of(const Json& request) {
+  std::vector<YamlChange> changes;
+  for (const Json& change : request) changes.push_back(change_of(change));
+  return changes;
+}
+
+}  // namespace overbend

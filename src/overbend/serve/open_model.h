@@ -1,0 +1,54 @@
+/// The model that is open: kept by the program, so that it outlives a reload of the page.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "io/yaml_edit.h"
+#include "serve/http.h"
+#include "serve/model_folder.h"
+
+namespace overbend {
+
+/// What is open, at an instant.
+struct ModelText {
+  std::string text, name;  ///< `name` is that of its file, empty where it has none.
+  bool saved = true;
+  std::int64_t revision = 0;
+  std::string path;  ///< Of the file, or where it would lie: in messages, and the folder of the files it mentions.
+};
+
+/// All functions may be called from any thread.
+class OpenModel {
+ public:
+  /// `changed` is called with the new revision after every change.
+  OpenModel(ModelFolder folder, std::function<void(std::int64_t)> changed);
+
+  ModelText now() const;
+  const ModelFolder& folder() const { return folder_; }
+
+  /// Puts a text in the place of the open one. A `revision` that is not the open one's is 409.
+  ModelText put(const std::string& text, std::int64_t revision, const std::string* name);
+  ModelText set(const std::vector<YamlChange>& changes, std::int64_t revision);
+  ModelText open(const std::string& name);
+  ModelText save(const std::string& name);
+
+ private:
+  ModelText take(ModelText next);
+  void require(std::int64_t revision) const;
+
+  ModelFolder folder_;
+  std::function<void(std::int64_t)> changed_;
+  mutable std::mutex mutex_;
+  ModelText model_;
+};
+
+/// The open model as GET /api/model gives it, with diagnostics and fields.
+Json model_json(const ModelText& model);
+
+/// Changes as the page sends them: `[{path, value}]`.
+std::vector<YamlChange> changes_of(const Json& request);
+
+}  // namespace overbend

@@ -1,0 +1,44 @@
+/// A run as the page lists it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "serve/http.h"
+
+namespace overbend {
+
+enum class RunState { queued, running, done, failed, cancelled };
+
+/// How a run in time stands.
+struct RunNow {
+  double time = 0.0, end = 0.0;  ///< [s]
+  double top_tension = 0.0;      ///< [N]
+  double worst_stress = 0.0;     ///< Largest von Mises stress of the line off the seabed [Pa].
+};
+
+struct RunInfo {
+  std::string id;  ///< Name of its folder.
+  std::string title, kind;
+  RunState state = RunState::queued;
+  double progress = 0.0;  ///< 0 to 1.
+  double started = 0.0;   ///< Seconds since 1970.
+  std::string message;    ///< Why it failed, and the like.
+  std::optional<RunNow> now;
+
+  bool ended() const { return state != RunState::queued && state != RunState::running; }
+};
+
+Json run_json(const RunInfo& run);
+
+double seconds_since_1970();
+
+/// Leaves a note in a run's folder, so that a later start can list it.
+void write_note(const RunInfo& run, const std::filesystem::path& folder);
+
+/// The runs below a folder, by their notes and results. One that has neither is none.
+std::vector<RunInfo> find_runs(const std::filesystem::path& folder);
+
+}  // namespace overbend

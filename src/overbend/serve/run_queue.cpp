@@ -1,0 +1,146 @@
+#include "serve/run_queue.h"
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+
+namespace overbend {
+namespace fs = std::filesystem;
+namespace {
+
+/// "20261121-134500-dynamic"
+std::string name_of(const std::string& kind, int attempt) {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S-", &local);
+  return text.data() + kind + (attempt > 1 ? "-" + std::to_string(attempt) : "");
+}
+
+/// Makes a folder for a new run and returns its name.
+std::string make_folder(const fs::path& folder, const std::string& kind) {
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  for (int attempt = 1; !fault && attempt < 1000; ++attempt) {
+    const std::string name = name_of(kind, attempt);
+    if (fs::create_directory(folder / name, fault)) return name;
+  }
+  throw HttpFault(422, "the folder '" + folder.string() + "' can not be written: " + fault.message());
+}
+
+}  // namespace
+
+RunQueue::RunQueue(fs::path folder, EventHub& events)
+    : folder_(std::move(folder)), events_(events), runs_(find_runs(folder_)), worker_([this] { work(); }) {}
+
+RunQueue::~RunQueue() {
+  std::vector<std::string> left;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    closing_ = true;
+    stop_ = true;
+    for (const Job& job : waiting_) left.push_back(job.id);
+    waiting_.clear();
+  }
+  changed_.notify_all();
+  worker_.join();
+  for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run");
+}
+
+RunInfo RunQueue::add(const ModelText& model, const std::string& title, const std::string& kind, double duration) {
+  RunInfo run;
+  run.id = make_folder(folder_, kind);
+  run.title = title;
+  run.kind = kind;
+  run.started = seconds_since_1970();
+  write_note(run, folder(run));
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    runs_.push_back(run);
+    waiting_.push_back({run.id, kind, model, duration});
+  }
+  changed_.notify_all();
+  events_.send("run", run_json(run), run.id);
+  return run;
+}
+
+RunInfo RunQueue::cancel(const std::string& id) {
+  const RunInfo run = find(id);
+  bool waited = false;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    waited = std::erase_if(waiting_, [&](const Job& job) { return job.id == id; }) > 0;
+    if (!waited && at(id).state == RunState::running) stop_ = true;
+  }
+  if (waited) end(id, RunState::cancelled, "cancelled before it began");
+  return find(id);
+}
+
+std::vector<RunInfo> RunQueue::list() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  std::vector<RunInfo> runs(runs_.rbegin(), runs_.rend());
+  std::stable_sort(runs.begin(), runs.end(), [](const RunInfo& a, const RunInfo& b) { return a.started > b.started; });
+  return runs;
+}
+
+RunInfo RunQueue::find(const std::string& id) const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  for (const RunInfo& run : runs_) {
+    if (run.id == id) return run;
+  }
+  throw HttpFault(404, "there is no run " + id);
+}
+
+RunInfo& RunQueue::at(const std::string& id) {
+  return *std::find_if(runs_.begin(), runs_.end(), [&](const RunInfo& run) { return run.id == id; });
+}
+
+void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting) {
+  RunInfo now;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    RunInfo& run = at(id);
+    change(run);
+    now = run;
+  }
+  if (lasting) {
+    try {
+      write_note(now, folder(now));
+    } catch (const std::exception&) {
+      // The disk is full or the folder gone; the list of this start still knows.
+    }
+  }
+  events_.send("run", run_json(now), id);
+}
+
+void RunQueue::end(const std::string& id, RunState state, const std::string& message) {
+  update(
+      id,
+      [&](RunInfo& run) {
+        run.state = state;
+        run.message = message;
+        run.now.reset();
+        if (state == RunState::done) run.progress = 1.0;
+      },
+      true);
+}
+
+void RunQueue::work() {
+  while (true) {
+    Job job;
+    {
+      std::unique_lock<std::mutex> hold(mutex_);
+      changed_.wait(hold, [&] { return closing_ || !waiting_.empty(); });
+      if (closing_) return;
+      job = std::move(waiting_.front());
+      waiting_.pop_front();
+      stop_ = false;
+      at(job.id).state = RunState::running;
+    }
+    run(job);
+    live_.clear();
+  }
+}
+
+}  // namespace overbend

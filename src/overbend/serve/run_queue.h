@@ -1,0 +1,74 @@
+/// Runs one after the other in a thread of its own, whether anybody looks on or not.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <mutex>
+#include <thread>
+
+#include "serve/events.h"
+#include "serve/live_history.h"
+#include "serve/open_model.h"
+#include "serve/run_info.h"
+
+namespace overbend {
+
+/// All functions may be called from any thread.
+class RunQueue {
+ public:
+  /// Runs have their folders below `folder`; those that are there are listed.
+  RunQueue(std::filesystem::path folder, EventHub& events);
+  /// Stops the run that is running, at a checkpoint; the others are cancelled.
+  ~RunQueue();
+  RunQueue(const RunQueue&) = delete;
+  RunQueue& operator=(const RunQueue&) = delete;
+
+  /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder can not
+  /// be.
+  RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
+  RunInfo cancel(const std::string& id);
+
+  /// Newest first.
+  std::vector<RunInfo> list() const;
+  /// HttpFault 404 when there is none.
+  RunInfo find(const std::string& id) const;
+  std::filesystem::path folder(const RunInfo& run) const { return folder_ / run.id; }
+
+  const LiveHistory& live() const { return live_; }
+  /// Held by whoever reads or writes files of results: the library below them serves one thread alone.
+  std::mutex& files() { return files_; }
+
+ private:
+  struct Job {
+    std::string id, kind;
+    ModelText model;
+    double duration = 0.0;
+  };
+
+  void work();
+  void run(const Job& job);
+  void run_static(const Job& job);
+  void run_dynamic(const Job& job);
+  void end_interrupted(const Job& job);
+  void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
+  void end(const std::string& id, RunState state, const std::string& message);
+  RunInfo& at(const std::string& id);
+
+  std::filesystem::path folder_;
+  EventHub& events_;
+  LiveHistory live_;
+  std::mutex files_;
+
+  mutable std::mutex mutex_;  ///< Of what follows.
+  std::condition_variable changed_;
+  std::vector<RunInfo> runs_;
+  std::deque<Job> waiting_;
+  bool closing_ = false;
+
+  std::atomic<bool> stop_{false};  ///< The run that is running shall end.
+  std::thread worker_;             ///< The last member: it uses the others.
+};
+
+}  // namespace overbend

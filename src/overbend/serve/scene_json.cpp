@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/sea.h"
+#include "report/json_number.h"
+#include "serve/static_json.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kMostWaves = 200;
+
+Json vessel(const Model& model) {
+  const VesselDescription& v = model.description.vessel;
+  return {{"name", v.name},    {"length", v.length},   {"beam", v.beam},
+          {"height", v.depth}, {"draught", v.draught}, {"pose", pose_json(model.mean_pose.p_WV, model.mean_pose.R_WV)}};
+}
+
+Json structure(const Model& model, Structure which) {
+  Json boxes = Json::array();
+  for (const SupportBox& box : model.supports.boxes) {
+    if (box.structure != which) continue;
+    boxes.push_back({{"name", box.name},
+                     {"place", place_json(point_from_ramp(model, model.mean_pose, box.point_S))},
+                     {"direction", place_json(direction_from_ramp(model.mean_pose, box.direction_S))},
+                     {"length", seven_digits(box.length)}});
+  }
+  return boxes;
+}
+
+Json current(const Model& model) {
+  Json rows = Json::array();
+  for (std::size_t i = model.current.z.size(); i-- > 0;) {
+    rows.push_back({{"depth", seven_digits(-model.current.z[i])},
+                    {"velocity", place_json({model.current.vx[i], model.current.vy[i], 0.0})}});
+  }
+  return rows;
+}
+
+/// The components of the sea that a run in time would have, the largest ones.
+Json waves(const Model& model) {
+  const Description& d = model.description;
+  Sea sea;
+  try {
+    const bool seeded = d.dynamics && !d.dynamics->seeds.empty();
+    const double duration = d.dynamics ? d.dynamics->duration : 0.0;
+    sea = make_sea(d.environment.waves, d.environment.water_depth, duration, seeded ? d.dynamics->seeds.front() : 1);
+  } catch (const std::logic_error&) {
+    return Json::array();  // a run in time will say what is wrong; the picture has flat water
+  }
+  std::vector<WaveComponent> largest = sea.components;
+  std::stable_sort(largest.begin(), largest.end(),
+                   [](const WaveComponent& a, const WaveComponent& b) { return a.amplitude > b.amplitude; });
+  largest.resize(std::min(largest.size(), kMostWaves));
+  Json list = Json::array();
+  for (const WaveComponent& wave : largest) {
+    list.push_back({{"amplitude", seven_digits(wave.amplitude)},
+                    {"number", seven_digits(wave.wave_number)},
+                    {"frequency", seven_digits(wave.omega)},
+                    {"phase", seven_digits(wave.phase)},
+                    {"direction", seven_digits(std::atan2(wave.ky, wave.kx))}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json scene_json(const Model& model) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  const Vec3 p_S(tensioner.x, 0.0, tensioner.z);
+  return {{"status", "ok"},
+          {"vessel", vessel(model)},
+          {"ramp", structure(model, Structure::ramp)},
+          {"stinger", structure(model, Structure::stinger)},
+          {"stern_shoe", place_json(point_from_ramp(model, model.mean_pose, Vec3::Zero()))},
+          {"tensioner", place_json(point_from_ramp(model, model.mean_pose, p_S))},
+          {"water_depth", seven_digits(model.description.environment.water_depth)},
+          {"seabed", {{"normal", place_json(model.seabed.normal_W)}, {"point", place_json(model.seabed.point_W)}}},
+          {"current", current(model)},
+          {"waves", waves(model)},
+          {"pipe", {{"outer_radius", seven_digits(0.5 * model.sections.front().outer_diameter)}}}};
+}
+
+}  // namespace overbend

@@ -1,0 +1,22 @@
+#include "serve/server.h"
+
+#include "serve/model_routes.h"
+#include "serve/run_routes.h"
+
+namespace overbend {
+
+Server::Server(const ServeOptions& options)
+    : model_(ModelFolder(std::filesystem::absolute(options.folder).lexically_normal()),
+             [this](std::int64_t revision) {
+               events_.send("model", {{"revision", revision}}, "model");
+             }),
+      runs_(model_.folder().path() / "runs", events_) {
+  if (!options.model.empty()) model_.open(options.model);
+  std::vector<HttpRoute> routes;
+  add_model_routes(routes, model_);
+  add_static_routes(routes, model_, statics_);
+  add_run_routes(routes, model_, runs_);
+  http_ = std::make_unique<HttpServer>(std::move(routes), events_, options.port);
+}
+
+}  // namespace overbend

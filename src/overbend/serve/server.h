@@ -1,0 +1,37 @@
+/// The graphic interface's server, put together.
+#pragma once
+
+#include <memory>
+
+#include "serve/http_server.h"
+#include "serve/live_statics.h"
+#include "serve/open_model.h"
+#include "serve/run_queue.h"
+
+namespace overbend {
+
+struct ServeOptions {
+  std::filesystem::path folder = ".";  ///< Of model files; runs go to its `runs`.
+  std::string model;                   ///< Name of the file to open; empty: none.
+  int port = 0;                        ///< 0: any that is free.
+};
+
+/// Serves while it lives, from threads of its own.
+class Server {
+ public:
+  /// Throws HttpFault when the model can not be opened, PortFault when the port can not be had.
+  explicit Server(const ServeOptions& options);
+
+  int port() const { return http_->port(); }
+  const std::string& token() const { return http_->token(); }
+  std::string url() const { return http_->url(); }
+
+ private:
+  EventHub events_;
+  OpenModel model_;
+  LiveStatics statics_;
+  RunQueue runs_;
+  std::unique_ptr<HttpServer> http_;  ///< The last: its threads use the others.
+};
+
+}  // namespace overbend

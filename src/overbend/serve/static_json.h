@@ -1,0 +1,23 @@
+/// A static state as the page draws it.
+#pragma once
+
+#include "model/model.h"
+#include "results/static_results.h"
+#include "serve/http.h"
+
+namespace overbend {
+
+/// `key`, `pipe`, `touchdown`, `supports`, `tensioner` and `warnings` of POST /api/static. Lists run from the tensioner
+/// to the anchor.
+Json static_json(const StaticResults& results);
+
+/// What stands still: GET /api/scene.
+Json scene_json(const Model& model);
+
+/// [x, y, z] in W.
+Json place_json(const Vec3& p_W);
+
+/// Twelve numbers: place of the vessel's origin, then R_WV row by row.
+Json pose_json(const Vec3& p_WV, const Mat3& R_WV);
+
+}  // namespace overbend

@@ -1,0 +1,153 @@
+// The open model: diagnosed, changed key by key, kept in files.
+#include "serve/serving.h"
+
+namespace overbend {
+namespace {
+
+using nlohmann::json;
+using testing::kSmallLay;
+using testing::Reply;
+using testing::Serving;
+using testing::with;
+
+json field(const json& fields, const std::string& path) {
+  for (const json& one : fields) {
+    if (one["path"] == path) return one;
+  }
+  return nullptr;
+}
+
+TEST(serve_model, a_fault_is_told_at_its_line_and_column) {
+  const Serving serving(kSmallLay);
+  const std::string text = with(kSmallLay, "wall_thickness: 12.7 mm", "wall_thickness: 12.7 kN");
+  const Reply reply = serving.put("/api/model", {{"text", text}, {"revision", 1}});
+  ASSERT_EQ(reply.json["diagnostics"].size(), 1u) << reply.body;
+  const json fault = reply.json["diagnostics"][0];
+  EXPECT_EQ(fault["severity"], "error");
+  EXPECT_EQ(fault["line"], 8);
+  EXPECT_EQ(fault["column"], 55);
+  EXPECT_EQ(fault["key"], "pipe.steel.wall_thickness");
+  EXPECT_NE(fault["message"].get<std::string>().find("a length"), std::string::npos) << fault;
+}
+
+TEST(serve_model, a_text_that_is_no_yaml_is_diagnosed_too) {
+  const Serving serving(kSmallLay);
+  const Reply reply = serving.put("/api/model", {{"text", "a: [1\nb: 2\n"}, {"revision", 1}});
+  EXPECT_EQ(reply.status, 200);
+  ASSERT_GE(reply.json["diagnostics"].size(), 1u);
+  EXPECT_GE(reply.json["diagnostics"][0]["line"].get<int>(), 1);
+  EXPECT_TRUE(reply.json["fields"].empty());
+}
+
+TEST(serve_model, fields_tell_what_is_written_and_what_could_be) {
+  const Serving serving(kSmallLay);
+  const json fields = serving.get("/api/model").json["fields"];
+  const json tension = field(fields, "tensioner.tension");
+  EXPECT_EQ(tension["value"], "300 kN");
+  EXPECT_EQ(tension["si"], 300e3);
+  EXPECT_EQ(tension["unit"], "kN");
+  EXPECT_EQ(tension["given"], true);
+  EXPECT_EQ(tension["line"], 13);
+  const json box = field(fields, "supports.stinger.boxes[1].x");
+  EXPECT_EQ(box["si"], 15.0);
+  const json trim = field(fields, "vessel.trim");
+  EXPECT_EQ(trim["given"], false);
+  EXPECT_EQ(trim["value"], nullptr);
+  EXPECT_FALSE(trim["default"].is_null());
+  const json type = field(fields, "environment.waves.type");
+  EXPECT_NE(std::find(type["choices"].begin(), type["choices"].end(), "airy"), type["choices"].end());
+  EXPECT_EQ(field(fields, "supports.ramp.boxes")["count"], 3);
+}
+
+TEST(serve_model, setting_a_key_keeps_comments_and_layout) {
+  const std::string text = with(kSmallLay, "title: small lay", "title: small lay   # a comment");
+  const Serving serving(text);
+  const Reply reply = serving.post("/api/model/set", {{"revision", 1},
+                                                      {"changes",
+                                                       {{{"path", "tensioner.tension"}, {"value", "260 kN"}},
+                                                        {{"path", "supports.stinger.boxes[1].z"}, {"value", "-7.2 m"}}}}});
+  EXPECT_EQ(reply.json["text"], with(with(text, "300 kN", "260 kN"), "-7.18 m", "-7.2 m"));
+  EXPECT_EQ(reply.json["revision"], 2);
+  EXPECT_EQ(reply.json["saved"], false);
+  EXPECT_EQ(field(reply.json["fields"], "tensioner.tension")["si"], 260e3);
+}
+
+TEST(serve_model, a_key_that_can_not_be_set_is_422_with_the_reason) {
+  const Serving serving(kSmallLay);
+  const Reply reply = serving.post(
+      "/api/model/set",
+      {{"revision", 1}, {"changes", {{{"path", "supports.ramp.boxes[9].x"}, {"value", "1 m"}}}}});
+  EXPECT_EQ(reply.status, 422);
+  EXPECT_NE(reply.json["error"]["message"].get<std::string>().find("3 items"), std::string::npos) << reply.body;
+  EXPECT_EQ(serving.get("/api/model").json["revision"], 1);
+}
+
+TEST(serve_model, a_change_upon_an_older_revision_is_409_with_the_newer_model) {
+  const Serving serving(kSmallLay);
+  EXPECT_EQ(serving.put("/api/model", {{"text", kSmallLay + "# mine\n"}, {"revision", 1}}).status, 200);
+  const Reply late = serving.put("/api/model", {{"text", kSmallLay + "# other\n"}, {"revision", 1}});
+  EXPECT_EQ(late.status, 409);
+  EXPECT_EQ(late.json["error"]["model"]["revision"], 2);
+  EXPECT_EQ(late.json["error"]["model"]["text"], kSmallLay + "# mine\n");
+  EXPECT_EQ(serving.post("/api/model/set", {{"revision", 1}, {"changes", json::array()}}).status, 409);
+}
+
+TEST(serve_model, a_model_is_saved_and_opened_by_its_bare_name_alone) {
+  const Serving serving(kSmallLay);
+  const std::string changed = kSmallLay + "# changed\n";
+  EXPECT_EQ(serving.put("/api/model", {{"text", changed}, {"revision", 1}}).json["saved"], false);
+  EXPECT_EQ(serving.post("/api/model/save", {{"name", "other.yaml"}}).json["saved"], true);
+  EXPECT_EQ(testing::file_text(serving.folder / "other.yaml"), changed);
+  EXPECT_EQ(testing::file_text(serving.folder / "model.yaml"), kSmallLay);
+  EXPECT_EQ(serving.get("/api/files").json["files"].size(), 2u);
+  EXPECT_EQ(serving.post("/api/model/open", {{"name", "model.yaml"}}).json["text"], kSmallLay);
+  for (const char* name : {"../out.yaml", "/tmp/out.yaml", ".hidden.yaml", "a\\b.yaml", "model.txt", ""}) {
+    EXPECT_EQ(serving.post("/api/model/save", {{"name", name}}).status, 422) << name;
+    EXPECT_EQ(serving.post("/api/model/open", {{"name", name}}).status, 422) << name;
+  }
+  EXPECT_EQ(serving.post("/api/model/open", {{"name", "none.yaml"}}).status, 404);
+}
+
+TEST(serve_model, an_example_opens_without_a_fault_and_with_its_data) {
+  const Serving serving;
+  const json info = serving.get("/api/info").json;
+  EXPECT_EQ(info["has_model"], false);
+  EXPECT_GE(info["examples"].size(), 3u);
+  for (const json& example : info["examples"]) {
+    const json read = serving.get("/api/examples/" + example["name"].get<std::string>()).json;
+    const json revision = serving.get("/api/model").json["revision"];
+    const json put = serving.put("/api/model", {{"text", read["text"]}, {"revision", revision}, {"name", ""}}).json;
+    EXPECT_EQ(put["diagnostics"].dump().find("not there"), std::string::npos) << put["diagnostics"];
+    for (const json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
+  }
+  EXPECT_EQ(serving.get("/api/examples/none").status, 404);
+}
+
+TEST(serve_model, the_start_dialogue_makes_a_model_that_solves) {
+  const Serving serving;
+  const json offer = serving.get("/api/new").json;
+  EXPECT_GE(offer["pipes"].size(), 10u);
+  EXPECT_GT(offer["pipes"][0]["walls"].size(), 2u);
+  const Reply made = serving.post("/api/new", {{"pipe", "16"}, {"depth", "60 m"}, {"lay", "s"}});
+  ASSERT_EQ(made.status, 200) << made.body;
+  const json put = serving.put("/api/model", {{"text", made.json["text"]}, {"revision", 0}}).json;
+  for (const json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
+  EXPECT_EQ(serving.post("/api/static", json::object()).json["status"], "converged");
+}
+
+TEST(serve_model, the_start_dialogue_names_the_answer_that_is_wrong) {
+  const Serving serving;
+  const Reply wall = serving.post("/api/new", {{"pipe", "16"}, {"depth", "60 m"}, {"wall", "20 kN"}});
+  EXPECT_EQ(wall.status, 422);
+  EXPECT_EQ(wall.json["error"]["key"], "wall");
+  EXPECT_EQ(serving.post("/api/new", {{"depth", "60 m"}}).json["error"]["key"], "pipe");
+  EXPECT_EQ(serving.post("/api/new", {{"pipe", 16}, {"depth", "60 m"}, {"boxes", "x"}}).json["error"]["key"], "boxes");
+}
+
+TEST(serve_model, the_schema_is_that_of_the_command) {
+  const Serving serving;
+  EXPECT_EQ(serving.get("/api/schema").json["title"], "Overbend model file");
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,162 @@
+// Runs: queued, followed, stopped, read.
+#include "io/dynamic_reader.h"
+#include "serve/base64.h"
+#include "serve/run_data.h"
+#include "serve/serving.h"
+
+namespace overbend {
+namespace {
+
+using nlohmann::json;
+using testing::kSmallLay;
+using testing::Reply;
+using testing::Serving;
+using testing::with;
+
+std::string start(const Serving& serving, const json& what) {
+  const Reply reply = serving.post("/api/runs", what);
+  EXPECT_EQ(reply.status, 200) << reply.body;
+  return reply.json.value("id", "");
+}
+
+TEST(serve_runs, a_static_run_leaves_the_files_of_the_command) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}});
+  EXPECT_EQ(serving.wait_for(id)["state"], "done");
+  for (const char* name : {"summary.json", "pipe.csv", "supports.csv", "results.h5", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::exists(serving.folder / "runs" / id / name)) << name;
+  }
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["status"], "converged");
+  EXPECT_TRUE(serving.get("/api/runs/" + id + "/columns").json.empty());
+  const json envelopes = serving.get("/api/runs/" + id + "/envelopes").json;
+  EXPECT_EQ(envelopes["tension"]["static"].size(), envelopes["s"].size());
+}
+
+TEST(serve_runs, a_run_in_time_comes_to_its_end_and_can_be_read) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 6.0}});
+  const json run = serving.wait_for(id);
+  ASSERT_EQ(run["state"], "done") << run;
+  EXPECT_EQ(run["title"], "small lay");
+  EXPECT_EQ(run["progress"], 1.0);
+  const std::string at = "/api/runs/" + id;
+
+  const json columns = serving.get(at + "/columns").json;
+  EXPECT_GT(columns.size(), 20u);
+  const json series = serving.get(at + "/series?name=top_tension&px=5").json;
+  ASSERT_EQ(series["t"].size(), 5u);
+  const json all = serving.get(at + "/series?name=top_tension&name=support/ramp%201/reaction&t0=0&t1=2").json;
+  EXPECT_EQ(all["series"]["top_tension"]["t"].size(), 5u);  // every half second from 0 to 2
+  EXPECT_TRUE(all["series"].contains("support/ramp 1/reaction"));
+  EXPECT_EQ(serving.get(at + "/series?name=nothing").status, 404);
+
+  const json envelopes = serving.get(at + "/envelopes").json;
+  EXPECT_EQ(envelopes["von_mises"]["max"].size(), envelopes["s"].size());
+  EXPECT_EQ(envelopes["s"].front(), 0.0);
+
+  const json frames = serving.get(at + "/frames?from=1&count=2").json;
+  EXPECT_EQ(frames["time"].size(), 2u);
+  EXPECT_EQ(frames["pose"][0].size(), 12u);
+  EXPECT_GT(frames["total"].get<int>(), 2);
+  // Four letters for three bytes, four bytes a number, three numbers a place.
+  const std::size_t bytes = 2 * 3 * 4 * frames["stations"].get<std::size_t>();
+  EXPECT_EQ(frames["place"].get<std::string>().size(), (bytes + 2) / 3 * 4);
+
+  EXPECT_TRUE(serving.get(at + "/impacts").json["impacts"].is_array());
+  EXPECT_TRUE(serving.get(at + "/summary").json.contains("dynamic"));
+  const httplib::Result report = serving.client().Get(at + "/report.html?token=" + serving.server->token());
+  ASSERT_TRUE(report);
+  EXPECT_NE(report->body.find("small lay"), std::string::npos);
+  EXPECT_NE(report->get_header_value("Content-Disposition").find("attachment"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));
+}
+
+TEST(serve_runs, a_run_can_be_looked_at_while_it_runs_and_be_cancelled) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
+  const json running = serving.wait_until(id, [](const json& run) { return run.contains("top_tension"); });
+  EXPECT_EQ(running["state"], "running");
+  EXPECT_GT(running["worst_stress"].get<double>(), 1e6);
+  EXPECT_GT(running["top_tension"].get<double>(), 1e5);
+  EXPECT_FALSE(serving.get("/api/runs/" + id + "/series?name=top_tension").json["t"].empty());
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").status, 404);
+
+  const std::string next = start(serving, {{"kind", "static"}});
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/cancel", json::object()).status, 200);
+  EXPECT_EQ(serving.wait_for(id)["state"], "cancelled");
+  EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));
+  EXPECT_EQ(serving.wait_for(next)["state"], "done");  // the queue goes on
+}
+
+TEST(serve_runs, a_run_that_waits_can_be_cancelled) {
+  const Serving serving(kSmallLay);
+  const std::string first = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
+  const std::string second = start(serving, {{"kind", "static"}});
+  EXPECT_EQ(serving.post("/api/runs/" + second + "/cancel", json::object()).json["state"], "cancelled");
+  serving.post("/api/runs/" + first + "/cancel", json::object());
+  EXPECT_EQ(serving.wait_for(first)["state"], "cancelled");
+  EXPECT_EQ(serving.wait_for(second)["state"], "cancelled");
+}
+
+TEST(serve_runs, a_run_without_solution_fails_with_the_reason) {
+  const Serving serving(with(kSmallLay, "tension: 300 kN", "tension: 2 kN"));
+  const json run = serving.wait_for(start(serving, {{"kind", "dynamic"}}));
+  EXPECT_EQ(run["state"], "failed");
+  EXPECT_NE(run["message"].get<std::string>().find("tension is too low"), std::string::npos) << run;
+}
+
+TEST(serve_runs, a_model_with_errors_is_not_run) {
+  const Serving serving(with(kSmallLay, "tension: 300 kN", "tension: 300 m"));
+  const Reply reply = serving.post("/api/runs", {{"kind", "static"}});
+  EXPECT_EQ(reply.status, 422);
+  EXPECT_EQ(reply.json["error"]["diagnostics"][0]["key"], "tensioner.tension");
+  EXPECT_TRUE(serving.get("/api/runs").json.empty());
+  EXPECT_EQ(serving.post("/api/runs", {{"kind", "quick"}}).status, 400);
+}
+
+TEST(serve_runs, earlier_runs_of_the_folder_are_listed) {
+  Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}});
+  serving.wait_for(id);
+  const std::string cut_off = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
+  serving.wait_until(cut_off, [](const json& run) { return run["state"] == "running"; });
+  serving.restart("");
+  EXPECT_EQ(serving.wait_for(id)["state"], "done");
+  EXPECT_EQ(serving.wait_for(cut_off)["state"], "cancelled");
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").status, 200);
+  EXPECT_EQ(serving.get("/api/runs/none/summary").status, 404);
+}
+
+TEST(serve_runs, events_tell_of_progress_and_of_changes_of_the_model) {
+  const Serving serving(kSmallLay);
+  std::string heard;
+  std::thread listener([&] {
+    httplib::Client client = serving.client();
+    client.Get("/api/events?token=" + serving.server->token(), [&](const char* data, std::size_t size) {
+      heard.append(data, size);
+      return heard.find("\"done\"") == std::string::npos;
+    });
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  serving.put("/api/model", {{"text", kSmallLay + "# more\n"}, {"revision", 1}});
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 6.0}});
+  listener.join();
+  EXPECT_NE(heard.find("event: model\ndata: {\"revision\":2}"), std::string::npos) << heard;
+  EXPECT_NE(heard.find("event: run\ndata: {\"id\":\"" + id), std::string::npos) << heard;
+}
+
+TEST(serve_runs, a_window_of_a_series_keeps_every_peak) {
+  const std::vector<double> time = {0, 1, 2, 3, 4, 5, 6, 7}, values = {0, 9, 1, 1, -7, 1, 1, 5};
+  const Json series = series_json(time, values, {1.0, 6.0, 2});
+  EXPECT_EQ(series.dump(), R"({"t":[1.0,4.0],"min":[1.0,-7.0],"max":[9.0,1.0]})");
+  EXPECT_TRUE(series_json(time, values, {10.0, 20.0, 5})["t"].empty());
+}
+
+TEST(serve_runs, numbers_travel_as_little_endian_base64) {
+  EXPECT_EQ(base64_floats(std::vector<float>{}), "");
+  EXPECT_EQ(base64_floats(std::vector<float>{1.0F}), "AACAPw==");
+  EXPECT_EQ(base64_floats(std::vector<float>{1.0F, -2.5F}), "AACAPwAAIMA=");
+}
+
+}  // namespace
+}  // namespace overbend
