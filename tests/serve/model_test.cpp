@@ -87,8 +87,8 @@ TEST(serve_model, a_change_upon_an_older_revision_is_409_with_the_newer_model) {
   EXPECT_EQ(serving.put("/api/model", {{"text", kSmallLay + "# mine\n"}, {"revision", 1}}).status, 200);
   const Reply late = serving.put("/api/model", {{"text", kSmallLay + "# other\n"}, {"revision", 1}});
   EXPECT_EQ(late.status, 409);
-  EXPECT_EQ(late.json["error"]["model"]["revision"], 2);
-  EXPECT_EQ(late.json["error"]["model"]["text"], kSmallLay + "# mine\n");
+  EXPECT_EQ(late.json["revision"], 2);
+  EXPECT_EQ(late.json["text"], kSmallLay + "# mine\n");
   EXPECT_EQ(serving.post("/api/model/set", {{"revision", 1}, {"changes", json::array()}}).status, 409);
 }
 
