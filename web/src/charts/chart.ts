@@ -47,7 +47,8 @@ export class Chart {
     this.plot?.destroy();
     const data = this.data!;
     const axis = this.colour('--soft'), grid = this.colour('--grid');
-    const font = '11.5px "Segoe UI", "Helvetica Neue", Arial, sans-serif';
+    const em = Number.parseFloat(getComputedStyle(document.body).fontSize);
+    const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
     const r = this.box.getBoundingClientRect();
     const bars = data.lines[0]?.width === -1;
     const options: uPlot.Options = {
@@ -57,13 +58,13 @@ export class Chart {
       scales: { x: { time: false }, y: { range: (_u, low, high) => this.range(low, high) } },
       cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 7 }, focus: { prox: -1 } },
       series: [{}, ...data.lines.map((l): uPlot.Series => ({
-        label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false },
+        label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
         ...(l.dash ? { dash: [5, 4] } : {}),
         ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: [0.6, 40] }) } : {}),
       }))],
       axes: [
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 26, gap: 3 },
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 50, gap: 4 },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 2 * em, gap: 3, space: 4 * em },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.8 * em, gap: 4, space: 2.6 * em },
       ],
       hooks: {
         drawClear: [(u) => this.under(u)],
@@ -122,7 +123,7 @@ export class Chart {
       ctx.lineWidth = devicePixelRatio * 1.4;
       ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke();
       ctx.fillStyle = ctx.strokeStyle;
-      ctx.font = `${11 * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
+      ctx.font = `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
       ctx.textAlign = 'right';
       ctx.fillText(l.label, bbox.left + bbox.width - 4, y - 4 * devicePixelRatio);
     }

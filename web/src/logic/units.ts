@@ -92,7 +92,7 @@ export function twin(text: string): string {
   const q = parseQuantity(text);
   if (!q || !q.unit) return '';
   const other = table[q.unit]?.twin;
-  return other ? write(toSi(q.number, q.unit), other) : '';
+  return other ? write(toSi(q.number, q.unit), other, 4) : '';
 }
 
 /** What to send for typed text: a bare number takes the unit that was there before. */

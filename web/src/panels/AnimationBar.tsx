@@ -2,12 +2,13 @@
 import { useEffect, useState } from 'preact/hooks';
 import { display } from '../logic/show';
 import { tidy } from '../logic/units';
+import { byPath } from '../state/model';
 import type { Series } from '../api/types';
 import { active, close, first, last, playing, seek, shown, speed, time, valueAt } from '../state/animation';
 import { columns, fetchSeries, select, selected } from '../state/runs';
 
 /** Histories worth a number while the animation runs. */
-const wanted = /^(top_tension|tensioner_.*|tensioner\/.*|travel|tensioner_travel|tensioner_state|elevation|wave_elevation)$/;
+const wanted = /^(top_tension|travel|tensioner.*|elevation)$/;
 
 function useReadings(): [string, string, Series][] {
   const [list, setList] = useState<[string, string, Series][]>([]);
@@ -20,9 +21,19 @@ function useReadings(): [string, string, Series][] {
   return list;
 }
 
+/** What the tension asks of the machine, by the operational range of the model. */
+function tensionerState(tension: number | null): [string, string] | null {
+  const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
+  if (tension === null || typeof low !== 'number' || typeof high !== 'number') return null;
+  if (tension > high) return ['above range: pays out', 'bad'];
+  if (tension < low) return ['below range: hauls in', 'bad'];
+  return ['in range: holds', 'good'];
+}
+
 export function AnimationBar() {
   const readings = useReadings();
   if (!active.value) return null;
+  const state = tensionerState(valueAt(readings.find((r) => r[0] === 'top_tension')?.[2], time.value));
   return (
     <div class="animation" role="group" aria-label="Animation">
       <button type="button" class="main" aria-label={playing.value ? 'Pause' : 'Play'} onClick={() => { playing.value = !playing.value; }}>{playing.value ? '❚❚' : '▶'}</button>
@@ -32,6 +43,7 @@ export function AnimationBar() {
         {[0.1, 0.25, 0.5, 1, 2, 5, 10, 30].map((v) => <option key={v} value={String(v)}>{v} ×</option>)}
       </select>
       <span class="readings">
+        {state ? <span class={`tag ${state[1]}`} title="Tensioner">{state[0]}</span> : null}
         {readings.map(([name, unit, series]) => {
           const v = valueAt(series, time.value);
           const [shownUnit, factor] = display(unit);

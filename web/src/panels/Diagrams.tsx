@@ -108,7 +108,7 @@ function Slot({ index }: { index: number }) {
           </optgroup>
           {columns.value.length ? <optgroup label={`In time: ${selected.value?.title ?? ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`}>{c.text || c.name}</option>)}</optgroup> : null}
         </select>
-        <output class="read" aria-live="off">{read || (data ? data.yName : '')}</output>
+        <output class="read" aria-live="off">{read || (data ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : '')}</output>
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
       </figcaption>
       <div class="plot" ref={box} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />

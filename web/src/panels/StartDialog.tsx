@@ -68,8 +68,8 @@ export function StartDialog() {
           <legend>Pipe</legend>
           <div class="row">
             <label for="n-pipe">size (API 5L)</label>
-            <select id="n-pipe" value={a.pipe} onChange={(e) => { setRefused({}); setA({ ...a, pipe: e.currentTarget.value, wall: '' }); }}>
-              {offer.pipes.map((p) => <option key={p.name} value={p.name}>{p.name}</option>)}
+            <select id="n-pipe" autofocus value={a.pipe} onChange={(e) => { setRefused({}); setA({ ...a, pipe: e.currentTarget.value, wall: '' }); }}>
+              {offer.pipes.map((p) => <option key={p.name} value={p.name}>{/^[\d.]+$/.test(p.name) ? `${p.name} in` : p.name}</option>)}
             </select>
             <span class="twin">{pipe ? `${tidy(pipe.outside_diameter * 1e3)} mm` : ''}</span>
           </div>
@@ -97,7 +97,7 @@ export function StartDialog() {
         </fieldset>
         <div class="row title">
           <label for="n-title">title</label>
-          <input id="n-title" value={a.title} placeholder={`${a.pipe} ${a.lay === 's' ? 'S' : 'J'}-lay, ${a.depth}`} onInput={(e) => set('title', e.currentTarget.value)} />
+          <input id="n-title" value={a.title} placeholder={`${/^[\d.]+$/.test(a.pipe) ? `${a.pipe}-inch` : a.pipe} ${a.lay === 's' ? 'S' : 'J'}-lay, ${a.depth}`} onInput={(e) => set('title', e.currentTarget.value)} />
         </div>
         {refused.all ? <p class="fault" role="alert">{refused.all}</p> : null}
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Lay it</button></footer>

@@ -49,7 +49,7 @@ export function makeEditor(box: HTMLElement, start: string, schema: () => Schema
       doc: start,
       extensions: [
         lineNumbers(), lintGutter(), highlightActiveLine(), highlightActiveLineGutter(), drawSelection(), indentOnInput(), bracketMatching(), closeBrackets(),
-        yaml(), syntaxHighlighting(colours), autocompletion({ override: [complete(schema)], activateOnTyping: true }), EditorView.lineWrapping,
+        yaml(), syntaxHighlighting(colours), autocompletion({ override: [complete(schema)], activateOnTyping: true }),
         EditorView.contentAttributes.of({ 'aria-label': 'Model as YAML' }),
         // one undo for form and editor alike
         keymap.of([

@@ -44,7 +44,7 @@ async function load(id: string): Promise<void> {
   const run = runs.value.find((r) => r.id === id);
   if (!run) return;
   try {
-    if (run.kind === 'dynamic' && (run.state === 'running' || run.state === 'done')) {
+    if (run.kind === 'dynamic' && (run.state === 'done' || (run.state === 'running' && run.time !== undefined))) {
       const list = await get<Column[]>(`runs/${id}/columns`);
       if (mine === loadCount && selectedId.value === id) columns.value = list;
     }
@@ -62,7 +62,7 @@ export function runEvent(run: Run): void {
   if (old?.state !== run.state) {
     if (run.id === selectedId.value) void load(run.id);
     if (run.state === 'done' && old) say(`${run.title || 'Run'}: done`);
-  } else if (run.id === selectedId.value && run.state === 'running' && columns.value.length === 0) void load(run.id);
+  } else if (run.id === selectedId.value && run.state === 'running' && run.time !== undefined && columns.value.length === 0) void load(run.id);
 }
 
 /** Seconds to the end, judged by the pace so far; null before there is one. */

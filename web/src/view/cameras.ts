@@ -22,10 +22,22 @@ function around(points: THREE.Vector3[], from: THREE.Vector3, camera: THREE.Pers
   const up = back.clone().cross(right);
   const tv = Math.tan((camera.fov * Math.PI) / 360), th = tv * camera.aspect;
   let distance = 4;
-  for (const p of points) {
-    const d = p.clone().sub(target);
-    const depth = d.dot(back);
-    distance = Math.max(distance, depth + (margin * Math.abs(d.dot(right))) / th, depth + (margin * Math.abs(d.dot(up))) / tv);
+  // near points look larger than far ones, so the middle of the picture is found in a few rounds
+  for (let round = 0; round < 6; ++round) {
+    distance = 4;
+    for (const p of points) {
+      const d = p.clone().sub(target);
+      const depth = d.dot(back);
+      distance = Math.max(distance, depth + (margin * Math.abs(d.dot(right))) / th, depth + (margin * Math.abs(d.dot(up))) / tv);
+    }
+    const span = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const p of points) {
+      const d = p.clone().sub(target);
+      const away = distance - d.dot(back);
+      const u = d.dot(right) / away, v = d.dot(up) / away;
+      span[0] = Math.min(span[0]!, u); span[1] = Math.max(span[1]!, u); span[2] = Math.min(span[2]!, v); span[3] = Math.max(span[3]!, v);
+    }
+    target.addScaledVector(right, (distance * (span[0]! + span[1]!)) / 2).addScaledVector(up, (distance * (span[2]! + span[3]!)) / 2);
   }
   return { eye: target.clone().addScaledVector(back, distance), target };
 }
@@ -48,7 +60,7 @@ export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.P
     case 'whole': {
       const bow = origin.clone().addScaledVector(forward, scene.vessel.length / 2);
       const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4))];
-      return around(points, side(-0.28, 0.3), camera, 1.06);
+      return around(points, side(-0.28, 0.3), camera, 1.1);
     }
     case 'overbend': {
       const list = places();

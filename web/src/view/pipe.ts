@@ -10,7 +10,7 @@ export class PipeView {
   private geometry = new THREE.BufferGeometry();
   private shape: Tube | undefined;
   private colours = new Float32Array(0);
-  private readonly uniforms = { radius: { value: 0.25 }, pixel: { value: 0.001 }, least: { value: 2 } };
+  private readonly uniforms = { radius: { value: 0.25 }, pixel: { value: 0.001 }, least: { value: 1.5 } };
   points: Float32Array = new Float32Array(0);
 
   constructor() {

@@ -66,8 +66,8 @@ export class RollersView {
       colour.setRGB(...colourAt('load', r.reaction / (largest || 1)), THREE.SRGBColorSpace);
       this.base.push(colour.clone());
       this.solid!.setColorAt(i, colour);
-      if (r.position === 'bottom') rowOf.set(s, (rowOf.get(s) ?? 0) + 1);
-      this.list.push({ support: s, row: rowOf.get(s) ?? 1, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center) });
+      if (r.position === 'bottom') rowOf.set(s, (rowOf.get(s) ?? -1) + 1);
+      this.list.push({ support: s, row: rowOf.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center) });
     });
     this.solid!.count = all.length;
     this.ghost!.count = clear;

@@ -2,26 +2,30 @@
 import * as THREE from 'three';
 import type { Scene } from '../api/types';
 import { surface } from '../logic/waves';
-import { dispose } from './members';
+import { dispose, members } from './members';
 
 const cells = 72;
+const paint = new THREE.MeshStandardMaterial({ color: '#1b9ab8', roughness: 0.7 });
 
 export class SeaView {
   readonly group = new THREE.Group();
   private readonly bed = new THREE.Group();
   private readonly arrows = new THREE.Group();
   private readonly water: THREE.Mesh;
+  // Only the far walls of the body of water are seen: they tell water from air behind what is drawn.
+  private readonly body = new THREE.Mesh(new THREE.BoxGeometry(1, 1, 1), new THREE.MeshBasicMaterial({ color: '#3f8fbf', transparent: true, opacity: 0.16, side: THREE.BackSide, depthWrite: false }));
   private xs: number[] = [];
   private ys: number[] = [];
   private heights = new Float32Array((cells + 1) ** 2);
   private waves: Scene['waves'] = [];
 
   constructor() {
-    const material = new THREE.MeshStandardMaterial({ color: '#4d9cc9', transparent: true, opacity: 0.34, roughness: 0.35, metalness: 0.1, side: THREE.DoubleSide, depthWrite: false });
+    const material = new THREE.MeshLambertMaterial({ color: '#4d9cc9', transparent: true, opacity: 0.36, side: THREE.DoubleSide, depthWrite: false });
     this.water = new THREE.Mesh(new THREE.PlaneGeometry(1, 1, cells, cells), material);
     this.water.frustumCulled = false;
     this.water.renderOrder = 5;
-    this.group.add(this.bed, this.arrows, this.water);
+    this.body.renderOrder = -5;
+    this.group.add(this.body, this.bed, this.arrows, this.water);
   }
 
   /** `low`, `high`: corners of the part of the sea that is shown. */
@@ -32,6 +36,8 @@ export class SeaView {
     const place = this.water.geometry.getAttribute('position') as THREE.BufferAttribute;
     for (let j = 0; j <= cells; ++j) for (let i = 0; i <= cells; ++i) place.setXYZ(j * (cells + 1) + i, this.xs[i]!, this.ys[j]!, 0);
     this.setTime(null);
+    this.body.scale.set(high.x - low.x, high.y - low.y, scene.water_depth);
+    this.body.position.set((low.x + high.x) / 2, (low.y + high.y) / 2, -scene.water_depth / 2);
     this.drawBed(scene, low, high, dark);
     this.drawCurrent(scene, low, high);
   }
@@ -77,7 +83,13 @@ export class SeaView {
       const direction = new THREE.Vector3(...c.velocity).divideScalar(speed);
       const length = Math.max(0.12, speed / fastest) * size;
       const from = new THREE.Vector3(low.x + 0.35 * (high.x - low.x), 0, -c.depth).addScaledVector(direction, -0.5 * size - 0.12 * (high.y - low.y));
-      this.arrows.add(new THREE.ArrowHelper(direction, from, length, '#0e7490', Math.min(0.35 * length, 6), Math.min(0.2 * length, 3)));
+      const head = Math.min(0.4 * length, 5);
+      const neck = from.clone().addScaledVector(direction, length - head);
+      this.arrows.add(members([[from, neck, 0.08 * head]], paint));
+      const cone = new THREE.Mesh(new THREE.ConeGeometry(0.28 * head, head, 14), paint);
+      cone.position.copy(neck).addScaledVector(direction, head / 2);
+      cone.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
+      this.arrows.add(cone);
     }
   }
 }

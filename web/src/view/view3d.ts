@@ -276,7 +276,8 @@ export class View3D {
     this.camera.far = distance * 8 + 3000;
     this.camera.updateProjectionMatrix();
     const pixel = (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.height;
-    this.pipe.setPixel(pixel);
+    // thicker on large screens, where the letters are larger too
+    this.pipe.setPixel(pixel * Math.max(1, this.height / 520));
     if (this.marker.visible) {
       const away = this.camera.position.distanceTo(this.marker.position);
       this.marker.scale.setScalar(Math.max(5.5 * pixel * away, 0));
