@@ -31,6 +31,7 @@ function started(child: ChildProcess): Promise<string> {
     };
     child.stdout!.on('data', read);
     child.stderr!.on('data', read);
+    child.on('error', fail);
     child.on('exit', (code) => fail(new Error(`the program ended with ${code}: ${text}`)));
     setTimeout(() => fail(new Error(`the program did not say its address: ${text}`)), 20_000).unref();
   });

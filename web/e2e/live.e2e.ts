@@ -6,7 +6,7 @@ import { reading, solved, start, type Bench } from './harness';
 let bench: Bench;
 let page: Page;
 beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); });
-afterAll(async () => { await bench.stop(); });
+afterAll(async () => { await bench?.stop(); });
 
 /** Puts the editor's cursor on a line: only the lines in sight are in the page, so the keyboard leads there. */
 async function line(number: number): Promise<void> {

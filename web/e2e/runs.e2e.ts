@@ -7,7 +7,7 @@ import { solved, start, type Bench } from './harness';
 let bench: Bench;
 let page: Page;
 beforeAll(async () => { bench = await start('bgl1-workable-sea.yaml'); page = await bench.open(); await solved(page); await page.click('#tab-runs'); });
-afterAll(async () => { await bench.stop(); });
+afterAll(async () => { await bench?.stop(); });
 
 test('a run goes to its end, seen on the way', async () => {
   await page.fill('#run-duration', '20 s');

@@ -6,7 +6,7 @@ import { reading, solved, start, type Bench } from './harness';
 let bench: Bench;
 let page: Page;
 beforeAll(async () => { bench = await start(); page = await bench.open(); });
-afterAll(async () => { await bench.stop(); });
+afterAll(async () => { await bench?.stop(); });
 
 test('without a model the page asks for one', async () => {
   await page.waitForSelector('dialog[aria-label="New model"] #n-depth');
