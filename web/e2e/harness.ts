@@ -62,7 +62,7 @@ export async function start(model?: string): Promise<Bench> {
     open: async (size = { width: 1280, height: 720 }) => {
       const context = await browser.newContext({ viewport: size, acceptDownloads: true });
       const page = await context.newPage();
-      page.on('console', (m) => { if (m.type() === 'error') complaints.push(m.text()); });
+      page.on('console', (m) => { if (m.type() === 'error') complaints.push(`${m.text()} ${m.location().url.replace(/token=\w+/, '')}`); });
       page.on('pageerror', (e) => complaints.push(e.message));
       await page.goto(address);
       await page.waitForFunction('window.__ready === true');

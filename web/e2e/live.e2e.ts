@@ -69,11 +69,11 @@ test('pictures of all views', async () => {
 test('an error is shown at its line in YAML and at its field, and mended', async () => {
   await page.click('#tab-yaml');
   await page.waitForSelector('.cm-content');
-  await line(24);
+  await line(23);
   await page.keyboard.press('End');
   await page.keyboard.type('m');
   await page.waitForSelector('.faults .error');
-  expect(await page.locator('.faults .error').first().innerText()).toContain('line 24');
+  expect(await page.locator('.faults .error').first().innerText()).toContain('line 23');
   await page.waitForSelector('.cm-lint-marker-error');
   await bench.shot(page, 'yaml-error');
   await page.click('#tab-form');
@@ -88,7 +88,7 @@ test('an error is shown at its line in YAML and at its field, and mended', async
 
 test('completion knows the keys of the place', async () => {
   await page.click('#tab-yaml');
-  await line(26);
+  await line(25);
   await page.keyboard.press('End');
   await page.keyboard.press('Enter');
   await page.keyboard.type('ten');

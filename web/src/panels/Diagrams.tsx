@@ -36,7 +36,7 @@ function useHistory(what: string, zoom: [number, number] | null, pixels: number)
   // while a run goes on its diagram follows, in steps
   const stage = run?.state === 'running' ? Math.floor((run.progress ?? 0) * 40) : run?.state;
   useEffect(() => {
-    if (!column || !run) { setData(null); return undefined; }
+    if (!column || !run || (run.state !== 'done' && run.state !== 'running')) { setData(null); return undefined; }
     let gone = false;
     void fetchSeries(run.id, [column.name], zoom?.[0] ?? null, zoom?.[1] ?? null, pixels).then((answer) => {
       const s = answer[column.name];

@@ -43,6 +43,8 @@ async function load(id: string): Promise<void> {
   const mine = ++loadCount;
   const run = runs.value.find((r) => r.id === id);
   if (!run) return;
+  // a run that failed or was cancelled leaves no histories behind
+  if (run.state === 'failed' || run.state === 'cancelled') { columns.value = []; return; }
   try {
     if (run.kind === 'dynamic' && (run.state === 'done' || (run.state === 'running' && run.time !== undefined))) {
       const list = await get<Column[]>(`runs/${id}/columns`);
