@@ -45,7 +45,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `Left out: ${left}.` : ''].filter(Boolean).join(' ');
   const other = field.kind === 'quantity' ? twin(typed || (field.given ? '' : left)) : '';
   return (
-    <div class={`row${message ? ' wrong' : ''}${field.given ? '' : ' absent'}`} title={hint}>
+    <div class={`row${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${message ? ' wrong' : ''}${field.given ? '' : ' absent'}`} title={hint}>
       <label for={id}>{shown}{field.required && !field.given ? <b class="must" aria-label="required"> *</b> : null}</label>
       {field.kind === 'choice' ? (
         <select id={id} value={written} onChange={(e) => void send(e.currentTarget.value)}>

@@ -78,7 +78,7 @@ export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.P
     case 'touchdown': return around(along(s, end - 45, end + 25), side(0.5, 0.35), camera, 1.05);
     case 'from the pipe': {
       const tip = s.supports.filter((b) => b.structure === 'stinger').at(-1)?.s ?? 0;
-      const place = along(s, tip + 0.3 * (end - tip), end)[0]!;
+      const place = along(s, tip + 0.14 * (end - tip), end)[0]!;
       const look = along(s, tip * 0.7, end)[0]!;
       return { eye: place.clone().addScaledVector(starboard, 2.2).add(new THREE.Vector3(0, 0, 2.6)), target: look };
     }

@@ -15,6 +15,15 @@ export interface Colouring { values: ArrayLike<number> | null; low: number; high
 export type Picked = { kind: 'station'; index: number } | { kind: 'roller'; roller: RollerRef } | null;
 export interface Moment { time: number; pose: number[]; places: Float32Array; flashes: { support: string; row: number; position: string; strength: number }[] }
 
+/** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
+function drawnByProcessor(): boolean {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const names = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = names ? String(gl!.getParameter(names.UNMASKED_RENDERER_WEBGL)) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 /** A pose of the program as a matrix: the place, then the axes row by row. */
 export function poseMatrix(p: number[]): THREE.Matrix4 {
   return new THREE.Matrix4().set(p[3]!, p[4]!, p[5]!, p[0]!, p[6]!, p[7]!, p[8]!, p[1]!, p[9]!, p[10]!, p[11]!, p[2]!, 0, 0, 0, 1);
@@ -51,9 +60,12 @@ export class View3D {
   private flight: { from: [THREE.Vector3, THREE.Vector3]; to: [THREE.Vector3, THREE.Vector3]; start: number } | null = null;
   private readonly observer: ResizeObserver;
   private running = true;
+  private coarse = 1;
+  private slow = 0;
+  private lastDraw = -Infinity;
 
   constructor(private readonly box: HTMLElement) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
+    this.renderer = new THREE.WebGLRenderer({ antialias: !drawnByProcessor(), alpha: true, powerPreference: 'high-performance' });
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     box.append(this.renderer.domElement);
     const overlay = document.createElement('div');
@@ -88,8 +100,9 @@ export class View3D {
       if (!this.running) return;
       requestAnimationFrame(loop);
       this.fly(now);
-      if (!this.dirty) return;
+      if (!this.dirty) { this.rest(now); return; }
       this.dirty = false;
+      this.pace(now);
       this.draw();
     };
     requestAnimationFrame(loop);
@@ -257,12 +270,34 @@ export class View3D {
     this.redraw();
   }
 
+  /** Coarser pixels while pictures follow each other too slowly. */
+  private pace(now: number): void {
+    const gap = now - this.lastDraw;
+    this.lastDraw = now;
+    if (gap > 400) { this.slow = 0; return; }
+    this.slow = gap > 45 ? this.slow + 1 : Math.max(0, this.slow - 1);
+    if (this.slow >= 3 && this.coarse > 0.45) { this.coarse *= 0.75; this.slow = 0; this.setPixels(); }
+  }
+
+  /** Full sharpness again when the picture stands still. */
+  private rest(now: number): void {
+    if (this.coarse === 1 || now - this.lastDraw < 350) return;
+    this.coarse = 1;
+    this.setPixels();
+    this.draw();
+    this.lastDraw = -Infinity;
+  }
+
+  private setPixels(): void {
+    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio) * this.coarse);
+    this.renderer.setSize(this.width, this.height);
+  }
+
   private resize(): void {
     const r = this.box.getBoundingClientRect();
     this.width = Math.max(1, Math.floor(r.width));
     this.height = Math.max(1, Math.floor(r.height));
-    this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    this.renderer.setSize(this.width, this.height);
+    this.setPixels();
     this.camera.aspect = this.width / this.height;
     this.camera.updateProjectionMatrix();
     if (this.view) this.go(this.view, false);
