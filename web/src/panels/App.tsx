@@ -46,7 +46,7 @@ export function App() {
       if (key === 's') { e.preventDefault(); saveNow(); }
       else if (!writing && !document.querySelector('dialog[open]')) {
         // in a field that is being typed in, the browser's own undo comes first
-        const field = e.target instanceof HTMLInputElement && e.target.type !== 'range' && e.target.value !== e.target.defaultValue;
+        const field = e.target instanceof HTMLInputElement && e.target.type !== 'range' && e.target.value !== (e.target.dataset.written ?? '');
         if (field) return;
         if (key === 'z') { e.preventDefault(); if (e.shiftKey) redo(); else undo(); }
         else if (key === 'y') { e.preventDefault(); redo(); }

@@ -54,7 +54,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
         </select>
       ) : (
         <input
-          id={id} value={typed} placeholder={left} spellcheck={false} autocomplete="off" aria-invalid={message !== ''}
+          id={id} value={typed} data-written={written} placeholder={left} spellcheck={false} autocomplete="off" aria-invalid={message !== ''}
           onInput={(e) => setTyped(e.currentTarget.value)}
           onBlur={(e) => void send(e.currentTarget.value)}
           onKeyDown={(e) => {

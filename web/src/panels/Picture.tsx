@@ -45,7 +45,7 @@ function Values() {
     <dl class="values">
       <div class="kv"><dt>s from tensioner</dt><dd>{tidy(s.pipe.s[i]!, 5)} <small>m</small></dd></div>
       <div class="kv"><dt>height</dt><dd>{tidy(s.pipe.z[i]!, 4)} <small>m</small></dd></div>
-      {quantities.map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('von mises', 'von Mises')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
+      {quantities.map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('bending moment', 'moment').replace('von mises stress', 'von Mises')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
     </dl>
   );
 }
@@ -99,6 +99,7 @@ export function Picture() {
   const [low, high] = range(colourBy.value);
   const q = quantity(colourBy.value)!;
   const bad = failure.value;
+  const largest = Math.max(0, ...(solution.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
   const animated = frame.value !== null;
   return (
     <section class={`picture${bad ? ' failed' : ''}`} aria-label="3-D view">
@@ -113,7 +114,7 @@ export function Picture() {
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
-        <div class="rollerkey"><i class="solid" style={{ background: css('load') }} /> roller carries <i class="hollow" /> pipe is clear</div>
+        <div class="rollerkey"><i class="solid" style={{ background: css('load') }} /> roller{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class="hollow" /> clear</div>
       </div>
       <Values />
       {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{bad.why}</p>{solution.value ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}

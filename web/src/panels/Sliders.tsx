@@ -23,7 +23,7 @@ function Slider({ id, name, unit, start, low, high, step }: Props) {
   return (
     <div class={`slider${live === undefined ? '' : ' moved'}`}>
       <label for={`s-${id}`}>{name}</label>
-      <input class="typed" aria-label={`${name}, typed`} title={twin(written)} value={typed} onInput={(e) => setTyped(e.currentTarget.value)} onBlur={send} onKeyDown={(e) => { if (e.key === 'Enter') send(); }} />
+      <input class="typed" data-written={written} aria-label={`${name}, typed`} title={twin(written)} value={typed} onInput={(e) => setTyped(e.currentTarget.value)} onBlur={send} onKeyDown={(e) => { if (e.key === 'Enter') send(); }} />
       <input id={`s-${id}`} type="range" min={Math.min(low, now)} max={Math.max(high, now)} step={step} value={now}
         aria-valuetext={written} onInput={(e) => set(Number(e.currentTarget.value))} onDblClick={() => setLive(id, undefined)} />
     </div>

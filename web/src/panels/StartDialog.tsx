@@ -28,7 +28,7 @@ export function StartDialog() {
   const [busy, setBusy] = useState(false);
   const close = (): void => { dialog.value = null; };
   useEffect(() => { get<NewOffer>('new').then((o) => { setOffer(o); setA(first(o)); }).catch((e: unknown) => { sayError(e); close(); }); }, []);
-  if (!offer || !a) return <Dialog title="New model" close={close}><p class="empty">Loading…</p></Dialog>;
+  if (!offer || !a) return <Dialog key="loading" title="New model" close={close} wide><p class="empty">Loading…</p></Dialog>;
 
   const pipe = offer.pipes.find((p) => p.name === a.pipe);
   const faults: Faults = { ...refused, ...check(a, pipe?.outside_diameter ?? null) };
@@ -62,7 +62,7 @@ export function StartDialog() {
   );
   const vessel = offer.vessels.find((v) => v.name === a.vessel);
   return (
-    <Dialog title="New model" close={close} wide>
+    <Dialog key="asking" title="New model" close={close} wide>
       <form class="start" onSubmit={(e) => { e.preventDefault(); void send(); }}>
         <fieldset>
           <legend>Pipe</legend>

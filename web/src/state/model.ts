@@ -15,8 +15,8 @@ export const diagnostics = signal<Diagnostic[]>([]);
 export const fields = signal<Field[]>([]);
 export const hasModel = signal(false);
 export const loading = signal(true);
-/** A newer model of another tab, kept until the user says which of the two shall stay. */
-export const conflict = signal<{ theirs: ModelAnswer; mine: string } | null>(null);
+/** Another tab was first: this tab's text, kept until the user says which of the two shall stay. */
+export const conflict = signal<{ mine: string } | null>(null);
 /** Counts models that were opened anew, for whatever has to start afresh then (camera, sliders). */
 export const opened = signal(0);
 
@@ -79,7 +79,7 @@ async function guarded(act: () => Promise<void>, mine: () => string): Promise<bo
     return true;
   } catch (error) {
     if (error instanceof ApiError && error.status === 409) {
-      conflict.value = { theirs: error.body as ModelAnswer, mine: mine() };
+      conflict.value = { mine: mine() };
       return false;
     }
     throw error;
