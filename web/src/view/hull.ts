@@ -35,6 +35,13 @@ const paint = {
   edge: new THREE.LineBasicMaterial({ color: '#1b2f41', transparent: true, opacity: 0.55 }),
 };
 
+/** From close by the hull is seen through, for ramp and rollers stand in its slot. */
+export function seeThrough(on: boolean): boolean {
+  if (paint.side.transparent === on) return false;
+  for (const m of [paint.side, paint.bottom]) { m.transparent = on; m.opacity = on ? 0.3 : 1; m.depthWrite = !on; m.needsUpdate = true; }
+  return true;
+}
+
 /** In the vessel's frame. `lowest`: for x forward, how high the middle of the deck may reach below the pipe, or null. */
 export function hull(vessel: Scene['vessel'], lowest: (x: number) => number | null): THREE.Group {
   const group = new THREE.Group();

@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Converged, Scene } from '../api/types';
 import { shot, viewNames, axes, type ViewName } from './cameras';
-import { hull } from './hull';
+import { hull, seeThrough } from './hull';
 import { Labels, type Label } from './labels';
 import { dispose, vec } from './members';
 import { PipeView } from './pipe';
@@ -310,6 +310,7 @@ export class View3D {
     this.camera.near = Math.max(0.05, distance / 400);
     this.camera.far = distance * 8 + 3000;
     this.camera.updateProjectionMatrix();
+    seeThrough(this.scene !== null && distance < 1.15 * this.scene.vessel.length);
     const pixel = (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.height;
     // thicker on large screens, where the letters are larger too
     this.pipe.setPixel(pixel * Math.max(1, this.height / 520));
