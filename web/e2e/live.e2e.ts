@@ -124,6 +124,17 @@ test('two tabs do not fight', async () => {
   await other.close();
 });
 
+test('the own change can be kept against another tab', async () => {
+  const { revision } = await (await bench.api('model')).json() as { revision: number };
+  expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '97 m' }], revision }) })).status).toBe(200);
+  await page.fill('#f-environment\\.water_depth', '92 m');
+  await page.keyboard.press('Enter');
+  await page.click('dialog >> text=Keep mine');
+  await expect.poll(async () => (await (await bench.api('model')).json() as { text: string }).text, { timeout: 10_000 }).toContain('water_depth: 92 m');
+  expect(await page.locator('#f-environment\\.water_depth').inputValue()).toBe('92 m');
+  await solved(page);
+});
+
 test('dark, and on a large screen', async () => {
   await page.click('[aria-label="Dark colours"]');
   await page.waitForTimeout(500);

@@ -21,13 +21,13 @@ function useReadings(): [string, string, Series][] {
   return list;
 }
 
-/** What the tension asks of the machine, by the operational range of the model. */
+/** Where the tension lies in the operational range of the model. */
 function tensionerState(tension: number | null): [string, string] | null {
   const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
   if (tension === null || typeof low !== 'number' || typeof high !== 'number') return null;
-  if (tension > high) return ['above range: pays out', 'bad'];
-  if (tension < low) return ['below range: hauls in', 'bad'];
-  return ['in range: holds', 'good'];
+  if (tension > high) return ['above range', 'bad'];
+  if (tension < low) return ['below range', 'bad'];
+  return ['in range', 'good'];
 }
 
 export function AnimationBar() {
@@ -43,7 +43,7 @@ export function AnimationBar() {
         {[0.1, 0.25, 0.5, 1, 2, 5, 10, 30].map((v) => <option key={v} value={String(v)}>{v} ×</option>)}
       </select>
       <span class="readings">
-        {state ? <span class={`tag ${state[1]}`} title="Tensioner">{state[0]}</span> : null}
+        {state ? <span class={`tag ${state[1]}`} title="Tension and the tensioner's operational range">tensioner {state[0]}</span> : null}
         {readings.map(([name, unit, series]) => {
           const v = valueAt(series, time.value);
           const [shownUnit, factor] = display(unit);

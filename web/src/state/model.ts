@@ -16,7 +16,7 @@ export const fields = signal<Field[]>([]);
 export const hasModel = signal(false);
 export const loading = signal(true);
 /** Another tab was first: this tab's text, kept until the user says which of the two shall stay. */
-export const conflict = signal<{ mine: string } | null>(null);
+export const conflict = signal<{ mine: string; changes: Change[] } | null>(null);
 /** Counts models that were opened anew, for whatever has to start afresh then (camera, sliders). */
 export const opened = signal(0);
 
@@ -73,13 +73,13 @@ export async function start(): Promise<void> {
   }
 }
 
-async function guarded(act: () => Promise<void>, mine: () => string): Promise<boolean> {
+async function guarded(act: () => Promise<void>, mine: () => string, changes: Change[] = []): Promise<boolean> {
   try {
     await inTurn(act);
     return true;
   } catch (error) {
     if (error instanceof ApiError && error.status === 409) {
-      conflict.value = { mine: mine() };
+      conflict.value = { mine: mine(), changes };
       return false;
     }
     throw error;
@@ -108,7 +108,7 @@ export async function setKeys(changes: Change[]): Promise<void> {
     take(answer);
     undoStack.push(answer.text, 'form', performance.now());
     noteUndo();
-  }, () => text.value);
+  }, () => text.value, changes);
 }
 
 export function undo(): void { const t = undoStack.undo(); noteUndo(); if (t !== null) void putText(t, 'undo'); }
@@ -153,8 +153,11 @@ export async function keepMine(): Promise<void> {
   if (!c) return;
   conflict.value = null;
   newer.value = false;
-  revision.value = (await get<ModelAnswer>('model')).revision;
-  await putText(c.mine, 'other');
+  try {
+    revision.value = (await get<ModelAnswer>('model')).revision;
+    await putText(c.mine, 'other');
+    if (c.changes.length) await setKeys(c.changes);
+  } catch (error) { sayError(error); }
 }
 
 /** Another tab has changed the model: set by the event, and offered in the header. */
