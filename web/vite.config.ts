@@ -9,7 +9,7 @@ export default defineConfig({
     target: 'es2022',
     assetsInlineLimit: 0,
     chunkSizeWarningLimit: 900,
-    rolldownOptions: {
+    rollupOptions: {
       output: {
         manualChunks: (id: string) => (/node_modules\/three\//.test(id) ? 'three' : undefined),
         entryFileNames: 'assets/[name]-[hash].js',

@@ -1,15 +1,17 @@
 // Starts the real program on a folder of its own and opens its page in a browser.
-// OVERBEND_PROGRAM: the program. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
+// OVERBEND_PROGRAM: the program. OVERBEND_ROOT: where examples/ and data/ lie. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
 import { spawn, type ChildProcess } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join, resolve } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { chromium, type Browser, type Page } from 'playwright-core';
 import { preview, type PreviewServer } from 'vite';
 
-const root = resolve(import.meta.dirname, '../..');
+const here = dirname(fileURLToPath(import.meta.url));
+const root = process.env.OVERBEND_ROOT ?? resolve(here, '../..');
 const program = resolve(root, process.env.OVERBEND_PROGRAM ?? 'build/release/overbend');
-const shots = resolve(import.meta.dirname, '..', process.env.OVERBEND_SHOTS ?? 'shots');
+const shots = resolve(here, '..', process.env.OVERBEND_SHOTS ?? 'shots');
 
 export interface Bench {
   folder: string;
@@ -49,7 +51,7 @@ export async function start(model?: string): Promise<Bench> {
   let address = own.href;
   if (process.env.OVERBEND_PREVIEW) {
     const proxy = { '/api': { target: own.origin, changeOrigin: true, configure: (p: { on: (name: 'proxyReq', act: (r: { setHeader: (k: string, v: string) => void }) => void) => void }) => p.on('proxyReq', (r) => r.setHeader('origin', own.origin)) } };
-    server = await preview({ root: resolve(import.meta.dirname, '..'), preview: { port: 0, host: '127.0.0.1', proxy: proxy as never }, logLevel: 'error' });
+    server = await preview({ root: resolve(here, '..'), preview: { port: 0, host: '127.0.0.1', proxy: proxy as never }, logLevel: 'error' });
     const where = server.httpServer.address();
     address = `http://127.0.0.1:${typeof where === 'object' && where ? where.port : 0}/${own.search}`;
   }

@@ -1,12 +1,15 @@
+cmake_minimum_required(VERSION 3.25)
 # Copies files with their folders: cmake -DFROM=dir -DTO=dir "-DFILES=a|b/c" -P copy_files.cmake
-# What is no longer there is taken away: a page is built from its sources alone.
+# What is no longer there is taken away: a page is built, and tested, from its sources alone.
 string(REPLACE "|" ";" FILES "${FILES}")
-file(GLOB_RECURSE old RELATIVE ${TO} ${TO}/src/* ${TO}/public/*)
+file(GLOB_RECURSE old RELATIVE ${TO} ${TO}/src/* ${TO}/public/* ${TO}/test/* ${TO}/e2e/*)
 foreach(name IN LISTS old)
   if(NOT name IN_LIST FILES)
     file(REMOVE ${TO}/${name})
   endif()
 endforeach()
 foreach(name IN LISTS FILES)
-  configure_file(${FROM}/${name} ${TO}/${name} COPYONLY)
+  get_filename_component(folder ${TO}/${name} DIRECTORY)
+  file(MAKE_DIRECTORY ${folder})
+  file(COPY_FILE ${FROM}/${name} ${TO}/${name} ONLY_IF_DIFFERENT)
 endforeach()
