@@ -1,0 +1,260 @@
+#!/usr/bin/env python3
+"""How far the results of the BGL-1 examples move when one input moves: table and tornado diagrams of docs/reproduction.md.
+
+    tools/sensitivity.py [PROGRAM]      default: build/release/overbend; a few minutes
+
+Runs examples/bgl1.yaml in statics and examples/bgl1-tensioner.yaml for 120 s, once as they are and once for each change,
+one change at a time. Writes docs/sensitivity.csv and docs/images/tornado-*.svg.
+"""
+
+import csv
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+TABLE = ROOT / "docs" / "sensitivity.csv"
+IMAGES = ROOT / "docs" / "images"
+DURATION = "120 s"
+TENSION = 250.0            # kN, of the examples; the range reaches 10 kN to either side
+ROLLER_STIFFNESS = 833.0   # MN/m, what the program chooses for this pipe: EI / h^3
+
+
+def substituted(text, pattern, replacement, count=1):
+    """The text with each of so many places changed, and no other number of places."""
+    changed, found = re.subn(pattern, replacement, text, flags=re.M)
+    if found != count:
+        sys.exit(f"expected {count} places of {pattern!r}, found {found}")
+    return changed
+
+
+def shoe(z):
+    return lambda text: substituted(text, r"(stern_shoe: \{x: -60 m, z: )[\d.]+", rf"\g<1>{z:.3f}")
+
+
+def rows(count):
+    return lambda text: substituted(text, r"^(    rows: )3", rf"\g<1>{count}", 2)
+
+
+def stiffness(factor):
+    value = f"{1e3 * ROLLER_STIFFNESS * factor:.0f} kN/m"
+    return lambda text: substituted(text, r"^(    restitution: 0.3)", rf"\g<1>\n    stiffness: {value}")
+
+
+def friction(factor):
+    return lambda text: substituted(
+        text, r"axial: 0.02, lateral: 0.3", f"axial: {0.02 * factor:g}, lateral: {0.3 * factor:g}")
+
+
+def delay(seconds):
+    return lambda text: substituted(text, r"^(  delay: )2 s", rf"\g<1>{seconds:g} s")
+
+
+def velocity(speed):
+    return lambda text: substituted(text, r"^(  velocity: )0.25 m/s", rf"\g<1>{speed:g} m/s")
+
+
+def acceleration(value):
+    return lambda text: substituted(text, r"^(  delay: 2 s)", rf"\g<1>\n  acceleration: {value:g} m/s^2")
+
+
+def drag(factor):
+    return lambda text: substituted(
+        text, r"drag_normal: 1.2, drag_axial: 0.03", f"drag_normal: {1.2 * factor:g}, drag_axial: {0.03 * factor:g}")
+
+
+def current(factor):
+    def change(text):
+        return re.sub(r"speed: ([\d.]+) m/s", lambda m: f"speed: {float(m[1]) * factor:g} m/s", text)
+    return change
+
+
+def tension(factor):
+    def change(text):
+        wanted = TENSION * factor
+        text = substituted(text, r"^(  tension: )250 kN", rf"\g<1>{wanted:g} kN")
+        return substituted(text, r"\[240 kN, 260 kN\]", f"[{wanted - 10:g} kN, {wanted + 10:g} kN]")
+    return change
+
+
+def surge(factor):
+    return lambda text: substituted(text, r"\.\./data/bgl1/rao\.csv", f"rao-surge-{factor:g}.csv")
+
+
+# input, its base, [(value, change of the model's text), ...], whether statics know it
+INPUTS = [
+    ("top tension", "250 kN", [("225 kN", tension(0.9)), ("275 kN", tension(1.1))], True),
+    ("stern shoe above water", "3.818 m", [("3.568 m", shoe(3.568)), ("4.068 m", shoe(4.068))], True),
+    ("roller rows per box", "3", [("1", rows(1)), ("5", rows(5))], True),
+    ("roller stiffness", f"{ROLLER_STIFFNESS:.0f} MN/m", [(f"{0.1 * ROLLER_STIFFNESS:.0f} MN/m", stiffness(0.1)), (f"{10 * ROLLER_STIFFNESS:.0f} MN/m", stiffness(10))], True),
+    ("current speed", "as given", [("-20 %", current(0.8)), ("+20 %", current(1.2))], True),
+    ("drag coefficients", "1.2, 0.03", [("-20 %", drag(0.8)), ("+20 %", drag(1.2))], True),
+    ("roller friction along, across", "0.02, 0.3", [("0, 0", friction(0)), ("0.04, 0.6", friction(2))], False),
+    ("surge RAO", "as computed", [("-20 %", surge(0.8)), ("+20 %", surge(1.2))], False),
+    ("tensioner delay", "2 s", [("1 s", delay(1)), ("4 s", delay(4))], False),
+    ("tensioner velocity", "0.25 m/s", [("0.1 m/s", velocity(0.1)), ("0.5 m/s", velocity(0.5))], False),
+    ("tensioner acceleration", "0.5 m/s2", [("0.1 m/s2", acceleration(0.1)), ("1 m/s2", acceleration(1))], False),
+]
+
+# key, study, title of the tornado, unit, digits
+RESULTS = [
+    ("overbend_von_mises", "static", "Static: largest von Mises stress of the overbend", "MPa", 1),
+    ("overbend_bending", "static", "Static: largest bending stress of the overbend", "MPa", 1),
+    ("sagbend_bending", "static", "Static: largest bending stress of the sagbend", "MPa", 1),
+    ("out_of_range", "tensioner", "Tensioner study: share of time with the tension out of its range", "%", 1),
+    ("tension_std", "tensioner", "Tensioner study: standard deviation of the top tension", "kN", 1),
+    ("overbend_von_mises", "tensioner", "Tensioner study: largest von Mises stress of the overbend", "MPa", 1),
+]
+
+
+def scaled_raos(factor, path):
+    """The barge's RAOs with the amplitude of surge multiplied."""
+    lines = []
+    for line in (ROOT / "data" / "bgl1" / "rao.csv").read_text(encoding="utf-8").splitlines():
+        words = line.split(",")
+        if len(words) == 5 and words[2] == "surge":
+            words[3] = f"{float(words[3]) * factor:.6e}"
+        lines.append(",".join(words))
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def run(program, kind, text, folder):
+    """The summary of a run of a model's text; none if there is no equilibrium to start from."""
+    model = folder / "model.yaml"
+    model.write_text(text.replace("../data/bgl1/rao.csv", str(ROOT / "data" / "bgl1" / "rao.csv")), encoding="utf-8")
+    words = ["--duration", DURATION] if kind == "dynamic" else []
+    done = subprocess.run([program, kind, model, *words, "-o", folder / "out"], capture_output=True, text=True, timeout=300)
+    if done.returncode == 3 and "no equilibrium found" in done.stderr:
+        return None
+    if done.returncode != 0:
+        sys.exit(f"{done.stdout[-500:]}{done.stderr[-2000:]}")
+    return json.loads((folder / "out" / "summary.json").read_text(encoding="utf-8"))
+
+
+def measured(kind, summary):
+    """What the table keeps of a run."""
+    if summary is None:
+        return None
+    if kind == "static":
+        found = summary["static"]
+        return {"overbend_von_mises": found["overbend"]["max_von_mises"] / 1e6,
+                "overbend_bending": found["overbend"]["max_bending_stress"] / 1e6,
+                "sagbend_bending": found["sagbend"]["max_bending_stress"] / 1e6, "left": []}
+    found = summary["dynamic"]
+    machine = found["tensioner"]
+    left = [m[1] for m in (re.search(r"left '(.+)' over its side", w) for w in found["warnings"]) if m]
+    return {"out_of_range": 100 * machine["time_out_of_range"] / found["duration"],
+            "tension_std": machine["std_tension"] / 1e3,
+            "overbend_von_mises": found["overbend"]["max_von_mises"]["max"] / 1e6, "left": left}
+
+
+def studied(program, folder):
+    """{study: (base, [(input, base value, value, results), ...])}"""
+    for factor in (0.8, 1.2):
+        scaled_raos(factor, folder / f"rao-surge-{factor:g}.csv")
+    studies = {}
+    for study, kind, name in (("static", "static", "bgl1.yaml"), ("tensioner", "dynamic", "bgl1-tensioner.yaml")):
+        text = (ROOT / "examples" / name).read_text(encoding="utf-8")
+        base = measured(kind, run(program, kind, text, folder))
+        changed = []
+        for label, at, changes, static in INPUTS:
+            for value, change in changes if static or kind == "dynamic" else []:
+                print(f"{study}: {label} {value}", flush=True)
+                changed.append((label, at, value, measured(kind, run(program, kind, change(text), folder))))
+        studies[study] = (base, changed)
+    return studies
+
+
+def write_table(studies):
+    with TABLE.open("w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["study", "input", "base value", "value", "result", "unit", "base result", "result value", "change", "pipe left a box"])
+        for key, study, _, unit, digits in RESULTS:
+            base, changed = studies[study]
+            for label, at, value, results in changed:
+                if results is None:
+                    table.writerow([study, label, at, value, key, unit, f"{base[key]:.{digits + 1}f}", "no equilibrium", "", ""])
+                    continue
+                table.writerow([study, label, at, value, key, unit, f"{base[key]:.{digits + 1}f}", f"{results[key]:.{digits + 1}f}",
+                                f"{results[key] - base[key]:+.{digits + 1}f}", "yes" if results["left"] else "no"])
+
+
+def escaped(text):
+    return text.replace("&", "&amp;").replace("<", "&lt;")
+
+
+def tick_step(span):
+    """A round distance of some six ticks."""
+    power = 10.0 ** len(str(int(span))) / 1e3
+    return next(step * power for step in (1, 2, 5, 10, 20, 50, 100, 200, 500) if span / (step * power) <= 7)
+
+
+def tornado(title, unit, digits, base, bars):
+    """A diagram of horizontal bars around the base value, the longest on top. bars: [(input, [(value, result, left), ...]), ...]"""
+    width, left, right, top, row = 960, 250, 80, 66, 34
+    values = [base, *(r for _, ends in bars for _, r, _ in ends if r is not None)]
+    lo, hi = min(values), max(values)
+    room = 0.24 * (hi - lo) or 1.0
+    lo, hi = max(lo - room, 0.0) if lo >= 0.0 else lo - room, hi + room
+    bottom = top + row * len(bars)
+    x = lambda v: left + (v - lo) / (hi - lo) * (width - left - right)
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {bottom + 62}" width="{width}" height="{bottom + 62}" '
+           'font-family="Liberation Sans, Arial, sans-serif" font-size="13" fill="#1b2733">',
+           f'<rect width="{width}" height="{bottom + 62}" fill="#fff"/>',
+           f'<text x="16" y="24" font-size="16" font-weight="600">{escaped(title)} [{unit}]</text>']
+    step = tick_step(hi - lo)
+    tick = step * int(lo / step + (1 if lo % step else 0))
+    while tick <= hi:
+        out.append(f'<line x1="{x(tick):.1f}" x2="{x(tick):.1f}" y1="{top - 6}" y2="{bottom}" stroke="#d5dce3"/>'
+                   f'<text x="{x(tick):.1f}" y="{bottom + 18}" text-anchor="middle" fill="#5b6b7a">{tick:g}</text>')
+        tick += step
+    length = lambda ends: max(abs(r - base) for _, r, _ in ends if r is not None)
+    for k, (label, ends) in enumerate(sorted(bars, key=lambda bar: -length(bar[1]))):
+        y = top + row * k
+        out.append(f'<text x="{left - 12}" y="{y + 20}" text-anchor="end">{escaped(label)}</text>')
+        found = [r for _, r, _ in ends if r is not None]
+        same_side = len(found) == 2 and (found[0] - base) * (found[1] - base) > 0
+        for i, (value, result, gone) in enumerate(ends):
+            if result is None:  # on the side that the other end leaves free
+                after = found[0] < base
+                out.append(f'<text x="{x(base) + (8 if after else -8):.1f}" y="{y + 20}" font-size="12" text-anchor="{"start" if after else "end"}" fill="#b3261e">{escaped(value)}: no equilibrium found</text>')
+                continue
+            x0, x1 = sorted((x(base), x(result)))
+            y0, tall = (y + 4 + 13 * i, 12) if same_side else (y + 6, 20)
+            out.append(f'<rect x="{x0:.1f}" y="{y0}" width="{max(x1 - x0, 1):.1f}" height="{tall}" fill="{("#7fb0d8", "#e8a05a")[i]}"/>')
+            before = result < base or (result == base and i == 0)
+            anchor, at = ("end", x0 - 5) if before else ("start", x1 + 5)
+            words = f"{value}: {result:.{digits}f}" + (" *" if gone else "")
+            out.append(f'<text x="{at:.1f}" y="{y0 + 0.5 * tall + 4:.1f}" font-size="{11.5 if same_side else 12}" text-anchor="{anchor}">{escaped(words)}</text>')
+    out.append(f'<line x1="{x(base):.1f}" x2="{x(base):.1f}" y1="{top - 8}" y2="{bottom}" stroke="#1b2733" stroke-width="1.5"/>'
+               f'<text x="{x(base):.1f}" y="{top - 14}" text-anchor="middle" font-weight="600">base {base:.{digits}f} {unit}</text>')
+    note = "Blue: the first value of an input, orange: the second."
+    if any(gone for _, ends in bars for _, _, gone in ends):
+        note += "  * the pipe left a roller box over its side"
+    out.append(f'<text x="{left}" y="{bottom + 46}" font-size="12" fill="#5b6b7a">{note}</text></svg>')
+    return "\n".join(out) + "\n"
+
+
+def draw(studies):
+    for key, study, title, unit, digits in RESULTS:
+        base, changed = studies[study]
+        bars = {}
+        for label, _, value, results in changed:
+            bars.setdefault(label, []).append((value, results and results[key], bool(results and results["left"])))
+        path = IMAGES / f"tornado-{study}-{key.replace('_', '-')}.svg"
+        path.write_text(tornado(title, unit, digits, base[key], list(bars.items())), encoding="utf-8")
+
+
+def main():
+    program = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "release" / "overbend").resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        studies = studied(program, pathlib.Path(folder))
+    write_table(studies)
+    draw(studies)
+
+
+if __name__ == "__main__":
+    main()
