@@ -2,6 +2,7 @@
 """How far the results of the BGL-1 examples move when one input moves: table and tornado diagrams of docs/reproduction.md.
 
     tools/sensitivity.py [PROGRAM]      default: build/release/overbend; a few minutes
+    tools/sensitivity.py --draw         only the diagrams again, from the table
 
 Runs examples/bgl1.yaml in statics and examples/bgl1-tensioner.yaml for 120 s, once as they are and once for each change,
 one change at a time. Writes docs/sensitivity.csv and docs/images/tornado-*.svg.
@@ -99,14 +100,14 @@ INPUTS = [
     ("tensioner acceleration", "0.5 m/s2", [("0.1 m/s2", acceleration(0.1)), ("1 m/s2", acceleration(1))], False),
 ]
 
-# key, study, title of the tornado, unit, digits
+# key, study, title of the tornado, unit, digits, and the longest bar, if the rest would be dwarfed without
 RESULTS = [
-    ("overbend_von_mises", "static", "Static: largest von Mises stress of the overbend", "MPa", 1),
-    ("overbend_bending", "static", "Static: largest bending stress of the overbend", "MPa", 1),
-    ("sagbend_bending", "static", "Static: largest bending stress of the sagbend", "MPa", 1),
-    ("out_of_range", "tensioner", "Tensioner study: share of time with the tension out of its range", "%", 1),
-    ("tension_std", "tensioner", "Tensioner study: standard deviation of the top tension", "kN", 1),
-    ("overbend_von_mises", "tensioner", "Tensioner study: largest von Mises stress of the overbend", "MPa", 1),
+    ("overbend_von_mises", "static", "Static: largest von Mises stress of the overbend", "MPa", 1, None),
+    ("overbend_bending", "static", "Static: largest bending stress of the overbend", "MPa", 1, None),
+    ("sagbend_bending", "static", "Static: largest bending stress of the sagbend", "MPa", 1, None),
+    ("out_of_range", "tensioner", "Tensioner study: share of time with the tension out of its range", "%", 1, None),
+    ("tension_std", "tensioner", "Tensioner study: standard deviation of the top tension", "kN", 1, None),
+    ("overbend_von_mises", "tensioner", "Tensioner study: largest von Mises stress of the overbend", "MPa", 1, 120.0),
 ]
 
 
@@ -172,7 +173,7 @@ def write_table(studies):
     with TABLE.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
         table.writerow(["study", "input", "base value", "value", "result", "unit", "base result", "result value", "change", "pipe left a box"])
-        for key, study, _, unit, digits in RESULTS:
+        for key, study, _, unit, digits, _ in RESULTS:
             base, changed = studies[study]
             for label, at, value, results in changed:
                 if results is None:
@@ -192,10 +193,11 @@ def tick_step(span):
     return next(step * power for step in (1, 2, 5, 10, 20, 50, 100, 200, 500) if span / (step * power) <= 7)
 
 
-def tornado(title, unit, digits, base, bars):
+def tornado(title, unit, digits, base, bars, longest):
     """A diagram of horizontal bars around the base value, the longest on top. bars: [(input, [(value, result, left), ...]), ...]"""
     width, left, right, top, row = 960, 250, 80, 66, 34
-    values = [base, *(r for _, ends in bars for _, r, _ in ends if r is not None)]
+    shown = lambda r: min(max(r, base - longest), base + longest)
+    values = [base, *(shown(r) for _, ends in bars for _, r, _ in ends if r is not None)]
     lo, hi = min(values), max(values)
     room = 0.24 * (hi - lo) or 1.0
     lo, hi = max(lo - room, 0.0) if lo >= 0.0 else lo - room, hi + room
@@ -219,15 +221,15 @@ def tornado(title, unit, digits, base, bars):
         same_side = len(found) == 2 and (found[0] - base) * (found[1] - base) > 0
         for i, (value, result, gone) in enumerate(ends):
             if result is None:  # on the side that the other end leaves free
-                after = found[0] < base
+                after = found[0] < base or (found[0] == base and i == 1)
                 out.append(f'<text x="{x(base) + (8 if after else -8):.1f}" y="{y + 20}" font-size="12" text-anchor="{"start" if after else "end"}" fill="#b3261e">{escaped(value)}: no equilibrium found</text>')
                 continue
-            x0, x1 = sorted((x(base), x(result)))
+            x0, x1 = sorted((x(base), x(shown(result))))
             y0, tall = (y + 4 + 13 * i, 12) if same_side else (y + 6, 20)
             out.append(f'<rect x="{x0:.1f}" y="{y0}" width="{max(x1 - x0, 1):.1f}" height="{tall}" fill="{("#7fb0d8", "#e8a05a")[i]}"/>')
             before = result < base or (result == base and i == 0)
             anchor, at = ("end", x0 - 5) if before else ("start", x1 + 5)
-            words = f"{value}: {result:.{digits}f}" + (" *" if gone else "")
+            words = f"{value}: {result:.{digits}f}" + (" *" if gone else "") + (" (bar cut)" if shown(result) != result else "")
             out.append(f'<text x="{at:.1f}" y="{y0 + 0.5 * tall + 4:.1f}" font-size="{11.5 if same_side else 12}" text-anchor="{anchor}">{escaped(words)}</text>')
     out.append(f'<line x1="{x(base):.1f}" x2="{x(base):.1f}" y1="{top - 8}" y2="{bottom}" stroke="#1b2733" stroke-width="1.5"/>'
                f'<text x="{x(base):.1f}" y="{top - 14}" text-anchor="middle" font-weight="600">base {base:.{digits}f} {unit}</text>')
@@ -239,16 +241,33 @@ def tornado(title, unit, digits, base, bars):
 
 
 def draw(studies):
-    for key, study, title, unit, digits in RESULTS:
+    for key, study, title, unit, digits, longest in RESULTS:
         base, changed = studies[study]
         bars = {}
         for label, _, value, results in changed:
             bars.setdefault(label, []).append((value, results and results[key], bool(results and results["left"])))
         path = IMAGES / f"tornado-{study}-{key.replace('_', '-')}.svg"
-        path.write_text(tornado(title, unit, digits, base[key], list(bars.items())), encoding="utf-8")
+        path.write_text(tornado(title, unit, digits, base[key], list(bars.items()), longest or float("inf")), encoding="utf-8")
+
+
+def kept():
+    """The studies as the table has them."""
+    studies = {study: ({}, {}) for _, study, *_ in RESULTS}
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            base, changed = studies[row["study"]]
+            base[row["result"]] = float(row["base result"])
+            at = (row["input"], row["base value"], row["value"])
+            changed.setdefault(at, None)
+            if row["result value"] != "no equilibrium":
+                changed[at] = {**(changed[at] or {}), row["result"]: float(row["result value"]), "left": row["pipe left a box"] == "yes"}
+    return {study: (base, [(*at, results) for at, results in changed.items()]) for study, (base, changed) in studies.items()}
 
 
 def main():
+    if sys.argv[1:] == ["--draw"]:
+        draw(kept())
+        return
     program = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build" / "release" / "overbend").resolve()
     with tempfile.TemporaryDirectory() as folder:
         studies = studied(program, pathlib.Path(folder))
