@@ -40,13 +40,13 @@ RUNS = {
     "as-printed": ("static", "bgl1-as-printed.yaml", [], None),
     "irregular": ("dynamic", "bgl1.yaml", ["--duration", "600 s"], None),
     "workable": ("dynamic", "bgl1-workable-sea.yaml", ["--duration", "600 s"], None),
-    "gap-springs": ("dynamic", "bgl1-workable-sea.yaml", ["--duration", "600 s"], GAP_SPRINGS),
+    "gap-springs": ("dynamic", "bgl1-tensioner.yaml", [], GAP_SPRINGS),
     "locked": ("dynamic", "bgl1-tensioner.yaml", [], mode("locked")),
     "controlled": ("dynamic", "bgl1-tensioner.yaml", [], None),
     "constant": ("dynamic", "bgl1-tensioner.yaml", [], mode("constant")),
 }
 
-# picture: (run, figure of its report, parts in one column); part "bars" may name the drawings of a panel to keep
+# picture: (run, figure of its report, parts in one column)
 PICTURES = {
     "static-configuration": ("static", "configuration", ["whole"]),
     "static-stinger": ("static", "configuration", ["stinger"]),
@@ -60,8 +60,8 @@ PICTURES = {
     "irregular-mises": ("irregular", "envelope_mises", ["whole", "overbend"]),
     "irregular-clearance": ("irregular", "history", ["separation"]),
     "workable-mises": ("workable", "envelope_mises", ["whole", "overbend"]),
-    "workable-shares": ("workable", "shares", ["bars"]),
-    "workable-reactions": ("workable", "ranges", ["bars"]),
+    "rollers-shares": ("controlled", "shares", ["bars"]),
+    "rollers-reactions": ("controlled", "ranges", ["bars"]),
     "gap-springs-shares": ("gap-springs", "shares", ["bars"]),
     "gap-springs-reactions": ("gap-springs", "ranges", ["bars"]),
 }
