@@ -50,6 +50,7 @@
     const top = history.lowest + 4095 * history.quantum;
     let lo = history.lowest;
     let hi = top;
+    if (history.shade) { lo = Math.min(lo, history.shade[0]); hi = Math.max(hi, history.shade[1]); }
     if (history.static !== null) { lo = Math.min(lo, history.static); hi = Math.max(hi, history.static); }
     // What moves less than the last digit shown is a level line.
     const least = 10 ** -history.digits;
@@ -61,6 +62,11 @@
     });
     frame.svg.classed('small', small);
     build_up_shade(frame);
+    if (history.shade) {
+      const [low, high] = history.shade;
+      frame.back.append('rect').attr('x', frame.margin.left).attr('width', frame.width - frame.margin.left - frame.margin.right)
+        .attr('y', frame.y(high)).attr('height', frame.y(low) - frame.y(high)).attr('fill', '#cfe8cf');
+    }
     const line = band(frame, history);
     if (history.static !== null) {
       if (!line) level_line(frame, history.static, '#fff', null, 3.5);
