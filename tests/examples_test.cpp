@@ -95,8 +95,8 @@ TEST(examples, static_page_holds) {
   EXPECT_EQ(carrying_boxes(r), 9);
   // What the lay hangs on and rests on is its weight: nothing is lost on the way.
   EXPECT_LT(r.global_residual, 1e-9);
-  // Over frictionless rollers the tension falls by the weight of pipe as long as the way is deep: 5.222 m in air, 88.756 m in
-  // water, whatever the shape. What bending adds at the tensioner is below 0.1 kN.
+  // Over frictionless rollers the tension falls by the weight of pipe as long as the way is deep: 5.222 m in
+  // air, 88.756 m in water, whatever the shape. What bending adds at the tensioner is below 0.1 kN.
   EXPECT_NEAR(1e-3 * (r.top_tension - r.bottom_tension), 2.2559 * 5.222 + 0.36849 * 88.756, kTenth);
 }
 
