@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The figures of the examples' pages and of docs/reproduction.md, from runs of the program.
 
-    tools/example_figures.py [PROGRAM] [--only WORD]      default: build/release/overbend; some three minutes
+    tools/example_figures.py [PROGRAM] [--only WORD]      default: build/release/overbend; some minutes
 
 Solves the examples, opens their reports in headless Chromium and photographs single figures at twice their size into
 docs/images/examples/. Two figures that compare runs are drawn here from results.h5. Wants Chromium and h5py (Debian:
@@ -18,6 +18,8 @@ import sys
 import tempfile
 
 import h5py
+
+import svg
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 IMAGES = ROOT / "docs" / "images" / "examples"
@@ -96,15 +98,16 @@ ALONE = """<script>
 
 
 def chromium(words, folder):
-    done = subprocess.run(["chromium", *FLAGS, f"--user-data-dir={folder}/profile", *words], capture_output=True, text=True, timeout=120, check=True)
-    return done.stdout
+    command = ["chromium", *FLAGS, f"--user-data-dir={folder}/profile", *words]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
 
 
 def photographed(page, picture, folder, height=None):
     """Writes the page as a picture, as tall as its own title says unless told."""
     if height is None:
         height = int(re.search(r"<title>height (\d+)", chromium(["--dump-dom", page.as_uri()], folder))[1])
-    chromium([f"--window-size={WIDTH},{height}", "--force-device-scale-factor=2", f"--screenshot={picture}", page.as_uri()], folder)
+    size = [f"--window-size={WIDTH},{height}", "--force-device-scale-factor=2"]
+    chromium([*size, f"--screenshot={picture}", page.as_uri()], folder)
 
 
 def photograph_figure(report, figure, parts, picture, folder):
@@ -138,21 +141,22 @@ def ticks(lo, hi, most):
 
 
 class Chart:
-    """A frame with axes; y grows upwards from lo to hi."""
+    """A frame with axes; y grows upwards."""
 
-    def __init__(self, top, height, x, y, title, y_label, x_label=None):
-        self.top, self.height, self.x_range, self.y_range = top, height, x, y
-        self.out = [f'<text x="{LEFT}" y="{top - 14}" font-size="15" font-weight="600">{title}</text>']
-        self.grid = []
-        for t in ticks(*x, 12):
-            self.grid.append(f'<line x1="{self.x(t):.1f}" x2="{self.x(t):.1f}" y1="{top}" y2="{top + height}" stroke="#d5dce3"/>'
-                             f'<text x="{self.x(t):.1f}" y="{top + height + 17}" text-anchor="middle" fill="#5b6b7a">{t:g}</text>')
-        for v in ticks(*y, height / 40):
-            self.grid.append(f'<line x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{self.y(v):.1f}" y2="{self.y(v):.1f}" stroke="#d5dce3"/>'
-                             f'<text x="{LEFT - 8}" y="{self.y(v) + 4:.1f}" text-anchor="end" fill="#5b6b7a">{round(v, 9):g}</text>')
-        self.grid.append(f'<text transform="translate(20,{top + height / 2}) rotate(-90)" text-anchor="middle" fill="#5b6b7a">{y_label}</text>')
-        if x_label:
-            self.grid.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{top + height + 38}" text-anchor="middle" fill="#5b6b7a">{x_label}</text>')
+    def __init__(self, top, height, x_range, y_range, title, y_label, x_label=""):
+        self.top, self.height, self.x_range, self.y_range = top, height, x_range, y_range
+        right, bottom, middle = WIDTH - RIGHT, top + height, (LEFT + WIDTH - RIGHT) / 2
+        soft = {"text_anchor": "middle", "fill": svg.SOFT}
+        self.behind = []
+        for t in ticks(*x_range, 12):
+            self.behind += [svg.line(self.x(t), top, self.x(t), bottom), svg.text(self.x(t), bottom + 17, f"{t:g}", **soft)]
+        for v in ticks(*y_range, height / 40):
+            y = self.y(v)
+            self.behind += [svg.line(LEFT, y, right, y)]
+            self.behind += [svg.text(LEFT - 8, y + 4, f"{round(v, 9):g}", text_anchor="end", fill=svg.SOFT)]
+        self.behind.append(svg.text(0, 0, y_label, transform=f"translate(20,{top + height / 2}) rotate(-90)", **soft))
+        self.behind.append(svg.text(middle, bottom + 38, x_label, **soft))
+        self.out = [svg.text(LEFT, top - 14, title, font_size=15, font_weight=600)]
 
     def x(self, t):
         return LEFT + (t - self.x_range[0]) / (self.x_range[1] - self.x_range[0]) * (WIDTH - LEFT - RIGHT)
@@ -161,73 +165,78 @@ class Chart:
         return self.top + self.height * (self.y_range[1] - v) / (self.y_range[1] - self.y_range[0])
 
     def band(self, lo, hi, colour):
-        self.grid.insert(0, f'<rect x="{LEFT}" width="{WIDTH - LEFT - RIGHT}" y="{self.y(hi):.1f}" height="{self.y(lo) - self.y(hi):.1f}" fill="{colour}"/>')
+        height = self.y(lo) - self.y(hi)
+        self.behind.insert(0, svg.rect(LEFT, self.y(hi), WIDTH - LEFT - RIGHT, height, fill=colour))
 
-    def line(self, time, value, colour, width=1.8, dash=""):
-        points = " ".join(f"{self.x(t):.1f},{self.y(v):.1f}" for t, v in zip(time, value) if self.x_range[0] <= t <= self.x_range[1])
-        self.out.append(f'<polyline points="{points}" fill="none" stroke="{colour}" stroke-width="{width}" stroke-linejoin="round" stroke-dasharray="{dash}"/>')
+    def line(self, time, value, colour, width):
+        seen = (time >= self.x_range[0]) & (time <= self.x_range[1])
+        points = " ".join(f"{self.x(t):.1f},{self.y(v):.1f}" for t, v in zip(time[seen], value[seen]))
+        self.out.append(svg.element("polyline", points=points, fill="none", stroke=colour, stroke_width=width))
 
-    def states(self, time, state, y):
-        """A strip of colours at the pixel height y: what the machine does."""
-        begin = 0
-        for i in range(1, len(time) + 1):
-            if i == len(time) or state[i] != state[begin]:
-                t0, t1 = time[begin], time[min(i, len(time) - 1)]
-                if int(state[begin]) in STATES and t1 > self.x_range[0] and t0 < self.x_range[1]:
-                    x0, x1 = self.x(max(t0, self.x_range[0])), self.x(min(t1, self.x_range[1]))
-                    self.out.append(f'<rect x="{x0:.1f}" width="{x1 - x0:.1f}" y="{y}" height="9" fill="{STATES[int(state[begin])][0]}"/>')
-                begin = i
+    def states(self, time, state):
+        """A strip of colours at the foot: what the machine does."""
+        seen = (time >= self.x_range[0]) & (time <= self.x_range[1])
+        for a, b, what in zip(time[seen], time[seen][1:], state[seen]):
+            if int(what) in STATES:
+                x0, x1 = self.x(a), self.x(b)
+                self.out.append(svg.rect(x0, self.top + self.height - 12, x1 - x0 + 0.2, 9, fill=STATES[int(what)][0]))
 
-    def svg(self):
-        return "\n".join(self.grid + [f'<rect x="{LEFT}" y="{self.top}" width="{WIDTH - LEFT - RIGHT}" height="{self.height}" fill="none" stroke="#8794a0"/>'] + self.out)
+    def parts(self):
+        frame = svg.rect(LEFT, self.top, WIDTH - LEFT - RIGHT, self.height, fill="none", stroke=svg.FRAME)
+        return [*self.behind, frame, *self.out]
 
 
 def legend(entries, y):
     """Words with their colours, in one line."""
     out, x = [], LEFT
-    for colour, text, block in entries:
-        out.append(f'<rect x="{x}" y="{y - (10 if block else 6)}" width="18" height="{12 if block else 3}" fill="{colour}"/><text x="{x + 24}" y="{y}">{text}</text>')
-        x += 24 + 7.2 * len(text) + 22
-    return "\n".join(out)
+    for colour, words, block in entries:
+        out.append(svg.rect(x, y - (10 if block else 6), 18, 12 if block else 3, fill=colour))
+        out.append(svg.text(x + 24, y, words))
+        x += 46 + 7.2 * len(words)
+    return out
 
 
-def drawn(parts, height, picture, folder):
+def write_chart(parts, height, picture, folder):
     page = folder / "chart.html"
-    page.write_text(f'<!doctype html><meta charset="utf-8"><body style="margin:0"><svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height}" '
-                    'font-family="Liberation Sans, Arial, sans-serif" font-size="13" fill="#1b2733"><rect width="100%" height="100%" fill="#fff"/>'
-                    + "\n".join(parts) + "</svg></body>", encoding="utf-8")
+    drawing = svg.document(WIDTH, height, parts)
+    page.write_text(f'<!doctype html><meta charset="utf-8"><body style="margin:0">{drawing}</body>', encoding="utf-8")
     photographed(page, picture, folder, height)
 
 
-OFF, ON, CONSTANT = "#7b8794", "#0b5394", "#d9720a"
+OFF, ON, CONSTANT, RANGE = "#7b8794", "#0b5394", "#d9720a", "#d6ead9"
+TIME = "Time from the end of the build-up [s]"
 
 
 def draw_tension(runs, picture, folder):
-    """Top tension, tensioner off against on: the whole run, and two waves of it with what the machine does."""
-    parts = [legend([("#d6ead9", "range 240 to 260 kN", True), (OFF, "off (brake locked)", False), (ON, "on (controlled)", False),
-                     *((colour, text, True) for colour, text in STATES.values())], 22)]
-    for top, height, span, title in ((66, 200, (0, 300), "Top tension"), (334, 250, (216, 252), "Three waves of it; the strip shows what the machine does")):
-        chart = Chart(top, height, span, (180, 310), title, "Tension [kN]", "Time from the end of the build-up [s]" if top > 300 else None)
-        chart.band(240, 260, "#d6ead9")
+    """Top tension, tensioner off against on: the whole run, and three waves of it with what the machine does."""
+    lines = [(RANGE, "range 240 to 260 kN", True), (OFF, "off (brake locked)", False), (ON, "on (controlled)", False)]
+    parts = legend([*lines, *((colour, words, True) for colour, words in STATES.values())], 22)
+    whole = Chart(66, 200, (0, 300), (180, 310), "Top tension", "Tension [kN]")
+    title = "Three waves of it; the strip shows what the machine does"
+    near = Chart(334, 250, (216, 252), (180, 310), title, "Tension [kN]", TIME)
+    for chart, width in ((whole, 1.3), (near, 2)):
+        chart.band(240, 260, RANGE)
         for run, colour in (("locked", OFF), ("controlled", ON)):
             time, value = history(runs[run], "tensioner/tension")
-            chart.line(time, value / 1e3, colour, 1.3 if span[1] == 300 else 2)
-        if top > 300:
-            chart.states(*history(runs["controlled"], "tensioner/state"), top + height - 12)
-        parts.append(chart.svg())
-    drawn(parts, 636, picture, folder)
+            chart.line(time, value / 1e3, colour, width)
+    near.states(*history(runs["controlled"], "tensioner/state"))
+    write_chart([*parts, *whole.parts(), *near.parts()], 636, picture, folder)
 
 
 def draw_travel(runs, picture, folder):
     """Movement of the pipe at the tensioner."""
-    parts = [legend([(OFF, "off (brake locked)", False), (ON, "on (controlled)", False), (CONSTANT, "ideal constant tension", False)], 22)]
-    chart = Chart(66, 300, (0, 120), (-0.25, 0.35), "Pipe movement at the tensioner, paid out positive", "Travel [m]", "Time from the end of the build-up [s]")
-    for run, colour in (("constant", CONSTANT), ("locked", OFF), ("controlled", ON)):
+    lines = (("constant", CONSTANT, "ideal constant tension"), ("locked", OFF, "off (brake locked)"),
+             ("controlled", ON, "on (controlled)"))
+    chart = Chart(66, 300, (0, 120), (-0.25, 0.35), "Pipe movement at the tensioner, paid out positive", "Travel [m]", TIME)
+    for run, colour, _ in lines:
         chart.line(*history(runs[run], "tensioner/travel"), colour, 2)
-    drawn([*parts, chart.svg()], 418, picture, folder)
+    write_chart([*legend([(colour, words, False) for _, colour, words in lines], 22), *chart.parts()], 418, picture, folder)
 
 
-DRAWN = {"tensioner-tension": (draw_tension, ["locked", "controlled"]), "tensioner-travel": (draw_travel, ["locked", "controlled", "constant"])}
+DRAWN = {
+    "tensioner-tension": (draw_tension, ["locked", "controlled"]),
+    "tensioner-travel": (draw_travel, ["locked", "controlled", "constant"]),
+}
 
 
 def main():
@@ -247,7 +256,8 @@ def main():
 
         def run(name):
             if name not in done:
-                done[name] = keep / name if (keep / name / "results.h5").exists() else results_of(asked.program.resolve(), name, keep)
+                there = (keep / name / "results.h5").exists()
+                done[name] = keep / name if there else results_of(asked.program.resolve(), name, keep)
             return done[name]
 
         for name, (source, figure, parts) in PICTURES.items():

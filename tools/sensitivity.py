@@ -10,11 +10,14 @@ one change at a time. Writes docs/sensitivity.csv and docs/images/tornado-*.svg.
 
 import csv
 import json
+import math
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+
+import svg
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TABLE = ROOT / "docs" / "sensitivity.csv"
@@ -90,7 +93,7 @@ INPUTS = [
     ("top tension", "250 kN", [("225 kN", tension(0.9)), ("275 kN", tension(1.1))], True),
     ("stern shoe above water", "3.818 m", [("3.568 m", shoe(3.568)), ("4.068 m", shoe(4.068))], True),
     ("roller rows per box", "3", [("1", rows(1)), ("5", rows(5))], True),
-    ("roller stiffness", f"{ROLLER_STIFFNESS:.0f} MN/m", [(f"{0.1 * ROLLER_STIFFNESS:.0f} MN/m", stiffness(0.1)), (f"{10 * ROLLER_STIFFNESS:.0f} MN/m", stiffness(10))], True),
+    ("roller stiffness", "833 MN/m", [("83 MN/m", stiffness(0.1)), ("8330 MN/m", stiffness(10))], True),
     ("current speed", "as given", [("-20 %", current(0.8)), ("+20 %", current(1.2))], True),
     ("drag coefficients", "1.2, 0.03", [("-20 %", drag(0.8)), ("+20 %", drag(1.2))], True),
     ("roller friction along, across", "0.02, 0.3", [("0, 0", friction(0)), ("0.04, 0.6", friction(2))], False),
@@ -169,22 +172,24 @@ def studied(program, folder):
     return studies
 
 
+COLUMNS = ["study", "input", "base value", "value", "result", "unit", "base result", "result value", "change",
+           "pipe left a box"]
+
+
 def write_table(studies):
     with TABLE.open("w", encoding="utf-8", newline="") as file:
         table = csv.writer(file, lineterminator="\n")
-        table.writerow(["study", "input", "base value", "value", "result", "unit", "base result", "result value", "change", "pipe left a box"])
+        table.writerow(COLUMNS)
         for key, study, _, unit, digits, _ in RESULTS:
             base, changed = studies[study]
-            for label, at, value, results in changed:
-                if results is None:
-                    table.writerow([study, label, at, value, key, unit, f"{base[key]:.{digits + 1}f}", "no equilibrium", "", ""])
-                    continue
-                table.writerow([study, label, at, value, key, unit, f"{base[key]:.{digits + 1}f}", f"{results[key]:.{digits + 1}f}",
-                                f"{results[key] - base[key]:+.{digits + 1}f}", "yes" if results["left"] else "no"])
-
-
-def escaped(text):
-    return text.replace("&", "&amp;").replace("<", "&lt;")
+            number = lambda value, sign="": f"{value:{sign}.{digits + 1}f}"
+            for label, at, value, found in changed:
+                words = [study, label, at, value, key, unit, number(base[key])]
+                if found is None:
+                    table.writerow([*words, "no equilibrium", "", ""])
+                else:
+                    left = "yes" if found["left"] else "no"
+                    table.writerow([*words, number(found[key]), number(found[key] - base[key], "+"), left])
 
 
 def tick_step(span):
@@ -193,61 +198,89 @@ def tick_step(span):
     return next(step * power for step in (1, 2, 5, 10, 20, 50, 100, 200, 500) if span / (step * power) <= 7)
 
 
-def tornado(title, unit, digits, base, bars, longest):
-    """A diagram of horizontal bars around the base value, the longest on top. bars: [(input, [(value, result, left), ...]), ...]"""
-    width, left, right, top, row = 960, 250, 80, 66, 34
-    shown = lambda r: min(max(r, base - longest), base + longest)
-    values = [base, *(shown(r) for _, ends in bars for _, r, _ in ends if r is not None)]
-    lo, hi = min(values), max(values)
-    room = 0.24 * (hi - lo) or 1.0
-    lo, hi = max(lo - room, 0.0) if lo >= 0.0 else lo - room, hi + room
-    bottom = top + row * len(bars)
-    x = lambda v: left + (v - lo) / (hi - lo) * (width - left - right)
-    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {bottom + 62}" width="{width}" height="{bottom + 62}" '
-           'font-family="Liberation Sans, Arial, sans-serif" font-size="13" fill="#1b2733">',
-           f'<rect width="{width}" height="{bottom + 62}" fill="#fff"/>',
-           f'<text x="16" y="24" font-size="16" font-weight="600">{escaped(title)} [{unit}]</text>']
-    step = tick_step(hi - lo)
-    tick = step * int(lo / step + (1 if lo % step else 0))
-    while tick <= hi:
-        out.append(f'<line x1="{x(tick):.1f}" x2="{x(tick):.1f}" y1="{top - 6}" y2="{bottom}" stroke="#d5dce3"/>'
-                   f'<text x="{x(tick):.1f}" y="{bottom + 18}" text-anchor="middle" fill="#5b6b7a">{tick:g}</text>')
-        tick += step
-    length = lambda ends: max(abs(r - base) for _, r, _ in ends if r is not None)
-    for k, (label, ends) in enumerate(sorted(bars, key=lambda bar: -length(bar[1]))):
-        y = top + row * k
-        out.append(f'<text x="{left - 12}" y="{y + 20}" text-anchor="end">{escaped(label)}</text>')
+class Tornado:
+    """Horizontal bars around a base value, the longest on top. bars: [(input, [(value, result or None, left), ...]), ...]"""
+
+    WIDTH, LEFT, RIGHT, TOP, ROW = 960, 250, 80, 66, 34
+    COLOURS = "#7fb0d8", "#e8a05a"
+
+    def __init__(self, title, unit, digits, base, bars, longest):
+        self.unit, self.digits, self.base, self.longest = unit, digits, base, longest
+        self.bars = sorted(bars, key=lambda bar: -max(abs(r - base) for _, r, _ in bar[1] if r is not None))
+        values = [base, *(self.shown(r) for _, ends in bars for _, r, _ in ends if r is not None)]
+        room = 0.24 * (max(values) - min(values)) or 1.0
+        self.lo = max(min(values) - room, 0.0)
+        self.hi = max(values) + room
+        self.bottom = self.TOP + self.ROW * len(bars)
+        self.out = [svg.text(16, 24, f"{title} [{unit}]", font_size=16, font_weight=600)]
+
+    def shown(self, result):
+        return min(max(result, self.base - self.longest), self.base + self.longest)
+
+    def x(self, value):
+        return self.LEFT + (value - self.lo) / (self.hi - self.lo) * (self.WIDTH - self.LEFT - self.RIGHT)
+
+    def axis(self):
+        step = tick_step(self.hi - self.lo)
+        tick = step * math.ceil(self.lo / step)
+        while tick <= self.hi:
+            x = self.x(tick)
+            self.out.append(svg.line(x, self.TOP - 6, x, self.bottom))
+            self.out.append(svg.text(x, self.bottom + 18, f"{tick:g}", text_anchor="middle", fill=svg.SOFT))
+            tick += step
+
+    def words(self, x, y, before, words, **attributes):
+        anchor = "end" if before else "start"
+        self.out.append(svg.text(x + (-5 if before else 5), y, words, text_anchor=anchor, **attributes))
+
+    def row(self, y, ends):
+        """The bars of one input; two that go the same way lie one above the other."""
         found = [r for _, r, _ in ends if r is not None]
-        same_side = len(found) == 2 and (found[0] - base) * (found[1] - base) > 0
-        for i, (value, result, gone) in enumerate(ends):
+        same_side = len(found) == 2 and (found[0] - self.base) * (found[1] - self.base) > 0
+        for i, (value, result, left) in enumerate(ends):
             if result is None:  # on the side that the other end leaves free
-                after = found[0] < base or (found[0] == base and i == 1)
-                out.append(f'<text x="{x(base) + (8 if after else -8):.1f}" y="{y + 20}" font-size="12" text-anchor="{"start" if after else "end"}" fill="#b3261e">{escaped(value)}: no equilibrium found</text>')
+                before = found[0] > self.base or (found[0] == self.base and i == 0)
+                self.words(self.x(self.base), y + 20, before, f"{value}: no equilibrium found", font_size=12, fill="#b3261e")
                 continue
-            x0, x1 = sorted((x(base), x(shown(result))))
+            before = result < self.base or (result == self.base and i == 0)
+            x0, x1 = sorted((self.x(self.base), self.x(self.shown(result))))
             y0, tall = (y + 4 + 13 * i, 12) if same_side else (y + 6, 20)
-            out.append(f'<rect x="{x0:.1f}" y="{y0}" width="{max(x1 - x0, 1):.1f}" height="{tall}" fill="{("#7fb0d8", "#e8a05a")[i]}"/>')
-            before = result < base or (result == base and i == 0)
-            anchor, at = ("end", x0 - 5) if before else ("start", x1 + 5)
-            words = f"{value}: {result:.{digits}f}" + (" *" if gone else "") + (" (bar cut)" if shown(result) != result else "")
-            out.append(f'<text x="{at:.1f}" y="{y0 + 0.5 * tall + 4:.1f}" font-size="{11.5 if same_side else 12}" text-anchor="{anchor}">{escaped(words)}</text>')
-    out.append(f'<line x1="{x(base):.1f}" x2="{x(base):.1f}" y1="{top - 8}" y2="{bottom}" stroke="#1b2733" stroke-width="1.5"/>'
-               f'<text x="{x(base):.1f}" y="{top - 14}" text-anchor="middle" font-weight="600">base {base:.{digits}f} {unit}</text>')
-    note = "Blue: the first value of an input, orange: the second."
-    if any(gone for _, ends in bars for _, _, gone in ends):
-        note += "  * the pipe left a roller box over its side"
-    out.append(f'<text x="{left}" y="{bottom + 46}" font-size="12" fill="#5b6b7a">{note}</text></svg>')
-    return "\n".join(out) + "\n"
+            self.out.append(svg.rect(x0, y0, max(x1 - x0, 1.0), tall, fill=self.COLOURS[i]))
+            note = (" *" if left else "") + (" (bar cut)" if self.shown(result) != result else "")
+            words = f"{value}: {result:.{self.digits}f}{note}"
+            self.words(x0 if before else x1, y0 + 0.5 * tall + 4, before, words, font_size=12)
+
+    def drawn(self):
+        self.axis()
+        for k, (label, ends) in enumerate(self.bars):
+            y = self.TOP + self.ROW * k
+            self.out.append(svg.text(self.LEFT - 12, y + 20, label, text_anchor="end"))
+            self.row(y, ends)
+        x = self.x(self.base)
+        self.out.append(svg.line(x, self.TOP - 8, x, self.bottom, stroke=svg.INK, stroke_width=1.5))
+        words = f"base {self.base:.{self.digits}f} {self.unit}"
+        self.out.append(svg.text(x, self.TOP - 14, words, text_anchor="middle", font_weight=600))
+        note = "Blue: the first value of an input, orange: the second."
+        if any(left for _, ends in self.bars for _, _, left in ends):
+            note += "  * the pipe left a roller box over its side"
+        self.out.append(svg.text(self.LEFT, self.bottom + 46, note, font_size=12, fill=svg.SOFT))
+        return svg.document(self.WIDTH, self.bottom + 62, self.out)
 
 
-def draw(studies):
+def drawings(studies):
+    """(file name, drawing) of each result."""
     for key, study, title, unit, digits, longest in RESULTS:
         base, changed = studies[study]
         bars = {}
         for label, _, value, results in changed:
             bars.setdefault(label, []).append((value, results and results[key], bool(results and results["left"])))
-        path = IMAGES / f"tornado-{study}-{key.replace('_', '-')}.svg"
-        path.write_text(tornado(title, unit, digits, base[key], list(bars.items()), longest or float("inf")), encoding="utf-8")
+        name = f"tornado-{study}-{key.replace('_', '-')}.svg"
+        yield name, Tornado(title, unit, digits, base[key], list(bars.items()), longest or math.inf).drawn()
+
+
+def draw(studies):
+    for name, drawing in drawings(studies):
+        (IMAGES / name).write_text(drawing, encoding="utf-8")
 
 
 def kept():
@@ -260,7 +293,8 @@ def kept():
             at = (row["input"], row["base value"], row["value"])
             changed.setdefault(at, None)
             if row["result value"] != "no equilibrium":
-                changed[at] = {**(changed[at] or {}), row["result"]: float(row["result value"]), "left": row["pipe left a box"] == "yes"}
+                left = row["pipe left a box"] == "yes"
+                changed[at] = {**(changed[at] or {}), row["result"]: float(row["result value"]), "left": left}
     return {study: (base, [(*at, results) for at, results in changed.items()]) for study, (base, changed) in studies.items()}
 
 
@@ -272,7 +306,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         studies = studied(program, pathlib.Path(folder))
     write_table(studies)
-    draw(studies)
+    draw(kept())
 
 
 if __name__ == "__main__":
