@@ -4,7 +4,7 @@
   const data = Report.data.comparison;
   if (!data || data.of !== 'tensioner') return;
   const { build_up, duration, close_from, range, limit, runs } = data;
-  const { time_unit, band, build_up_shade, level_line } = Report.in_time(build_up, duration);
+  const { time_unit, band, build_up_shade, shade, level_line } = Report.in_time(build_up, duration);
   const looks = {
     off: { colour: '#d08a2e', width: 1.6 },
     controlled: { colour: Report.colours.pipe, width: 1.8 },
@@ -30,8 +30,7 @@
 
   function shade_range(frame) {
     if (!range) return;
-    frame.back.append('rect').attr('x', frame.margin.left).attr('width', frame.inner_width)
-      .attr('y', frame.y(range[1])).attr('height', frame.y(range[0]) - frame.y(range[1])).attr('fill', '#dcefe4');
+    shade(frame, range);
     for (const bound of range) level_line(frame, bound, '#5fa37f', null, 0.9);
   }
 
@@ -90,7 +89,7 @@
     if (kind === 'tension') shade_range(frame); else mark_limit(frame);
     for (const run of runs) curve(frame, run, kind, close);
     const entries = runs.map((run) => ({ text: run.name, ...looks[run.name] }));
-    if (kind === 'tension' && range) entries.push({ text: 'operational range', colour: '#dcefe4', block: true, edge: '#5fa37f' });
+    if (kind === 'tension' && range) entries.push({ text: 'operational range', colour: '#cfe8cf', block: true, edge: '#5fa37f' });
     if (kind === 'travel' && limit) entries.push({ text: `limit ${Report.fixed(limit, 2)} m`, colour: Report.colours.accent, dash: '2 3' });
     Report.legend(frame, entries);
     Report.legend(frame, strip(frame), 22);

@@ -9,7 +9,7 @@
 
   const unit_of = (q) => (q.unit ? ` [${q.unit}]` : '');
 
-  const { time_unit, band, build_up_shade, level_line } = Report.in_time(build_up, duration);
+  const { time_unit, band, build_up_shade, shade, level_line } = Report.in_time(build_up, duration);
 
   function statistics(history) {
     const spread = history.over_time;
@@ -21,6 +21,7 @@
     const top = history.lowest + 4095 * history.quantum;
     let lo = history.lowest;
     let hi = top;
+    if (history.shade) { lo = Math.min(lo, history.shade[0]); hi = Math.max(hi, history.shade[1]); }
     if (history.static !== null) { lo = Math.min(lo, history.static); hi = Math.max(hi, history.static); }
     // What moves less than the last digit shown is a level line.
     const least = 10 ** -history.digits;
@@ -32,6 +33,7 @@
     });
     frame.svg.classed('small', small);
     build_up_shade(frame);
+    if (history.shade) shade(frame, history.shade);
     const line = band(frame, history, { line: colours.dynamic, area: colours.history });
     if (history.static !== null) {
       if (!line) level_line(frame, history.static, '#fff', null, 3.5);

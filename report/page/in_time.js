@@ -29,11 +29,17 @@
       frame.over.append('line').attr('x1', x1).attr('x2', x1).attr('y1', frame.margin.top).attr('y2', frame.height - frame.margin.bottom).attr('stroke', Report.colours.soft).attr('stroke-dasharray', '2 3');
     }
 
+    // A range of values.
+    function shade(frame, [low, high]) {
+      frame.back.append('rect').attr('x', frame.margin.left).attr('width', frame.inner_width)
+        .attr('y', frame.y(high)).attr('height', frame.y(low) - frame.y(high)).attr('fill', '#cfe8cf');
+    }
+
     function level_line(frame, value, colour, dash, width = 1.5) {
       frame.plot.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', frame.y(value)).attr('y2', frame.y(value))
         .attr('stroke', colour).attr('stroke-width', width).attr('stroke-dasharray', dash);
     }
 
-    return { time_unit, band, build_up_shade, level_line };
+    return { time_unit, band, build_up_shade, shade, level_line };
   };
 })();

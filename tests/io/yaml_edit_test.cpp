@@ -134,8 +134,7 @@ TEST(yaml_edit, every_value_of_the_example_can_be_set_and_reads_the_same) {
                                     {"supports.stinger.boxes[0].offset", "0.1 m"},
                                     {"vessel.trim", "1 deg"},
                                     {"analysis.mesh.overbend_element", "1 m"}}) {
-    const ModelReading reading =
-        read_model_text(set(text, path, value), OVERBEND_SOURCE_DIR "/examples/bgl1.yaml");
+    const ModelReading reading = read_model_text(set(text, path, value), OVERBEND_SOURCE_DIR "/examples/bgl1.yaml");
     EXPECT_TRUE(reading.description) << path;
   }
 }

@@ -53,7 +53,8 @@ class Serving {
 
   /// The run as listed, when it has come to its end (or a minute has passed).
   nlohmann::json wait_for(const std::string& id) const {
-    return wait_until(id, [](const nlohmann::json& run) { return run["state"] != "queued" && run["state"] != "running"; });
+    return wait_until(id,
+                      [](const nlohmann::json& run) { return run["state"] != "queued" && run["state"] != "running"; });
   }
 
   template <class Condition>

@@ -10,7 +10,8 @@ using testing::Reply;
 using testing::Serving;
 using testing::with;
 
-// The tension asked for is held at the node; recovery within the coarse elements of the small lay gives 1e-4 of it more.
+// The tension asked for is held at the node; recovery within the coarse elements of the small lay gives 1e-4 of it
+// more.
 constexpr double kTension = 50.0;  // [N]
 
 json change(const std::string& path, const json& value) {
@@ -25,7 +26,8 @@ TEST(serve_static, the_answer_is_a_line_from_tensioner_to_anchor) {
   const json& pipe = answer["pipe"];
   const std::size_t count = pipe["s"].size();
   ASSERT_GT(count, 20u);
-  for (const char* name : {"x", "y", "z", "tension", "moment", "bending_stress", "von_mises", "strain", "utilisation"}) {
+  for (const char* name :
+       {"x", "y", "z", "tension", "moment", "bending_stress", "von_mises", "strain", "utilisation"}) {
     EXPECT_EQ(pipe[name].size(), count) << name;
   }
   EXPECT_EQ(pipe["s"].front(), 0.0);

@@ -44,6 +44,13 @@ ServeOptions options_of(const ServeArguments& arguments) {
 int run_serve(const ServeArguments& arguments) {
   const ServeOptions options = options_of(arguments);
   std::error_code ignored;
+  const fs::path asked(arguments.model_file);
+  if (!arguments.folder.empty() && asked.has_parent_path() &&
+      !fs::equivalent(asked.parent_path(), options.folder, ignored)) {
+    std::cerr << "overbend serve: " << asked.string() << " does not lie in the folder '" << options.folder.string()
+              << "'; leave out --folder to work in the model's own\n";
+    return kWrongInput;
+  }
   if (!fs::is_directory(options.folder, ignored)) {
     std::cerr << "overbend serve: there is no folder '" << options.folder.string() << "'\n";
     return kWrongInput;

@@ -16,7 +16,10 @@ std::string nested(const std::vector<std::string>& parts, std::size_t first, std
   for (std::size_t i = parts.size(); i > first; --i) {
     const std::string& part = parts[i - 1];
     if (part[0] == '[' && part != "[0]") throw YamlEditFault("a list begins with its item [0]");
-    value = part[0] == '[' ? "[" + value + "]" : "{" + yaml_scalar(part) + ": " + value + "}";
+    const bool item = part[0] == '[';
+    std::string around = item ? "[" : "{" + yaml_scalar(part) + ": ";
+    around.append(value).append(item ? "]" : "}");
+    value = std::move(around);
   }
   return value;
 }

@@ -72,16 +72,30 @@ std::string run_table(const DynamicResults& r) {
 
 std::string tensioner_section(const StaticResults& statics, const DynamicResults& results) {
   const TensionerDynamics& t = results.tensioner;
+  const auto share = [&](double time) {
+    return fixed(time, 1) + " s, " + fixed(results.duration > 0.0 ? 100.0 * time / results.duration : 0.0, 1) + " %";
+  };
   html::Table table = listing("");
   table.row({"Mode", t.mode, ""})
       .row({"Static tension", fixed(statics.top_tension / 1e3, 2), "kN"})
       .row({"Tension", spread_words(t.tension, 1e-3, 1), "kN"})
-      .row({"Tension, standard deviation", fixed(t.tension.std / 1e3, 2), "kN"})
-      .row({"Travel", spread_words(t.travel, 1.0, 3), "m"})
-      .row({"Time out of the operational range", fixed(t.time_out_of_range, 1), "s"})
-      .row({"Time at the end of its travel", fixed(t.time_at_limit, 1), "s"})
-      .row({"Times it paid out", std::to_string(t.pay_out_count), ""})
-      .row({"Times it hauled in", std::to_string(t.haul_in_count), ""});
+      .row({"Tension, standard deviation", fixed(t.tension.std / 1e3, 2), "kN"});
+  if (t.range_high > t.range_low) {
+    table.row({"Operational range", fixed(t.range_low / 1e3, 1) + " to " + fixed(t.range_high / 1e3, 1), "kN"})
+        .row({"Time out of the operational range", share(t.time_out_of_range), ""});
+  }
+  if (t.mode != "locked") {
+    table.row({"Travel, paid out positive", spread_words(t.travel, 1.0, 3), "m"});
+  }
+  if (t.mode == "controlled") {
+    table.row({"Limit of the travel", t.travel_limit > 0.0 ? fixed(t.travel_limit, 2) : "none", "m"})
+        .row({"Time it held", share(t.time_holding), ""})
+        .row({"Time it waited its delay", share(t.time_delayed), ""})
+        .row({"Time it paid out", share(t.time_paying_out) + ", " + std::to_string(t.pay_out_count) + " times", ""})
+        .row({"Time it hauled in", share(t.time_hauling_in) + ", " + std::to_string(t.haul_in_count) + " times", ""})
+        .row({"Time at the end of its travel", share(t.time_at_limit) + ", " + std::to_string(t.limit_count) + " times",
+              ""});
+  }
   return html::section("tensioner", "Tensioner", table.str());
 }
 

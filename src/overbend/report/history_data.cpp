@@ -18,10 +18,6 @@ constexpr std::size_t kMostStretches = 1000;  ///< About the width of a figure i
 constexpr std::size_t kMostSupports = 4;
 constexpr double kLevels = 4095.0;
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
-
 const HistorySummary* find(const DynamicResults& results, const std::string& name) {
   const auto at = std::find_if(results.histories.begin(), results.histories.end(),
                                [&](const HistorySummary& h) { return h.name == name; });
@@ -114,6 +110,14 @@ class Histories {
     }
   }
 
+  /// Shades a range of values of the history added last.
+  void shade(double low, double high) {
+    if (high > low && !out_.empty()) {
+      const Quantity q = quantity("tensioner/tension", "N");
+      out_.back()["shade"] = {json_number(q.shown(low)), json_number(q.shown(high))};
+    }
+  }
+
   json take() { return std::move(out_); }
 
  private:
@@ -161,10 +165,10 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   }
   histories.add("tension", "top_tension");
   histories.add("tension", "bottom_tension");
-  for (const HistorySummary& history : results.histories) {
-    if (starts_with(history.name, "tensioner")) {
-      histories.add("tension", &history);
-    }
+  if (results.tensioner.mode != "locked") {  // a locked one stands, and its tension is that of the pipe's top
+    histories.add("tensioner", "tensioner/tension");
+    histories.shade(results.tensioner.range_low, results.tensioner.range_high);
+    histories.add("tensioner", "tensioner/travel");
   }
   if (statics.overbend) {
     histories.add_peak("stress", "overbend_von_mises");

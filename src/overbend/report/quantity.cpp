@@ -48,6 +48,10 @@ std::string words(const std::string& name) {
   if (open != std::string::npos && close > open) {  // kind/whose/what; whose name is the user's
     return words(name.substr(close + 1)) + ", " + name.substr(open + 1, close - open - 1);
   }
+  constexpr const char* kTensioner = "tensioner/";
+  if (name.rfind(kTensioner, 0) == 0) {
+    return words(name.substr(std::string(kTensioner).size())) + " of the tensioner";
+  }
   std::string text = base_name(name);
   std::replace(text.begin(), text.end(), '_', ' ');
   if (text == "elevation") text = "wave elevation";

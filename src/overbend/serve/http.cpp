@@ -39,7 +39,9 @@ HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
   } catch (const HttpFault& fault) {
     Json error = {{"message", fault.what()}, {"hint", fault.hint}};
     error.update(fault.more);
-    return json_answer({{"error", error}}, fault.status);
+    Json answer = {{"error", error}};
+    answer.update(fault.beside);
+    return json_answer(answer, fault.status);
   } catch (const nlohmann::json::exception&) {
     return error_answer(400, "the request is not laid out as it should be", "docs/api.md says how");
   } catch (const std::exception& fault) {

@@ -41,7 +41,8 @@ class HttpFault : public std::runtime_error {
   HttpFault(int status, const std::string& message, std::string hint = "");
   int status;
   std::string hint;
-  Json more = Json::object();  ///< Beside the message.
+  Json more = Json::object();    ///< In `error`, with the message.
+  Json beside = Json::object();  ///< Beside `error`.
 };
 
 struct HttpRoute {

@@ -73,8 +73,9 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
   });
   server.set_tcp_nodelay(true);
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
-  if (port_ <= 0)
+  if (port_ <= 0) {
     throw PortFault(fmt::format("the port {} on 127.0.0.1 can not be had; another program may use it", port));
+  }
   guard();
   serve_events();
   serve_routes();

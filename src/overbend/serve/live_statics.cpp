@@ -30,8 +30,14 @@ std::string with_changes(const ModelText& model, const std::vector<YamlChange>& 
 
 }  // namespace
 
+/// Another file or another set of rollers is another lay: nothing to start from.
+bool LiveStatics::close_to_last(const Model& model) const {
+  return last_.has_value() && model.description.source_file == last_file_ &&
+         model.supports.rollers.size() == last_rollers_;
+}
+
 Json LiveStatics::solve(const Model& model, bool full) {
-  const bool warm = !full && last_.has_value();
+  const bool warm = !full && close_to_last(model);
   const auto start = Clock::now();
   StaticOutcome outcome = solve_statics(model, warm ? &*last_ : nullptr);
   const double solve_ms = milliseconds_since(start);
@@ -40,6 +46,8 @@ Json LiveStatics::solve(const Model& model, bool full) {
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
   last_ = std::move(outcome.solution);
+  last_file_ = model.description.source_file;
+  last_rollers_ = model.supports.rollers.size();
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
   answer.update(static_json(recover_statics(model, *last_)));
   return answer;

@@ -21,9 +21,12 @@ class LiveStatics {
 
  private:
   Json solve(const Model& model, bool full);
+  bool close_to_last(const Model& model) const;
 
   std::mutex mutex_;
   std::optional<StaticSolution> last_;
+  std::string last_file_;         ///< Of the model that it is a solution of.
+  std::size_t last_rollers_ = 0;  ///< Likewise.
 };
 
 /// GET /api/scene of a model's text.

@@ -129,7 +129,7 @@ Json new_dialogue() {
 std::string new_text(const Json& answers) {
   const std::variant<NewModel, std::string> chosen = choose_model(options_of(answers));
   if (const auto* why = std::get_if<std::string>(&chosen)) refuse(*why);
-  const std::string text = model_text(std::get<NewModel>(chosen));
+  std::string text = model_text(std::get<NewModel>(chosen));
   const ModelReading reading = read_model_text(text, "model.yaml");
   if (!reading.description) {
     refuse("these values make no valid model: " + reading.diagnostics.lines(Severity::error).front());

@@ -31,8 +31,8 @@ Json dynamic_envelopes(const DynamicResults& r) {
     z.push_back(place.z());
   }
   return {{"s", reversed(s)},
-          {"x", envelope(r.x, x)},
-          {"z", envelope(r.z, z)},
+          {"x", reversed(x)},
+          {"z", reversed(z)},
           {"tension", envelope(r.effective_tension, r.static_tension)},
           {"moment", envelope(r.bending_moment, r.static_moment)},
           {"bending_stress", envelope(r.bending_stress, r.static_bending_stress)},
@@ -41,18 +41,23 @@ Json dynamic_envelopes(const DynamicResults& r) {
 }
 
 template <class Value>
-Json static_values(const StaticResults& r, Value value) {
+Json static_list(const StaticResults& r, Value value) {
   std::vector<double> values;
   for (const Station& at : r.stations) values.push_back(value(at));
-  return {{"static", reversed(values)}};
+  return reversed(values);
+}
+
+template <class Value>
+Json static_values(const StaticResults& r, Value value) {
+  return {{"static", static_list(r, value)}};
 }
 
 Json static_envelopes(const StaticResults& r) {
   std::vector<double> s;
   for (const Station& at : r.stations) s.push_back(r.stations.back().s - at.s);
   return {{"s", reversed(s)},
-          {"x", static_values(r, [](const Station& at) { return at.p_W.x(); })},
-          {"z", static_values(r, [](const Station& at) { return at.p_W.z(); })},
+          {"x", static_list(r, [](const Station& at) { return at.p_W.x(); })},
+          {"z", static_list(r, [](const Station& at) { return at.p_W.z(); })},
           {"tension", static_values(r, [](const Station& at) { return at.effective_tension; })},
           {"moment", static_values(r, [](const Station& at) { return at.bending_moment; })},
           {"bending_stress", static_values(r, [](const Station& at) { return at.bending_stress; })},

@@ -23,7 +23,7 @@ std::string make_folder(const fs::path& folder, const std::string& kind) {
   std::error_code fault;
   fs::create_directories(folder, fault);
   for (int attempt = 1; !fault && attempt < 1000; ++attempt) {
-    const std::string name = name_of(kind, attempt);
+    std::string name = name_of(kind, attempt);
     if (fs::create_directory(folder / name, fault)) return name;
   }
   throw HttpFault(422, "the folder '" + folder.string() + "' can not be written: " + fault.message());

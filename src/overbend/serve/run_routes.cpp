@@ -29,7 +29,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
   const ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
     HttpFault fault(422, "the model has errors; mend them first");
-    fault.more["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
+    fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
     throw fault;
   }
   return json_answer({{"id", runs.add(text, reading.description->title, kind, duration).id}});
@@ -37,7 +37,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
 
 /// The run, when it has results to be read; 404 before.
 RunInfo done(const RunQueue& runs, const HttpRequest& request) {
-  const RunInfo run = runs.find(request.parts[0]);
+  RunInfo run = runs.find(request.parts[0]);
   if (run.state != RunState::done) throw HttpFault(404, "the run has no results", "they are there when it is done");
   return run;
 }

@@ -6,7 +6,7 @@
 namespace overbend {
 
 Server::Server(const ServeOptions& options)
-    : model_(ModelFolder(std::filesystem::absolute(options.folder).lexically_normal()),
+    : model_(ModelFolder(std::filesystem::canonical(options.folder)),
              [this](std::int64_t revision) {
                events_.send("model", {{"revision", revision}}, "model");
              }),

@@ -1,0 +1,87 @@
+// Starts the real program on a folder of its own and opens its page in a browser.
+// OVERBEND_PROGRAM: the program. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
+import { spawn, type ChildProcess } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { chromium, type Browser, type Page } from 'playwright-core';
+import { preview, type PreviewServer } from 'vite';
+
+const root = resolve(import.meta.dirname, '../..');
+const program = resolve(root, process.env.OVERBEND_PROGRAM ?? 'build/release/overbend');
+const shots = resolve(import.meta.dirname, '..', process.env.OVERBEND_SHOTS ?? 'shots');
+
+export interface Bench {
+  folder: string;
+  address: string;
+  api: (path: string, options?: RequestInit) => Promise<Response>;
+  open: (size?: { width: number; height: number }) => Promise<Page>;
+  shot: (page: Page, name: string) => Promise<void>;
+  complaints: string[];
+  stop: () => Promise<void>;
+}
+
+function started(child: ChildProcess): Promise<string> {
+  return new Promise((done, fail) => {
+    let text = '';
+    const read = (data: Buffer): void => {
+      text += String(data);
+      const found = /http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/.exec(text);
+      if (found) done(found[0]);
+    };
+    child.stdout!.on('data', read);
+    child.stderr!.on('data', read);
+    child.on('error', fail);
+    child.on('exit', (code) => fail(new Error(`the program ended with ${code}: ${text}`)));
+    setTimeout(() => fail(new Error(`the program did not say its address: ${text}`)), 20_000).unref();
+  });
+}
+
+export async function start(model?: string): Promise<Bench> {
+  const outer = mkdtempSync(join(tmpdir(), 'overbend-page-'));
+  const folder = join(outer, 'models');
+  cpSync(join(root, 'examples'), folder, { recursive: true });
+  cpSync(join(root, 'data'), join(outer, 'data'), { recursive: true });
+  mkdirSync(shots, { recursive: true });
+  const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
+  const own = new URL(await started(child));
+  let server: PreviewServer | null = null;
+  let address = own.href;
+  if (process.env.OVERBEND_PREVIEW) {
+    const proxy = { '/api': { target: own.origin, changeOrigin: true, configure: (p: { on: (name: 'proxyReq', act: (r: { setHeader: (k: string, v: string) => void }) => void) => void }) => p.on('proxyReq', (r) => r.setHeader('origin', own.origin)) } };
+    server = await preview({ root: resolve(import.meta.dirname, '..'), preview: { port: 0, host: '127.0.0.1', proxy: proxy as never }, logLevel: 'error' });
+    const where = server.httpServer.address();
+    address = `http://127.0.0.1:${typeof where === 'object' && where ? where.port : 0}/${own.search}`;
+  }
+  const browser: Browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox'] });
+  const complaints: string[] = [];
+  const token = own.searchParams.get('token')!;
+  return {
+    folder, address, complaints,
+    api: (path, options = {}) => fetch(`${own.origin}/api/${path}`, { ...options, headers: { 'X-Overbend-Token': token, ...options.headers } }),
+    open: async (size = { width: 1280, height: 720 }) => {
+      const context = await browser.newContext({ viewport: size, acceptDownloads: true });
+      const page = await context.newPage();
+      page.on('console', (m) => { if (m.type() === 'error') complaints.push(`${m.text()} ${m.location().url.replace(/token=\w+/, '')}`); });
+      page.on('pageerror', (e) => complaints.push(e.message));
+      await page.goto(address);
+      await page.waitForFunction('window.__ready === true');
+      return page;
+    },
+    shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
+    stop: async () => {
+      await browser.close();
+      await server?.close();
+      if (child.exitCode === null) { const gone = new Promise((done) => child.once('exit', done)); child.kill('SIGINT'); await gone; }
+      if (existsSync(outer)) rmSync(outer, { recursive: true, force: true });
+    },
+  };
+}
+
+/** What the live statics say in the header. */
+export const solved = (page: Page): Promise<unknown> => page.waitForSelector('.status.good', { timeout: 30_000 });
+
+export async function reading(page: Page, name: string): Promise<number> {
+  const text = await page.locator('.results .kv', { hasText: name }).first().locator('dd').innerText();
+  return Number.parseFloat(text);
+}

@@ -1,0 +1,150 @@
+// Live statics, form and YAML, reload and two tabs, with BGL-1.
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { reading, solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open(); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+/** Puts the editor's cursor on a line: only the lines in sight are in the page, so the keyboard leads there. */
+async function line(number: number): Promise<void> {
+  await page.waitForSelector('.cm-content');
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+Home');
+  for (let i = 1; i < number; ++i) await page.keyboard.press('ArrowDown');
+}
+
+async function drag(id: string, value: number): Promise<void> {
+  await page.locator(id).evaluate((el, v) => { const input = el as HTMLInputElement; input.value = String(v); input.dispatchEvent(new Event('input', { bubbles: true })); }, value);
+}
+
+test('the known solution', async () => {
+  expect(await reading(page, 'top tension')).toBeCloseTo(250, 0);
+  expect(await reading(page, 'lay-back')).toBeCloseTo(335.6, 0);
+  await page.waitForTimeout(700);
+  await bench.shot(page, 'bgl1');
+});
+
+test('dragging the tension gives another S', async () => {
+  await drag('#s-tension', 400);
+  await page.waitForFunction(() => Number.parseFloat([...document.querySelectorAll('.results .kv')].find((e) => e.textContent!.startsWith('lay-back'))!.querySelector('dd')!.textContent!) > 380);
+  expect(await reading(page, 'top tension')).toBeCloseTo(400, 0);
+});
+
+test('a case without solution says why and keeps the last good one', async () => {
+  await drag('#s-tension', 250);
+  await page.fill('[aria-label="tension, typed"]', '1 kN');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('.failure', { timeout: 60_000 });
+  await bench.shot(page, 'no-solution');
+  expect((await page.locator('.failure').innerText()).length).toBeGreaterThan(20);
+  await page.click('.apply >> text=Reset');
+  await page.waitForSelector('.failure', { state: 'detached' });
+  await solved(page);
+});
+
+test('stinger radius and box height move rollers, and are written into the model', async () => {
+  await drag('#s-radius', 170);
+  await drag('[id="s-stinger 3"]', 0.1);
+  await page.waitForTimeout(500);
+  await page.click('text=Apply to model');
+  await page.waitForSelector('.notice.good');
+  const { text } = await (await bench.api('model')).json() as { text: string };
+  expect(text).toContain('radius: 170 m');
+  expect(text).toContain('# three digits mended');
+  await page.click('[aria-label=Undo]');
+  await page.waitForFunction(() => (document.querySelector('[aria-label="stinger radius, typed"]') as HTMLInputElement).value === '150 m');
+});
+
+test('pictures of all views', async () => {
+  for (const view of ['overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe', 'whole']) {
+    await page.click(`.viewbuttons >> text=${view}`);
+    await page.waitForTimeout(900);
+    await bench.shot(page, `view-${view.replaceAll(' ', '-')}`);
+  }
+});
+
+test('an error is shown at its line in YAML and at its field, and mended', async () => {
+  await page.click('#tab-yaml');
+  await page.waitForSelector('.cm-content');
+  await line(23);
+  await page.keyboard.press('End');
+  await page.keyboard.type('m');
+  await page.waitForSelector('.faults .error');
+  expect(await page.locator('.faults .error').first().innerText()).toContain('line 23');
+  await page.waitForSelector('.cm-lint-marker-error');
+  await bench.shot(page, 'yaml-error');
+  await page.click('#tab-form');
+  expect(await page.locator('.row.wrong label').first().innerText()).toContain('wall thickness');
+  await bench.shot(page, 'form-error');
+  await page.fill('#f-pipe\\.steel\\.wall_thickness', '0.5 in');
+  await page.keyboard.press('Enter');
+  await solved(page);
+  const { text } = await (await bench.api('model')).json() as { text: string };
+  expect(text).toContain('wall_thickness: 0.5 in');
+});
+
+test('completion knows the keys of the place', async () => {
+  await page.click('#tab-yaml');
+  await line(25);
+  await page.keyboard.press('End');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('ten');
+  await page.waitForSelector('.cm-tooltip-autocomplete');
+  expect(await page.locator('.cm-tooltip-autocomplete').innerText()).toContain('tensile_strength');
+  await bench.shot(page, 'completion');
+  await page.keyboard.press('Escape');
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Backspace');
+  await page.waitForTimeout(600);
+  await page.click('#tab-form');
+});
+
+test('reload keeps the open model', async () => {
+  const before = (await (await bench.api('model')).json() as { text: string }).text;
+  await page.reload();
+  await solved(page);
+  expect(await page.locator('#f-pipe\\.steel\\.wall_thickness').inputValue()).toBe('0.5 in');
+  expect((await (await bench.api('model')).json() as { text: string }).text).toBe(before);
+});
+
+test('two tabs do not fight', async () => {
+  const other = await bench.open();
+  await solved(other);
+  await other.fill('#f-environment\\.water_depth', '95 m');
+  await other.keyboard.press('Enter');
+  await page.waitForSelector('.status.warn');
+  await page.fill('#f-environment\\.water_depth', '91 m');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('dialog >> text=Take the newer');
+  await bench.shot(page, 'two-tabs');
+  await page.click('dialog >> text=Take the newer');
+  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth') as HTMLInputElement).value === '95 m');
+  await other.close();
+});
+
+test('the own change can be kept against another tab', async () => {
+  const { revision } = await (await bench.api('model')).json() as { revision: number };
+  expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '97 m' }], revision }) })).status).toBe(200);
+  await page.fill('#f-environment\\.water_depth', '92 m');
+  await page.keyboard.press('Enter');
+  await page.click('dialog >> text=Keep mine');
+  await expect.poll(async () => (await (await bench.api('model')).json() as { text: string }).text, { timeout: 10_000 }).toContain('water_depth: 92 m');
+  expect(await page.locator('#f-environment\\.water_depth').inputValue()).toBe('92 m');
+  await solved(page);
+});
+
+test('dark, and on a large screen', async () => {
+  await page.click('[aria-label="Dark colours"]');
+  await page.waitForTimeout(500);
+  await bench.shot(page, 'dark');
+  await page.click('[aria-label="Light colours"]');
+  const large = await bench.open({ width: 3840, height: 2160 });
+  await solved(large);
+  await large.waitForTimeout(2500);
+  await bench.shot(large, '4k');
+  await large.close();
+});
+
+test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409|422/.test(c))).toEqual([]));

@@ -1,0 +1,80 @@
+// Runs in time: to the end and animated, report, cancel, and what the program refuses.
+import { readFileSync } from 'node:fs';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('bgl1-workable-sea.yaml'); page = await bench.open(); await solved(page); await page.click('#tab-runs'); });
+afterAll(async () => { await bench?.stop(); });
+
+test('a run goes to its end, seen on the way', async () => {
+  await page.fill('#run-duration', '20 s');
+  await page.click('text=Start run');
+  await page.waitForSelector('.run .bar');
+  await page.waitForTimeout(1500);
+  await bench.shot(page, 'running');
+  await page.waitForSelector('.run.done', { timeout: 150_000 });
+});
+
+test('it is animated', async () => {
+  await page.waitForSelector('.animation');
+  await page.click('[aria-label=Play]');
+  await page.waitForTimeout(1500);
+  const clock = async (): Promise<number> => Number.parseFloat(await page.locator('.clock').innerText());
+  const first = await clock();
+  await page.waitForTimeout(1000);
+  expect(await clock()).not.toBe(first);
+  await page.click('[aria-label=Pause]');
+  await page.click('.viewbuttons >> text=overbend');
+  await page.selectOption('[aria-label="Diagram 1"]', 'von_mises');
+  await page.selectOption('[aria-label="Diagram 2"]', 'history:top_tension');
+  await page.waitForTimeout(1500);
+  await bench.shot(page, 'animation');
+});
+
+test('the report is downloaded', async () => {
+  const [file] = await Promise.all([page.waitForEvent('download'), page.click('.run >> text=Report')]);
+  const text = readFileSync(await file.path(), 'utf8');
+  expect(text).toMatch(/<html/i);
+  expect(text.length).toBeGreaterThan(50_000);
+});
+
+test('diagrams go out as CSV and SVG', async () => {
+  for (const [kind, like] of [['csv', /^arc length/], ['svg', /^<svg/]] as const) {
+    const [file] = await Promise.all([page.waitForEvent('download'), page.locator('.slot').first().locator(`text=${kind}`).click()]);
+    expect(readFileSync(await file.path(), 'utf8')).toMatch(like);
+  }
+});
+
+test('a run is cancelled', async () => {
+  await page.fill('#run-duration', '3 h');
+  await page.click('text=Start run');
+  await page.waitForSelector('.run.running');
+  await page.waitForTimeout(1000);
+  await page.click('.run >> text=Cancel');
+  await page.waitForSelector('.run.cancelled', { timeout: 30_000 });
+});
+
+test('a closed tab does not stop a run', async () => {
+  const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify({ kind: 'dynamic', duration: 5 }) })).json() as { id: string };
+  await page.context().close();
+  for (let i = 0; i < 200; ++i) {
+    const list = await (await bench.api('runs')).json() as { id: string; state: string }[];
+    const run = list.find((r) => r.id === id)!;
+    if (run.state === 'done') return;
+    expect(['queued', 'running']).toContain(run.state);
+    await new Promise((r) => setTimeout(r, 500));
+  }
+  throw new Error('not done in time');
+});
+
+test('strangers are refused', async () => {
+  const origin = { Origin: 'http://example.org' };
+  expect((await bench.api('model', { headers: origin })).status).toBe(403);
+  expect((await bench.api('model', { headers: { 'X-Overbend-Token': 'wrong' } })).status).toBe(401);
+  expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: 'x'.repeat(3_000_000), revision: 1 }) })).status).toBe(413);
+});
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -1,0 +1,48 @@
+// First start: from the dialogue to the first solution.
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { reading, solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start(); page = await bench.open(); });
+afterAll(async () => { await bench?.stop(); });
+
+test('without a model the page asks for one', async () => {
+  await page.waitForSelector('dialog[aria-label="New model"] #n-depth');
+  await bench.shot(page, 'start-dialogue');
+});
+
+test('a wrong answer is named at its place and keeps the button off', async () => {
+  await page.fill('#n-depth', '89');
+  expect(await page.locator('.fault').innerText()).toMatch(/unit/);
+  expect(await page.locator('dialog button.main').isDisabled()).toBe(true);
+});
+
+test('answers in mixed units lead to a solution', async () => {
+  await page.selectOption('#n-pipe', '16');
+  await page.fill('#n-depth', '300 ft');
+  await page.fill('#n-concrete', '1.5 in');
+  await page.click('dialog button.main');
+  await solved(page);
+  expect(await reading(page, 'top tension')).toBeGreaterThan(10);
+  expect(await page.locator('#f-environment\\.water_depth + .twin').innerText()).toBe('300 ft');
+  await page.waitForTimeout(800);
+  await bench.shot(page, 'first-solution');
+});
+
+test('it can be saved, and undone', async () => {
+  await page.click('header >> text=Save as…');
+  await page.fill('#save-name', 'mine');
+  await page.click('dialog button.main');
+  await page.waitForSelector('.notice.good');
+  const files = await (await bench.api('files')).json() as { files: { name: string }[] };
+  expect(files.files.map((f) => f.name)).toContain('mine.yaml');
+  await page.fill('#f-environment\\.water_depth', '100 m');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth + .twin') as HTMLElement).innerText === '328.1 ft');
+  await page.click('[aria-label=Undo]');
+  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth') as HTMLInputElement).value === '91.44 m');
+});
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -1,0 +1,7 @@
+// Takes the download addresses out of package-lock.json: checksums stay, and every registry may serve the files.
+import { readFileSync, writeFileSync } from 'node:fs';
+
+const name = new URL('../package-lock.json', import.meta.url);
+const lock = JSON.parse(readFileSync(name, 'utf8'));
+for (const entry of Object.values(lock.packages)) delete entry.resolved;
+writeFileSync(name, `${JSON.stringify(lock, null, 2)}\n`);

@@ -1,0 +1,212 @@
+// One uPlot diagram with marks, levels, a common cursor, zoom by dragging and export.
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import { nearest } from '../logic/decimate';
+import { toCsv, toSvg, type Diagram } from '../logic/table';
+import { tidy } from '../logic/units';
+import type { ChartData } from './data';
+
+export interface ChartHandlers {
+  /** position under the pointer in x, and its index; null when the pointer left */
+  hover: (x: number | null, index: number | null) => void;
+  click: (x: number) => void;
+  zoom: (low: number, high: number, whole: boolean) => void;
+}
+
+export interface Extra { shade?: [number, number] | null; now?: number | null }
+
+export class Chart {
+  private plot: uPlot | null = null;
+  private data: ChartData | null = null;
+  private key = '';
+  private extra: Extra = {};
+  private zoomed: [number, number] | null = null;
+  private silent = false;
+
+  constructor(private readonly box: HTMLElement, private readonly on: ChartHandlers) {}
+
+  private colour(name: string): string { return getComputedStyle(this.box).getPropertyValue(name).trim(); }
+
+  set(data: ChartData, extra: Extra = {}): void {
+    const key = JSON.stringify([data.title, data.yName, data.lines.map((l) => l.name), document.documentElement.dataset.theme]);
+    const rebuilt = key !== this.key || !this.plot;
+    this.data = data;
+    this.extra = extra;
+    if (rebuilt) {
+      if (this.key.split('"')[1] !== data.title) this.zoomed = null;
+      this.key = key;
+      this.build();
+    }
+    this.silent = true;
+    this.plot!.setData([data.x, ...data.lines.map((l) => l.values)] as uPlot.AlignedData, true);
+    if (this.zoomed) this.plot!.setScale('x', { min: this.zoomed[0], max: this.zoomed[1] });
+    this.silent = false;
+  }
+
+  private build(): void {
+    this.plot?.destroy();
+    const data = this.data!;
+    const axis = this.colour('--soft'), grid = this.colour('--grid');
+    const em = Number.parseFloat(getComputedStyle(document.body).fontSize);
+    const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
+    const r = this.box.getBoundingClientRect();
+    const bars = data.lines[0]?.width === -1;
+    const options: uPlot.Options = {
+      width: Math.max(80, Math.floor(r.width)), height: Math.max(60, Math.floor(r.height)),
+      padding: [6, 12, 0, 0],
+      legend: { show: false },
+      scales: { x: { time: false }, y: { range: (_u, low, high) => this.range(low, high) } },
+      cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 7 }, focus: { prox: -1 } },
+      series: [{}, ...data.lines.map((l): uPlot.Series => ({
+        label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
+        ...(l.dash ? { dash: [5, 4] } : {}),
+        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: [0.6, 40] }) } : {}),
+      }))],
+      axes: [
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 2 * em, gap: 3, space: 4 * em },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.8 * em, gap: 4, space: 2.6 * em },
+      ],
+      hooks: {
+        drawClear: [(u) => this.under(u)],
+        draw: [(u) => this.over(u)],
+        setCursor: [(u) => {
+          if (this.silent) return;
+          const i = u.cursor.idx;
+          const inside = i !== null && i !== undefined && (u.cursor.left ?? -1) >= 0;
+          this.on.hover(inside ? u.posToVal(u.cursor.left!, 'x') : null, inside ? i : null);
+        }],
+        setScale: [(u, name) => {
+          if (name !== 'x' || this.silent || !this.data) return;
+          const { min, max } = u.scales.x!;
+          if (min === undefined || max === undefined || min === null || max === null) return;
+          const whole = min <= this.data.x[0]! && max >= this.data.x[this.data.x.length - 1]!;
+          const next: [number, number] | null = whole ? null : [min, max];
+          if (String(next) === String(this.zoomed)) return;
+          this.zoomed = next;
+          this.on.zoom(min, max, whole);
+        }],
+      },
+    };
+    const band = data.lines.findIndex((l) => l.band);
+    if (band >= 0) options.bands = [{ series: [band + 1, band + 2], fill: `${data.lines[band]!.colour}38` }];
+    this.plot = new uPlot(options, [[], ...data.lines.map(() => [])] as uPlot.AlignedData, this.box);
+    this.plot.over.addEventListener('click', (e) => {
+      const rect = this.plot!.over.getBoundingClientRect();
+      this.on.click(this.plot!.posToVal(e.clientX - rect.left, 'x'));
+    });
+    this.plot.over.addEventListener('dblclick', () => { this.zoomed = null; this.on.zoom(0, 0, true); });
+  }
+
+  private range(low: number, high: number): [number, number] {
+    if (low === null || high === null || !Number.isFinite(low)) return [0, 1];
+    const data = this.data;
+    if (data && !this.zoomed) for (const l of data.level) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
+    if (this.extra.shade) { low = Math.min(low, this.extra.shade[0]); high = Math.max(high, this.extra.shade[1]); }
+    if (data?.lines[0]?.width === -1) low = 0;
+    const pad = 0.06 * (high - low || Math.abs(high) || 1);
+    return [low >= 0 && low < 0.35 * high ? 0 : low - pad, high + pad];
+  }
+
+  private under(u: uPlot): void {
+    const { ctx, bbox } = u;
+    const shade = this.extra.shade;
+    ctx.save();
+    if (shade) {
+      const a = u.valToPos(shade[1], 'y', true), b = u.valToPos(shade[0], 'y', true);
+      ctx.fillStyle = this.colour('--range');
+      ctx.fillRect(bbox.left, a, bbox.width, b - a);
+    }
+    for (const l of this.data?.level ?? []) {
+      const y = u.valToPos(l.y, 'y', true);
+      if (y < bbox.top || y > bbox.top + bbox.height) continue;
+      ctx.strokeStyle = l.label === 'water' ? '#4d9cc9' : '#a8905a';
+      ctx.lineWidth = devicePixelRatio * 1.4;
+      ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke();
+      ctx.fillStyle = ctx.strokeStyle;
+      ctx.font = `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
+      ctx.textAlign = 'right';
+      ctx.fillText(l.label, bbox.left + bbox.width - 4, y - 4 * devicePixelRatio);
+    }
+    ctx.restore();
+  }
+
+  private over(u: uPlot): void {
+    const { ctx, bbox } = u;
+    ctx.save();
+    ctx.fillStyle = this.colour('--mark');
+    const d = devicePixelRatio;
+    for (const m of this.data?.marks ?? []) {
+      const x = u.valToPos(m.x, 'x', true);
+      if (x < bbox.left || x > bbox.left + bbox.width) continue;
+      const y = Number.isNaN(m.y) ? bbox.top + bbox.height : u.valToPos(m.y, 'y', true) + 3 * d;
+      ctx.beginPath(); ctx.moveTo(x, y - (Number.isNaN(m.y) ? 6 * d : 0)); ctx.lineTo(x - 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.lineTo(x + 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.fill();
+    }
+    if (this.extra.now !== null && this.extra.now !== undefined) {
+      const x = u.valToPos(this.extra.now, 'x', true);
+      if (x >= bbox.left && x <= bbox.left + bbox.width) {
+        ctx.strokeStyle = '#ff2d7a'; ctx.lineWidth = 1.5 * d;
+        ctx.beginPath(); ctx.moveTo(x, bbox.top); ctx.lineTo(x, bbox.top + bbox.height); ctx.stroke();
+      }
+    }
+    ctx.restore();
+  }
+
+  setNow(now: number | null): void { if (this.extra.now !== now) { this.extra.now = now; this.plot?.redraw(false, false); } }
+
+  /** Puts the cursor of another diagram or of the 3-D view here. */
+  setCursor(s: number | null): void {
+    if (!this.plot || !this.data || this.box.matches(':hover')) return;
+    this.silent = true;
+    if (s === null) this.plot.setCursor({ left: -10, top: -10 });
+    else {
+      const i = nearest(this.data.s, s);
+      this.plot.setCursor({ left: this.plot.valToPos(this.data.x[i]!, 'x'), top: this.plot.over.clientHeight / 2 });
+    }
+    this.silent = false;
+  }
+
+  /** Values under the cursor in words. */
+  readAt(index: number | null): string {
+    if (index === null || !this.data) return '';
+    const unit = /\[(.*)\]/.exec(this.data.yName)?.[1] ?? '';
+    const values = this.data.lines.map((l) => (l.values[index] === null || l.values[index] === undefined ? '' : `${this.data!.lines.length > 1 ? `${l.name} ` : ''}${tidy(l.values[index]!, 4)}`)).filter(Boolean);
+    return `${tidy(this.data.x[index]!, 4)} ${/\[(.*)\]/.exec(this.data.xName)?.[1] ?? ''}: ${values.join(', ')} ${unit}`;
+  }
+
+  resize(): void {
+    const r = this.box.getBoundingClientRect();
+    if (this.plot && r.width > 20 && r.height > 20) this.plot.setSize({ width: Math.floor(r.width), height: Math.floor(r.height) });
+  }
+
+  private diagram(): Diagram {
+    const d = this.data!, u = this.plot!;
+    return { title: d.title, xName: d.xName, yName: d.yName, x: d.x, lines: d.lines, low: u.scales.y!.min ?? 0, high: u.scales.y!.max ?? 1, xLow: u.scales.x!.min ?? 0, xHigh: u.scales.x!.max ?? 1 };
+  }
+
+  export(kind: 'png' | 'svg' | 'csv'): void {
+    if (!this.data || !this.plot) return;
+    const name = `${this.data.title.toLowerCase().replace(/[^a-z0-9]+/g, '-')}.${kind}`;
+    if (kind === 'csv') return download(name, new Blob([toCsv(this.diagram())], { type: 'text/csv' }));
+    const svg = toSvg(this.diagram());
+    if (kind === 'svg') return download(name, new Blob([svg], { type: 'image/svg+xml' }));
+    // The picture is made of the drawing, so that it has title, units and names like the SVG has.
+    const image = new Image();
+    image.onload = () => {
+      const canvas = document.createElement('canvas');
+      canvas.width = 1800; canvas.height = 840;
+      canvas.getContext('2d')!.drawImage(image, 0, 0, 1800, 840);
+      canvas.toBlob((blob) => { if (blob) download(name, blob); });
+    };
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg.replace('<svg ', '<svg width="1800" height="840" '))}`;
+  }
+
+  destroy(): void { this.plot?.destroy(); this.plot = null; }
+}
+
+export function download(name: string, blob: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 5000);
+}

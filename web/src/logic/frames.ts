@@ -1,0 +1,29 @@
+// Frames of an animation as the program sends them: base64 of little-endian float32.
+
+export interface FramesAnswer {
+  total: number; from: number; stations: number; time: number[]; pose: number[][];
+  place: string; tension: string; von_mises: string;
+}
+
+export interface Chunk {
+  from: number; count: number; stations: number; time: number[]; pose: number[][];
+  place: Float32Array; tension: Float32Array; von_mises: Float32Array;
+}
+
+export function floats(base64: string): Float32Array {
+  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  return new Float32Array(bytes.buffer, 0, Math.floor(bytes.byteLength / 4));
+}
+
+export function decode(answer: FramesAnswer): Chunk {
+  return {
+    from: answer.from, count: answer.time.length, stations: answer.stations, time: answer.time, pose: answer.pose,
+    place: floats(answer.place), tension: floats(answer.tension), von_mises: floats(answer.von_mises),
+  };
+}
+
+/** Values between two frames: a at 0, b at 1. */
+export function blend(a: ArrayLike<number>, aFrom: number, b: ArrayLike<number>, bFrom: number, count: number, f: number, out: Float32Array): Float32Array {
+  for (let i = 0; i < count; ++i) out[i] = a[aFrom + i]! * (1 - f) + b[bFrom + i]! * f;
+  return out;
+}

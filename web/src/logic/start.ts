@@ -1,0 +1,54 @@
+// Checks of the start dialogue, answer by answer, in words. The program checks again with everything else it knows.
+import { parseQuantity, sameFamily, toSi, tidy } from './units';
+
+export interface Answers {
+  title: string;
+  pipe: string;
+  wall: string;
+  yield: string;
+  coating: string;
+  concrete: string;
+  depth: string;
+  vessel: string;
+  lay: 's' | 'j';
+  stinger_radius: string;
+  boxes: string;
+  tension: string;
+}
+
+export type Faults = Partial<Record<keyof Answers, string>>;
+
+const lengths = 'm, mm, ft or in';
+const forces = 'kN, kip or te';
+
+function quantity(text: string, like: string, units: string, least: number, most: number, shown: string): string | null {
+  const q = parseQuantity(text);
+  if (!q) return 'a number is missing';
+  if (!q.unit) return `a unit is missing: ${units}`;
+  if (!sameFamily(q.unit, like)) return `"${q.unit}" is not one of ${units}`;
+  const si = toSi(q.number, q.unit);
+  if (si < least || si > most) return `should lie between ${tidy(least / toSi(1, shown))} and ${tidy(most / toSi(1, shown))} ${shown}`;
+  return null;
+}
+
+/** `outside`: steel diameter in m of the chosen pipe, where it is known. Answers that may stay empty are not faults. */
+export function check(a: Answers, outside: number | null): Faults {
+  const faults: Faults = {};
+  const note = (key: keyof Answers, fault: string | null): void => { if (fault) faults[key] = fault; };
+  if (!a.pipe.trim()) faults.pipe = 'choose a pipe';
+  note('depth', quantity(a.depth, 'm', lengths, 2, 4000, 'm'));
+  if (a.wall.trim()) {
+    note('wall', quantity(a.wall, 'm', lengths, 0.002, 0.1, 'mm'));
+    const q = parseQuantity(a.wall);
+    if (!faults.wall && q && outside && toSi(q.number, q.unit) >= outside / 2) faults.wall = 'thicker than the radius of the pipe';
+  }
+  if (a.yield.trim()) note('yield', quantity(a.yield, 'MPa', 'MPa or ksi', 100e6, 1000e6, 'MPa'));
+  if (a.coating.trim()) note('coating', quantity(a.coating, 'm', lengths, 0, 0.2, 'mm'));
+  if (a.concrete.trim()) note('concrete', quantity(a.concrete, 'm', lengths, 0, 0.3, 'mm'));
+  if (a.tension.trim()) note('tension', quantity(a.tension, 'kN', forces, 1e3, 2e7, 'kN'));
+  if (a.lay === 's') {
+    if (a.stinger_radius.trim()) note('stinger_radius', quantity(a.stinger_radius, 'm', lengths, 20, 1000, 'm'));
+    if (a.boxes.trim() && !(/^\d+$/.test(a.boxes.trim()) && Number(a.boxes) >= 1 && Number(a.boxes) <= 60)) faults.boxes = 'a whole number from 1 to 60';
+  }
+  return faults;
+}

@@ -1,0 +1,46 @@
+// Undo and redo of the model's text. Keystrokes that follow each other closely become one step.
+
+export class UndoStack {
+  private past: string[] = [];
+  private future: string[] = [];
+  private lastOrigin = '';
+  private lastTime = -Infinity;
+
+  constructor(private present: string, private readonly pause = 800, private readonly limit = 300) {}
+
+  get text(): string { return this.present; }
+  get canUndo(): boolean { return this.past.length > 0; }
+  get canRedo(): boolean { return this.future.length > 0; }
+
+  /** Notes a new text. `origin` names who changed it ("yaml", "form"): only typing in the same place is merged. */
+  push(text: string, origin: string, now: number): void {
+    if (text === this.present) return;
+    const merge = origin === 'yaml' && origin === this.lastOrigin && now - this.lastTime < this.pause && this.past.length > 0;
+    if (!merge) this.past.push(this.present);
+    if (this.past.length > this.limit) this.past.shift();
+    this.present = text;
+    this.future = [];
+    this.lastOrigin = origin;
+    this.lastTime = now;
+  }
+
+  undo(): string | null {
+    const text = this.past.pop();
+    if (text === undefined) return null;
+    this.future.push(this.present);
+    return this.settle(text);
+  }
+
+  redo(): string | null {
+    const text = this.future.pop();
+    if (text === undefined) return null;
+    this.past.push(this.present);
+    return this.settle(text);
+  }
+
+  private settle(text: string): string {
+    this.present = text;
+    this.lastOrigin = '';
+    return text;
+  }
+}

@@ -1,0 +1,103 @@
+// Engineering units: reading what a user typed, and showing the same value in the other system.
+// The program itself reads far more units; this table only serves what the page shows beside a value.
+
+interface Unit { family: string; factor: number; twin?: string }
+
+const table: Record<string, Unit> = {
+  m: { family: 'length', factor: 1, twin: 'ft' },
+  mm: { family: 'length', factor: 1e-3, twin: 'in' },
+  cm: { family: 'length', factor: 1e-2, twin: 'in' },
+  km: { family: 'length', factor: 1e3, twin: 'ft' },
+  in: { family: 'length', factor: 0.0254, twin: 'mm' },
+  ft: { family: 'length', factor: 0.3048, twin: 'm' },
+  N: { family: 'force', factor: 1, twin: 'lbf' },
+  kN: { family: 'force', factor: 1e3, twin: 'kip' },
+  MN: { family: 'force', factor: 1e6, twin: 'kip' },
+  lbf: { family: 'force', factor: 4.4482216152605, twin: 'N' },
+  kip: { family: 'force', factor: 4448.2216152605, twin: 'kN' },
+  te: { family: 'force', factor: 9806.65, twin: 'kN' },
+  Pa: { family: 'pressure', factor: 1, twin: 'psi' },
+  kPa: { family: 'pressure', factor: 1e3, twin: 'psi' },
+  MPa: { family: 'pressure', factor: 1e6, twin: 'ksi' },
+  GPa: { family: 'pressure', factor: 1e9, twin: 'ksi' },
+  bar: { family: 'pressure', factor: 1e5, twin: 'psi' },
+  psi: { family: 'pressure', factor: 6894.757293168, twin: 'MPa' },
+  ksi: { family: 'pressure', factor: 6894757.293168, twin: 'MPa' },
+  'N/m^2': { family: 'pressure', factor: 1, twin: 'psi' },
+  'kN/m^2': { family: 'pressure', factor: 1e3, twin: 'psi' },
+  'N/m^3': { family: 'weight density', factor: 1, twin: 'lbf/ft^3' },
+  'kN/m^3': { family: 'weight density', factor: 1e3, twin: 'lbf/ft^3' },
+  'lbf/ft^3': { family: 'weight density', factor: 157.08746061538, twin: 'kN/m^3' },
+  'm/s': { family: 'speed', factor: 1, twin: 'knot' },
+  'ft/s': { family: 'speed', factor: 0.3048, twin: 'm/s' },
+  knot: { family: 'speed', factor: 1852 / 3600, twin: 'm/s' },
+  rad: { family: 'angle', factor: 1, twin: 'deg' },
+  deg: { family: 'angle', factor: Math.PI / 180 },
+  s: { family: 'time', factor: 1 },
+  min: { family: 'time', factor: 60, twin: 's' },
+  h: { family: 'time', factor: 3600, twin: 's' },
+  'kN/m': { family: 'stiffness', factor: 1e3, twin: 'kip/ft' },
+  'kip/ft': { family: 'stiffness', factor: 14593.902937206, twin: 'kN/m' },
+};
+
+const alias: Record<string, string> = { inch: 'in', knots: 'knot', kn: 'knot', sec: 's', hour: 'h', degree: 'deg', degrees: 'deg', '"': 'in', "'": 'ft' };
+
+export interface Quantity { number: number; unit: string }
+
+const pattern = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
+
+export function known(unit: string): boolean {
+  return (alias[unit] ?? unit) in table;
+}
+
+/** Reads "16 in", "406.4 mm" or a bare number; null when there is no number at the front. */
+export function parseQuantity(text: string): Quantity | null {
+  const match = pattern.exec(text);
+  if (!match) return null;
+  const unit = match[2]!;
+  return { number: Number(match[1]), unit: alias[unit] ?? unit };
+}
+
+export function sameFamily(a: string, b: string): boolean {
+  const first = table[a];
+  return first !== undefined && first.family === table[b]?.family;
+}
+
+export function toSi(number: number, unit: string): number {
+  const u = table[alias[unit] ?? unit];
+  return u ? number * u.factor : Number.NaN;
+}
+
+export function fromSi(si: number, unit: string): number {
+  const u = table[alias[unit] ?? unit];
+  return u ? si / u.factor : Number.NaN;
+}
+
+/** A number as an engineer writes it: about `digits` significant figures and no noise at the end. */
+export function tidy(value: number, digits = 5): string {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  if (size >= 1e7 || size < 1e-4) return Number(value.toPrecision(digits)).toExponential();
+  const rounded = Number(value.toPrecision(digits));
+  return String(Math.abs(rounded) < 1e-12 ? 0 : rounded);
+}
+
+export function write(si: number, unit: string, digits = 5): string {
+  return `${tidy(fromSi(si, unit), digits)} ${unit}`;
+}
+
+/** The value in the other system of units: "16 in" gives "406.4 mm". Empty where there is none. */
+export function twin(text: string): string {
+  const q = parseQuantity(text);
+  if (!q || !q.unit) return '';
+  const other = table[q.unit]?.twin;
+  return other ? write(toSi(q.number, q.unit), other, 4) : '';
+}
+
+/** What to send for typed text: a bare number takes the unit that was there before. */
+export function complete(typed: string, unit: string): string {
+  const q = parseQuantity(typed);
+  if (!q || !unit) return typed.trim();
+  return q.unit ? `${typed.trim().match(/^[-+]?[\d.]+(?:[eE][-+]?\d+)?/)![0]} ${q.unit}` : `${typed.trim()} ${unit}`;
+}

@@ -1,0 +1,20 @@
+import { render } from 'preact';
+import './style.css';
+import { App } from './panels/App';
+import { startAnimation } from './state/animation';
+import { connect } from './state/connection';
+import { startLive } from './state/live';
+import { dialog, startLook } from './state/look';
+import { hasModel, start } from './state/model';
+import { fetchRuns } from './state/runs';
+
+startLook();
+startLive();
+startAnimation();
+render(<App />, document.getElementById('page')!);
+void start().then(() => { if (!hasModel.value) dialog.value = 'start'; });
+void fetchRuns();
+connect();
+
+// For tests and screenshots: the first picture has been drawn.
+requestAnimationFrame(() => requestAnimationFrame(() => { (window as unknown as { __ready: boolean }).__ready = true; }));

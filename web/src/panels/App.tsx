@@ -1,0 +1,72 @@
+import { useEffect } from 'preact/hooks';
+import { hasModel, redo, undo } from '../state/model';
+import { dialog, leftTab } from '../state/look';
+import { dismiss, notices } from '../state/notices';
+import { runs } from '../state/runs';
+import { AnimationBar } from './AnimationBar';
+import { Diagrams } from './Diagrams';
+import { ConflictDialog, OpenDialog, SaveAsDialog } from './Files';
+import { Form } from './Form';
+import { Header, saveNow } from './Header';
+import { Picture } from './Picture';
+import { Results } from './Results';
+import { Runs } from './Runs';
+import { Sliders } from './Sliders';
+import { StartDialog } from './StartDialog';
+import { Yaml } from './Yaml';
+
+const tabs = [['form', 'Form'], ['yaml', 'YAML'], ['runs', 'Runs']] as const;
+
+function Left() {
+  const going = runs.value.filter((r) => r.state === 'running' || r.state === 'queued').length;
+  return (
+    <aside class="left" aria-label="Model and runs">
+      <div role="tablist" class="tabs" onKeyDown={(e) => {
+        const i = tabs.findIndex((t) => t[0] === leftTab.value);
+        const step = e.key === 'ArrowRight' ? 1 : e.key === 'ArrowLeft' ? -1 : 0;
+        if (!step) return;
+        leftTab.value = tabs[(i + step + tabs.length) % tabs.length]![0];
+        document.getElementById(`tab-${leftTab.value}`)?.focus();
+      }}>
+        {tabs.map(([id, name]) => <button key={id} id={`tab-${id}`} type="button" role="tab" tabIndex={leftTab.value === id ? 0 : -1} aria-selected={leftTab.value === id} aria-controls="tabpanel" onClick={() => { leftTab.value = id; }}>{name}{id === 'runs' && going ? <span class="dot" title="running" /> : null}</button>)}
+      </div>
+      <div id="tabpanel" role="tabpanel" aria-labelledby={`tab-${leftTab.value}`} class={`panel ${leftTab.value}`}>
+        {leftTab.value === 'runs' ? <Runs /> : !hasModel.value ? <p class="empty">No model yet.</p> : leftTab.value === 'form' ? <Form /> : <Yaml />}
+      </div>
+    </aside>
+  );
+}
+
+export function App() {
+  useEffect(() => {
+    const keys = (e: KeyboardEvent): void => {
+      if (!(e.ctrlKey || e.metaKey) || e.altKey) return;
+      const key = e.key.toLowerCase();
+      const writing = (e.target as HTMLElement).closest('.cm-editor');
+      if (key === 's') { e.preventDefault(); saveNow(); }
+      else if (!writing && !document.querySelector('dialog[open]')) {
+        // in a field that is being typed in, the browser's own undo comes first
+        const field = e.target instanceof HTMLInputElement && e.target.type !== 'range' && e.target.value !== (e.target.dataset.written ?? '');
+        if (field) return;
+        if (key === 'z') { e.preventDefault(); if (e.shiftKey) redo(); else undo(); }
+        else if (key === 'y') { e.preventDefault(); redo(); }
+      }
+    };
+    addEventListener('keydown', keys);
+    return () => removeEventListener('keydown', keys);
+  }, []);
+  return (
+    <>
+      <Header />
+      <main>
+        <Left />
+        <div class="centre"><Picture /><AnimationBar /></div>
+        <aside class="right" aria-label="Results and sliders"><Results /><Sliders /></aside>
+        <Diagrams />
+      </main>
+      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : null}
+      <ConflictDialog />
+      <div class="notices" role="status">{notices.value.map((n) => <div key={n.id} class={`notice ${n.kind}`}><span>{n.text}{n.hint ? <small> {n.hint}</small> : null}</span><button type="button" class="tiny" aria-label="Dismiss" onClick={() => dismiss(n.id)}>✕</button></div>)}</div>
+    </>
+  );
+}

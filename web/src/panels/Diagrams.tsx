@@ -1,0 +1,123 @@
+// The diagrams at the bottom: each place shows what its menu says, along the pipe or in time.
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { signal } from '@preact/signals';
+import { Chart } from '../charts/chart';
+import { along, colours, reactions, shape, type ChartData } from '../charts/data';
+import { display, quantities } from '../logic/show';
+import { byPath } from '../state/model';
+import { failure, scene, solution } from '../state/live';
+import { cursor, slots, theme } from '../state/look';
+import { active, seek, time } from '../state/animation';
+import { columns, envelopes, fetchSeries, selected } from '../state/runs';
+import { nearest } from '../logic/decimate';
+
+const width = signal(innerWidth);
+addEventListener('resize', () => { width.value = innerWidth; });
+const shownSlots = (): number => (width.value >= 2600 ? 4 : width.value >= 1500 ? 3 : 2);
+
+function range(): [number, number] | null {
+  const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
+  return typeof low === 'number' && typeof high === 'number' ? [low / 1e3, high / 1e3] : null;
+}
+
+function statics(what: string): ChartData | null {
+  const s = solution.value;
+  if (!s) return null;
+  if (what === 'elevation' || what === 'plan') return shape(s, scene.value, what === 'plan');
+  if (what === 'reactions') return s.supports.length ? reactions(s) : null;
+  return quantities.some((q) => q.key === what) ? along(what, s, envelopes.value) : null;
+}
+
+/** Histories come as least and greatest per pixel, for the stretch that is shown and no other. */
+function useHistory(what: string, zoom: [number, number] | null, pixels: number): ChartData | null {
+  const [data, setData] = useState<ChartData | null>(null);
+  const run = selected.value;
+  const column = columns.value.find((c) => `history:${c.name}` === what);
+  // while a run goes on its diagram follows, in steps
+  const stage = run?.state === 'running' ? Math.floor((run.progress ?? 0) * 40) : run?.state;
+  useEffect(() => {
+    if (!column || !run || (run.state !== 'done' && run.state !== 'running')) { setData(null); return undefined; }
+    let gone = false;
+    void fetchSeries(run.id, [column.name], zoom?.[0] ?? null, zoom?.[1] ?? null, pixels).then((answer) => {
+      const s = answer[column.name];
+      if (gone || !s) return;
+      const [unit, factor] = display(column.unit);
+      setData({
+        title: column.text || column.name, xName: 'time [s]', yName: `${column.name.replaceAll('_', ' ')} [${unit}]`, x: s.t, s: s.t, marks: [], level: [],
+        lines: [{ name: 'largest', colour: colours.now, values: s.max.map((v) => v * factor), band: true }, { name: 'least', colour: colours.now, values: s.min.map((v) => v * factor), band: true }],
+      });
+    }).catch(() => undefined);
+    return () => { gone = true; };
+  }, [what, run?.id, stage, zoom?.[0], zoom?.[1], pixels, column?.name]);
+  return data;
+}
+
+function Slot({ index }: { index: number }) {
+  const box = useRef<HTMLDivElement>(null);
+  const chart = useRef<Chart | null>(null);
+  const [zoom, setZoom] = useState<[number, number] | null>(null);
+  const [read, setRead] = useState('');
+  const [pixels, setPixels] = useState(600);
+  const asked = slots.value[index] ?? 'elevation';
+  const history = asked.startsWith('history:');
+  const missing = history && !columns.value.some((c) => `history:${c.name}` === asked);
+  const what = missing ? 'tension' : asked;
+  const inTime = what.startsWith('history:');
+  const fetched = useHistory(what, zoom, pixels);
+  const data = inTime ? fetched : statics(what);
+  const shade = (inTime && /top_tension|tensioner.*tension/.test(what)) ? range() : null;
+  const now = inTime && active.value ? time.value : null;
+
+  useEffect(() => {
+    const on = {
+      hover: (_x: number | null, i: number | null) => {
+        setRead(chart.current?.readAt(i) ?? '');
+        if (!inTimeRef.current) cursor.value = i === null ? null : dataRef.current?.s[i] ?? null;
+      },
+      click: (x: number) => { if (inTimeRef.current && active.value) seek(x); },
+      zoom: (low: number, high: number, whole: boolean) => { if (inTimeRef.current) setZoom(whole ? null : [low, high]); },
+    };
+    const c = new Chart(box.current!, on);
+    chart.current = c;
+    const observer = new ResizeObserver(() => { c.resize(); setPixels(Math.round(box.current!.clientWidth / 50) * 50); });
+    observer.observe(box.current!);
+    return () => { observer.disconnect(); c.destroy(); };
+  }, []);
+  const inTimeRef = useRef(inTime);
+  inTimeRef.current = inTime;
+  const dataRef = useRef(data);
+  dataRef.current = data;
+
+  useEffect(() => { if (data && chart.current) chart.current.set(data, { shade, now }); }, [data, theme.value, shade?.[0], shade?.[1]]);
+  useEffect(() => chart.current?.setNow(now), [now]);
+  const at = cursor.value;
+  useEffect(() => {
+    if (!inTime) { chart.current?.setCursor(at); if (!box.current?.matches(':hover')) setRead(at === null || !dataRef.current ? '' : chart.current?.readAt(nearest(dataRef.current.s, at)) ?? ''); }
+  }, [at]);
+
+  const choose = (value: string): void => { setZoom(null); const next = [...slots.value]; next[index] = value; slots.value = next; };
+  return (
+    <figure class={`slot${failure.value && !inTime ? ' old' : ''}`}>
+      <figcaption>
+        <select aria-label={`Diagram ${index + 1}`} value={what} onChange={(e) => choose(e.currentTarget.value)}>
+          <optgroup label="Along the pipe">
+            <option value="elevation">Elevation</option>
+            <option value="plan">Plan</option>
+            {quantities.map((q) => <option key={q.key} value={q.key}>{q.name}</option>)}
+            <option value="reactions">Roller box reactions</option>
+          </optgroup>
+          {columns.value.length ? <optgroup label={`In time: ${selected.value?.title ?? ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`}>{c.text || c.name}</option>)}</optgroup> : null}
+        </select>
+        <output class="read" aria-live="off">{read || (data ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : '')}</output>
+        <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
+      </figcaption>
+      <div class="plot" ref={box} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
+      {data ? null : <p class="empty over">{inTime ? 'Loading…' : 'No solution yet.'}</p>}
+    </figure>
+  );
+}
+
+export function Diagrams() {
+  const count = shownSlots();
+  return <section class="diagrams" style={{ gridTemplateColumns: `repeat(${count}, minmax(0, 1fr))` }} aria-label="Diagrams">{Array.from({ length: count }, (_, i) => <Slot key={i} index={i} />)}</section>;
+}

@@ -1,0 +1,120 @@
+// The model as a form, made from the fields that the program names: sections to fold, lists with add and remove.
+import { signal } from '@preact/signals';
+import type { Field } from '../api/types';
+import { tree, type Node } from '../logic/formTree';
+import { diagnostics, errors, fields, setKeys } from '../state/model';
+import { leftTab } from '../state/look';
+import { sayError } from '../state/notices';
+import { FieldRow } from './FieldRow';
+
+type FieldNode = Node<Field>;
+
+const folded = signal<Record<string, boolean>>({ analysis: true, rollers: true });
+const more = signal<Record<string, boolean>>({});
+const flip = (s: typeof folded, path: string): void => { s.value = { ...s.value, [path]: !s.value[path] }; };
+
+const simple = (n: FieldNode): boolean => n.field !== null && n.field.kind !== 'map' && n.field.kind !== 'list' && n.children.length === 0;
+const plain = (n: FieldNode): boolean => simple(n) || (n.field !== null && n.children.length === 0);
+
+async function act(path: string, value: unknown): Promise<void> {
+  try { await setKeys([{ path, value }]); } catch (error) { sayError(error); }
+}
+
+/** A new item of a list is the last one again, so that it is valid at once and only has to be changed. */
+function copyOf(node: FieldNode): unknown {
+  if (simple(node)) return node.field!.value;
+  const out: Record<string, unknown> = {};
+  for (const c of node.children) {
+    if (!c.given) continue;
+    const key = c.path.split('.').at(-1)!;
+    if (key === 'name') continue;
+    out[key] = copyOf(c);
+  }
+  return out;
+}
+
+function Items({ node }: { node: FieldNode }) {
+  const items = node.children.filter((c) => /\[\d+\]$/.test(c.path) && c.given);
+  const last = items.at(-1);
+  return (
+    <>
+      {items.map((item) => {
+        const named = item.children.find((c) => c.path.endsWith('.name'))?.field?.value;
+        const open = more.value[item.path];
+        if (simple(item)) return <FieldRow key={item.path} field={item.field!} name={item.label} />;
+        const summary = item.children.filter((c) => c.given && simple(c) && !c.path.endsWith('.name')).slice(0, 2).map((c) => `${c.label} ${c.field!.value}`).join(', ');
+        return (
+          <div key={item.path} class="item">
+            <div class="itemhead">
+              <button type="button" class="fold" aria-expanded={!!open} onClick={() => flip(more, item.path)}>{named ? String(named) : `${node.label} ${item.label}`}<span class="brief">{open ? '' : summary}</span></button>
+              <button type="button" class="tiny" title="Remove" aria-label={`Remove ${named ? String(named) : item.label}`} onClick={() => void act(item.path, null)}>✕</button>
+            </div>
+            {open ? <Members nodes={item.children} path={item.path} /> : null}
+          </div>
+        );
+      })}
+      <button type="button" class="add" disabled={!last} title={last ? 'Adds a copy of the last one' : 'Write the first one in the YAML'} onClick={() => last && void act(`${node.path}[${items.length}]`, copyOf(last))}>+ add</button>
+    </>
+  );
+}
+
+function Members({ nodes, path }: { nodes: FieldNode[]; path: string }) {
+  const given = nodes.filter((n) => n.given || n.field?.required);
+  const rest = nodes.filter((n) => !given.includes(n));
+  const open = more.value[`${path}+`];
+  return (
+    <>
+      {given.map((n) => <Entry key={n.path} node={n} />)}
+      {rest.length ? (
+        <>
+          <button type="button" class="more" aria-expanded={!!open} onClick={() => flip(more, `${path}+`)}>{open ? '▾ fewer' : `▸ ${rest.length} more with defaults`}</button>
+          {open ? rest.map((n) => <Entry key={n.path} node={n} />) : null}
+        </>
+      ) : null}
+    </>
+  );
+}
+
+function Entry({ node }: { node: FieldNode }) {
+  if (node.field && plain(node) && node.field.kind !== 'map' && node.field.kind !== 'list') return <FieldRow field={node.field} />;
+  const open = !folded.value[node.path] && (node.given || more.value[node.path]);
+  const list = node.field?.kind === 'list';
+  const wrong = diagnostics.value.some((d) => d.severity === 'error' && d.key.startsWith(node.path));
+  return (
+    <div class={`group${node.given ? '' : ' absent'}`}>
+      <button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={node.field?.text}
+        onClick={() => flip(node.given ? folded : more, node.path)}>{node.label}{list && node.given ? <span class="brief">{node.field!.count ?? ''}</span> : null}{!node.given && node.field?.left_out ? <span class="brief">{node.field.left_out}</span> : null}</button>
+      {open ? <div class="inner">{list ? <Items node={node} /> : <Members nodes={node.children} path={node.path} />}</div> : null}
+    </div>
+  );
+}
+
+export function Form() {
+  const sections = tree(fields.value);
+  const top = sections.filter((n) => simple(n) && n.path !== 'overbend');
+  const groups = sections.filter((n) => !simple(n));
+  const first = errors.value[0];
+  if (sections.length === 0) {
+    return (
+      <div class="empty">
+        <p>{first ? `The text can not be read: line ${first.line}: ${first.message}` : 'Nothing to show yet.'}</p>
+        {first ? <button type="button" onClick={() => { leftTab.value = 'yaml'; }}>Mend it in the YAML</button> : null}
+      </div>
+    );
+  }
+  return (
+    <form class="form" onSubmit={(e) => e.preventDefault()} aria-label="Model">
+      {top.map((n) => <FieldRow key={n.path} field={n.field!} />)}
+      {groups.map((n) => {
+        const open = !folded.value[n.path] && (n.given || more.value[n.path]);
+        const wrong = diagnostics.value.some((d) => d.severity === 'error' && (d.key === n.path || d.key.startsWith(`${n.path}.`)));
+        return (
+          <section key={n.path}>
+            <h3><button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={n.field?.text} onClick={() => flip(n.given ? folded : more, n.path)}>{n.label}</button></h3>
+            {open ? <Members nodes={n.children} path={n.path} /> : null}
+          </section>
+        );
+      })}
+    </form>
+  );
+}

@@ -1,0 +1,40 @@
+// Name, files, undo, theme, and in a word how things stand.
+import { canRedo, canUndo, errors, fileName, hasModel, info, newer, redo, save, saved, takeTheirs, title, undo } from '../state/model';
+import { failure, solution, solving } from '../state/live';
+import { dialog, leftTab, theme } from '../state/look';
+import { connected } from '../state/connection';
+import { tidy } from '../logic/units';
+
+export function saveNow(): void {
+  if (!hasModel.value) return;
+  if (fileName.value) void save(fileName.value); else dialog.value = 'saveas';
+}
+
+function Status() {
+  if (!connected.value) return <span class="status bad">no connection to the program</span>;
+  if (errors.value.length) return <button type="button" class="status bad" onClick={() => { leftTab.value = 'yaml'; }}>{errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`} in the model</button>;
+  if (failure.value) return <span class="status bad">no solution</span>;
+  if (solution.value) return <span class={`status good${solving.value ? ' busy' : ''}`}>solved in {tidy(solution.value.solve_ms ?? solution.value.elapsed_ms, 2)} ms</span>;
+  return <span class="status">{hasModel.value ? 'solving…' : 'no model'}</span>;
+}
+
+export function Header() {
+  const none = !hasModel.value;
+  return (
+    <header class="top">
+      <span class="brand" title={`Overbend ${info.value?.version ?? ''}`}>Overbend</span>
+      <h1 title={fileName.value || 'not saved yet'}>{none ? '' : title.value}{!none && !saved.value ? <i title="Changed since it was saved"> •</i> : null}</h1>
+      <nav aria-label="Model">
+        <button type="button" onClick={() => { dialog.value = 'start'; }}>New…</button>
+        <button type="button" onClick={() => { dialog.value = 'open'; }}>Open…</button>
+        <button type="button" disabled={none} title="Ctrl+S" onClick={saveNow}>Save</button>
+        <button type="button" disabled={none} onClick={() => { dialog.value = 'saveas'; }}>Save as…</button>
+        <button type="button" disabled={!canUndo.value} aria-label="Undo" title="Undo (Ctrl+Z)" onClick={undo}>↶</button>
+        <button type="button" disabled={!canRedo.value} aria-label="Redo" title="Redo (Ctrl+Y)" onClick={redo}>↷</button>
+      </nav>
+      {newer.value ? <button type="button" class="status warn" onClick={() => void takeTheirs()}>Changed in another tab – take the newer</button> : null}
+      <Status />
+      <button type="button" aria-label={theme.value === 'dark' ? 'Light colours' : 'Dark colours'} title="Light or dark" onClick={() => { theme.value = theme.value === 'dark' ? 'light' : 'dark'; }}>{theme.value === 'dark' ? '☀' : '☾'}</button>
+    </header>
+  );
+}

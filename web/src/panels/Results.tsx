@@ -1,0 +1,56 @@
+// Key results of statics.
+import { fromSi, tidy, write } from '../logic/units';
+import { failure, solution } from '../state/live';
+import { cursor } from '../state/look';
+import type { Region } from '../api/types';
+
+function Value({ name, value, unit, title }: { name: string; value: number | null | undefined; unit: string; title?: string }) {
+  if (value === null || value === undefined) return null;
+  const other = { kN: 'kip', m: 'ft', MPa: 'ksi' }[unit];
+  return (
+    <div class="kv" title={`${title ?? ''} ${other ? write(value, other, 4) : ''}`.trim()}>
+      <dt>{name}</dt><dd>{tidy(fromSi(value, unit), 4)} <small>{unit}</small></dd>
+    </div>
+  );
+}
+
+function RegionBlock({ name, r }: { name: string; r: Region | null }) {
+  if (!r) return null;
+  const level = r.utilisation > 1 ? 'over' : r.utilisation > 0.87 ? 'near' : 'good';
+  return (
+    <div class={`region ${level}`}>
+      <button type="button" class="regionhead" title="Show the place" onClick={() => { cursor.value = r.s; }}>
+        <span>{name}</span><b>{tidy(100 * r.utilisation, 3)} %</b><small> of yield</small>
+      </button>
+      <div class="bar" role="presentation"><i style={{ width: `${Math.min(100, 100 * r.utilisation)}%` }} /></div>
+      <dl>
+        <Value name="von Mises" value={r.von_mises} unit="MPa" />
+        <Value name="bending" value={r.bending_stress} unit="MPa" />
+        <div class="kv"><dt>strain</dt><dd>{tidy(100 * r.strain, 3)} <small>%</small></dd></div>
+      </dl>
+    </div>
+  );
+}
+
+export function Results() {
+  const s = solution.value;
+  if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Statics appear here as soon as the model is complete.'}</p></section>;
+  const k = s.key;
+  const largest = typeof k.largest_reaction === 'number' ? k.largest_reaction : k.largest_reaction?.value ?? null;
+  return (
+    <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
+      <h2>Results {failure.value ? <small>last good one</small> : <small>statics</small>}</h2>
+      <RegionBlock name="Overbend" r={k.overbend} />
+      <RegionBlock name="Sagbend" r={k.sagbend} />
+      <dl>
+        <Value name="top tension" value={k.top_tension} unit="kN" />
+        <Value name="bottom tension" value={k.bottom_tension} unit="kN" />
+        <Value name="lay-back" value={k.lay_back} unit="m" title="From stern shoe to touchdown." />
+        <Value name="departure angle" value={k.departure_angle} unit="deg" />
+        <Value name="tip clearance" value={k.tip_clearance} unit="m" title="Pipe over the last stinger roller." />
+        <Value name="largest reaction" value={largest} unit="kN" />
+      </dl>
+      {s.warnings.length ? <ul class="warnings">{s.warnings.map((w) => <li key={w}>{w}</li>)}</ul> : null}
+    </section>
+  );
+}

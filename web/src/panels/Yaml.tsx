@@ -1,0 +1,46 @@
+// The YAML tab: the editor, and under it the faults in words.
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { effect } from '@preact/signals';
+import { get } from '../api/client';
+import type { Schema } from '../logic/schema';
+import { diagnostics, putText, redo, text, undo } from '../state/model';
+import { sayError } from '../state/notices';
+import type { YamlEditor } from './yamlEditor';
+
+let schema: Schema | null = null;
+
+export function Yaml() {
+  const box = useRef<HTMLDivElement>(null);
+  const editor = useRef<YamlEditor | null>(null);
+  const [ready, setReady] = useState(false);
+  useEffect(() => {
+    let gone = false;
+    let stop = (): void => undefined;
+    let timer = 0;
+    let waiting: string | null = null;
+    const flush = (): void => { clearTimeout(timer); if (waiting !== null) { const t = waiting; waiting = null; void putText(t, 'yaml'); } };
+    void import('./yamlEditor').then(({ makeEditor }) => {
+      if (gone || !box.current) return;
+      const e = makeEditor(box.current, text.peek(), () => schema, (t) => { waiting = t; clearTimeout(timer); timer = window.setTimeout(flush, 250); }, () => { flush(); undo(); }, () => { flush(); redo(); });
+      editor.current = e;
+      setReady(true);
+      const a = effect(() => { const t = text.value; if (waiting === null) e.setText(t); });
+      const b = effect(() => { e.setFaults(diagnostics.value); });
+      stop = () => { a(); b(); };
+    }).catch(sayError);
+    if (!schema) get<Schema>('schema').then((s) => { schema = s; }).catch(sayError);
+    return () => { gone = true; flush(); stop(); editor.current?.destroy(); };
+  }, []);
+  return (
+    <div class="yaml">
+      <div class="editor" ref={box}>{ready ? null : <p class="empty">Loading the editor…</p>}</div>
+      {diagnostics.value.length ? (
+        <ul class="faults" aria-label="Faults of the model">
+          {diagnostics.value.map((d, i) => (
+            <li key={i} class={d.severity}><button type="button" onClick={() => editor.current?.goTo(d.line)}><b>line {d.line}</b> {d.message}</button></li>
+          ))}
+        </ul>
+      ) : null}
+    </div>
+  );
+}

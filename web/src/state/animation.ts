@@ -1,0 +1,132 @@
+// Animation of a run: a clock, and frames fetched in pieces around it.
+import { effect, signal, untracked } from '@preact/signals';
+import { get } from '../api/client';
+import { blend, decode, type Chunk, type FramesAnswer } from '../logic/frames';
+import { indexBefore } from '../logic/decimate';
+import { selected } from './runs';
+import { sayError } from './notices';
+
+const piece = 60; // frames in one request
+const kept = 24; // pieces held in memory
+
+export interface Shown { time: number; pose: number[]; places: Float32Array; tension: Float32Array; von_mises: Float32Array }
+
+export const active = signal(false);
+export const playing = signal(false);
+export const speed = signal(1);
+export const time = signal(0);
+export const first = signal(0);
+export const last = signal(0);
+export const shown = signal<Shown | null>(null);
+
+let runId = '';
+let total = 0;
+let step = 0.5;
+const cache = new Map<number, Chunk>();
+const asked = new Map<number, Promise<Chunk | null>>();
+
+async function fetchPiece(k: number): Promise<Chunk | null> {
+  const have = cache.get(k);
+  if (have) { cache.delete(k); cache.set(k, have); return have; }
+  const running = asked.get(k);
+  if (running) return running;
+  const id = runId;
+  const promise = get<FramesAnswer>(`runs/${id}/frames?from=${k * piece}&count=${piece}`).then((answer) => {
+    asked.delete(k);
+    if (id !== runId) return null;
+    total = answer.total;
+    const chunk = decode(answer);
+    cache.set(k, chunk);
+    if (cache.size > kept) cache.delete(cache.keys().next().value!);
+    return chunk;
+  }).catch((error: unknown) => { asked.delete(k); sayError(error); return null; });
+  asked.set(k, promise);
+  return promise;
+}
+
+export async function open(id: string): Promise<void> {
+  runId = id;
+  cache.clear();
+  asked.clear();
+  const chunk = await fetchPiece(0);
+  if (!chunk || chunk.count === 0) return;
+  step = chunk.count > 1 ? (chunk.time[chunk.count - 1]! - chunk.time[0]!) / (chunk.count - 1) : 0.5;
+  first.value = chunk.time[0]!;
+  last.value = chunk.time[0]! + (total - 1) * step;
+  time.value = Math.max(first.value, Math.min(last.value, 0));
+  active.value = true;
+  await show();
+}
+
+export function close(): void {
+  active.value = false;
+  playing.value = false;
+  shown.value = null;
+  runId = '';
+}
+
+function buffer(size: number): Float32Array { return new Float32Array(size); }
+
+async function show(): Promise<void> {
+  const at = Math.min(total - 1, Math.max(0, (time.value - first.value) / step));
+  const i = Math.floor(at);
+  const k = Math.floor(i / piece);
+  const chunk = cache.get(k) ?? await fetchPiece(k);
+  if (!chunk || !active.value) return;
+  const next = Math.min(total - 1, i + 1);
+  const other = Math.floor(next / piece) === k ? chunk : cache.get(k + 1) ?? chunk;
+  if (i % piece > piece / 2 && (k + 1) * piece < total && !cache.has(k + 1)) void fetchPiece(k + 1);
+  const a = Math.min(i - chunk.from, chunk.count - 1);
+  const b = Math.min(Math.max(0, next - other.from), other.count - 1);
+  const f = at - i;
+  const n = chunk.stations;
+  shown.value = {
+    time: time.value,
+    pose: chunk.pose[a]!.map((v, m) => v * (1 - f) + other.pose[b]![m]! * f),
+    places: blend(chunk.place, 3 * n * a, other.place, 3 * n * b, 3 * n, f, buffer(3 * n)),
+    tension: blend(chunk.tension, n * a, other.tension, n * b, n, f, buffer(n)),
+    von_mises: blend(chunk.von_mises, n * a, other.von_mises, n * b, n, f, buffer(n)),
+  };
+}
+
+let wanted = false;
+let working = false;
+
+/** Only the newest time is drawn while pieces are still on their way. */
+async function showLatest(): Promise<void> {
+  wanted = true;
+  if (working) return;
+  working = true;
+  while (wanted) { wanted = false; await show(); }
+  working = false;
+}
+
+export function seek(t: number): void {
+  time.value = Math.min(last.value, Math.max(first.value, t));
+  void showLatest();
+}
+
+export function startAnimation(): void {
+  let before = 0;
+  const tick = (now: number): void => {
+    if (!playing.value) return;
+    requestAnimationFrame(tick);
+    const dt = Math.min(0.1, (now - before) / 1000);
+    before = now;
+    let t = time.value + dt * speed.value;
+    if (t >= last.value) { t = first.value > 0 ? first.value : Math.min(0, last.value); if (last.value > 0) t = Math.max(first.value, 0); }
+    seek(t);
+  };
+  effect(() => { if (playing.value) untracked(() => { before = performance.now(); requestAnimationFrame(tick); }); });
+  effect(() => {
+    const run = selected.value;
+    const id = run && run.kind === 'dynamic' && run.state === 'done' ? run.id : null;
+    untracked(() => { if (id && id !== runId) { close(); void open(id); } else if (!id && runId) close(); });
+  });
+}
+
+export function valueAt(series: { t: number[]; min: number[]; max: number[] } | undefined, t: number): number | null {
+  if (!series || series.t.length === 0) return null;
+  const i = indexBefore(series.t, t);
+  return (series.min[i]! + series.max[i]!) / 2;
+}

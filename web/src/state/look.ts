@@ -1,0 +1,28 @@
+// How the page looks, kept from one visit to the next: theme, colouring, chosen diagrams; and the common cursor.
+import { effect, signal, type Signal } from '@preact/signals';
+import type { Picked } from '../view/view3d';
+
+function kept<T>(name: string, start: T): Signal<T> {
+  let value = start;
+  try { const text = localStorage.getItem(`overbend.${name}`); if (text !== null) value = JSON.parse(text) as T; } catch { /* private window */ }
+  const s = signal(value);
+  effect(() => { try { localStorage.setItem(`overbend.${name}`, JSON.stringify(s.value)); } catch { /* private window */ } });
+  return s;
+}
+
+export type Theme = 'light' | 'dark';
+export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation';
+export const colourBy = kept<ColourBy>('colour', 'von_mises');
+export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
+export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'tension', 'von_mises']);
+
+/** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */
+export const cursor = signal<number | null>(null);
+export const picked = signal<Picked>(null);
+export type DialogName = 'start' | 'open' | 'saveas' | 'help' | null;
+export const dialog = signal<DialogName>(null);
+
+export function startLook(): void {
+  effect(() => { document.documentElement.dataset.theme = theme.value; });
+}

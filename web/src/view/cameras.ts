@@ -1,0 +1,86 @@
+// Where to look from, for each of the view buttons.
+import * as THREE from 'three';
+import type { Converged, Scene } from '../api/types';
+import { vec } from './members';
+
+export const viewNames = ['whole', 'overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe'] as const;
+export type ViewName = (typeof viewNames)[number];
+
+export interface Shot { eye: THREE.Vector3; target: THREE.Vector3 }
+
+export function axes(scene: Scene): { forward: THREE.Vector3; port: THREE.Vector3 } {
+  const p = scene.vessel.pose;
+  return { forward: new THREE.Vector3(p[3], p[6], 0).normalize(), port: new THREE.Vector3(p[4], p[7], 0).normalize() };
+}
+
+/** Eye for a set of points: so far away that all are within the picture, seen from a direction. */
+function around(points: THREE.Vector3[], from: THREE.Vector3, camera: THREE.PerspectiveCamera, margin = 1.08): Shot {
+  const box = new THREE.Box3().setFromPoints(points);
+  const target = box.getCenter(new THREE.Vector3());
+  const back = from.clone().normalize();
+  const right = new THREE.Vector3(0, 0, 1).cross(back).normalize();
+  const up = back.clone().cross(right);
+  const tv = Math.tan((camera.fov * Math.PI) / 360), th = tv * camera.aspect;
+  let distance = 4;
+  // near points look larger than far ones, so the middle of the picture is found in a few rounds
+  for (let round = 0; round < 6; ++round) {
+    distance = 4;
+    for (const p of points) {
+      const d = p.clone().sub(target);
+      const depth = d.dot(back);
+      distance = Math.max(distance, depth + (margin * Math.abs(d.dot(right))) / th, depth + (margin * Math.abs(d.dot(up))) / tv);
+    }
+    const span = [Infinity, -Infinity, Infinity, -Infinity];
+    for (const p of points) {
+      const d = p.clone().sub(target);
+      const away = distance - d.dot(back);
+      const u = d.dot(right) / away, v = d.dot(up) / away;
+      span[0] = Math.min(span[0]!, u); span[1] = Math.max(span[1]!, u); span[2] = Math.min(span[2]!, v); span[3] = Math.max(span[3]!, v);
+    }
+    target.addScaledVector(right, (distance * (span[0]! + span[1]!)) / 2).addScaledVector(up, (distance * (span[2]! + span[3]!)) / 2);
+  }
+  return { eye: target.clone().addScaledVector(back, distance), target };
+}
+
+function along(s: Converged, from: number, to: number): THREE.Vector3[] {
+  const { pipe } = s;
+  const out: THREE.Vector3[] = [];
+  for (let i = 0; i < pipe.s.length; ++i) if (pipe.s[i]! >= from && pipe.s[i]! <= to) out.push(new THREE.Vector3(pipe.x[i], pipe.y[i], pipe.z[i]));
+  return out.length ? out : [new THREE.Vector3(pipe.x[0], pipe.y[0], pipe.z[0])];
+}
+
+export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.PerspectiveCamera): Shot {
+  const { forward, port } = axes(scene);
+  const starboard = port.clone().negate();
+  const side = (ahead: number, up: number): THREE.Vector3 => starboard.clone().addScaledVector(forward, ahead).add(new THREE.Vector3(0, 0, up));
+  const end = s.touchdown?.s ?? s.pipe.s[s.pipe.s.length - 1]!;
+  const places = (structure?: string): THREE.Vector3[] => s.supports.filter((b) => !structure || b.structure === structure).map((b) => vec(b.place));
+  const origin = vec(scene.vessel.pose);
+  switch (name) {
+    case 'whole': {
+      const bow = origin.clone().addScaledVector(forward, scene.vessel.length / 2);
+      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4))];
+      return around(points, side(-0.28, 0.3), camera, 1.1);
+    }
+    case 'overbend': {
+      const list = places();
+      const points = list.length ? [...list, vec(s.tensioner.place)] : along(s, 0, 0.2 * end);
+      return around(points, side(-0.4, 0.48), camera, 1.06);
+    }
+    case 'stinger': {
+      const list = places('stinger');
+      return around(list.length ? list : along(s, 0, 0.2 * end), side(-0.6, 0.3), camera, 1.2);
+    }
+    case 'sagbend': {
+      const top = s.supports.filter((b) => b.contact).at(-1)?.s ?? 0;
+      return around(along(s, top + 0.35 * (end - top), end + 15), side(-0.25, 0.25), camera, 1.1);
+    }
+    case 'touchdown': return around(along(s, end - 45, end + 25), side(0.5, 0.35), camera, 1.05);
+    case 'from the pipe': {
+      const tip = s.supports.filter((b) => b.structure === 'stinger').at(-1)?.s ?? 0;
+      const place = along(s, tip + 0.14 * (end - tip), end)[0]!;
+      const look = along(s, tip * 0.7, end)[0]!;
+      return { eye: place.clone().addScaledVector(starboard, 2.2).add(new THREE.Vector3(0, 0, 2.6)), target: look };
+    }
+  }
+}

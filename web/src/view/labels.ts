@@ -1,0 +1,37 @@
+// Names over the picture. A label that would cover another one is left out.
+import * as THREE from 'three';
+
+export interface Label { text: string; place: THREE.Vector3; weight: number }
+
+export class Labels {
+  private pool: HTMLSpanElement[] = [];
+  constructor(private readonly box: HTMLElement) {}
+
+  draw(list: Label[], camera: THREE.Camera, width: number, height: number): void {
+    const taken: [number, number, number, number][] = [];
+    const p = new THREE.Vector3();
+    let used = 0;
+    for (const label of [...list].sort((a, b) => b.weight - a.weight)) {
+      p.copy(label.place).project(camera);
+      if (p.z > 1 || Math.abs(p.x) > 0.98 || Math.abs(p.y) > 0.97) continue;
+      const x = ((p.x + 1) / 2) * width, y = ((1 - p.y) / 2) * height;
+      const w = 7 * label.text.length + 12, rect: [number, number, number, number] = [x - w / 2, y - 40, x + w / 2, y - 18];
+      if (taken.some((t) => rect[0] < t[2] && rect[2] > t[0] && rect[1] < t[3] && rect[3] > t[1])) continue;
+      taken.push(rect);
+      const span = this.pool[used] ?? this.grow();
+      ++used;
+      if (span.textContent !== label.text) span.textContent = label.text;
+      span.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px) translate(-50%, -38px)`;
+      span.hidden = false;
+    }
+    for (let i = used; i < this.pool.length; ++i) this.pool[i]!.hidden = true;
+  }
+
+  private grow(): HTMLSpanElement {
+    const span = document.createElement('span');
+    span.className = 'label3d';
+    this.box.append(span);
+    this.pool.push(span);
+    return span;
+  }
+}

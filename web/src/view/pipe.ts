@@ -1,0 +1,65 @@
+// The pipe: a tube with its true radius, drawn thicker only where it would be thinner than a few pixels on the screen.
+import * as THREE from 'three';
+import { colourAt, type MapName, type Rgb } from '../logic/colour';
+import { tube, tubeIndices, type Tube } from '../logic/tube';
+
+const sides = 14;
+
+export class PipeView {
+  readonly mesh: THREE.Mesh;
+  private geometry = new THREE.BufferGeometry();
+  private shape: Tube | undefined;
+  private colours = new Float32Array(0);
+  private readonly uniforms = { radius: { value: 0.25 }, pixel: { value: 0.001 }, least: { value: 1.5 } };
+  points: Float32Array = new Float32Array(0);
+
+  constructor() {
+    const material = new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.55, metalness: 0.05 });
+    material.onBeforeCompile = (shader) => {
+      Object.assign(shader.uniforms, { pipeRadius: this.uniforms.radius, pixelSize: this.uniforms.pixel, leastPixels: this.uniforms.least });
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nuniform float pipeRadius; uniform float pixelSize; uniform float leastPixels;')
+        .replace('#include <begin_vertex>', `
+          float away = -(modelViewMatrix * vec4(position, 1.0)).z;
+          vec3 transformed = position + normal * max(pipeRadius, leastPixels * pixelSize * max(away, 0.0));`);
+    };
+    this.mesh = new THREE.Mesh(this.geometry, material);
+    this.mesh.frustumCulled = false;
+  }
+
+  /** World size of a pixel at unit distance. */
+  setPixel(size: number): void { this.uniforms.pixel.value = size; }
+  setRadius(radius: number): void { this.uniforms.radius.value = radius; }
+
+  setPlaces(points: Float32Array): void {
+    this.points = points;
+    const old = this.shape;
+    this.shape = tube(points, sides, old);
+    if (this.shape !== old) {
+      this.geometry.dispose();
+      this.geometry = new THREE.BufferGeometry();
+      this.colours = new Float32Array(this.shape.centres.length).fill(0.6);
+      this.geometry.setAttribute('position', new THREE.BufferAttribute(this.shape.centres, 3));
+      this.geometry.setAttribute('normal', new THREE.BufferAttribute(this.shape.normals, 3));
+      this.geometry.setAttribute('color', new THREE.BufferAttribute(this.colours, 3));
+      this.geometry.setIndex(new THREE.BufferAttribute(tubeIndices(this.shape.stations, sides), 1));
+      this.mesh.geometry = this.geometry;
+    } else {
+      this.geometry.getAttribute('position').needsUpdate = true;
+      this.geometry.getAttribute('normal').needsUpdate = true;
+    }
+  }
+
+  setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName): void {
+    const n = this.shape?.stations ?? 0;
+    const rgb: Rgb = [0, 0, 0];
+    const linear = new THREE.Color();
+    for (let i = 0; i < n; ++i) {
+      if (values) linear.setRGB(...colourAt(map, (values[i]! - low) / (high - low || 1), rgb), THREE.SRGBColorSpace);
+      else linear.setRGB(0.55, 0.58, 0.61, THREE.SRGBColorSpace);
+      for (let j = 0; j < sides; ++j) linear.toArray(this.colours, (i * sides + j) * 3);
+    }
+    const attribute = this.geometry.getAttribute('color');
+    if (attribute) attribute.needsUpdate = true;
+  }
+}

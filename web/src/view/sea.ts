@@ -1,0 +1,95 @@
+// Water, seabed and current.
+import * as THREE from 'three';
+import type { Scene } from '../api/types';
+import { surface } from '../logic/waves';
+import { dispose, members } from './members';
+
+const cells = 72;
+const paint = new THREE.MeshStandardMaterial({ color: '#1b9ab8', roughness: 0.7 });
+
+export class SeaView {
+  readonly group = new THREE.Group();
+  private readonly bed = new THREE.Group();
+  private readonly arrows = new THREE.Group();
+  private readonly water: THREE.Mesh;
+  // Only the far walls of the body of water are seen: they tell water from air behind what is drawn.
+  private readonly body = new THREE.Mesh(new THREE.BoxGeometry(1, 1, 1), new THREE.MeshBasicMaterial({ color: '#3f8fbf', transparent: true, opacity: 0.16, side: THREE.BackSide, depthWrite: false }));
+  private xs: number[] = [];
+  private ys: number[] = [];
+  private heights = new Float32Array((cells + 1) ** 2);
+  private waves: Scene['waves'] = [];
+
+  constructor() {
+    const material = new THREE.MeshLambertMaterial({ color: '#4d9cc9', transparent: true, opacity: 0.36, side: THREE.DoubleSide, depthWrite: false });
+    this.water = new THREE.Mesh(new THREE.PlaneGeometry(1, 1, cells, cells), material);
+    this.water.frustumCulled = false;
+    this.water.renderOrder = 5;
+    this.body.renderOrder = -5;
+    this.group.add(this.body, this.bed, this.arrows, this.water);
+  }
+
+  /** `low`, `high`: corners of the part of the sea that is shown. */
+  set(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, dark: boolean): void {
+    this.waves = scene.waves;
+    this.xs = Array.from({ length: cells + 1 }, (_, i) => low.x + ((high.x - low.x) * i) / cells);
+    this.ys = Array.from({ length: cells + 1 }, (_, i) => low.y + ((high.y - low.y) * i) / cells);
+    const place = this.water.geometry.getAttribute('position') as THREE.BufferAttribute;
+    for (let j = 0; j <= cells; ++j) for (let i = 0; i <= cells; ++i) place.setXYZ(j * (cells + 1) + i, this.xs[i]!, this.ys[j]!, 0);
+    this.setTime(null);
+    this.body.scale.set(high.x - low.x, high.y - low.y, scene.water_depth);
+    this.body.position.set((low.x + high.x) / 2, (low.y + high.y) / 2, -scene.water_depth / 2);
+    this.drawBed(scene, low, high, dark);
+    this.drawCurrent(scene, low, high);
+  }
+
+  /** Waves at a time; null is the still water that statics sees. */
+  setTime(t: number | null): void {
+    if (t === null || this.waves.length === 0) this.heights.fill(0);
+    else surface(this.waves, this.xs, this.ys, t, this.heights);
+    const place = this.water.geometry.getAttribute('position') as THREE.BufferAttribute;
+    for (let k = 0; k < this.heights.length; ++k) place.setZ(k, this.heights[k]!);
+    place.needsUpdate = true;
+    this.water.geometry.computeVertexNormals();
+  }
+
+  private drawBed(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, dark: boolean): void {
+    dispose(this.bed);
+    const n = scene.seabed.normal, p = scene.seabed.point;
+    const z = (x: number, y: number): number => p[2] - (n[0] * (x - p[0]) + n[1] * (y - p[1])) / (n[2] || 1);
+    const geometry = new THREE.BufferGeometry();
+    const corners = [[low.x, low.y], [high.x, low.y], [high.x, high.y], [low.x, high.y]].flatMap(([x, y]) => [x!, y!, z(x!, y!)]);
+    geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
+    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    geometry.computeVertexNormals();
+    const ground = new THREE.MeshStandardMaterial({ color: dark ? '#6d6249' : '#d8c9a0', roughness: 1, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
+    this.bed.add(new THREE.Mesh(geometry, ground));
+    const lines: number[] = [];
+    const step = Math.max(high.x - low.x, high.y - low.y) > 1500 ? 100 : 20;
+    for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) lines.push(x, low.y, z(x, low.y), x, high.y, z(x, high.y));
+    for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) lines.push(low.x, y, z(low.x, y), high.x, y, z(high.x, y));
+    const grid = new THREE.BufferGeometry();
+    grid.setAttribute('position', new THREE.Float32BufferAttribute(lines, 3));
+    this.bed.add(new THREE.LineSegments(grid, new THREE.LineBasicMaterial({ color: dark ? '#8d8160' : '#b5a374' })));
+  }
+
+  private drawCurrent(scene: Scene, low: THREE.Vector2, high: THREE.Vector2): void {
+    dispose(this.arrows);
+    const fastest = Math.max(0, ...scene.current.map((c) => Math.hypot(...c.velocity)));
+    if (fastest === 0) return;
+    const size = Math.min(0.35 * scene.water_depth, 0.3 * (high.y - low.y));
+    for (const c of scene.current) {
+      const speed = Math.hypot(...c.velocity);
+      if (speed < 1e-3 * fastest) continue;
+      const direction = new THREE.Vector3(...c.velocity).divideScalar(speed);
+      const length = Math.max(0.12, speed / fastest) * size;
+      const from = new THREE.Vector3(low.x + 0.35 * (high.x - low.x), 0, -c.depth).addScaledVector(direction, -0.5 * size - 0.12 * (high.y - low.y));
+      const head = Math.min(0.4 * length, 5);
+      const neck = from.clone().addScaledVector(direction, length - head);
+      this.arrows.add(members([[from, neck, 0.08 * head]], paint));
+      const cone = new THREE.Mesh(new THREE.ConeGeometry(0.28 * head, head, 14), paint);
+      cone.position.copy(neck).addScaledVector(direction, head / 2);
+      cone.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
+      this.arrows.add(cone);
+    }
+  }
+}

@@ -1,0 +1,194 @@
+import { describe, expect, test } from 'vitest';
+import { complete, fromSi, parseQuantity, tidy, toSi, twin } from '../src/logic/units';
+import { UndoStack } from '../src/logic/undo';
+import { LatestGate } from '../src/logic/gate';
+import { colourAt, niceRange } from '../src/logic/colour';
+import { decimate, indexBefore, nearest, resample } from '../src/logic/decimate';
+import { tube, tubeIndices } from '../src/logic/tube';
+import { fitCircle, withRadius } from '../src/logic/stinger';
+import { elevation, surface } from '../src/logic/waves';
+import { check, type Answers } from '../src/logic/start';
+import { blend, decode } from '../src/logic/frames';
+import { ticks, toCsv, toSvg, type Diagram } from '../src/logic/table';
+
+describe('units', () => {
+  test('16 in and 406.4 mm are the same, whichever is typed', () => {
+    expect(twin('16 in')).toBe('406.4 mm');
+    expect(twin('406.4 mm')).toBe('16 in');
+    expect(twin('55 kip')).toBe('244.7 kN');
+    expect(twin('414 MPa')).toBe('60.05 ksi');
+    expect(twin('30 deg')).toBe('');
+    expect(twin('abc')).toBe('');
+  });
+  test('round trip through SI', () => {
+    for (const unit of ['m', 'mm', 'in', 'ft', 'kN', 'kip', 'MPa', 'ksi', 'kN/m^3', 'lbf/ft^3', 'knot', 'deg']) expect(fromSi(toSi(12.5, unit), unit)).toBeCloseTo(12.5, 10);
+  });
+  test('reads numbers with exponents, signs and no space', () => {
+    expect(parseQuantity(' -1.5e3kN ')).toEqual({ number: -1500, unit: 'kN' });
+    expect(parseQuantity('.5 m')).toEqual({ number: 0.5, unit: 'm' });
+    expect(parseQuantity('kN')).toBeNull();
+  });
+  test('a bare number takes the unit that was there', () => {
+    expect(complete('260', 'kN')).toBe('260 kN');
+    expect(complete('16in', 'mm')).toBe('16 in');
+    expect(complete('jonswap', '')).toBe('jonswap');
+  });
+  test('numbers without noise', () => {
+    expect(tidy(0.1 + 0.2)).toBe('0.3');
+    expect(tidy(123456.789)).toBe('123460');
+    expect(tidy(Number.NaN)).toBe('–');
+  });
+});
+
+describe('undo', () => {
+  test('typing without a pause is one step, other changes are each one', () => {
+    const u = new UndoStack('a');
+    u.push('ab', 'yaml', 0);
+    u.push('abc', 'yaml', 100);
+    u.push('abcd', 'form', 150);
+    expect(u.undo()).toBe('abc');
+    expect(u.undo()).toBe('a');
+    expect(u.undo()).toBeNull();
+    expect(u.redo()).toBe('abc');
+    expect(u.redo()).toBe('abcd');
+    expect(u.redo()).toBeNull();
+  });
+  test('a new change forgets what was undone', () => {
+    const u = new UndoStack('a');
+    u.push('b', 'form', 0);
+    u.undo();
+    u.push('c', 'form', 1);
+    expect(u.canRedo).toBe(false);
+    expect(u.undo()).toBe('a');
+  });
+  test('does not grow without end', () => {
+    const u = new UndoStack('0', 800, 3);
+    for (let i = 1; i < 10; ++i) u.push(String(i), 'form', i);
+    expect([u.undo(), u.undo(), u.undo(), u.undo()]).toEqual(['8', '7', '6', null]);
+  });
+});
+
+test('gate: one request at a time, of the waiting ones only the newest', async () => {
+  const asked: number[] = [];
+  const got: number[] = [];
+  let open: (() => void)[] = [];
+  const gate = new LatestGate<number, number>(
+    (n) => new Promise((resolve, reject) => { asked.push(n); open.push(() => (n === 3 ? reject(new Error('no')) : resolve(n * 10))); }),
+    (answer) => got.push(answer),
+    () => got.push(-1),
+  );
+  const turn = async (): Promise<void> => { const list = open; open = []; list.forEach((f) => f()); await new Promise((r) => setTimeout(r, 0)); };
+  gate.submit(1); gate.submit(2); gate.submit(3);
+  expect(asked).toEqual([1]);
+  await turn();
+  expect(asked).toEqual([1, 3]);
+  await turn();
+  gate.submit(4);
+  await turn();
+  expect(got).toEqual([10, -1, 40]);
+  expect(gate.skipped).toBe(1);
+  expect(gate.inFlight).toBe(false);
+});
+
+test('colours: ends, middle, and nonsense', () => {
+  expect(colourAt('load', 0)).toEqual(colourAt('load', -5));
+  expect(colourAt('load', 1)).toEqual(colourAt('load', 7));
+  expect(colourAt('stress', Number.NaN)).toEqual(colourAt('stress', 0));
+  expect(niceRange(3, 316.2)).toEqual([0, 400]);
+  expect(niceRange(5, 5)).toEqual([4.5, 5.5]);
+});
+
+describe('series', () => {
+  test('no peak is lost', () => {
+    const t = Array.from({ length: 10_000 }, (_, i) => i);
+    const v = t.map((i) => (i === 7777 ? 99 : i === 1234 ? -99 : Math.sin(i)));
+    const e = decimate(t, v, 300);
+    expect(e.t.length).toBe(300);
+    expect(Math.max(...e.max)).toBe(99);
+    expect(Math.min(...e.min)).toBe(-99);
+  });
+  test('a short one stays as it is', () => expect(decimate([0, 1], [5, 6], 10)).toEqual({ t: [0, 1], min: [5, 6], max: [5, 6] }));
+  test('places', () => {
+    expect(indexBefore([0, 1, 2], 1.9)).toBe(1);
+    expect(indexBefore([0, 1, 2], -4)).toBe(0);
+    expect(nearest([0, 1, 2], 1.9)).toBe(2);
+    expect(resample([0, 2], [0, 10], [-1, 0, 1, 2, 3])).toEqual([null, 0, 5, 10, null]);
+  });
+});
+
+describe('tube', () => {
+  const points = Array.from({ length: 40 }, (_, i) => [Math.cos(i / 9) * 30, i * 0.2, Math.sin(i / 9) * 30]).flat();
+  test('normals are of unit length, across the line, and do not twist', () => {
+    const t = tube(points, 8);
+    for (let i = 1; i < 39; ++i) {
+      const d = [0, 1, 2].map((k) => points[3 * i + 3 + k]! - points[3 * i - 3 + k]!);
+      const n = Array.from(t.normals.slice(24 * i, 24 * i + 3));
+      const before = Array.from(t.normals.slice(24 * i - 24, 24 * i - 21));
+      expect(Math.hypot(...n)).toBeCloseTo(1, 5);
+      expect(n.reduce((s, v, k) => s + v * d[k]!, 0) / Math.hypot(...d)).toBeCloseTo(0, 5);
+      expect(n.reduce((s, v, k) => s + v * before[k]!, 0)).toBeGreaterThan(0.9);
+    }
+  });
+  test('arrays are used again', () => { const t = tube(points, 8); expect(tube(points, 8, t)).toBe(t); });
+  test('triangles name existing points', () => { const k = tubeIndices(5, 6); expect(k.length).toBe(4 * 36); expect(Math.max(...k)).toBe(29); });
+  test('a vertical line', () => expect([...tube([0, 0, 0, 0, 0, 1], 4).normals].every(Number.isFinite)).toBe(true));
+});
+
+describe('stinger radius', () => {
+  const boxes = Array.from({ length: 8 }, (_, i) => { const a = 0.2 + (i * 4) / 150; return { x: 5 + 150 * (Math.sin(a) - Math.sin(0.2)), z: -4 + 150 * (Math.cos(a) - Math.cos(0.2)) }; });
+  test('finds the circle', () => { const c = fitCircle(boxes)!; expect(c.radius).toBeCloseTo(150, 6); expect(c.slope).toBeCloseTo(0.2, 8); });
+  test('the same radius moves nothing', () => withRadius(boxes, 1)!.forEach((b, i) => { expect(b.x).toBeCloseTo(boxes[i]!.x, 9); expect(b.z).toBeCloseTo(boxes[i]!.z, 9); }));
+  test('a new radius keeps first box, slope and distances along the curve', () => {
+    const wide = withRadius(boxes, 2)!;
+    const c = fitCircle(wide)!;
+    expect(wide[0]).toEqual({ x: expect.closeTo(boxes[0]!.x, 9), z: expect.closeTo(boxes[0]!.z, 9) });
+    expect(c.radius).toBeCloseTo(300, 5);
+    expect(c.slope).toBeCloseTo(0.2, 7);
+    expect(wide[7]!.z).toBeGreaterThan(boxes[7]!.z);
+  });
+  test('a straight or sagging row has no radius', () => {
+    expect(withRadius([{ x: 0, z: 0 }, { x: 1, z: 0 }, { x: 2, z: 0 }], 2)).toBeNull();
+    expect(withRadius([{ x: 0, z: 0 }, { x: 1, z: -1 }, { x: 2, z: 0 }], 2)).toBeNull();
+  });
+});
+
+test('water: grid and point agree', () => {
+  const waves = [{ amplitude: 1.2, number: 0.03, frequency: 0.5, phase: 1, direction: 0.4 }, { amplitude: 0.7, number: 0.06, frequency: 0.8, phase: 4, direction: -2 }];
+  const grid = surface(waves, [0, 10, 20], [-5, 5], 12, new Float32Array(6));
+  expect(grid[4]).toBeCloseTo(elevation(waves, 10, 5, 12), 5);
+});
+
+describe('start dialogue', () => {
+  const good: Answers = { title: '', pipe: '16 in', wall: '11.1 mm', yield: '414 MPa', coating: '3 mm', concrete: '40 mm', depth: '89 m', vessel: 'bgl1', lay: 's', stinger_radius: '150 m', boxes: '8', tension: '250 kN' };
+  test('good answers have no faults, left out ones neither', () => {
+    expect(check(good, 0.4064)).toEqual({});
+    expect(check({ ...good, wall: '', tension: '', boxes: '' }, 0.4064)).toEqual({});
+  });
+  test('faults are named at their answer', () => {
+    expect(check({ ...good, depth: '89' }, 0.4).depth).toMatch(/unit/);
+    expect(check({ ...good, depth: '89 kN' }, 0.4).depth).toMatch(/not one of/);
+    expect(check({ ...good, depth: '' }, 0.4).depth).toMatch(/number/);
+    expect(check({ ...good, wall: '90 mm' }, 0.1683).wall).toMatch(/thicker/);
+    expect(check({ ...good, boxes: '2.5' }, 0.4).boxes).toMatch(/whole/);
+    expect(check({ ...good, tension: '0 kN' }, 0.4).tension).toMatch(/between/);
+    expect(check({ ...good, lay: 'j', boxes: 'x' }, 0.4).boxes).toBeUndefined();
+  });
+});
+
+test('frames come out as they went in', () => {
+  const pack = (v: number[]): string => btoa(String.fromCharCode(...new Uint8Array(new Float32Array(v).buffer)));
+  const c = decode({ total: 9, from: 4, stations: 1, time: [2, 3], pose: [[], []], place: pack([1, 2, 3, 4, 5, 6]), tension: pack([7, 8]), von_mises: pack([9, 10]) });
+  expect([...c.place]).toEqual([1, 2, 3, 4, 5, 6]);
+  expect([...blend(c.place, 0, c.place, 3, 3, 0.5, new Float32Array(3))]).toEqual([2.5, 3.5, 4.5]);
+});
+
+describe('export', () => {
+  const d: Diagram = { title: 'Tension <top>', xName: 's [m]', yName: 'tension [kN]', x: [0, 1, 2], lines: [{ name: 'static, now', colour: '#123456', values: [1, null, 3] }], low: 0, high: 4, xLow: 0, xHigh: 2 };
+  test('CSV has units in its head and quotes commas', () => expect(toCsv(d)).toBe('s [m],"static, now [kN]"\r\n0,1\r\n1,\r\n2,3\r\n'));
+  test('SVG escapes text and breaks the line at gaps', () => {
+    const svg = toSvg(d);
+    expect(svg).toContain('Tension &#60;top&#62;');
+    expect(svg.match(/M[\d.]+ [\d.]+M/)).not.toBeNull();
+  });
+  test('round ticks', () => expect(ticks(0, 400, 5)).toEqual([0, 100, 200, 300, 400]));
+});

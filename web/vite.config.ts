@@ -1,0 +1,31 @@
+import { defineConfig } from 'vite';
+
+// While developing, `OVERBEND_ADDRESS=http://127.0.0.1:PORT npm run dev` passes /api on to a running `overbend serve`.
+// The program refuses pages of another origin, so the origin is rewritten on the way.
+const program = process.env.OVERBEND_ADDRESS ?? 'http://127.0.0.1:8765';
+
+export default defineConfig({
+  build: {
+    target: 'es2022',
+    assetsInlineLimit: 0,
+    chunkSizeWarningLimit: 900,
+    rolldownOptions: {
+      output: {
+        manualChunks: (id: string) => (/node_modules\/three\//.test(id) ? 'three' : undefined),
+        entryFileNames: 'assets/[name]-[hash].js',
+      },
+    },
+  },
+  server: {
+    host: '127.0.0.1',
+    proxy: {
+      '/api': {
+        target: program,
+        changeOrigin: true,
+        configure: (proxy) => {
+          proxy.on('proxyReq', (request) => request.setHeader('origin', program));
+        },
+      },
+    },
+  },
+});
