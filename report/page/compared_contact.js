@@ -22,7 +22,7 @@
   function rows_of(frame, values, kind, x0, x1, colour) {
     if (!values || values.length < 2 || !colour) return;
     const wide = (x1 - x0) / values.length;
-    values.forEach((value, k) => frame.plot.append('circle').attr('cx', frame.x(x0 + (k + 0.5) * wide)).attr('cy', frame.y(value * kind.factor)).attr('r', 3.4)
+    values.forEach((value, k) => frame.over.append('circle').attr('cx', frame.x(x0 + (k + 0.5) * wide)).attr('cy', frame.y(value * kind.factor)).attr('r', 3.4)
       .attr('fill', colour).attr('stroke', '#12395f').attr('stroke-width', 0.9));
   }
 
@@ -45,7 +45,7 @@
     });
     zero_line(frame);
     const entries = data.runs.map((run, k) => ({ text: run.words, colour: looks[k].colour, block: true }));
-    if (kind.rows && data.boxes.some((box) => box.runs[0][kind.rows].length > 1)) entries.push({ text: 'each row of rollers', colour: looks[0].rows, dot: true });
+    if (kind.rows && data.boxes.some((box) => box.runs[0][kind.rows].length > 1)) entries.push({ text: 'bottom roller of each row', colour: looks[0].rows, dot: true });
     Report.legend(frame, entries);
   };
 })();

@@ -34,10 +34,12 @@
     for (const bound of range) level_line(frame, bound, '#5fa37f', null, 0.9);
   }
 
+  // Whether it comes into view.
   function mark_limit(frame) {
-    if (!limit) return;
     const [lo, hi] = frame.y.domain();
-    for (const end of [-limit, limit]) if (end > lo && end < hi) level_line(frame, end, Report.colours.accent, '2 3', 1.2);
+    const seen = [-limit, limit].filter((end) => limit && end > lo && end < hi);
+    for (const end of seen) level_line(frame, end, Report.colours.accent, '2 3', 1.2);
+    return seen.length > 0;
   }
 
   // What the controlled one did, below the curves.
@@ -81,16 +83,17 @@
     const room = 0.07 * (hi - lo || 1);
     const height = 380;
     const below = room + (hi - lo + 2 * room) * kStrip / (height - 130);  // the strip stands there
+    const bounded = kind === 'travel' && limit ? `; limit ${Report.fixed(limit, 2)} m either way` : '';
     const frame = Report.frame(panel, {
       height, lane: 22, y: [lo - below, hi + room], x: [close ? close_from : -build_up, duration].map((t) => t / time_unit.seconds),
-      title: close ? `From ${Report.fixed(close_from, 0)} s to the end` : 'Whole run', x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: axes[kind],
+      title: (close ? `From ${Report.fixed(close_from, 0)} s to the end` : 'Whole run') + bounded, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: axes[kind],
     });
     if (!close) build_up_shade(frame);
-    if (kind === 'tension') shade_range(frame); else mark_limit(frame);
+    if (kind === 'tension') shade_range(frame);
     for (const run of runs) curve(frame, run, kind, close);
     const entries = runs.map((run) => ({ text: run.name, ...looks[run.name] }));
     if (kind === 'tension' && range) entries.push({ text: 'operational range', colour: '#cfe8cf', block: true, edge: '#5fa37f' });
-    if (kind === 'travel' && limit) entries.push({ text: `limit ${Report.fixed(limit, 2)} m`, colour: Report.colours.accent, dash: '2 3' });
+    if (kind === 'travel' && mark_limit(frame)) entries.push({ text: 'limit', colour: Report.colours.accent, dash: '2 3' });
     Report.legend(frame, entries);
     Report.legend(frame, strip(frame), 22);
     frame.over.append('text').attr('class', 'soft').attr('x', frame.margin.left).attr('y', 42).text('Strip below: what the controlled tensioner does');

@@ -16,10 +16,11 @@
 namespace overbend {
 namespace {
 
-/// Five digits; what is next to nothing by its order.
+/// Four digits; what is next to nothing by its order.
 std::string shown(double value) {
-  const bool tiny = value != 0.0 && std::abs(value) < 1e-3;
-  return tiny ? fmt::format("{:.1e}", value) : fmt::format("{:.5g}", value);
+  const double size = std::abs(value);
+  if (size >= 1e4) return fmt::format("{:.0f}", value);
+  return size > 0.0 && size < 1e-3 ? fmt::format("{:.1e}", value) : fmt::format("{:.4g}", value);
 }
 
 std::string quantities_section(const Comparison& comparison) {
@@ -46,8 +47,12 @@ const std::vector<Figure>& figures_of(ComparisonOf of) {
        {"tension_whole", "tension_close"}},
       {"compared_tensioner", "Travel of the tensioner in time", {"travel_whole", "travel_close"}}};
   static const std::vector<Figure> kContact = {
-      {"compared_contact", "Share of time in contact, box by box; \u00d7 marks a box that never carries", {"share"}},
-      {"compared_contact", "Peak reaction of each box; the white line is the static value", {"peak"}},
+      {"compared_contact",
+       "Share of time in contact, box by box and for each bottom roller; \u00d7 marks a box that never carries",
+       {"share"}},
+      {"compared_contact",
+       "Peak reaction of each box; the white line is the static value, dots are single bottom rollers",
+       {"peak"}},
       {"compared_contact", "What the hardest contact of each box may do to steel and coating", {"dent", "load"}}};
   return of == ComparisonOf::tensioner ? kTensioner : kContact;
 }

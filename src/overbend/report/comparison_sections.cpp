@@ -20,25 +20,22 @@ std::string tension_words(const ComparedRun& run) {
                      fixed(tension.max / 1e3, 1), fixed(tension.std / 1e3, 2));
 }
 
-std::string work_words(const TensionerDynamics& t, double duration) {
-  const double travel = std::max(std::abs(t.travel.min), std::abs(t.travel.max));
-  return fmt::format(
-      ". It is out of its range {} % of the time, moves up to {} m, pays out {} and hauls in {} times{}",
-      fixed(100.0 * t.time_out_of_range / duration, 1), fixed(travel, 3), t.pay_out_count, t.haul_in_count,
-      t.limit_count > 0 ? fmt::format(", and stands {} s at the end of its travel", fixed(t.time_at_limit, 1)) : "");
+std::string counts_words(const TensionerDynamics& t) {
+  const std::string at_limit =
+      t.limit_count > 0 ? fmt::format(", and stands {} s at the end of its travel", fixed(t.time_at_limit, 1)) : "";
+  return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
 }
 
 std::vector<std::string> tensioner_findings(const Comparison& comparison) {
   std::vector<std::string> list;
   for (const ComparedRun& run : comparison.runs) {
     const TensionerDynamics& t = run.results.tensioner;
-    std::string words = tension_words(run);
-    if (run.name == "off") {
-      words += fmt::format(". It is out of the range {} % of the time",
-                           fixed(100.0 * t.time_out_of_range / comparison.duration, 1));
-    } else {
-      words += work_words(t, comparison.duration);
+    const double out = 100.0 * t.time_out_of_range / comparison.duration;
+    std::string words = fmt::format("{}. It is out of the range {} % of the time", tension_words(run), fixed(out, 1));
+    if (t.mode != "locked") {
+      words += fmt::format(", travels up to {} m", fixed(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), 3));
     }
+    if (t.mode == "controlled") words += counts_words(t);
     list.push_back(words + ".");
   }
   return list;
@@ -70,30 +67,49 @@ std::string run_words(const Comparison& comparison, std::size_t run) {
       fixed(most.dent_depth * 1e3, 2), fixed(most.line_load / 1e3, 1));
 }
 
-/// What a check of dents and coating with gap springs would miss, or be too strict about.
-std::string meaning(const Comparison& comparison) {
-  const double rollers = hardest(comparison, 0).runs[0].peak_force;
-  const double springs = hardest(comparison, 1).runs[1].peak_force;
-  if (rollers <= 0.0 || springs <= 0.0) return "";
-  const double less = 100.0 * (1.0 - springs / rollers);
-  if (std::abs(less) < 2.0) {
-    return "The largest forces are the same within 2 %: dents and loads on the coating can be judged with either.";
-  }
+/// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
+/// is.
+const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
+  const auto gap = [&](const ComparedBoxes& box) { return sign * (box.runs[0].peak_force - box.runs[1].peak_force); };
+  const auto most = std::max_element(comparison.boxes.begin(), comparison.boxes.end(),
+                                     [&](const ComparedBoxes& a, const ComparedBoxes& b) { return gap(a) < gap(b); });
+  return gap(*most) > 0.0 ? &*most : nullptr;
+}
+
+std::string against(const ComparedBoxes& box) {
+  const ComparedBox &rollers = box.runs[0], &springs = box.runs[1];
   return fmt::format(
-      "For dents and coating: gap springs put the largest force {} % {} than rollers do, so that a check with them is "
-      "{}. "
-      "A gap spring takes the whole reaction of a box at one point, whereas the rows share it unevenly; dent and line "
-      "load of a spring are those of one roller under that force.",
-      fixed(std::abs(less), 0), less > 0.0 ? "lower" : "higher",
-      less > 0.0 ? "on the unsafe side" : "on the safe side");
+      "{}: {} kN with gap springs against {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
+      "the coating",
+      box.name, fixed(springs.peak_force / 1e3, 1), fixed(rollers.peak_force / 1e3, 1),
+      fixed(springs.dent_depth * 1e3, 2), fixed(rollers.dent_depth * 1e3, 2), fixed(springs.line_load / 1e3, 1),
+      fixed(rollers.line_load / 1e3, 1));
+}
+
+/// What a check of dents and coating with gap springs would miss, and where it would be too strict.
+std::vector<std::string> meaning(const Comparison& comparison) {
+  std::vector<std::string> list;
+  if (const ComparedBoxes* missed = farthest(comparison, 1.0)) {
+    const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
+      return box.runs[1].peak_force < box.runs[0].peak_force;
+    });
+    list.push_back(
+        fmt::format("For dents and coating a check with gap springs is on the unsafe side at {} of {} boxes, "
+                    "most at {}.",
+                    below, comparison.boxes.size(), against(*missed)));
+  }
+  if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
+    list.push_back(fmt::format("It is too strict, where one spring takes what several rollers share, most at {}.",
+                               against(*strict)));
+  }
+  return list;
 }
 
 std::vector<std::string> contact_findings(const Comparison& comparison) {
   std::vector<std::string> list;
   for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_words(comparison, run));
-  if (const std::string words = comparison.runs.size() == 2 ? meaning(comparison) : ""; !words.empty()) {
-    list.push_back(words);
-  }
+  const std::vector<std::string> more = meaning(comparison);
+  list.insert(list.end(), more.begin(), more.end());
   return list;
 }
 
