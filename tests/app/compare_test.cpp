@@ -116,7 +116,7 @@ TEST(compare, contact_tells_of_every_box_in_both_models) {
 
 TEST(compare, killed_and_resumed_gives_the_same_comparison) {
   const std::string model = with(kControlled, "duration: 10 s, build_up: 5 s, output_step: 0.5 s",
-                                 "duration: 30 s, build_up: 5 s, output_step: 0.1 s");
+                                 "duration: 20 s, build_up: 5 s, output_step: 0.2 s");
   const TemporaryFolder whole, stopped;
   ASSERT_EQ(compare(whole, model, "--of tensioner").code, 0);
   testing::write_file(stopped / "lay.yaml", model);

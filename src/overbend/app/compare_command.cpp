@@ -86,6 +86,20 @@ int gather(ComparisonOf of, const Description& original, const Cases& cases, con
   return kDone;
 }
 
+/// Runs the cases into folders of their own in `folder`, then puts them beside each other.
+int run_all(ComparisonOf of, const Description& original, const Cases& cases, const fs::path& folder,
+            const SideOptions& options) {
+  std::vector<DynamicCase> shared;
+  for (const std::unique_ptr<PreparedCase>& one : cases) shared.push_back(one->shared());
+  std::vector<SideRun> runs;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    runs.push_back({&shared[i], dynamic_options(cases[i]->model).seed, folder / variants_of(of)[i].name});
+  }
+  if (const ExitCode code = run_side_by_side(runs, options, "variants"); code != kDone) return code;
+  if (all_wrong(runs, folder)) return kWrongInput;
+  return gather(of, original, cases, runs, folder);
+}
+
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
@@ -104,17 +118,7 @@ int run_compare(const CompareArguments& arguments) {
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".comparison")
                               : fs::path(arguments.output);
-  std::vector<DynamicCase> shared;
-  for (const std::unique_ptr<PreparedCase>& one : cases) shared.push_back(one->shared());
-  std::vector<SideRun> runs;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    runs.push_back({&shared[i], dynamic_options(cases[i]->model).seed, folder / variants_of(of)[i].name});
-  }
-  const SideOptions options{arguments.resume, arguments.checkpoint_every, arguments.threads};
-  const ExitCode end = run_side_by_side(runs, options, "variants");
-  if (end != kDone) return end;
-  if (all_wrong(runs, folder)) return kWrongInput;
-  return gather(of, *description, cases, runs, folder);
+  return run_all(of, *description, cases, folder, {arguments.resume, arguments.checkpoint_every, arguments.threads});
 }
 
 }  // namespace overbend

@@ -88,19 +88,22 @@ std::string against(const ComparedBoxes& box) {
 
 /// What a check of dents and coating with gap springs would miss, and where it would be too strict.
 std::vector<std::string> meaning(const Comparison& comparison) {
+  const auto boxes = static_cast<std::ptrdiff_t>(comparison.boxes.size());
+  const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
+    return box.runs[1].peak_force < box.runs[0].peak_force;
+  });
   std::vector<std::string> list;
   if (const ComparedBoxes* missed = farthest(comparison, 1.0)) {
-    const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
-      return box.runs[1].peak_force < box.runs[0].peak_force;
-    });
     list.push_back(
         fmt::format("For dents and coating a check with gap springs is on the unsafe side at {} of {} boxes, "
                     "most at {}.",
-                    below, comparison.boxes.size(), against(*missed)));
+                    below, boxes, against(*missed)));
   }
   if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
-    list.push_back(fmt::format("It is too strict, where one spring takes what several rollers share, most at {}.",
-                               against(*strict)));
+    list.push_back(
+        fmt::format("It is too strict at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
+                    "rollers where the pipe meets them.",
+                    boxes - below, boxes, against(*strict)));
   }
   return list;
 }
