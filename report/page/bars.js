@@ -34,7 +34,7 @@
         .attr('y', frame.height - frame.margin.bottom + 18).style('font-size', data.supports.length > 10 ? '12px' : '14px').text(box.name);
     }
     frame.over.append('text').attr('class', 'soft').attr('text-anchor', 'middle').attr('x', frame.margin.left + frame.inner_width / 2)
-      .attr('y', frame.height - 10).text('Roller rows of each box, from the tensioner astern');
+      .attr('y', frame.height - 10).text(options.words || 'Roller rows of each box, from the tensioner astern');
     return { frame, list };
   }
 

@@ -107,19 +107,19 @@
     Report.label(frame, px, py, text, { fill: colour, ...options });
   };
 
-  // A legend in the head of the frame, from right to left. entries: [{text, colour, dash}]
-  Report.legend = function (frame, entries) {
+  // A legend in the head of the frame, from right to left. entries: [{text, colour, dash}]; `down` lowers it.
+  Report.legend = function (frame, entries, down = 0) {
     let right = frame.width - frame.margin.right;
     for (const entry of [...entries].reverse()) {
       const wide = Report.text_width(frame, entry.text, '');
-      frame.over.append('text').attr('x', right).attr('y', 20).attr('text-anchor', 'end').text(entry.text);
+      frame.over.append('text').attr('x', right).attr('y', 20 + down).attr('text-anchor', 'end').text(entry.text);
       if (entry.block) {
-        frame.over.append('rect').attr('x', right - wide - 22).attr('y', 9).attr('width', 14).attr('height', 12).attr('fill', entry.colour).attr('stroke', entry.edge || null);
+        frame.over.append('rect').attr('x', right - wide - 22).attr('y', 9 + down).attr('width', 14).attr('height', 12).attr('fill', entry.colour).attr('stroke', entry.edge || null);
       } else if (entry.dot) {
-        frame.over.append('circle').attr('cx', right - wide - 14).attr('cy', 15).attr('r', 4).attr('fill', entry.colour);
+        frame.over.append('circle').attr('cx', right - wide - 14).attr('cy', 15 + down).attr('r', 4).attr('fill', entry.colour);
       } else {
-        frame.over.append('line').attr('x1', right - wide - 34).attr('x2', right - wide - 8).attr('y1', 15).attr('y2', 15)
-          .attr('stroke', entry.colour).attr('stroke-width', 2.2).attr('stroke-dasharray', entry.dash || null);
+        frame.over.append('line').attr('x1', right - wide - 34).attr('x2', right - wide - 8).attr('y1', 15 + down).attr('y2', 15 + down)
+          .attr('stroke', entry.colour).attr('stroke-width', entry.width || 2.2).attr('stroke-dasharray', entry.dash || null);
       }
       right -= wide + 48;
     }

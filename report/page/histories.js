@@ -9,36 +9,7 @@
 
   const unit_of = (q) => (q.unit ? ` [${q.unit}]` : '');
 
-  // Hours and minutes where seconds would be long numbers.
-  const time_unit = duration > 7200 ? { name: 'min', seconds: 60 } : { name: 's', seconds: 1 };
-
-  // Whether it is drawn as a line is what it tells.
-  function band(frame, history) {
-    const count = history.low.length;
-    const time = (k) => (-build_up + (k + 0.5) * (duration + build_up) / count) / time_unit.seconds;
-    const value = (level) => history.lowest + history.quantum * level;
-    const area = d3.area().defined((k) => history.low[k] !== null && history.high[k] !== null)
-      .x((k) => frame.x(time(k))).y0((k) => frame.y(value(history.low[k]))).y1((k) => frame.y(value(history.high[k])));
-    // Where each stretch is hardly more than a point the band is a line, and is drawn as one.
-    const all = d3.range(count);
-    const line = d3.median(all, (k) => history.high[k] - history.low[k]) < 60;
-    const colour = line ? colours.dynamic : colours.history;
-    frame.plot.append('path').attr('d', area(all)).attr('fill', colour).attr('stroke', colour).attr('stroke-width', line ? 1.4 : 0.9).attr('stroke-linejoin', 'round');
-    return line;
-  }
-
-  function build_up_shade(frame) {
-    if (build_up <= 0) return;
-    const x0 = frame.x(-build_up / time_unit.seconds);
-    const x1 = frame.x(0);
-    frame.back.append('rect').attr('x', x0).attr('width', x1 - x0).attr('y', frame.margin.top).attr('height', frame.inner_height).attr('fill', '#eceff2');
-    frame.over.append('line').attr('x1', x1).attr('x2', x1).attr('y1', frame.margin.top).attr('y2', frame.height - frame.margin.bottom).attr('stroke', colours.soft).attr('stroke-dasharray', '2 3');
-  }
-
-  function level_line(frame, value, colour, dash, width = 1.5) {
-    frame.plot.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', frame.y(value)).attr('y2', frame.y(value))
-      .attr('stroke', colour).attr('stroke-width', width).attr('stroke-dasharray', dash);
-  }
+  const { time_unit, band, build_up_shade, shade, level_line } = Report.in_time(build_up, duration);
 
   function statistics(history) {
     const spread = history.over_time;
@@ -62,12 +33,8 @@
     });
     frame.svg.classed('small', small);
     build_up_shade(frame);
-    if (history.shade) {
-      const [low, high] = history.shade;
-      frame.back.append('rect').attr('x', frame.margin.left).attr('width', frame.width - frame.margin.left - frame.margin.right)
-        .attr('y', frame.y(high)).attr('height', frame.y(low) - frame.y(high)).attr('fill', '#cfe8cf');
-    }
-    const line = band(frame, history);
+    if (history.shade) shade(frame, history.shade);
+    const line = band(frame, history, { line: colours.dynamic, area: colours.history });
     if (history.static !== null) {
       if (!line) level_line(frame, history.static, '#fff', null, 3.5);
       level_line(frame, history.static, colours.accent, '7 4');

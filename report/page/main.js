@@ -75,6 +75,8 @@
     shares: Report.share_bars,
     ranges: Report.reaction_ranges,
     impacts: Report.impact_scatter,
+    compared_tensioner: Report.compared_tensioner,
+    compared_contact: Report.compared_contact,
   };
 
   for (const panel of document.querySelectorAll('.panel')) {

@@ -3,8 +3,9 @@
 
     render_report.py PROGRAM MODEL.yaml
     render_report.py --made-by PROGRAM [WORD ...]
+    render_report.py --compared PROGRAM MODEL.yaml tensioner|contact DURATION
 
-The second form calls PROGRAM FILE.html WORD ... to write the page.
+The second form calls PROGRAM FILE.html WORD ... to write the page; the third looks at the page of a comparison.
 
 Fails on any error of the page's scripts, on an empty panel, on a figure without axis labels and on marks of missing
 numbers (NaN, undefined) in what was drawn.
@@ -55,6 +56,11 @@ def written_page(words, folder):
         page = pathlib.Path(folder, "report.html")
         subprocess.run([words[1], str(page), *words[2:]], check=True)
         return page
+    if words[0] == "--compared":
+        _, program, model, what, duration = words
+        subprocess.run([program, "compare", model, "--of", what, "--duration", duration, "-o", folder + "/out"],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        return pathlib.Path(folder, "out", "comparison.html")
     program, model = words
     subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
     return pathlib.Path(folder, "out", "report.html")

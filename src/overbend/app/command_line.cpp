@@ -29,21 +29,41 @@ void add_static(CLI::App& program, int& code) {
   command->callback([model, output, &code] { code = run_static(*model, *output); });
 }
 
+/// What runs in time have in common; `what` works in threads.
+template <class Arguments>
+void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what) {
+  command->add_option("MODEL", arguments.model_file, "Model file (YAML)")->required();
+  command->add_option("--duration", arguments.duration, "Simulated time instead of the model's: '600 s'");
+  command->add_flag("--resume", arguments.resume, "Go on from the last checkpoint");
+  command->add_option("--checkpoint", arguments.checkpoint_every, "Seconds between checkpoints")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--threads", arguments.threads, what + " at work at the same time; left out: one per core")
+      ->check(CLI::Range(1, 4096));
+}
+
 void add_dynamic(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand(
       "dynamic", "Statics, then the time domain; writes a folder of results. Ctrl-C leaves a checkpoint.");
   auto arguments = std::make_shared<DynamicArguments>();
-  command->add_option("MODEL", arguments->model_file, "Model file (YAML)")->required();
   command->add_option("-o,--output", arguments->output,
                       "Folder for the results; left out: MODEL's name with .results, here");
-  command->add_option("--duration", arguments->duration, "Simulated time instead of the model's: '600 s'");
-  command->add_flag("--resume", arguments->resume, "Go on from the last checkpoint");
-  command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--threads", arguments->threads, "Seeds at work at the same time; left out: one per core")
-      ->check(CLI::Range(1, 4096));
+  add_run_options(command, *arguments, "Seeds");
   command->callback([arguments, &code] { code = run_dynamic(*arguments); });
+}
+
+void add_compare(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "compare",
+      "Variants of a model in time, beside each other; writes a folder with a page. Ctrl-C leaves checkpoints.");
+  auto arguments = std::make_shared<CompareArguments>();
+  command->add_option("--of", arguments->of, "tensioner: off, controlled, constant; contact: rollers, gap springs")
+      ->required()
+      ->check(CLI::IsMember({"tensioner", "contact"}));
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the variants and the page; left out: MODEL's name with .comparison, here");
+  add_run_options(command, *arguments, "Variants");
+  command->callback([arguments, &code] { code = run_compare(*arguments); });
 }
 
 void add_report(CLI::App& program, int& code) {
@@ -107,6 +127,7 @@ int run_command_line(int count, const char* const* words) {
   add_check(program, code);
   add_static(program, code);
   add_dynamic(program, code);
+  add_compare(program, code);
   add_report(program, code);
   add_new(program, code);
   add_serve(program, code);

@@ -29,6 +29,20 @@ struct DynamicArguments {
 /// kInterrupted.
 int run_dynamic(const DynamicArguments& arguments);
 
+struct CompareArguments {
+  std::string model_file;
+  std::string of;                  ///< "tensioner" or "contact".
+  std::string output;              ///< Folder; empty: "<stem>.comparison" in the current folder.
+  std::string duration;            ///< With its unit; empty: the model's.
+  bool resume = false;             ///< Go on from the last checkpoints in `output`.
+  double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
+  int threads = 0;                 ///< Variants at work at the same time; 0: as many as there are cores.
+};
+
+/// Variants of one model in time, each into a folder of its own, and what they gave beside each other. Interrupted, it
+/// leaves checkpoints and returns kInterrupted.
+int run_compare(const CompareArguments& arguments);
+
 /// Writes report.html beside a results.h5, given that file or its folder.
 int run_report(const std::string& place);
 

@@ -4,12 +4,11 @@
 #include <chrono>
 #include <iostream>
 
-#include "analysis/recovery.h"
 #include "app/commands.h"
 #include "app/dynamic_seeds.h"
 #include "app/interruption.h"
+#include "app/prepared_case.h"
 #include "app/progress.h"
-#include "base/units.h"
 #include "io/run_store.h"
 
 namespace overbend {
@@ -74,19 +73,6 @@ class Watch {
   Clock::time_point last_;
 };
 
-std::optional<Description> read(const DynamicArguments& arguments) {
-  std::optional<Description> description = load_model(arguments.model_file);
-  if (!description || arguments.duration.empty()) return description;
-  const QuantityReading duration = parse_quantity(arguments.duration, "s");
-  if (!duration.value || !(*duration.value > 0.0)) {
-    std::cerr << "overbend: --duration: found " << duration.found << ", expected a time such as '600 s'\n";
-    return std::nullopt;
-  }
-  if (!description->dynamics) description->dynamics.emplace();
-  description->dynamics->duration = *duration.value;
-  return description;
-}
-
 /// One run straight into the folder.
 int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments) {
   if (arguments.resume) {
@@ -119,17 +105,12 @@ std::optional<std::string> twice(std::vector<std::uint64_t> seeds) {
 }
 
 int run_in(const fs::path& folder, const Description& description, const DynamicArguments& arguments) {
-  const Model model = build_model(description);
-  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) return refuse(failure_line(*obstacle));
+  ExitCode code = kDone;
+  const std::unique_ptr<PreparedCase> prepared = prepare_case(description, code);
+  if (!prepared) return code;
   const std::vector<std::uint64_t>& seeds = description.dynamics->seeds;
   if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
-  const StaticOutcome start = solve_statics(model);
-  if (start.failure) {
-    std::cerr << "overbend: no solution: " << failure_line(*start.failure) << "\n";
-    return kNoSolution;
-  }
-  const StaticResults statics = recover_statics(model, *start.solution);
-  const DynamicCase shared{description, model, *start.solution, statics, input_text(description)};
+  const DynamicCase shared = prepared->shared();
   if (seeds.size() < 2) return run_one(shared, folder, arguments);
   return run_seeds(shared, seeds, folder, {arguments.resume, arguments.checkpoint_every, arguments.threads});
 }
@@ -137,8 +118,8 @@ int run_in(const fs::path& folder, const Description& description, const Dynamic
 }  // namespace
 
 int run_dynamic(const DynamicArguments& arguments) {
-  const std::optional<Description> description = read(arguments);
-  if (!description) return kWrongInput;
+  std::optional<Description> description = load_model(arguments.model_file);
+  if (!description || !set_duration(*description, arguments.duration)) return kWrongInput;
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".results")
                               : fs::path(arguments.output);

@@ -4,20 +4,14 @@
 #include <filesystem>
 #include <vector>
 
-#include "runs/dynamic_realisation.h"
+#include "app/side_by_side.h"
 
 namespace overbend {
-
-struct SeedsOptions {
-  bool resume = false;             ///< Finished seeds are kept, begun ones taken up.
-  double checkpoint_every = 30.0;  ///< Of each seed [s].
-  int threads = 0;                 ///< Seeds at work at the same time; 0: as many as there are cores.
-};
 
 /// Runs every seed into `folder`/seed-K and gathers their key values in `folder`. Results do not depend on the number
 /// of threads. A seed that fails is listed and does not stop the others; the exit code is then kNoSolution, or
 /// kWrongInput when none came to an end for a reason that is the input's.
 int run_seeds(const DynamicCase& shared, const std::vector<std::uint64_t>& seeds, const std::filesystem::path& folder,
-              const SeedsOptions& options);
+              const SideOptions& options);
 
 }  // namespace overbend

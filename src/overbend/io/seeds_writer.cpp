@@ -48,7 +48,9 @@ TableUnit table_unit(const SeedQuantity& quantity) {
   if (quantity.units == "N") return {"kN", kKilo};
   if (quantity.units == "N m") return {"kN m", kKilo};
   if (quantity.units == "Pa") return {"MPa", kMega};
-  if (quantity.name.find("strain") != std::string::npos) return {"%", kPercent};
+  if (quantity.units == "N/m") return {"kN/m", kKilo};
+  if (quantity.name.find("strain") != std::string::npos || quantity.name == "contact_share") return {"%", kPercent};
+  if (quantity.name.find("dent_depth") != std::string::npos) return {"mm", kMillimetres};
   return {quantity.units == "1" ? "-" : quantity.units, 1.0};
 }
 

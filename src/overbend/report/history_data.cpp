@@ -84,27 +84,20 @@ class Histories {
     if (history == nullptr || history->low.empty() || history->low.size() != history->high.size()) {
       return false;
     }
-    const std::vector<double> low = joined(history->low, false);
-    const std::vector<double> high = joined(history->high, true);
-    Range range;
-    range.widen(low);
-    range.widen(high);
-    if (range.empty()) {
+    const Quantity q = quantity(history->name, history->units);
+    json trace = history_trace(*history, q);
+    if (trace.is_null()) {
       return false;
     }
-    const Quantity q = quantity(history->name, history->units);
     const std::optional<double> before = static_value(statics_, results_, history->name);
-    out_.push_back({{"group", group},
-                    {"title", q.name},
-                    {"unit", q.unit},
-                    {"digits", q.digits},
-                    {"description", history->description},
-                    {"lowest", json_number(q.shown(range.lo))},
-                    {"quantum", json_number(q.shown(range.hi - range.lo) / kLevels)},
-                    {"low", levels(low, range)},
-                    {"high", levels(high, range)},
-                    {"over_time", spread_data(history->over_time, q)},
-                    {"static", before ? json_number(q.shown(*before)) : json(nullptr)}});
+    trace.update({{"group", group},
+                  {"title", q.name},
+                  {"unit", q.unit},
+                  {"digits", q.digits},
+                  {"description", history->description},
+                  {"over_time", spread_data(history->over_time, q)},
+                  {"static", before ? json_number(q.shown(*before)) : json(nullptr)}});
+    out_.push_back(std::move(trace));
     return true;
   }
 
@@ -148,6 +141,21 @@ std::vector<const HistorySummary*> hardest_supports(const DynamicResults& result
 }
 
 }  // namespace
+
+json history_trace(const HistorySummary& history, const Quantity& q) {
+  const std::vector<double> low = joined(history.low, false);
+  const std::vector<double> high = joined(history.high, true);
+  Range range;
+  range.widen(low);
+  range.widen(high);
+  if (range.empty()) {
+    return nullptr;
+  }
+  return {{"lowest", json_number(q.shown(range.lo))},
+          {"quantum", json_number(q.shown(range.hi - range.lo) / kLevels)},
+          {"low", levels(low, range)},
+          {"high", levels(high, range)}};
+}
 
 json history_data(const StaticResults& statics, const DynamicResults& results) {
   Histories histories(statics, results);

@@ -1,48 +1,18 @@
 #include "report/report.h"
 
-#include <fmt/chrono.h>
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <ctime>
-#include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include "io/yaml_reader.h"
-#include "report/assets.h"
 #include "report/dynamic_sections.h"
 #include "report/figures.h"
 #include "report/html.h"
+#include "report/page.h"
 #include "report/report_data.h"
 #include "report/sections.h"
 
 namespace overbend {
 namespace {
-
-std::string script(std::string_view text) {
-  return "<script>\n" + std::string(text) + "\n</script>\n";
-}
-
-std::string head(const std::string& title) {
-  return "<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-         "<link rel=\"icon\" href=\"data:,\">\n<title>" +
-         html::escape(title) + "</title>\n<style>\n" + std::string(report_asset("style")) + "</style>\n</head>\n";
-}
-
-std::string scripts(const std::string& data) {
-  std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(data) + "</script>\n";
-  for (const char* name : {"d3", "data", "chart", "along", "diagrams", "envelopes", "histories", "bars", "contacts",
-                           "side_view", "painter", "scene", "main"}) {
-    out += script(report_asset(name));
-  }
-  return out;
-}
-
-std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(title) + "<body>\n<main>\n" + body + "</main>\n" +
-         scripts(data) + "</body>\n</html>\n";
-}
 
 /// The inputs are told as the program understands them; what it can not read any more is still printed at the end.
 std::optional<Description> description_of(const std::string& model_text) {
@@ -73,27 +43,6 @@ std::vector<std::string> together(std::vector<std::string> all, const std::vecto
   return all;
 }
 
-void write_page(const std::string& page, const std::filesystem::path& file) {
-  const std::filesystem::path beside = file.parent_path() / ("." + file.filename().string() + ".part");
-  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-  out << page;
-  out.close();
-  std::error_code error;
-  if (out) {
-    std::filesystem::rename(beside, file, error);
-  }
-  if (!out || error) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    throw std::runtime_error(file.string() + ": the report can not be written" +
-                             (error ? ": " + error.message() : std::string()));
-  }
-}
-
-std::string now() {
-  return fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)));
-}
-
 }  // namespace
 
 std::string report_html(const StaticResults& results, const std::string& model_text) {
@@ -103,7 +52,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(results);
   entries.emplace_back("Status", status_words("converged", remarks.size()));
   entries.emplace_back("Program", "Overbend " + results.version);
-  entries.emplace_back("Written", now());
+  entries.emplace_back("Written", written_now());
   int figure = 0;
   const std::string body = title_block("Static pipelay analysis", results.title, entries) +
                            key_results(results, "results", "Key results") + warnings_section(remarks) +
@@ -118,7 +67,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string dynamic =
-      dynamic_title_block(statics, results, description, now()) + dynamic_key_results(statics, results) +
+      dynamic_title_block(statics, results, description, written_now()) + dynamic_key_results(statics, results) +
       warnings_section(dynamic_remarks(statics, results)) + dynamic_figures_section(statics, results, figure) +
       dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
       impacts_section(statics, results) + tensioner_section(statics, results) + dynamic_run_section(results);

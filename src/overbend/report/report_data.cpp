@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/comparison_data.h"
 #include "report/dynamic_data.h"
 #include "report/json_number.h"
 #include "report/places.h"
@@ -150,6 +151,10 @@ json static_figure_data(const StaticResults& results) {
           {"steel_diameter", results.steel_outer_diameter}};
 }
 
+std::string text(const json& data) {
+  return data.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic) {
@@ -157,7 +162,13 @@ std::string report_data(const StaticResults& results, const DynamicResults* dyna
   if (dynamic != nullptr) {
     data["dynamic"] = dynamic_figure_data(results, *dynamic);
   }
-  return data.dump(-1, ' ', false, json::error_handler_t::replace);
+  return text(data);
+}
+
+std::string report_data(const StaticResults& results, const Comparison& comparison) {
+  json data = static_figure_data(results);
+  data["comparison"] = comparison_data(comparison);
+  return text(data);
 }
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "results/dynamic_results.h"
+#include "results/comparison_results.h"
 
 namespace overbend {
 
@@ -11,5 +11,8 @@ namespace overbend {
 /// stern shoe, to port, above the water). Long lines are thinned where they are straight, never at an extreme. With
 /// dynamic results these are under "dynamic".
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic = nullptr);
+
+/// The static data with those of a comparison under "comparison".
+std::string report_data(const StaticResults& results, const Comparison& comparison);
 
 }  // namespace overbend

@@ -1,0 +1,41 @@
+#include "app/prepared_case.h"
+
+#include <iostream>
+
+#include "analysis/recovery.h"
+#include "base/units.h"
+
+namespace overbend {
+
+std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitCode& code) {
+  Model model = build_model(description);
+  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
+    std::cerr << "overbend: " << failure_line(*obstacle) << "\n";
+    code = kWrongInput;
+    return nullptr;
+  }
+  StaticOutcome outcome = solve_statics(model);
+  if (outcome.failure) {
+    std::cerr << "overbend: no solution: " << failure_line(*outcome.failure) << "\n";
+    code = kNoSolution;
+    return nullptr;
+  }
+  code = kDone;
+  StaticResults statics = recover_statics(model, *outcome.solution);
+  return std::make_unique<PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
+                                                     std::move(statics), input_text(description)});
+}
+
+bool set_duration(Description& description, const std::string& text) {
+  if (text.empty()) return true;
+  const QuantityReading duration = parse_quantity(text, "s");
+  if (!duration.value || !(*duration.value > 0.0)) {
+    std::cerr << "overbend: --duration: found " << duration.found << ", expected a time such as '600 s'\n";
+    return false;
+  }
+  if (!description.dynamics) description.dynamics.emplace();
+  description.dynamics->duration = *duration.value;
+  return true;
+}
+
+}  // namespace overbend

@@ -1,0 +1,29 @@
+/// A model with its equilibrium, ready for a run in time.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "runs/dynamic_realisation.h"
+
+namespace overbend {
+
+struct PreparedCase {
+  Description description;
+  Model model;
+  StaticSolution start;
+  StaticResults statics;
+  std::string input;  ///< Of input_text().
+
+  /// Valid as long as this lives, where it lives.
+  DynamicCase shared() const { return {description, model, start, statics, input}; }
+};
+
+/// Builds the model and solves its statics. Null where it can not be run, told on stderr; `code` says why.
+std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitCode& code);
+
+/// Sets the simulated time to a quantity such as "600 s"; an empty text leaves the model's. False where it is none,
+/// told on stderr.
+bool set_duration(Description& description, const std::string& text);
+
+}  // namespace overbend

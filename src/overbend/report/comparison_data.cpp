@@ -1,0 +1,82 @@
+#include "report/comparison_data.h"
+
+#include <algorithm>
+
+#include "report/history_data.h"
+#include "report/json_number.h"
+
+namespace overbend {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kKilonewton = 1e-3;
+
+json numbers(const std::vector<double>& values, double factor = 1.0) {
+  json out = json::array();
+  for (const double value : values) out.push_back(json_number(factor * value));
+  return out;
+}
+
+json trace_of(const DynamicResults& results, const std::string& name) {
+  const auto at = std::find_if(results.histories.begin(), results.histories.end(),
+                               [&](const HistorySummary& history) { return history.name == name; });
+  return at == results.histories.end() ? json(nullptr) : history_trace(*at, quantity(at->name, at->units));
+}
+
+json tensioner_run(const ComparedRun& run) {
+  json states = json::array();
+  for (const TensionerSpan& span : run.states) {
+    states.push_back(json::array({json_number(span.from), json_number(span.to), span.state}));
+  }
+  return {{"name", run.name},
+          {"tension", trace_of(run.results, "tensioner/tension")},
+          {"travel", trace_of(run.results, "tensioner/travel")},
+          {"states", states},
+          {"close",
+           {{"time", numbers(run.close.time)},
+            {"tension", numbers(run.close.tension, kKilonewton)},
+            {"travel", numbers(run.close.travel)}}}};
+}
+
+json box_run(const ComparedBox& box) {
+  return {{"share", json_number(box.contact_share)}, {"before", json_number(box.static_reaction)},
+          {"peak", json_number(box.peak_reaction)},  {"dent", json_number(box.dent_depth)},
+          {"load", json_number(box.line_load)},      {"row_share", numbers(box.row_share)},
+          {"row_peak", numbers(box.row_peak)}};
+}
+
+json tensioner_data(const Comparison& comparison) {
+  json runs = json::array();
+  for (const ComparedRun& run : comparison.runs) runs.push_back(tensioner_run(run));
+  const TensionerDynamics& t = comparison.runs.front().results.tensioner;
+  const bool ranged = t.range_high > t.range_low;
+  return {{"range", ranged ? numbers({t.range_low, t.range_high}, kKilonewton) : json(nullptr)},
+          {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit) : json(nullptr)},
+          {"runs", runs}};
+}
+
+json contact_data(const Comparison& comparison) {
+  json runs = json::array(), boxes = json::array();
+  for (const ComparedRun& run : comparison.runs) runs.push_back({{"name", run.name}, {"words", run.words}});
+  for (const ComparedBoxes& box : comparison.boxes) {
+    json seen = json::array();
+    for (const ComparedBox& one : box.runs) seen.push_back(box_run(one));
+    boxes.push_back({{"name", box.name}, {"runs", seen}});
+  }
+  return {{"runs", runs}, {"boxes", boxes}};
+}
+
+}  // namespace
+
+json comparison_data(const Comparison& comparison) {
+  const bool tensioner = comparison.of == ComparisonOf::tensioner;
+  json data = tensioner ? tensioner_data(comparison) : contact_data(comparison);
+  data["of"] = tensioner ? "tensioner" : "contact";
+  data["duration"] = json_number(comparison.duration);
+  data["build_up"] = json_number(comparison.build_up);
+  data["close_from"] = json_number(comparison.close_from);
+  return data;
+}
+
+}  // namespace overbend

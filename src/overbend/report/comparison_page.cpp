@@ -1,0 +1,105 @@
+#include "report/comparison_page.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "io/seeds_writer.h"
+#include "report/comparison_sections.h"
+#include "report/figure_list.h"
+#include "report/html.h"
+#include "report/page.h"
+#include "report/quantity.h"
+#include "report/report_data.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+/// Four digits; what is next to nothing by its order.
+std::string shown(double value) {
+  const double size = std::abs(value);
+  if (size >= 1e4) return fmt::format("{:.0f}", value);
+  return size > 0.0 && size < 1e-3 ? fmt::format("{:.1e}", value) : fmt::format("{:.4g}", value);
+}
+
+std::string quantities_section(const Comparison& comparison) {
+  std::vector<html::Head> head = {{"Quantity", "", true}, {"Unit", "", true}};
+  for (const ComparedRun& run : comparison.runs) head.push_back({run.name, ""});
+  html::Table table("", head, "plain");
+  for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
+    const TableUnit unit = table_unit(comparison.quantities[i]);
+    std::vector<std::string> cells = {comparison.quantities[i].description, unit.name};
+    for (const ComparedRun& run : comparison.runs) cells.push_back(shown(run.values.at(i) * unit.factor));
+    table.row(cells);
+  }
+  std::vector<std::string> warnings = {"Warnings", "-"};
+  for (const ComparedRun& run : comparison.runs) warnings.push_back(std::to_string(run.results.warnings.size()));
+  table.row(warnings);
+  return html::section("quantities", "What each gave",
+                       table.str() + "<p class=\"small\">From the end of the build-up to the end of the run.</p>\n");
+}
+
+const std::vector<Figure>& figures_of(ComparisonOf of) {
+  static const std::vector<Figure> kTensioner = {
+      {"compared_tensioner",
+       "Tension at the tensioner in time: off, controlled and constant, with the operational range",
+       {"tension_whole", "tension_close"}},
+      {"compared_tensioner", "Travel of the tensioner in time", {"travel_whole", "travel_close"}}};
+  static const std::vector<Figure> kContact = {
+      {"compared_contact",
+       "Share of time in contact, box by box and for each bottom roller; \u00d7 marks a box that never carries",
+       {"share"}},
+      {"compared_contact",
+       "Peak reaction of each box; the white line is the static value, dots are single bottom rollers",
+       {"peak"}},
+      {"compared_contact", "What the hardest contact of each box may do to steel and coating", {"dent", "load"}}};
+  return of == ComparisonOf::tensioner ? kTensioner : kContact;
+}
+
+std::string figures(const Comparison& comparison) {
+  int number = 0;
+  const auto always = [](const Figure&, const std::string&) { return true; };
+  return figure_section("figures", "Figures", figure_list(figures_of(comparison.of), always, number));
+}
+
+std::string links_section(const Comparison& comparison) {
+  std::string items;
+  for (const ComparedRun& run : comparison.runs) {
+    items += fmt::format("<li><a href=\"{0}/report.html\">{0}</a>: {1}</li>\n", html::escape(run.name),
+                         html::escape(run.words));
+  }
+  return html::section("reports", "The reports of the variants", "<ul>\n" + items + "</ul>\n");
+}
+
+std::vector<std::string> all_warnings(const Comparison& comparison) {
+  std::vector<std::string> all;
+  for (const ComparedRun& run : comparison.runs) {
+    for (const std::string& warning : run.results.warnings) all.push_back(run.name + ": " + warning);
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
+  const bool tensioner = comparison.of == ComparisonOf::tensioner;
+  const std::vector<std::string> warnings = all_warnings(comparison);
+  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
+  entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
+  entries.emplace_back("Status", status_words("completed", warnings.size()));
+  entries.emplace_back("Program", "Overbend " + statics.version);
+  entries.emplace_back("Written", written_now());
+  const std::string kind = tensioner ? "Tensioner off, controlled and constant" : "Rollers against gap springs";
+  const std::string body = title_block("Comparison: " + kind, statics.title, entries) + findings_section(comparison) +
+                           warnings_section(warnings) + figures(comparison) + quantities_section(comparison) +
+                           boxes_section(comparison) + links_section(comparison) + model_text_section(model_text);
+  return whole_page(statics.title + " - comparison", body, report_data(statics, comparison));
+}
+
+void write_comparison_page(const StaticResults& statics, const Comparison& comparison, const std::string& model_text,
+                           const std::filesystem::path& file) {
+  write_page(comparison_html(statics, comparison, model_text), file);
+}
+
+}  // namespace overbend

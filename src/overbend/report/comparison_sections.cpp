@@ -1,0 +1,164 @@
+#include "report/comparison_sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "report/html.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+// The tensioner -----------------------------------------------------------------------------------------------------
+
+std::string tension_words(const ComparedRun& run) {
+  const Spread& tension = run.results.tensioner.tension;
+  return fmt::format("{}: {} to {} kN, standard deviation {} kN", run.words, fixed(tension.min / 1e3, 1),
+                     fixed(tension.max / 1e3, 1), fixed(tension.std / 1e3, 2));
+}
+
+std::string counts_words(const TensionerDynamics& t) {
+  const std::string at_limit =
+      t.limit_count > 0 ? fmt::format(", and stands {} s at the end of its travel", fixed(t.time_at_limit, 1)) : "";
+  return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
+}
+
+std::vector<std::string> tensioner_findings(const Comparison& comparison) {
+  std::vector<std::string> list;
+  for (const ComparedRun& run : comparison.runs) {
+    const TensionerDynamics& t = run.results.tensioner;
+    const double out = 100.0 * t.time_out_of_range / comparison.duration;
+    std::string words = fmt::format("{}. It is out of the range {} % of the time", tension_words(run), fixed(out, 1));
+    if (t.mode != "locked") {
+      words += fmt::format(", travels up to {} m", fixed(std::max(std::abs(t.travel.min), std::abs(t.travel.max)), 3));
+    }
+    if (t.mode == "controlled") words += counts_words(t);
+    list.push_back(words + ".");
+  }
+  return list;
+}
+
+// Contact -----------------------------------------------------------------------------------------------------------
+
+/// Of a run: the box that is pressed hardest at one roller.
+const ComparedBoxes& hardest(const Comparison& comparison, std::size_t run) {
+  return *std::max_element(
+      comparison.boxes.begin(), comparison.boxes.end(),
+      [&](const ComparedBoxes& a, const ComparedBoxes& b) { return a.runs[run].peak_force < b.runs[run].peak_force; });
+}
+
+double average_carrying(const Comparison& comparison, std::size_t run) {
+  double sum = 0.0;
+  for (const ComparedBoxes& box : comparison.boxes) sum += box.runs[run].contact_share;
+  return sum;
+}
+
+std::string run_words(const Comparison& comparison, std::size_t run) {
+  const ComparedBoxes& box = hardest(comparison, run);
+  const ComparedBox& most = box.runs[run];
+  return fmt::format(
+      "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} kN ({}): a dent of {} mm in "
+      "bare steel, {} kN/m on the coating.",
+      comparison.runs[run].words, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
+      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", fixed(most.peak_force / 1e3, 1), box.name,
+      fixed(most.dent_depth * 1e3, 2), fixed(most.line_load / 1e3, 1));
+}
+
+/// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
+/// is.
+const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
+  const auto gap = [&](const ComparedBoxes& box) { return sign * (box.runs[0].peak_force - box.runs[1].peak_force); };
+  const auto most = std::max_element(comparison.boxes.begin(), comparison.boxes.end(),
+                                     [&](const ComparedBoxes& a, const ComparedBoxes& b) { return gap(a) < gap(b); });
+  return gap(*most) > 0.0 ? &*most : nullptr;
+}
+
+std::string against(const ComparedBoxes& box) {
+  const ComparedBox &rollers = box.runs[0], &springs = box.runs[1];
+  return fmt::format(
+      "{}: {} kN with gap springs against {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
+      "the coating",
+      box.name, fixed(springs.peak_force / 1e3, 1), fixed(rollers.peak_force / 1e3, 1),
+      fixed(springs.dent_depth * 1e3, 2), fixed(rollers.dent_depth * 1e3, 2), fixed(springs.line_load / 1e3, 1),
+      fixed(rollers.line_load / 1e3, 1));
+}
+
+/// What a check of dents and coating with gap springs would miss, and where it would be too strict.
+std::vector<std::string> meaning(const Comparison& comparison) {
+  const auto boxes = static_cast<std::ptrdiff_t>(comparison.boxes.size());
+  const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {
+    return box.runs[1].peak_force < box.runs[0].peak_force;
+  });
+  std::vector<std::string> list;
+  if (const ComparedBoxes* missed = farthest(comparison, 1.0)) {
+    list.push_back(
+        fmt::format("For dents and coating a check with gap springs is on the unsafe side at {} of {} boxes, "
+                    "most at {}.",
+                    below, boxes, against(*missed)));
+  }
+  if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
+    list.push_back(
+        fmt::format("It is too strict at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
+                    "rollers where the pipe meets them.",
+                    boxes - below, boxes, against(*strict)));
+  }
+  return list;
+}
+
+std::vector<std::string> contact_findings(const Comparison& comparison) {
+  std::vector<std::string> list;
+  for (std::size_t run = 0; run < comparison.runs.size(); ++run) list.push_back(run_words(comparison, run));
+  const std::vector<std::string> more = meaning(comparison);
+  list.insert(list.end(), more.begin(), more.end());
+  return list;
+}
+
+std::vector<std::string> box_cells(const ComparedBox& box) {
+  return {fixed(100.0 * box.contact_share, 1), fixed(box.static_reaction / 1e3, 1), fixed(box.mean_reaction / 1e3, 1),
+          fixed(box.peak_reaction / 1e3, 1),   fixed(box.peak_force / 1e3, 1),      fixed(box.dent_depth * 1e3, 2),
+          fixed(box.line_load / 1e3, 1)};
+}
+
+}  // namespace
+
+std::string findings_section(const Comparison& comparison) {
+  return html::section("findings", "Findings",
+                       html::list(comparison.of == ComparisonOf::tensioner ? tensioner_findings(comparison)
+                                                                           : contact_findings(comparison)));
+}
+
+std::string boxes_section(const Comparison& comparison) {
+  if (comparison.boxes.empty()) return "";
+  std::vector<html::Head> head = {{"Box", "", true}};
+  std::vector<std::pair<std::string, int>> groups = {{"", 1}};
+  for (const ComparedRun& run : comparison.runs) {
+    head.insert(head.end(), {{"Contact", "% of time"},
+                             {"static", "kN"},
+                             {"mean", "kN"},
+                             {"peak", "kN"},
+                             {"one roller", "kN"},
+                             {"dent", "mm"},
+                             {"line load", "kN/m"}});
+    groups.emplace_back(run.words, 7);
+  }
+  html::Table table("", head, "dense boxes");
+  table.groups(groups);
+  for (const ComparedBoxes& box : comparison.boxes) {
+    std::vector<std::string> cells = {box.name};
+    for (const ComparedBox& run : box.runs) {
+      const std::vector<std::string> more = box_cells(run);
+      cells.insert(cells.end(), more.begin(), more.end());
+    }
+    table.row(cells);
+  }
+  return html::section(
+      "boxes", "Support boxes",
+      table.str() +
+          "<p class=\"small\">Static, mean, peak: resultant of the box. One roller: its largest normal "
+          "force; dent of bare steel and line load on the coating under that force.</p>\n");
+}
+
+}  // namespace overbend

@@ -1,0 +1,18 @@
+/// The frame of every page: head, style, scripts, data; and how it comes to disk.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace overbend {
+
+/// A page that needs nothing beside it. `title` is plain text, `body` HTML, `data` the JSON that its scripts draw.
+std::string whole_page(const std::string& title, const std::string& body, const std::string& data);
+
+/// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
+void write_page(const std::string& page, const std::filesystem::path& file);
+
+/// "2026-11-21 14:30 UTC"
+std::string written_now();
+
+}  // namespace overbend

@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/child_program.h"
+#include "app/compare_gather.h"
+#include "app/program.h"
+#include "app/small_lay.h"
+#include "support/csv_text.h"
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ChildProgram;
+using testing::file_text;
+using testing::kSmallLay;
+using testing::ProgramRun;
+using testing::run_program;
+using testing::TemporaryFolder;
+using testing::with;
+using Json = nlohmann::json;
+
+/// A range that the small lay leaves at once, and a machine that follows it.
+const std::string kControlled =
+    with(kSmallLay, "tension: 300 kN}", "tension: 300 kN, range: [299 kN, 301 kN], velocity: 0.3 m/s, travel: 1 m}");
+
+ProgramRun compare(const TemporaryFolder& folder, const std::string& model, const std::string& more) {
+  testing::write_file(folder / "lay.yaml", model);
+  return run_program("compare " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string() + " " + more);
+}
+
+Json json_of(const fs::path& file) {
+  return Json::parse(file_text(file));
+}
+
+/// The row of a quantity: its cells by the names of the head.
+double cell(const std::vector<std::string>& table, const std::string& quantity, const std::string& column) {
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    if (table[i].rfind(quantity + ",", 0) == 0) return testing::value_in(table, i, column);
+  }
+  ADD_FAILURE() << "no " << quantity;
+  return 0.0;
+}
+
+TEST(compare, the_variants_own_summaries_agree_with_the_table) {
+  const TemporaryFolder folder;
+  const ProgramRun run = compare(folder, kControlled, "--of tensioner --threads 2");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::vector<std::string> table = testing::lines_of(file_text(folder / "out/comparison.csv"));
+  const Json variants = json_of(folder / "out/comparison.json").at("comparison").at("variants");
+  ASSERT_EQ(variants.size(), 3U);
+  for (const Json& variant : variants) {
+    const std::string name = variant.at("name");
+    const Json dynamic = json_of(folder / "out" / name / "summary.json").at("dynamic");
+    EXPECT_EQ(variant.at("top_tension_max"), dynamic.at("top_tension").at("max")) << name;
+    EXPECT_EQ(variant.at("overbend_max_von_mises"), dynamic.at("overbend").at("max_von_mises").at("max")) << name;
+    const double tension = dynamic.at("tensioner").at("max_tension");
+    EXPECT_EQ(variant.at("tension_max").get<double>(), tension) << name;
+    EXPECT_NEAR(cell(table, "tension_max", name), tension / 1e3, 1e-9 * tension / 1e3) << name;  // twelve digits
+    EXPECT_TRUE(fs::is_regular_file(folder / "out" / name / "report.html"));
+  }
+  EXPECT_NE(file_text(folder / "out/comparison.html").find("compared_tensioner"), std::string::npos);
+}
+
+TEST(compare, off_does_not_travel_and_constant_keeps_its_tension) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(compare(folder, kControlled, "--of tensioner").code, 0);
+  const std::vector<std::string> table = testing::lines_of(file_text(folder / "out/comparison.csv"));
+  EXPECT_EQ(cell(table, "largest_travel", "off"), 0.0);
+  EXPECT_EQ(cell(table, "pay_out_count", "off"), 0.0);
+  EXPECT_GT(cell(table, "time_out_of_range", "off"), 0.0);
+  EXPECT_GT(cell(table, "largest_travel", "controlled"), 0.0);
+  EXPECT_LT(cell(table, "tension_std", "constant"), 1e-3 * cell(table, "tension_std", "off"));  // a solver's tolerance
+}
+
+TEST(compare, a_variant_is_the_run_of_the_model_with_its_key_set) {
+  const TemporaryFolder folder, alone;
+  ASSERT_EQ(compare(folder, kControlled, "--of tensioner").code, 0);
+  testing::write_file(alone / "lay.yaml", with(kControlled, "travel: 1 m}", "travel: 1 m, mode: constant}"));
+  ASSERT_EQ(run_program("dynamic " + (alone / "lay.yaml").string() + " -o " + (alone / "out").string()).code, 0);
+  for (const char* file : {"pipe.csv", "supports.csv", "impacts.csv"}) {
+    EXPECT_EQ(file_text(folder / "out/constant" / file), file_text(alone / "out" / file)) << file;
+  }
+}
+
+TEST(compare, without_a_range_the_tensioner_is_refused_in_one_line) {
+  const TemporaryFolder folder;
+  const ProgramRun run = compare(folder, kSmallLay, "--of tensioner");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("tensioner.range is missing"), std::string::npos) << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
+TEST(compare, contact_tells_of_every_box_in_both_models) {
+  const TemporaryFolder folder;
+  const ProgramRun run = compare(folder, kSmallLay, "--of contact");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json comparison = json_of(folder / "out/comparison.json").at("comparison");
+  const Json& supports = comparison.at("supports");
+  ASSERT_EQ(supports.size(), 5U);
+  for (const char* name : {"rollers", "gap_springs"}) {
+    const Json boxes = json_of(folder / "out" / name / "summary.json").at("dynamic").at("supports");
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 5; ++i) {
+      EXPECT_EQ(supports[i].at(name).at("contact_share"), boxes[i].at("contact_share"));
+      EXPECT_EQ(supports[i].at(name).at("peak_reaction"), boxes[i].at("reaction").at("max"));
+      sum += boxes[i].at("contact_share").get<double>();
+    }
+    const Json& variant = comparison.at("variants")[std::string(name) == "rollers" ? 0 : 1];
+    EXPECT_NEAR(variant.at("boxes_carrying").get<double>(), sum, 1e-12 * sum);  // of five doubles
+  }
+}
+
+TEST(compare, killed_and_resumed_gives_the_same_comparison) {
+  const std::string model = with(kControlled, "duration: 10 s, build_up: 5 s, output_step: 0.5 s",
+                                 "duration: 20 s, build_up: 5 s, output_step: 0.2 s");
+  const TemporaryFolder whole, stopped;
+  ASSERT_EQ(compare(whole, model, "--of tensioner").code, 0);
+  testing::write_file(stopped / "lay.yaml", model);
+  {
+    ChildProgram program(stopped.path(), {"compare", "lay.yaml", "--of", "tensioner", "-o", "out", "--checkpoint", "0",
+                                          "--threads", "1"});
+    ASSERT_TRUE(program.signal_after(stopped / "out/controlled", 5.0, SIGKILL));  // the second: the first is done
+    EXPECT_EQ(program.end(), -SIGKILL);
+  }
+  EXPECT_FALSE(fs::exists(stopped / "out/comparison.html"));
+  const auto off = fs::last_write_time(stopped / "out/off/summary.json");
+  ASSERT_EQ(compare(stopped, model, "--of tensioner --resume").code, 0);
+  EXPECT_EQ(fs::last_write_time(stopped / "out/off/summary.json"), off);
+  EXPECT_EQ(file_text(whole / "out/comparison.csv"), file_text(stopped / "out/comparison.csv"));
+  EXPECT_TRUE(fs::is_regular_file(stopped / "out/comparison.html"));
+}
+
+TEST(compare, interrupted_leaves_checkpoints_and_says_how_to_go_on) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "lay.yaml", with(kSmallLay, "duration: 10 s", "duration: 300 s"));
+  ChildProgram program(folder.path(),
+                       {"compare", "lay.yaml", "--of", "contact", "-o", "out", "--checkpoint", "0", "--threads", "2"});
+  ASSERT_TRUE(program.signal_after(folder / "out/rollers", 1.0, SIGINT));
+  EXPECT_EQ(program.end(), 130);
+  EXPECT_TRUE(fs::exists(folder / "out/rollers/.run/checkpoint"));
+  EXPECT_FALSE(fs::exists(folder / "out/comparison.json"));
+}
+
+TEST(compare, neighbouring_rows_of_one_state_are_one_span) {
+  const std::vector<TensionerSpan> spans = tensioner_spans({0.0, 1.0, 2.0, 3.0}, {0.0, 0.0, 2.0, 2.0});
+  ASSERT_EQ(spans.size(), 2U);
+  EXPECT_EQ(spans[0].to, 2.0);
+  EXPECT_EQ(spans[1].from, 2.0);
+  EXPECT_EQ(spans[1].to, 3.0);
+  EXPECT_EQ(spans[1].state, 2);
+}
+
+}  // namespace
+}  // namespace overbend
