@@ -88,7 +88,16 @@ Json tensioner(const TensionerDynamics& t) {
           {"time_out_of_range", t.time_out_of_range},
           {"time_at_limit", t.time_at_limit},
           {"pay_out_count", t.pay_out_count},
-          {"haul_in_count", t.haul_in_count}};
+          {"haul_in_count", t.haul_in_count},
+          {"limit_count", t.limit_count},
+          {"time_holding", t.time_holding},
+          {"time_delayed", t.time_delayed},
+          {"time_paying_out", t.time_paying_out},
+          {"time_hauling_in", t.time_hauling_in},
+          {"wanted", t.wanted},
+          {"range_low", t.range_low},
+          {"range_high", t.range_high},
+          {"travel_limit", t.travel_limit}};
 }
 
 Json estimate(const ExtremeEstimate& e) {
