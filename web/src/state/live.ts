@@ -1,8 +1,8 @@
 // Live statics: values on top of the model that are tried out with sliders, and the solution that belongs to them.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
-import { get, post } from '../api/client';
+import { get } from '../api/client';
+import { Solver } from '../api/solver';
 import type { Change, Converged, Scene, StaticAnswer } from '../api/types';
-import { LatestGate } from '../logic/gate';
 import { liveChanges, type LiveBase, type LiveValues, readBase } from '../logic/live';
 import { liveScene } from '../logic/liveScene';
 import { colourBy, slots } from './look';
@@ -27,14 +27,13 @@ export const scene = computed<Scene | null>(() => (standing.value ? liveScene(st
 /** From the moment of asking to the answer, in ms. */
 export const roundTrip = signal(0);
 
-interface Request { changes: Change[]; asked: number; lists: string[] | null }
+interface Request { asked: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
 /** Lists along the pipe that are on the screen: no others are sent while dragging. */
 const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation)$/.test(name));
 
-const gate = new LatestGate<Request, StaticAnswer>(
-  ({ changes: list, lists }) => post<StaticAnswer>('static', { changes: list, full: false, ...(lists ? { lists } : {}) }),
-  (answer, { asked }) => batch(() => {
+const gate = new Solver<Request>(
+  (answer: StaticAnswer, { asked }) => batch(() => {
     roundTrip.value = performance.now() - asked;
     ++solved.count;
     if (answer.status === 'converged') { failure.value = null; solution.value = answer; }
@@ -49,8 +48,7 @@ const gate = new LatestGate<Request, StaticAnswer>(
 
 /** Answers taken in since the start, for measurements. */
 export const solved = { count: 0 };
-
-export const solves = gate;
+(globalThis as unknown as { __solved: typeof solved }).__solved = solved;
 
 let restTimer = 0;
 
@@ -108,7 +106,7 @@ export function startLive(): void {
     const ready = hasModel.value && errors.value.length === 0;
     void revision.value;
     const list = changes.value, lean = dragging.value;
-    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ changes: list, asked: performance.now(), lists: lean ? looked() : null }); last = list; });
+    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
     else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {

@@ -76,6 +76,8 @@ export class View3D {
   private colouring: Colouring | null = null;
   private moment: Moment | null = null;
   private dragging = false;
+  private drawn = false; // in the turn before
+  private cost = 0; // of a picture: ms from its drawing to the next turn of the page
   private rigKey = '';
   private readonly byProcessor = drawnByProcessor();
   private readonly arrow = new THREE.Group();
@@ -123,8 +125,10 @@ export class View3D {
       requestAnimationFrame(loop);
       this.fly(now);
       if (!this.dirty) { this.rest(now); return; }
-      // the processor that draws is the one that solves: it is not given to pictures alone
-      if (this.dragging && this.byProcessor && now - this.lastDraw < 62) return;
+      // Where the processor draws, the page stands still meanwhile: while dragging it is left more than half of the time.
+      if (this.drawn) { this.cost = now - this.lastDraw; this.drawn = false; }
+      if (this.dragging && this.byProcessor && this.cost > 25 && now - this.lastDraw < Math.min(160, 2.5 * this.cost)) return;
+      this.drawn = true;
       this.dirty = false;
       this.pace(now);
       this.draw();
