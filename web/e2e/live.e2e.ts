@@ -108,6 +108,15 @@ test('the left pane is made wider by mouse and by keys, and put back', async () 
   expect(await width()).toBeCloseTo(before, 0);
 });
 
+test('a picture for the guide', async () => {
+  const guide = await bench.open({ width: 1600, height: 900 });
+  await solved(guide);
+  await guide.click('.viewbuttons >> text=overbend');
+  await guide.waitForTimeout(3000);
+  await bench.shot(guide, 'serve-bgl1');
+  await guide.close();
+});
+
 test('an error is shown at its line in YAML and at its field, and mended', async () => {
   await page.click('#tab-yaml');
   await page.waitForSelector('.cm-content');

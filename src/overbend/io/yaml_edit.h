@@ -28,8 +28,8 @@ class YamlEditFault : public std::runtime_error {
 /// or a value runs over several lines.
 std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& changes);
 
-/// The same in the tree instead of the text, for values that are scalars now or keys yet missing in a group. False, with
-/// the tree in an unknown state, where a change is none of these.
+/// The same in the tree instead of the text, for values that are scalars now or keys yet missing in a group. False,
+/// with the tree in an unknown state, where a change is none of these.
 bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes);
 
 /// A scalar as it has to be written within flow style to be read as this text: in quotes where it would mislead.

@@ -186,7 +186,9 @@ VesselSize vessel_size(const std::string& vessel) {
 }
 
 std::string as_said(const std::string& text, double value, const std::string& si_unit, const std::string& unit) {
-  const auto plain = [](unsigned char c) { return std::isalnum(c) != 0 || std::string_view(" ./^+-").find(static_cast<char>(c)) != std::string_view::npos; };
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view(" ./^+-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
   const std::optional<double> said = parse_quantity(text, si_unit).value;
   const bool same = said && std::abs(*said - value) <= 1e-12 * std::abs(value);
   return same && std::ranges::all_of(text, plain) ? text : format_quantity(value, si_unit, unit);
@@ -233,10 +235,10 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   if (model.wall >= 0.5 * model.diameter) return "--wall: thicker than the pipe's radius";
   model.concrete = concrete.value.value_or(choose_concrete(model));
   model.vessel = !options.vessel.empty() ? options.vessel : model.depth <= 200.0 && model.stinger ? "barge" : "ship";
-  model.title = !options.title.empty() ? options.title
-                                       : fmt::format("{:.4g} mm pipe in {} of water, {}-lay", model.diameter * 1e3,
-                                                     as_said(options.depth, model.depth, "m", "m"),
-                                                     model.stinger ? "S" : "J");
+  model.title = !options.title.empty()
+                    ? options.title
+                    : fmt::format("{:.4g} mm pipe in {} of water, {}-lay", model.diameter * 1e3,
+                                  as_said(options.depth, model.depth, "m", "m"), model.stinger ? "S" : "J");
   model.tensioner_height = model.stinger ? 1.4 : 15.0;
   const Section section = derive_section("", section_of(model), kWaterWeightDensity);
   model.weight_in_air = section.weight_in_air;

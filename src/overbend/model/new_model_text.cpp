@@ -38,11 +38,13 @@ environment:
   #   - {{depth: 0 m, speed: 0.5 m/s, towards: 0 deg}}
   #   - {{depth: {depth}, speed: 0.1 m/s, towards: 0 deg}}
 )",
-                     fmt::arg("title", model.title), fmt::arg("depth", as_said(model.said.depth, model.depth, "m", "m")));
+                     fmt::arg("title", model.title),
+                     fmt::arg("depth", as_said(model.said.depth, model.depth, "m", "m")));
 }
 
 std::string pipe_text(const NewModel& model) {
-  std::string text = fmt::format(R"(
+  std::string text =
+      fmt::format(R"(
 pipe:
   steel:
     outside_diameter: {}
@@ -52,9 +54,8 @@ pipe:
     yield_stress: {}
     weight_density: 77 kN/m^3
 )",
-                                 as_said(model.said.pipe, model.diameter, "m", "mm"),
-                                 as_said(model.said.wall, model.wall, "m", "mm"),
-                                 as_said(model.said.yield, model.yield, "N/m^2", "MPa"));
+                  as_said(model.said.pipe, model.diameter, "m", "mm"), as_said(model.said.wall, model.wall, "m", "mm"),
+                  as_said(model.said.yield, model.yield, "N/m^2", "MPa"));
   if (model.coating > 0.0 || model.concrete > 0.0) {
     text += "  coatings:                            # from the steel outwards\n";
   }
@@ -105,9 +106,8 @@ tensioner:                             # the pipe hangs straight from it: no sup
 
 std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
   const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
-  std::string text =
-      fmt::format("  {}:\n    radius: {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
-                  as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
+  std::string text = fmt::format("  {}:\n    radius: {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
+                                 as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
   for (int i = 0; i < count; ++i) {
     const double x = count > 1 ? first + i * spacing : last;
     text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,

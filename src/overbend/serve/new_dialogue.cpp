@@ -44,7 +44,8 @@ Json grades() {
 
 Json vessels() {
   Json list = Json::array();
-  for (const auto& [name, title] : {std::pair{"barge", "Flat barge for shallow water"}, {"BGL-1", "BGL-1, lay barge"}, {"ship", "Lay ship"}}) {
+  for (const auto& [name, title] :
+       {std::pair{"barge", "Flat barge for shallow water"}, {"BGL-1", "BGL-1, lay barge"}, {"ship", "Lay ship"}}) {
     const VesselSize size = vessel_size(name);
     list.push_back({{"name", name},
                     {"title", title},

@@ -52,8 +52,8 @@ Json pipe(const StaticResults& r, const std::vector<std::string>* lists) {
 
 /// Von Mises stress of an extreme over the yield stress where it stands.
 double utilisation(const StaticResults& r, const Extreme& von_mises) {
-  const auto nearest = std::ranges::min_element(
-      r.stations, {}, [&](const Station& at) { return std::abs(at.s - von_mises.s); });
+  const auto nearest =
+      std::ranges::min_element(r.stations, {}, [&](const Station& at) { return std::abs(at.s - von_mises.s); });
   return nearest != r.stations.end() && nearest->yield_stress > 0.0 ? von_mises.value / nearest->yield_stress : 0.0;
 }
 
