@@ -28,6 +28,15 @@ test('the known solution', async () => {
   await bench.shot(page, 'bgl1');
 });
 
+test('a picture for the guide', async () => {
+  const guide = await bench.open({ width: 1600, height: 900 });
+  await solved(guide);
+  await guide.click('.viewbuttons >> text=overbend');
+  await guide.waitForTimeout(3000);
+  await bench.shot(guide, 'serve-bgl1');
+  await guide.close();
+});
+
 test('dragging the tension gives another S', async () => {
   await drag('#s-tension', 400);
   await page.waitForFunction(() => Number.parseFloat([...document.querySelectorAll('.results .kv')].find((e) => e.textContent!.startsWith('lay-back'))!.querySelector('dd')!.textContent!) > 380);
@@ -106,15 +115,6 @@ test('the left pane is made wider by mouse and by keys, and put back', async () 
   expect(await width()).toBeCloseTo(before + 74, -1);
   await page.locator('.handle').press('Home');
   expect(await width()).toBeCloseTo(before, 0);
-});
-
-test('a picture for the guide', async () => {
-  const guide = await bench.open({ width: 1600, height: 900 });
-  await solved(guide);
-  await guide.click('.viewbuttons >> text=overbend');
-  await guide.waitForTimeout(3000);
-  await bench.shot(guide, 'serve-bgl1');
-  await guide.close();
 });
 
 test('an error is shown at its line in YAML and at its field, and mended', async () => {

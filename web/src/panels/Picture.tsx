@@ -53,7 +53,7 @@ function Values() {
     return (
       <dl class="values"><div class="kv"><dt>{r.support.name}, row {r.row + 1}</dt><dd>{r.position}</dd></div>
         <div class="kv"><dt>reaction</dt><dd>{tidy(r.reaction / 1e3, 4)} <small>kN</small></dd></div>
-        <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{tidy(Math.abs(r.separation) * 1e3, 3)} <small>mm</small></dd></div></dl>
+        {r.separation > 0 && r.reaction > 0 ? null : <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{tidy(Math.abs(r.separation) * 1e3, 3)} <small>mm</small></dd></div>}</dl>
     );
   }
   const i = p?.kind === 'station' && at === null ? p.index : nearest(s.pipe.s, at ?? 0);
