@@ -139,5 +139,18 @@ TEST(yaml_edit, every_value_of_the_example_can_be_set_and_reads_the_same) {
   }
 }
 
+TEST(yaml_edit, a_tree_takes_the_same_simple_changes_as_the_text) {
+  Diagnostics faults;
+  YamlNode root = *parse_yaml(kText, "", faults);
+  ASSERT_TRUE(edit_tree(
+      root, {{"b.d.e", Kind::scalar, "4 m"}, {"list[1].y", Kind::scalar, "9"}, {"b.new", Kind::scalar, "5"}}));
+  EXPECT_EQ(root.entries[1].value.entries[1].value.entries[0].value.text, "4 m");
+  EXPECT_EQ(root.entries[2].value.items[1].entries[1].value.text, "9");
+  EXPECT_EQ(root.entries[1].value.entries.back().key, "new");
+  EXPECT_FALSE(edit_tree(root, {{"list", Kind::scalar, "1"}}));
+  EXPECT_FALSE(edit_tree(root, {{"no.such.group", Kind::scalar, "1"}}));
+  EXPECT_FALSE(edit_tree(root, {{"a", Kind::remove, ""}}));
+}
+
 }  // namespace
 }  // namespace overbend

@@ -149,5 +149,16 @@ TEST(serve_model, the_schema_is_that_of_the_command) {
   EXPECT_EQ(serving.get("/api/schema").json["title"], "Overbend model file");
 }
 
+TEST(serve_new, quantities_stand_in_the_unit_they_were_typed_in) {
+  const Serving serving;
+  const Reply made =
+      serving.post("/api/new", {{"pipe", "16"}, {"depth", "300 ft"}, {"concrete", "1.5 in"}, {"vessel", "BGL-1"}});
+  const std::string text = made.json["text"];
+  for (const char* part :
+       {"water_depth: 300 ft\n", "thickness: 1.5 in,", "name: BGL-1\n", "outside_diameter: 406.4 mm\n"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  }
+}
+
 }  // namespace
 }  // namespace overbend

@@ -100,5 +100,23 @@ TEST(serve_static, no_answer_holds_nan) {
   }
 }
 
+TEST(serve_static, the_utilisation_of_a_region_is_its_own_von_mises_stress_over_yield) {
+  const Serving serving(kSmallLay);
+  const json answer = serving.post("/api/static", json::object()).json;
+  const json& pipe = answer["pipe"];
+  const double yield = pipe["von_mises"][5].get<double>() / pipe["utilisation"][5].get<double>();
+  for (const char* name : {"overbend", "sagbend"}) {
+    const json& region = answer["key"][name];
+    EXPECT_NEAR(region["utilisation"].get<double>(), region["von_mises"].get<double>() / yield, 1e-5) << name;
+  }
+}
+
+TEST(serve_static, only_the_lists_asked_for_are_sent) {
+  const Serving serving(kSmallLay);
+  const json pipe = serving.post("/api/static", {{"lists", {"tension"}}}).json["pipe"];
+  EXPECT_TRUE(pipe.contains("x") && pipe.contains("tension"));
+  EXPECT_FALSE(pipe.contains("moment") || pipe.contains("strain"));
+}
+
 }  // namespace
 }  // namespace overbend

@@ -1,4 +1,5 @@
 // Live statics, form and YAML, reload and two tabs, with BGL-1.
+import { readFileSync } from 'node:fs';
 import { afterAll, beforeAll, expect, test } from 'vitest';
 import type { Page } from 'playwright-core';
 import { reading, solved, start, type Bench } from './harness';
@@ -25,6 +26,15 @@ test('the known solution', async () => {
   expect(await reading(page, 'lay-back')).toBeCloseTo(335.6, 0);
   await page.waitForTimeout(700);
   await bench.shot(page, 'bgl1');
+});
+
+test('a picture for the guide', async () => {
+  const guide = await bench.open({ width: 1600, height: 900 });
+  await solved(guide);
+  await guide.click('.viewbuttons >> text=overbend');
+  await guide.waitForTimeout(3000);
+  await bench.shot(guide, 'serve-bgl1');
+  await guide.close();
 });
 
 test('dragging the tension gives another S', async () => {
@@ -64,6 +74,47 @@ test('pictures of all views', async () => {
     await page.waitForTimeout(900);
     await bench.shot(page, `view-${view.replaceAll(' ', '-')}`);
   }
+});
+
+test('a roller is picked and says what it carries', async () => {
+  await page.click('.viewbuttons >> text=stinger');
+  await page.waitForTimeout(1200);
+  // where the first stinger roller that carries is drawn
+  const spot = await page.evaluate(() => {
+    interface Point { clone(): Point; project(c: unknown): { x: number; y: number } }
+    const view = (window as unknown as { __view: { camera: unknown; rollers: { list: { support: { structure: string }; reaction: number; center: Point }[] } } }).__view;
+    const r = document.querySelector('.canvas canvas')!.getBoundingClientRect();
+    const carrying = view.rollers.list.filter((x) => x.support.structure === 'stinger' && x.reaction > 0);
+    const p = carrying[Math.floor(carrying.length / 2)]!.center.clone().project(view.camera);
+    return { x: r.left + ((p.x + 1) / 2) * r.width, y: r.top + ((1 - p.y) / 2) * r.height };
+  });
+  await page.mouse.click(spot.x, spot.y);
+  await page.waitForFunction(() => /row \d/.test(document.querySelector('.values')?.textContent ?? ''));
+  expect(await page.locator('.values').innerText()).toMatch(/reaction\s+[\d.]+\s+kN/);
+  await bench.shot(page, 'roller');
+  await page.click('.viewbuttons >> text=whole');
+});
+
+test('a diagram goes out as PNG', async () => {
+  const [file] = await Promise.all([page.waitForEvent('download'), page.locator('.slot').first().locator('text=png').click()]);
+  const bytes = readFileSync(await file.path());
+  expect(bytes.subarray(1, 4).toString()).toBe('PNG');
+  expect(bytes.readUInt32BE(16)).toBe(1800);
+  expect(bytes.length).toBeGreaterThan(10_000);
+});
+
+test('the left pane is made wider by mouse and by keys, and put back', async () => {
+  const width = async (): Promise<number> => (await page.locator('.left').boundingBox())!.width;
+  const before = await width();
+  await page.mouse.move(before, 300);
+  await page.mouse.down();
+  await page.mouse.move(before + 90, 300, { steps: 3 });
+  await page.mouse.up();
+  expect(await width()).toBeCloseTo(before + 90, -1);
+  await page.locator('.handle').press('ArrowLeft');
+  expect(await width()).toBeCloseTo(before + 74, -1);
+  await page.locator('.handle').press('Home');
+  expect(await width()).toBeCloseTo(before, 0);
 });
 
 test('an error is shown at its line in YAML and at its field, and mended', async () => {

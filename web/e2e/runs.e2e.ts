@@ -34,6 +34,27 @@ test('it is animated', async () => {
   await bench.shot(page, 'animation');
 });
 
+test('impacts light up, the tensioner says what it does, boxes have the colour of their reaction', async () => {
+  const runs = await (await bench.api('runs')).json() as { id: string; state: string }[];
+  const { impacts } = await (await bench.api(`runs/${runs[0]!.id}/impacts`)).json() as { impacts: { time: number }[] };
+  expect(impacts.length).toBeGreaterThan(0);
+  const hardest = impacts.find((i) => i.time > 0 && i.time < 19)!;
+  await page.locator('[aria-label=Time]').evaluate((el, t) => { const input = el as HTMLInputElement; input.value = String(t); input.dispatchEvent(new Event('input', { bubbles: true })); }, Math.ceil((hardest.time + 0.05) * 20) / 20);
+  await page.waitForFunction(() => Number((document.querySelector('.legend') as HTMLElement).dataset.flashes) > 0);
+  expect(await page.evaluate(() => (window as unknown as { __view: { flashGroup: { children: unknown[] } } }).__view.flashGroup.children.length)).toBeGreaterThan(0);
+  expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|about to move|pays out|hauls in|at its limit)/);
+  expect(await page.locator('.readings').innerText()).toMatch(/travel\s+-?[\d.]+ m/);
+  expect(await page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
+  await page.selectOption('[aria-label="Diagram 2"]', 'history:tensioner/tension');
+  await page.waitForTimeout(800);
+  await bench.shot(page, 'impact');
+});
+
+test('what frames do not hold can not be chosen while they are shown', async () => {
+  const closed = await page.locator('[aria-label="Colour of the pipe"] option:disabled').allInnerTexts();
+  expect(closed.join()).toMatch(/Bending stress.*Strain.*Utilisation/);
+});
+
 test('the report is downloaded', async () => {
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('.run >> text=Report')]);
   const text = readFileSync(await file.path(), 'utf8');
@@ -48,13 +69,32 @@ test('diagrams go out as CSV and SVG', async () => {
   }
 });
 
+test('values are live during a long run, until it is cancelled', async () => {
+  await page.fill('#run-duration', '120 s');
+  await page.click('text=Start run');
+  const run = page.locator('.run.running');
+  await run.locator('.livevalues').waitFor({ timeout: 60_000 });
+  const read = async (): Promise<[number, number, string]> => [
+    Number(await run.locator('[role=progressbar]').getAttribute('aria-valuenow')),
+    Number.parseFloat(await run.locator('.kv', { hasText: 'top tension' }).locator('dd').innerText()),
+    await run.locator('.brief').nth(1).innerText(),
+  ];
+  const [before, tension, words] = await read();
+  expect(tension).toBeGreaterThan(100);
+  expect(words).toMatch(/%/);
+  await page.waitForFunction((least) => Number(document.querySelector('.run.running [role=progressbar]')?.getAttribute('aria-valuenow') ?? 100) > least, before);
+  await bench.shot(page, 'live-values');
+  await run.locator('text=Cancel').click();
+  await page.waitForSelector('.run.cancelled', { timeout: 30_000 });
+});
+
 test('a run is cancelled', async () => {
   await page.fill('#run-duration', '3 h');
   await page.click('text=Start run');
   await page.waitForSelector('.run.running');
   await page.waitForTimeout(1000);
   await page.click('.run >> text=Cancel');
-  await page.waitForSelector('.run.cancelled', { timeout: 30_000 });
+  await page.waitForFunction(() => document.querySelectorAll('.run.cancelled').length === 2, undefined, { timeout: 30_000 });
 });
 
 test('a closed tab does not stop a run', async () => {

@@ -104,8 +104,8 @@ void add_new(CLI::App& program, int& code) {
   command->add_option("--lay", options->lay, "s: over a stinger; j: straight from a tower")
       ->check(CLI::IsMember({"s", "j"}))
       ->capture_default_str();
-  command->add_option("--vessel", options->vessel, "barge or ship; left out: by the depth")
-      ->check(CLI::IsMember({"barge", "ship"}));
+  command->add_option("--vessel", options->vessel, "barge, BGL-1 or ship; left out: by the depth")
+      ->check(CLI::IsMember({"barge", "BGL-1", "ship"}));
   command->add_option("--stinger-radius", options->stinger_radius, "Left out: from the yield stress");
   command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; left out: one every 5 m")
       ->check(CLI::Range(1, 100));

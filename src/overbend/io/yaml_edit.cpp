@@ -206,7 +206,33 @@ std::string edited(const std::string& text, const YamlChange& change) {
   return now;
 }
 
+/// The node at a path, made where its last key is missing in a group; null where that can not be.
+YamlNode* node_at(YamlNode& root, const std::string& path) {
+  std::string rest;
+  const std::vector<YamlSpot> spots = follow_path(root, path, rest);
+  YamlNode* at = &root;
+  for (std::size_t i = 1; i < spots.size(); ++i) {
+    at = at->kind == Kind::map ? &at->entries[spots[i].index].value : &at->items[spots[i].index];
+  }
+  if (rest.empty()) return at;
+  if (at->kind != Kind::map || rest.find_first_of(".[") != std::string::npos) return nullptr;
+  at->entries.push_back({rest, at->line, at->column, {}});
+  return &at->entries.back().value;
+}
+
 }  // namespace
+
+bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes) {
+  for (const YamlChange& change : changes) {
+    YamlNode* node = change.kind == YamlChange::Kind::scalar ? node_at(root, change.path) : nullptr;
+    if (node == nullptr || !node->items.empty() || !node->entries.empty()) return false;
+    if (node->line == 0) node->line = root.line;
+    node->kind = Kind::scalar;
+    node->text = change.value;
+    node->quoted = false;
+  }
+  return true;
+}
 
 std::string yaml_scalar(const std::string& text) {
   const std::optional<YamlNode> alone = parsed("[" + text + "]");

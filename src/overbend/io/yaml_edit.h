@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/yaml_document.h"
+
 namespace overbend {
 
 struct YamlChange {
@@ -25,6 +27,10 @@ class YamlEditFault : public std::runtime_error {
 /// nothing. Throws YamlEditFault where the text is no YAML, a path leads through something else than groups and lists,
 /// or a value runs over several lines.
 std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& changes);
+
+/// The same in the tree instead of the text, for values that are scalars now or keys yet missing in a group. False,
+/// with the tree in an unknown state, where a change is none of these.
+bool edit_tree(YamlNode& root, const std::vector<YamlChange>& changes);
 
 /// A scalar as it has to be written within flow style to be read as this text: in quotes where it would mislead.
 std::string yaml_scalar(const std::string& text);

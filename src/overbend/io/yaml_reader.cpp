@@ -51,6 +51,24 @@ std::size_t first_garbage(const std::string& text) {
   return std::string::npos;
 }
 
+enum class Files { none, all };  ///< Which of the files that the model names are read.
+
+void read_tree(const YamlNode& root, const std::string& path, Files files, ModelReading& reading) {
+  const FieldValue values = read_fields(root, field_tree(), path, reading.diagnostics);
+  check_model(values, path, reading.diagnostics);
+  if (reading.diagnostics.has_errors()) return;
+  reading.description = bind_model(values, path);
+  if (files == Files::all) {
+    read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+    read_motion_file(values, *reading.description, reading.diagnostics);
+  }
+  if (reading.diagnostics.has_errors()) {
+    reading.description.reset();
+    return;
+  }
+  reading.description->warnings = reading.diagnostics.lines(Severity::warning);
+}
+
 }  // namespace
 
 ModelReading read_model_text(const std::string& text, const std::string& path) {
@@ -72,18 +90,14 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
                ? std::move(reading)
                : refused(path, "not a model file: keys such as 'overbend: 1' are expected", root->line);
   }
-  const FieldValue values = read_fields(*root, field_tree(), path, reading.diagnostics);
-  check_model(values, path, reading.diagnostics);
-  if (reading.diagnostics.has_errors()) return reading;
-  reading.description = bind_model(values, path);
-  read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
-  read_motion_file(values, *reading.description, reading.diagnostics);
-  if (reading.diagnostics.has_errors()) {
-    reading.description.reset();
-    return reading;
-  }
-  reading.description->source_text = text;
-  reading.description->warnings = reading.diagnostics.lines(Severity::warning);
+  read_tree(*root, path, Files::all, reading);
+  if (reading.description) reading.description->source_text = text;
+  return reading;
+}
+
+ModelReading read_still_model(const YamlNode& root, const std::string& path) {
+  ModelReading reading;
+  read_tree(root, path, Files::none, reading);
   return reading;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/diagnostics.h"
+#include "io/yaml_document.h"
 #include "model/description.h"
 
 namespace overbend {
@@ -19,5 +20,9 @@ ModelReading read_model(const std::string& path);
 
 /// The same for a text; `path` names it in messages and gives the folder of the files it mentions.
 ModelReading read_model_text(const std::string& text, const std::string& path);
+
+/// The same for a tree, without the file of the vessel's motion: enough for statics, where it is done many times a
+/// second.
+ModelReading read_still_model(const YamlNode& root, const std::string& path);
 
 }  // namespace overbend

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "base/units.h"
 #include "model/section.h"
@@ -179,7 +181,17 @@ std::string settle_stinger(NewModel& model, const std::optional<double>& said_ra
 }  // namespace
 
 VesselSize vessel_size(const std::string& vessel) {
-  return vessel == "ship" ? VesselSize{220.0, 38.0, 18.0, 9.0} : VesselSize{120.0, 30.0, 9.0, 5.2};
+  if (vessel == "ship") return {220.0, 38.0, 18.0, 9.0};
+  return {120.0, 30.0, 9.0, vessel == "BGL-1" ? 5.182 : 5.2};
+}
+
+std::string as_said(const std::string& text, double value, const std::string& si_unit, const std::string& unit) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view(" ./^+-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  const std::optional<double> said = parse_quantity(text, si_unit).value;
+  const bool same = said && std::abs(*said - value) <= 1e-12 * std::abs(value);
+  return same && std::ranges::all_of(text, plain) ? text : format_quantity(value, si_unit, unit);
 }
 
 std::span<const double> api_walls() {
@@ -213,6 +225,7 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   if (!depth.value) return "--depth is missing: the water depth with its unit, such as '89 m'";
 
   NewModel model;
+  model.said = options;
   model.stinger = options.lay == "s";
   model.diameter = *pipe.value;
   model.depth = *depth.value;
@@ -222,9 +235,10 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   if (model.wall >= 0.5 * model.diameter) return "--wall: thicker than the pipe's radius";
   model.concrete = concrete.value.value_or(choose_concrete(model));
   model.vessel = !options.vessel.empty() ? options.vessel : model.depth <= 200.0 && model.stinger ? "barge" : "ship";
-  model.title = !options.title.empty() ? options.title
-                                       : fmt::format("{:.4g} mm pipe in {:.6g} m of water, {}-lay",
-                                                     model.diameter * 1e3, model.depth, model.stinger ? "S" : "J");
+  model.title = !options.title.empty()
+                    ? options.title
+                    : fmt::format("{:.4g} mm pipe in {} of water, {}-lay", model.diameter * 1e3,
+                                  as_said(options.depth, model.depth, "m", "m"), model.stinger ? "S" : "J");
   model.tensioner_height = model.stinger ? 1.4 : 15.0;
   const Section section = derive_section("", section_of(model), kWaterWeightDensity);
   model.weight_in_air = section.weight_in_air;

@@ -24,11 +24,12 @@ struct VesselSize {
   double length, beam, depth, draught;
 };
 
-/// A typical one for "barge" or "ship".
+/// Of "BGL-1", and a typical one for "barge" or "ship".
 VesselSize vessel_size(const std::string& vessel);
 
 /// The numbers of a new model, SI.
 struct NewModel {
+  NewOptions said;  ///< What it was made from.
   std::string title, vessel = "barge";
   bool stinger = true;  ///< S-lay.
   double diameter = 0.0, wall = 0.0, yield = 0.0, coating = 0.0, concrete = 0.0;
@@ -43,6 +44,9 @@ struct NewModel {
 
 /// The model with everything chosen that was not said, or a sentence that says what is wrong.
 std::variant<NewModel, std::string> choose_model(const NewOptions& options);
+
+/// The text as typed, where it is a quantity of this value [SI]; else the value in `unit`.
+std::string as_said(const std::string& text, double value, const std::string& si_unit, const std::string& unit);
 
 /// The commented model file.
 std::string model_text(const NewModel& model);

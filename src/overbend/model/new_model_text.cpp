@@ -29,40 +29,43 @@ overbend: 1
 title: "{title}"
 
 environment:
-  water_depth: {depth:.6g} m
+  water_depth: {depth}
   water_weight_density: 10.05 kN/m^3
   seabed:
     stiffness: 100 kN/m^2              # normal force per length of pipe and penetration
     friction: {{axial: 0.5, lateral: 0.5}}
   # current:                           # by increasing depth
   #   - {{depth: 0 m, speed: 0.5 m/s, towards: 0 deg}}
-  #   - {{depth: {depth:.6g} m, speed: 0.1 m/s, towards: 0 deg}}
+  #   - {{depth: {depth}, speed: 0.1 m/s, towards: 0 deg}}
 )",
-                     fmt::arg("title", model.title), fmt::arg("depth", model.depth));
+                     fmt::arg("title", model.title),
+                     fmt::arg("depth", as_said(model.said.depth, model.depth, "m", "m")));
 }
 
 std::string pipe_text(const NewModel& model) {
-  std::string text = fmt::format(R"(
+  std::string text =
+      fmt::format(R"(
 pipe:
   steel:
-    outside_diameter: {:.6g} mm
-    wall_thickness: {:.6g} mm
+    outside_diameter: {}
+    wall_thickness: {}
     youngs_modulus: 207 GPa
     poissons_ratio: 0.3
-    yield_stress: {:.6g} MPa
+    yield_stress: {}
     weight_density: 77 kN/m^3
 )",
-                                 model.diameter * 1e3, model.wall * 1e3, model.yield / 1e6);
+                  as_said(model.said.pipe, model.diameter, "m", "mm"), as_said(model.said.wall, model.wall, "m", "mm"),
+                  as_said(model.said.yield, model.yield, "N/m^2", "MPa"));
   if (model.coating > 0.0 || model.concrete > 0.0) {
     text += "  coatings:                            # from the steel outwards\n";
   }
   if (model.coating > 0.0) {
-    text += fmt::format("    - {{name: corrosion coating, thickness: {:.6g} mm, weight_density: 9.32 kN/m^3}}\n",
-                        model.coating * 1e3);
+    text += fmt::format("    - {{name: corrosion coating, thickness: {}, weight_density: 9.32 kN/m^3}}\n",
+                        as_said(model.said.coating, model.coating, "m", "mm"));
   }
   if (model.concrete > 0.0) {
-    text += fmt::format("    - {{name: concrete, thickness: {:.6g} mm, weight_density: 22 kN/m^3}}\n",
-                        model.concrete * 1e3);
+    text += fmt::format("    - {{name: concrete, thickness: {}, weight_density: 22 kN/m^3}}\n",
+                        as_said(model.said.concrete, model.concrete, "m", "mm"));
     text += "  joint: {length: 12.2 m, field_joint: 0.7 m, infill_weight_density: 10.065 kN/m^3}\n";
   }
   return text + fmt::format("  # weighs {:.4g} kN/m in the water\n", model.submerged_weight / 1e3);
@@ -85,6 +88,10 @@ vessel:
                      model.vessel, size.length, size.beam, size.depth, size.draught, -0.5 * size.length, deck);
 }
 
+std::string tension_text(const NewModel& model) {
+  return as_said(model.said.tension, model.tension, "N", "kN");
+}
+
 std::string tower_text(const NewModel& model) {
   return fmt::format(R"(
 tensioner:                             # the pipe hangs straight from it: no supports
@@ -92,15 +99,15 @@ tensioner:                             # the pipe hangs straight from it: no sup
   z: {:.6g} m
   incline: {:.4g} deg                   # from horizontal
   guide: pinned
-  tension: {:.6g} kN
+  tension: {}
 )",
-                     model.tensioner_height, model.departure_angle * kDegrees, model.tension / 1e3);
+                     model.tensioner_height, model.departure_angle * kDegrees, tension_text(model));
 }
 
 std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
   const double spacing = count > 1 ? (last - first) / (count - 1) : 4.0;
-  std::string text =
-      fmt::format("  {}:\n    radius: {:.6g} m\n    roller: v\n    rows: 2\n    boxes:\n", name, model.stinger_radius);
+  std::string text = fmt::format("  {}:\n    radius: {}\n    roller: v\n    rows: 2\n    boxes:\n", name,
+                                 as_said(model.said.stinger_radius, model.stinger_radius, "m", "m"));
   for (int i = 0; i < count; ++i) {
     const double x = count > 1 ? first + i * spacing : last;
     text += fmt::format("      - {{name: {} {}, x: {:.3f} m, z: {:.3f} m, length: {:.3g} m}}\n", name, i + 1, x,
@@ -115,7 +122,7 @@ std::string supports_text(const NewModel& model) {
 tensioner:
   x: {:.3f} m                       # from the stern shoe, astern positive, z up; the pipe's axis
   z: {:.3f} m
-  tension: {:.6g} kN                      # a catenary of this tension leaves at {:.3g} deg
+  tension: {}                      # a catenary of this tension leaves at {:.3g} deg
 
 rollers:                               # kinds of roller row, used by name below
   v:
@@ -125,7 +132,7 @@ rollers:                               # kinds of roller row, used by name below
 
 supports:                              # x, z: where the underside of the coated pipe rests, mid-box
 )",
-                  model.circle_start - 10.0, model.tensioner_height, model.tension / 1e3,
+                  model.circle_start - 10.0, model.tensioner_height, tension_text(model),
                   model.departure_angle * kDegrees, fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
   text += boxes_text(model, "ramp", model.circle_start, -0.5, model.ramp_boxes);
   return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);

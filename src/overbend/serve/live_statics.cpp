@@ -3,6 +3,8 @@
 #include <chrono>
 
 #include "analysis/recovery.h"
+#include "io/yaml_edit.h"
+#include "io/yaml_reader.h"
 #include "report/json_number.h"
 #include "serve/diagnose.h"
 #include "serve/static_json.h"
@@ -36,8 +38,8 @@ bool LiveStatics::close_to_last(const Model& model) const {
          model.supports.rollers.size() == last_rollers_;
 }
 
-Json LiveStatics::solve(const Model& model, bool full) {
-  const bool warm = !full && close_to_last(model);
+Json LiveStatics::solve(const Model& model, const StaticWish& wish) {
+  const bool warm = !wish.full && close_to_last(model);
   const auto start = Clock::now();
   StaticOutcome outcome = solve_statics(model, warm ? &*last_ : nullptr);
   const double solve_ms = milliseconds_since(start);
@@ -49,17 +51,35 @@ Json LiveStatics::solve(const Model& model, bool full) {
   last_file_ = model.description.source_file;
   last_rollers_ = model.supports.rollers.size();
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
-  answer.update(static_json(recover_statics(model, *last_)));
+  answer.update(static_json(recover_statics(model, *last_), wish.lists ? &*wish.lists : nullptr));
   return answer;
 }
 
-Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, bool full) {
-  const std::string text = with_changes(model, changes);
+/// The short way, without writing and reading the text; nothing where the change is not a simple one or at fault.
+std::optional<Description> LiveStatics::read_changed(const ModelText& model, const std::vector<YamlChange>& changes) {
+  if (!parsed_ || parsed_text_ != model.text) {
+    Diagnostics faults;
+    parsed_ = parse_yaml(model.text, model.path, faults);
+    parsed_text_ = model.text;
+    if (faults.has_errors()) parsed_.reset();
+  }
+  if (!parsed_ || parsed_->kind != YamlNode::Kind::map) return std::nullopt;
+  YamlNode root = *parsed_;
+  if (!edit_tree(root, changes)) return std::nullopt;
+  return read_still_model(root, model.path).description;
+}
+
+Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {
   const std::lock_guard<std::mutex> hold(mutex_);
   const auto start = Clock::now();
-  const ModelReading reading = read_model_text(text, model.path);
-  if (!reading.description) return invalid(reading.diagnostics, text);
-  Json answer = solve(build_model(*reading.description), full);
+  std::optional<Description> description = read_changed(model, changes);
+  if (!description) {
+    const std::string text = with_changes(model, changes);
+    ModelReading reading = read_model_text(text, model.path);
+    if (!reading.description) return invalid(reading.diagnostics, text);
+    description = std::move(reading.description);
+  }
+  Json answer = solve(build_model(*description), wish);
   answer["elapsed_ms"] = milliseconds_since(start);
   answer["revision"] = model.revision;
   return answer;
@@ -75,7 +95,9 @@ void add_static_routes(std::vector<HttpRoute>& routes, OpenModel& model, LiveSta
   routes.push_back({"POST", "/api/static", [&](const HttpRequest& request) {
                       const Json body = request.json();
                       const std::vector<YamlChange> changes = changes_of(body.value("changes", Json::array()));
-                      return json_answer(statics.solve(model.now(), changes, body.value("full", false)));
+                      StaticWish wish = {body.value("full", false), {}};
+                      if (body.contains("lists")) wish.lists = body["lists"].get<std::vector<std::string>>();
+                      return json_answer(statics.solve(model.now(), changes, wish));
                     }});
   routes.push_back({"GET", "/api/scene", [&](const HttpRequest&) { return json_answer(scene_of(model.now())); }});
 }

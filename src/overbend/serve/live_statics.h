@@ -5,25 +5,35 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/statics.h"
+#include "io/yaml_document.h"
 #include "serve/http.h"
 #include "serve/open_model.h"
 
 namespace overbend {
+
+struct StaticWish {
+  bool full = false;                              ///< From nothing.
+  std::optional<std::vector<std::string>> lists;  ///< Of `pipe`; all when not said.
+};
 
 /// Keeps the last solution, from which the next one, a little further on, is found in few iterations. One solution at a
 /// time; may be called from any thread.
 class LiveStatics {
  public:
   /// The answer of POST /api/static: the model with changes on top, from the last solution or (`full`) from nothing.
-  Json solve(const ModelText& model, const std::vector<YamlChange>& changes, bool full);
+  Json solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
 
  private:
-  Json solve(const Model& model, bool full);
+  Json solve(const Model& model, const StaticWish& wish);
   bool close_to_last(const Model& model) const;
+  std::optional<Description> read_changed(const ModelText& model, const std::vector<YamlChange>& changes);
 
   std::mutex mutex_;
+  std::string parsed_text_;  ///< What `parsed_` is the tree of.
+  std::optional<YamlNode> parsed_;
   std::optional<StaticSolution> last_;
   std::string last_file_;         ///< Of the model that it is a solution of.
   std::size_t last_rollers_ = 0;  ///< Likewise.

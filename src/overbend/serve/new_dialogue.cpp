@@ -44,7 +44,8 @@ Json grades() {
 
 Json vessels() {
   Json list = Json::array();
-  for (const auto& [name, title] : {std::pair{"barge", "Flat barge for shallow water"}, {"ship", "Lay ship"}}) {
+  for (const auto& [name, title] :
+       {std::pair{"barge", "Flat barge for shallow water"}, {"BGL-1", "BGL-1, lay barge"}, {"ship", "Lay ship"}}) {
     const VesselSize size = vessel_size(name);
     list.push_back({{"name", name},
                     {"title", title},
@@ -105,8 +106,8 @@ NewOptions options_of(const Json& answers) {
   take(answers, "title", options.title);
   take_boxes(answers, options.boxes);
   if (options.lay != "s" && options.lay != "j") refuse("--lay: found '" + options.lay + "', expected s or j");
-  if (!options.vessel.empty() && options.vessel != "barge" && options.vessel != "ship") {
-    refuse("--vessel: found '" + options.vessel + "', expected barge or ship");
+  if (!options.vessel.empty() && options.vessel != "barge" && options.vessel != "BGL-1" && options.vessel != "ship") {
+    refuse("--vessel: found '" + options.vessel + "', expected barge, BGL-1 or ship");
   }
   return options;
 }

@@ -52,9 +52,15 @@ std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
   return runs.folder(done(runs, request)) / "results.h5";
 }
 
+/// It has come to nothing and has no histories; a page may ask before it knows.
+bool left_nothing(const RunInfo& run) {
+  return run.state == RunState::cancelled || run.state == RunState::failed;
+}
+
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
+  if (left_nothing(run)) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));

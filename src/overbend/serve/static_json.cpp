@@ -1,6 +1,7 @@
 #include "serve/static_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "report/json_number.h"
@@ -30,29 +31,38 @@ Json column(const StaticResults& r, Value value) {
   return numbers;
 }
 
-Json pipe(const StaticResults& r) {
-  return {{"s", column(r, [&](const Station& at) { return from_tensioner(r, at.s); })},
-          {"x", column(r, [](const Station& at) { return at.p_W.x(); })},
-          {"y", column(r, [](const Station& at) { return at.p_W.y(); })},
-          {"z", column(r, [](const Station& at) { return at.p_W.z(); })},
-          {"tension", column(r, [](const Station& at) { return at.effective_tension; })},
-          {"moment", column(r, [](const Station& at) { return at.bending_moment; })},
-          {"bending_stress", column(r, [](const Station& at) { return at.bending_stress; })},
-          {"von_mises", column(r, [](const Station& at) { return at.von_mises; })},
-          {"strain", column(r, [](const Station& at) { return at.strain; })},
-          {"utilisation", column(r, utilisation)}};
+Json pipe(const StaticResults& r, const std::vector<std::string>* lists) {
+  using Value = double (*)(const Station&);
+  constexpr std::array<std::pair<const char*, Value>, 6> kLists = {
+      {{"tension", [](const Station& at) { return at.effective_tension; }},
+       {"moment", [](const Station& at) { return at.bending_moment; }},
+       {"bending_stress", [](const Station& at) { return at.bending_stress; }},
+       {"von_mises", [](const Station& at) { return at.von_mises; }},
+       {"strain", [](const Station& at) { return at.strain; }},
+       {"utilisation", utilisation}}};
+  Json all = {{"s", column(r, [&](const Station& at) { return from_tensioner(r, at.s); })},
+              {"x", column(r, [](const Station& at) { return at.p_W.x(); })},
+              {"y", column(r, [](const Station& at) { return at.p_W.y(); })},
+              {"z", column(r, [](const Station& at) { return at.p_W.z(); })}};
+  for (const auto& [name, value] : kLists) {
+    if (lists == nullptr || std::ranges::find(*lists, name) != lists->end()) all[name] = column(r, value);
+  }
+  return all;
 }
 
-Json region(const StaticResults& r, const RegionResult& region, Region which) {
-  double worst = 0.0;
-  for (const Station& at : r.stations) {
-    if (at.region == which) worst = std::max(worst, utilisation(at));
-  }
+/// Von Mises stress of an extreme over the yield stress where it stands.
+double utilisation(const StaticResults& r, const Extreme& von_mises) {
+  const auto nearest =
+      std::ranges::min_element(r.stations, {}, [&](const Station& at) { return std::abs(at.s - von_mises.s); });
+  return nearest != r.stations.end() && nearest->yield_stress > 0.0 ? von_mises.value / nearest->yield_stress : 0.0;
+}
+
+Json region(const StaticResults& r, const RegionResult& region) {
   return {{"bending_moment", seven_digits(region.bending_moment.value)},
           {"bending_stress", seven_digits(region.bending_stress.value)},
           {"von_mises", seven_digits(region.von_mises.value)},
           {"strain", seven_digits(region.strain.value)},
-          {"utilisation", seven_digits(worst)},
+          {"utilisation", seven_digits(utilisation(r, region.von_mises))},
           {"s", seven_digits(from_tensioner(r, region.von_mises.s))}};
 }
 
@@ -64,8 +74,8 @@ Json key(const StaticResults& r) {
           {"tip_clearance", r.stinger_tip_clearance ? Json(seven_digits(*r.stinger_tip_clearance)) : Json(nullptr)},
           {"suspended_length", seven_digits(r.suspended_length)},
           {"largest_reaction", seven_digits(r.largest_reaction)},
-          {"overbend", r.overbend ? region(r, *r.overbend, Region::overbend) : Json(nullptr)},
-          {"sagbend", region(r, r.sagbend, Region::sagbend)}};
+          {"overbend", r.overbend ? region(r, *r.overbend) : Json(nullptr)},
+          {"sagbend", region(r, r.sagbend)}};
 }
 
 Json roller(const RollerResult& r) {
@@ -112,12 +122,12 @@ Json pose_json(const Vec3& p_WV, const Mat3& R_WV) {
   return pose;
 }
 
-Json static_json(const StaticResults& r) {
+Json static_json(const StaticResults& r, const std::vector<std::string>* lists) {
   Json supports = Json::array();
   for (const SupportResult& box : r.supports) supports.push_back(support(r, box));
   return {
       {"key", key(r)},
-      {"pipe", pipe(r)},
+      {"pipe", pipe(r, lists)},
       {"touchdown", {{"s", seven_digits(from_tensioner(r, r.touchdown.s))}, {"place", place_json(r.touchdown.p_W)}}},
       {"supports", supports},
       {"tensioner", {{"place", place_json(r.tensioner_W)}, {"direction", place_json(leaving(r))}}},

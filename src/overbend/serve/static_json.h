@@ -1,6 +1,9 @@
 /// A static state as the page draws it.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "model/model.h"
 #include "results/static_results.h"
 #include "serve/http.h"
@@ -8,8 +11,8 @@
 namespace overbend {
 
 /// `key`, `pipe`, `touchdown`, `supports`, `tensioner` and `warnings` of POST /api/static. Lists run from the tensioner
-/// to the anchor.
-Json static_json(const StaticResults& results);
+/// to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
+Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
 /// What stands still: GET /api/scene.
 Json scene_json(const Model& model);

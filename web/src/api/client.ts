@@ -1,6 +1,8 @@
 // One way to ask the program, with the token of this start and with errors in words.
 
-const token = new URLSearchParams(location.search).get('token') ?? '';
+let token = new URLSearchParams(location.search).get('token') ?? '';
+export const currentToken = (): string => token;
+export const setToken = (given: string): void => { token = given; };
 
 export class ApiError extends Error {
   constructor(message: string, readonly status: number, readonly hint: string, readonly body: unknown) { super(message); }

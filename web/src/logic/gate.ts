@@ -21,17 +21,28 @@ export class LatestGate<Request, Answer> {
     if (!this.busy) void this.drain();
   }
 
+  private send(): { request: Request; answer: Promise<Answer> } | null {
+    if (!this.waiting) return null;
+    const { request } = this.waiting;
+    this.waiting = null;
+    ++this.sent;
+    return { request, answer: this.ask(request) };
+  }
+
   private async drain(): Promise<void> {
     this.busy = true;
-    while (this.waiting) {
-      const { request } = this.waiting;
-      this.waiting = null;
-      ++this.sent;
+    let sent = this.send();
+    while (sent) {
+      const { request, answer } = sent;
+      const got = await answer.then((value) => ({ value }), (error: unknown) => ({ error }));
+      // the next one is on its way while the page takes in what came
+      sent = this.send();
       try {
-        this.receive(await this.ask(request), request);
+        if ('value' in got) this.receive(got.value, request); else this.fail(got.error);
       } catch (error) {
         this.fail(error);
       }
+      sent ??= this.send();
     }
     this.busy = false;
   }

@@ -24,13 +24,14 @@ export function tubeIndices(stations: number, sides: number): Uint32Array {
   return out;
 }
 
-/** `points`: x, y, z of each station in turn. */
+/** `points`: x, y, z of each station in turn. `into` is used again as far as it is large enough; it may be longer. */
 export function tube(points: ArrayLike<number>, sides: number, into?: Tube): Tube {
   const stations = Math.floor(points.length / 3);
   const size = stations * sides * 3;
-  const out = into && into.stations === stations && into.sides === sides
+  const out = into && into.centres.length >= size && into.sides === sides
     ? into
     : { centres: new Float32Array(size), normals: new Float32Array(size), stations, sides };
+  out.stations = stations;
   let ax = 0, ay = 0, az = 0; // the direction that is carried along
   for (let i = 0; i < stations; ++i) {
     const p = Math.max(0, i - 1) * 3;

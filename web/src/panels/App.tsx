@@ -1,6 +1,6 @@
 import { useEffect } from 'preact/hooks';
 import { hasModel, redo, undo } from '../state/model';
-import { dialog, leftTab } from '../state/look';
+import { dialog, leftTab, leftWidth } from '../state/look';
 import { dismiss, notices } from '../state/notices';
 import { runs } from '../state/runs';
 import { AnimationBar } from './AnimationBar';
@@ -37,6 +37,23 @@ function Left() {
   );
 }
 
+const clampLeft = (px: number): number => Math.round(Math.min(Math.max(px, 200), 0.5 * innerWidth));
+
+/** Between left pane and picture: dragged, or moved with the arrow keys; double click or Home puts it back. */
+function Handle() {
+  const now = (): number => document.querySelector('.left')!.getBoundingClientRect().width;
+  return (
+    <div class="handle" role="separator" tabIndex={0} aria-orientation="vertical" aria-label="Width of the left pane" aria-valuemin={200} aria-valuemax={Math.round(0.5 * innerWidth)} aria-valuenow={leftWidth.value || undefined} title="Drag to change the width, double click to put it back"
+      onPointerDown={(e) => { e.currentTarget.setPointerCapture(e.pointerId); e.preventDefault(); e.currentTarget.focus(); }}
+      onPointerMove={(e) => { if (e.currentTarget.hasPointerCapture(e.pointerId)) leftWidth.value = clampLeft(e.clientX); }}
+      onDblClick={() => { leftWidth.value = 0; }}
+      onKeyDown={(e) => {
+        const step = e.key === 'ArrowRight' ? 16 : e.key === 'ArrowLeft' ? -16 : 0;
+        if (step) { e.preventDefault(); leftWidth.value = clampLeft(now() + step); } else if (e.key === 'Home') leftWidth.value = 0;
+      }} />
+  );
+}
+
 export function App() {
   useEffect(() => {
     const keys = (e: KeyboardEvent): void => {
@@ -58,8 +75,9 @@ export function App() {
   return (
     <>
       <Header />
-      <main>
+      <main style={leftWidth.value ? { '--left': `${clampLeft(leftWidth.value)}px` } : undefined}>
         <Left />
+        <Handle />
         <div class="centre"><Picture /><AnimationBar /></div>
         <aside class="right" aria-label="Results and sliders"><Results /><Sliders /></aside>
         <Diagrams />

@@ -4,8 +4,9 @@ import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';
 import { along, colours, reactions, shape, type ChartData } from '../charts/data';
 import { display, quantities } from '../logic/show';
+import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
-import { failure, scene, solution } from '../state/live';
+import { calm, failure, scene } from '../state/live';
 import { cursor, slots, theme } from '../state/look';
 import { active, seek, time } from '../state/animation';
 import { columns, envelopes, fetchSeries, selected } from '../state/runs';
@@ -21,11 +22,11 @@ function range(): [number, number] | null {
 }
 
 function statics(what: string): ChartData | null {
-  const s = solution.value;
+  const s = calm.value;
   if (!s) return null;
   if (what === 'elevation' || what === 'plan') return shape(s, scene.value, what === 'plan');
   if (what === 'reactions') return s.supports.length ? reactions(s) : null;
-  return quantities.some((q) => q.key === what) ? along(what, s, envelopes.value) : null;
+  return quantities.some((q) => q.key === what && s.pipe[q.key]?.length) ? along(what, s, envelopes.value) : null;
 }
 
 /** Histories come as least and greatest per pixel, for the stretch that is shown and no other. */
@@ -43,7 +44,7 @@ function useHistory(what: string, zoom: [number, number] | null, pixels: number)
       if (gone || !s) return;
       const [unit, factor] = display(column.unit);
       setData({
-        title: column.text || column.name, xName: 'time [s]', yName: `${column.name.replaceAll('_', ' ')} [${unit}]`, x: s.t, s: s.t, marks: [], level: [],
+        title: columnName(column.name), xName: 'time [s]', yName: `${columnName(column.name).toLowerCase().replace('von mises', 'von Mises').replace(/ \(.*/, '')} [${unit}]`, x: s.t, s: s.t, marks: [], level: [],
         lines: [{ name: 'largest', colour: colours.now, values: s.max.map((v) => v * factor), band: true }, { name: 'least', colour: colours.now, values: s.min.map((v) => v * factor), band: true }],
       });
     }).catch(() => undefined);
@@ -65,7 +66,7 @@ function Slot({ index }: { index: number }) {
   const inTime = what.startsWith('history:');
   const fetched = useHistory(what, zoom, pixels);
   const data = inTime ? fetched : statics(what);
-  const shade = (inTime && /top_tension|tensioner.*tension/.test(what)) ? range() : null;
+  const shade = (inTime && /:top_tension|:tensioner\/tension$/.test(what)) ? range() : null;
   const now = inTime && active.value ? time.value : null;
 
   useEffect(() => {
@@ -106,7 +107,7 @@ function Slot({ index }: { index: number }) {
             {quantities.map((q) => <option key={q.key} value={q.key}>{q.name}</option>)}
             <option value="reactions">Roller box reactions</option>
           </optgroup>
-          {columns.value.length ? <optgroup label={`In time: ${selected.value?.title ?? ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`}>{c.text || c.name}</option>)}</optgroup> : null}
+          {columns.value.length ? <optgroup label={`In time: ${selected.value?.title ?? ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
         </select>
         <output class="read" aria-live="off">{read || (data ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : '')}</output>
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>

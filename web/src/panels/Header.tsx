@@ -1,6 +1,6 @@
 // Name, files, undo, theme, and in a word how things stand.
 import { canRedo, canUndo, errors, fileName, hasModel, info, newer, redo, save, saved, takeTheirs, title, undo } from '../state/model';
-import { failure, solution, solving } from '../state/live';
+import { calm, failure } from '../state/live';
 import { dialog, leftTab, theme } from '../state/look';
 import { connected } from '../state/connection';
 import { tidy } from '../logic/units';
@@ -14,7 +14,7 @@ function Status() {
   if (!connected.value) return <span class="status bad">no connection to the program</span>;
   if (errors.value.length) return <button type="button" class="status bad" onClick={() => { leftTab.value = 'yaml'; }}>{errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`} in the model</button>;
   if (failure.value) return <span class="status bad">no solution</span>;
-  if (solution.value) return <span class={`status good${solving.value ? ' busy' : ''}`}>solved in {tidy(solution.value.solve_ms ?? solution.value.elapsed_ms, 2)} ms</span>;
+  if (calm.value) return <span class="status good">solved in {tidy(calm.value.solve_ms ?? calm.value.elapsed_ms, 2)} ms</span>;
   return <span class="status">{hasModel.value ? 'solving…' : 'no model'}</span>;
 }
 

@@ -1,34 +1,50 @@
 // The 3-D view with its buttons, legend and the values of what was picked.
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { effect } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { css, niceRange } from '../logic/colour';
 import { nearest } from '../logic/decimate';
 import { quantities, quantity } from '../logic/show';
 import { tidy } from '../logic/units';
-import { failure, roundTrip, scene, solution, solving } from '../state/live';
+import { calm, dragging, failure, roundTrip, scene, solution } from '../state/live';
 import { hasModel, opened } from '../state/model';
 import { colourBy, cursor, dialog, picked, theme, type ColourBy } from '../state/look';
-import { shown as frame } from '../state/animation';
+import { tensionerState } from '../logic/tensioner';
+import { histories, largestReaction, peakAt, shown as frame, valueAt } from '../state/animation';
 import { envelopes, impacts } from '../state/runs';
 import type { View3D, ViewName } from '../view/view3d';
 
 const views: [ViewName, string][] = [['whole', '1'], ['overbend', '2'], ['stinger', '3'], ['sagbend', '4'], ['touchdown', '5'], ['from the pipe', '6']];
 const flashTime = 0.7;
+const debug = new URLSearchParams(location.search).has('debug');
+
+/** Frames of a run hold tension and von Mises stress and nothing else. */
+const inFrames = (key: ColourBy): boolean => key === 'tension' || key === 'von_mises';
+const coloured = (): ColourBy => (frame.value && !inFrames(colourBy.value) ? 'von_mises' : colourBy.value);
+
+/** Reactions of the boxes at a time, as far as the run has their histories. */
+function reactionsAt(t: number): Map<string, number> {
+  const out = new Map<string, number>();
+  for (const [name, series] of Object.entries(histories.value)) {
+    const box = /^support\/(.*)\/reaction$/.exec(name)?.[1], value = box ? peakAt(series, t) : null;
+    if (box && value !== null) out.set(box, value);
+  }
+  return out;
+}
 
 /** Ends of the legend: of the run where there is one, so that colours do not jump from frame to frame. */
-function range(key: ColourBy): [number, number] {
-  const s = solution.value;
+function range(key: ColourBy, s = solution.value): [number, number] {
   const q = quantity(key)!;
   if (!s) return [0, 1];
   const band = key === 'utilisation' ? null : envelopes.value?.[key];
-  const list = frame.value && band?.max ? [...band.max, ...(band.min ?? [])] : (s.pipe[key] as number[]);
+  const list = frame.value && band?.max ? [...band.max, ...(band.min ?? [])] : (s.pipe[key] as number[] | undefined) ?? [];
   let low = Infinity, high = -Infinity;
   for (const v of list) { low = Math.min(low, v); high = Math.max(high, v); }
+  if (low > high) return [0, 1];
   return niceRange((key === 'tension' ? low : 0) * q.factor, high * q.factor);
 }
 
 function Values() {
-  const s = solution.value;
+  const s = calm.value;
   const p = picked.value;
   const at = cursor.value;
   if (!s || (!p && at === null)) return null;
@@ -37,7 +53,7 @@ function Values() {
     return (
       <dl class="values"><div class="kv"><dt>{r.support.name}, row {r.row + 1}</dt><dd>{r.position}</dd></div>
         <div class="kv"><dt>reaction</dt><dd>{tidy(r.reaction / 1e3, 4)} <small>kN</small></dd></div>
-        <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{tidy(Math.abs(r.separation) * 1e3, 3)} <small>mm</small></dd></div></dl>
+        {r.separation > 0 && r.reaction > 0 ? null : <div class="kv"><dt>{r.separation > 0 ? 'clear by' : 'pressed in'}</dt><dd>{tidy(Math.abs(r.separation) * 1e3, 3)} <small>mm</small></dd></div>}</dl>
     );
   }
   const i = p?.kind === 'station' && at === null ? p.index : nearest(s.pipe.s, at ?? 0);
@@ -45,9 +61,18 @@ function Values() {
     <dl class="values">
       <div class="kv"><dt>s from tensioner</dt><dd>{tidy(s.pipe.s[i]!, 5)} <small>m</small></dd></div>
       <div class="kv"><dt>height</dt><dd>{tidy(s.pipe.z[i]!, 4)} <small>m</small></dd></div>
-      {quantities.map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('bending moment', 'moment').replace('von mises stress', 'von Mises')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
+      {quantities.filter((q) => s.pipe[q.key]?.length).map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('bending moment', 'moment').replace('von mises stress', 'von Mises')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
     </dl>
   );
+}
+
+/** Impacts that light up at the moment. */
+const flashing = signal(0);
+const animating = computed(() => frame.value !== null);
+
+/** For those who measure: the address with &debug. */
+function Speed() {
+  return <span class="speed" title="Time from asking for a solution to its arrival">{roundTrip.value ? `${Math.round(roundTrip.value)} ms` : ''}</span>;
 }
 
 export function Picture() {
@@ -71,19 +96,23 @@ export function Picture() {
         effect(() => v.setDark(theme.value === 'dark')),
         effect(() => { void opened.value; v.reset(); }),
         effect(() => { if (scene.value) v.setScene(scene.value); }),
+        effect(() => v.setDragging(dragging.value)),
         effect(() => { if (solution.value) v.setSolution(solution.value); }),
         effect(() => {
           const f = frame.value;
           const flashes = f ? impacts.value.filter((i) => i.time <= f.time && f.time < i.time + flashTime).map((i) => ({ ...i, strength: Math.min(1, i.peak_force / (impacts.value[0]?.peak_force || 1)) * (1 - (f.time - i.time) / flashTime) })) : [];
-          v.setMoment(f ? { time: f.time, pose: f.pose, places: f.places, flashes } : null);
+          const h = histories.value, state = f ? tensionerState(peakAt(h['tensioner/state'], f.time)) : null;
+          const tensioner = f && state ? { way: state.way, limit: state.limit, travel: valueAt(h['tensioner/travel'], f.time) ?? 0 } : null;
+          v.setMoment(f ? { time: f.time, pose: f.pose, places: f.places, flashes, reactions: reactionsAt(f.time), largest: largestReaction.value, tensioner } : null);
+          flashing.value = flashes.length;
         }),
         effect(() => {
           const s = solution.value;
           if (!s) return;
-          const key = colourBy.value, q = quantity(key)!;
+          const key = coloured(), q = quantity(key)!;
           const [low, high] = range(key);
           const f = frame.value;
-          const values = f ? (key === 'tension' ? f.tension : f.von_mises) : (s.pipe[key] as number[]);
+          const values = f ? (key === 'tension' ? f.tension : f.von_mises) : (s.pipe[key] as number[] | undefined) ?? null;
           v.setColouring({ values: failure.value && !f ? null : values, low: low / q.factor, high: high / q.factor });
         }),
         effect(() => {
@@ -96,31 +125,33 @@ export function Picture() {
     return () => { gone = true; stops.forEach((f) => f()); view.current?.dispose(); view.current = null; };
   }, []);
 
-  const [low, high] = range(colourBy.value);
-  const q = quantity(colourBy.value)!;
+  const animated = animating.value;
+  const key = animated && !inFrames(colourBy.value) ? 'von_mises' : colourBy.value;
+  const [low, high] = range(key, calm.value);
+  const q = quantity(key)!;
   const bad = failure.value;
-  const largest = Math.max(0, ...(solution.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
-  const animated = frame.value !== null;
+  const known = calm.value !== null;
+  const largest = animated ? largestReaction.value : Math.max(0, ...(calm.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
   return (
     <section class={`picture${bad ? ' failed' : ''}`} aria-label="3-D view">
       <div class="canvas" ref={box} tabIndex={0} role="img" aria-label="Barge, stinger, pipe, water and seabed. Keys 1 to 6 change the view."
         onKeyDown={(e) => { const v = views.find((x) => x[1] === e.key); if (v) view.current?.go(v[0]); }} />
       <div class="viewbuttons" role="toolbar" aria-label="Views">
-        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the picture)`} disabled={!ready || !solution.value} onClick={() => view.current?.go(name)}>{name}</button>)}
+        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the picture)`} disabled={!ready || !known} onClick={() => view.current?.go(name)}>{name}</button>)}
       </div>
-      <div class="legend">
-        <select aria-label="Colour of the pipe" value={colourBy.value} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
-          {quantities.filter((x) => x.key !== 'moment').map((x) => <option key={x.key} value={x.key} disabled={animated && x.key !== 'tension' && x.key !== 'von_mises'}>{x.name}</option>)}
+      <div class="legend" data-flashes={animated ? flashing.value : undefined}>
+        <select aria-label="Colour of the pipe" title={animated ? 'A run keeps tension and von Mises stress for its animation; the others are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
+          {quantities.filter((x) => x.key !== 'moment').map((x) => <option key={x.key} value={x.key} disabled={animated && !inFrames(x.key as ColourBy)}>{x.name}{animated && !inFrames(x.key as ColourBy) ? ' (not in animations)' : ''}</option>)}
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
-        <div class="rollerkey"><i class="solid" style={{ background: css('load') }} /> roller{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class="hollow" /> clear</div>
+        <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class={animated ? 'pale' : 'hollow'} /> clear</>}</div>
       </div>
       <Values />
-      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{bad.why}</p>{solution.value ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}
+      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{bad.why}</p>{known ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}
       {problem ? <p class="failure">{problem}</p> : null}
       {!hasModel.value ? <div class="welcome"><h2>Lay a pipe</h2><p>Answer a few questions and see the S at once, or open an example.</p><button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button></div> : null}
-      <span class="speed" title="Time from asking for a solution to its arrival">{solving.value ? '' : roundTrip.value ? `${Math.round(roundTrip.value)} ms` : ''}</span>
+      {debug ? <Speed /> : null}
     </section>
   );
 }

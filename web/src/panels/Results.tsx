@@ -1,6 +1,6 @@
 // Key results of statics.
 import { fromSi, tidy, write } from '../logic/units';
-import { failure, solution } from '../state/live';
+import { calm, failure } from '../state/live';
 import { cursor } from '../state/look';
 import type { Region } from '../api/types';
 
@@ -33,7 +33,7 @@ function RegionBlock({ name, r }: { name: string; r: Region | null }) {
 }
 
 export function Results() {
-  const s = solution.value;
+  const s = calm.value;
   if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Statics appear here as soon as the model is complete.'}</p></section>;
   const k = s.key;
   const largest = typeof k.largest_reaction === 'number' ? k.largest_reaction : k.largest_reaction?.value ?? null;

@@ -1,4 +1,5 @@
 // Sliders that re-solve while they are dragged. Every one has a field for typing, which takes any unit.
+import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { span } from '../logic/live';
 import { fromSi, parseQuantity, tidy, toSi, twin } from '../logic/units';
@@ -8,7 +9,7 @@ interface Props { id: string; name: string; unit: string; start: number; low: nu
 
 /** All values in the unit shown; `start` is the model's own. */
 function Slider({ id, name, unit, start, low, high, step }: Props) {
-  const live = values.value[id];
+  const live = useComputed(() => values.value[id]).value;
   const factor = unit === '%' ? 0.01 : toSi(1, unit);
   const now = live === undefined ? start : live / factor;
   const written = `${tidy(now, 5)} ${unit}`;
@@ -32,10 +33,19 @@ function Slider({ id, name, unit, start, low, high, step }: Props) {
 
 function round(v: number): number { return Number(v.toPrecision(6)); }
 
+function Apply() {
+  const none = useComputed(() => changes.value.length === 0).value;
+  return (
+    <div class="apply">
+      <button type="button" class="main" disabled={none} onClick={() => void applyLive()}>Apply to model</button>
+      <button type="button" disabled={none} onClick={resetLive}>Reset</button>
+    </div>
+  );
+}
+
 export function Sliders() {
   const b = base.value;
   const boxes = b.boxes;
-  const count = changes.value.length;
   const ranged = (value: number, low: number, high: number): { low: number; high: number } => { const [l, h] = span(value, low, high); return { low: l, high: h }; };
   return (
     <section class="sliders" aria-label="Try out">
@@ -51,10 +61,7 @@ export function Sliders() {
           {boxes.map((x) => <Slider key={x.key} id={x.key} name={x.name} unit="m" start={0} low={-0.5} high={0.5} step={0.01} relative />)}
         </details>
       ) : null}
-      <div class="apply">
-        <button type="button" class="main" disabled={count === 0} onClick={() => void applyLive()}>Apply to model</button>
-        <button type="button" disabled={count === 0} onClick={resetLive}>Reset</button>
-      </div>
+      <Apply />
     </section>
   );
 }

@@ -1,9 +1,10 @@
 // Animation of a run: a clock, and frames fetched in pieces around it.
 import { effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
+import type { Series } from '../api/types';
 import { blend, decode, type Chunk, type FramesAnswer } from '../logic/frames';
 import { indexBefore } from '../logic/decimate';
-import { selected } from './runs';
+import { columns, fetchSeries, selected } from './runs';
 import { sayError } from './notices';
 
 const piece = 60; // frames in one request
@@ -18,6 +19,35 @@ export const time = signal(0);
 export const first = signal(0);
 export const last = signal(0);
 export const shown = signal<Shown | null>(null);
+
+/** Histories around the time shown: tension, tensioner, reactions of the boxes. */
+export const histories = signal<Record<string, Series>>({});
+/** Largest reaction of a box in the whole run, for the colours. */
+export const largestReaction = signal(0);
+const watched = /^(top_tension|tensioner\/.*|support\/.*\/reaction)$/;
+const stretch = 60; // s of histories in one request
+const stretches = new Map<number, Promise<Record<string, Series>>>();
+
+function followHistories(): void {
+  const names = columns.value.map((c) => c.name).filter((name) => watched.test(name));
+  const id = runId;
+  if (!id || names.length === 0) return;
+  const k = Math.floor((time.value - first.value) / stretch), t0 = first.value + k * stretch;
+  let wanted = stretches.get(k);
+  if (!wanted) {
+    wanted = fetchSeries(id, names, t0 - 1, t0 + stretch + 1, 620).catch(() => ({}));
+    stretches.set(k, wanted);
+    if (stretches.size > 8) stretches.delete(stretches.keys().next().value!);
+  }
+  void wanted.then((got) => { if (id === runId && Math.floor((time.value - first.value) / stretch) === k && histories.value !== got) histories.value = got; });
+}
+
+async function findLargest(): Promise<void> {
+  const id = runId, names = columns.value.map((c) => c.name).filter((name) => /^support\/.*\/reaction$/.test(name));
+  if (!id || names.length === 0) return;
+  const all = await fetchSeries(id, names, null, null, 50).catch(() => ({}));
+  if (id === runId) largestReaction.value = Math.max(0, ...Object.values(all).flatMap((s) => s.max));
+}
 
 let runId = '';
 let total = 0;
@@ -48,6 +78,7 @@ export async function open(id: string): Promise<void> {
   runId = id;
   cache.clear();
   asked.clear();
+  stretches.clear();
   const chunk = await fetchPiece(0);
   if (!chunk || chunk.count === 0) return;
   step = chunk.count > 1 ? (chunk.time[chunk.count - 1]! - chunk.time[0]!) / (chunk.count - 1) : 0.5;
@@ -62,6 +93,9 @@ export function close(): void {
   active.value = false;
   playing.value = false;
   shown.value = null;
+  histories.value = {};
+  largestReaction.value = 0;
+  stretches.clear();
   runId = '';
 }
 
@@ -103,6 +137,7 @@ async function showLatest(): Promise<void> {
 
 export function seek(t: number): void {
   time.value = Math.min(last.value, Math.max(first.value, t));
+  followHistories();
   void showLatest();
 }
 
@@ -119,10 +154,18 @@ export function startAnimation(): void {
   };
   effect(() => { if (playing.value) untracked(() => { before = performance.now(); requestAnimationFrame(tick); }); });
   effect(() => {
+    if (active.value && columns.value.length) untracked(() => { followHistories(); void findLargest(); });
+  });
+  effect(() => {
     const run = selected.value;
     const id = run && run.kind === 'dynamic' && run.state === 'done' ? run.id : null;
     untracked(() => { if (id && id !== runId) { close(); void open(id); } else if (!id && runId) close(); });
   });
+}
+
+/** The greatest of what a history shows at a time: states and peaks are not averaged. */
+export function peakAt(series: Series | undefined, t: number): number | null {
+  return series && series.t.length ? series.max[indexBefore(series.t, t)]! : null;
 }
 
 export function valueAt(series: { t: number[]; min: number[]; max: number[] } | undefined, t: number): number | null {

@@ -1,9 +1,11 @@
 // Live statics: values on top of the model that are tried out with sliders, and the solution that belongs to them.
-import { computed, effect, signal, untracked } from '@preact/signals';
-import { get, post } from '../api/client';
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
+import { get } from '../api/client';
+import { Solver } from '../api/solver';
 import type { Change, Converged, Scene, StaticAnswer } from '../api/types';
-import { LatestGate } from '../logic/gate';
 import { liveChanges, type LiveBase, type LiveValues, readBase } from '../logic/live';
+import { liveScene } from '../logic/liveScene';
+import { colourBy, slots } from './look';
 import { errors, fields, hasModel, opened, revision, setKeys } from './model';
 import { say, sayError } from './notices';
 
@@ -14,31 +16,55 @@ export const changes = computed<Change[]>(() => liveChanges(base.value, values.v
 export const solution = signal<Converged | null>(null);
 /** Why there is no solution for the values shown; the last good one then stays in grey. */
 export const failure = signal<{ what: string; where: string; why: string } | null>(null);
-export const scene = signal<Scene | null>(null);
-export const solving = signal(false);
+/** The solution as panels and diagrams show it: the newest, but while a value is dragged at most every `calmTime` ms. */
+export const calm = signal<Converged | null>(null);
+const calmTime = 100;
+/** A value is being dragged: whatever takes time and is not looked at now can wait. */
+export const dragging = signal(false);
+const standing = signal<Scene | null>(null);
+/** What stands still, with the values tried out. */
+export const scene = computed<Scene | null>(() => (standing.value ? liveScene(standing.value, values.value.depth, values.value.trim, base.value.trim) : null));
 /** From the moment of asking to the answer, in ms. */
 export const roundTrip = signal(0);
 
-interface Request { changes: Change[]; asked: number }
+interface Request { asked: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
-const gate = new LatestGate<Request, StaticAnswer>(
-  ({ changes: list }) => { solving.value = true; return post<StaticAnswer>('static', { changes: list, full: false }); },
-  (answer, { asked }) => {
-    solving.value = false;
+/** Lists along the pipe that are on the screen: no others are sent while dragging. */
+const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation)$/.test(name));
+
+const gate = new Solver<Request>(
+  (answer: StaticAnswer, { asked }) => batch(() => {
     roundTrip.value = performance.now() - asked;
+    ++solved.count;
     if (answer.status === 'converged') { failure.value = null; solution.value = answer; }
     else if (answer.status === 'failed') failure.value = answer;
     else {
       const first = answer.diagnostics.find((d) => d.severity === 'error') ?? answer.diagnostics[0];
       failure.value = { what: 'The model can not be computed like this', where: first?.key ?? '', why: first?.message ?? '' };
     }
-  },
-  (error) => { solving.value = false; sayError(error); },
+  }),
+  sayError,
 );
 
-export const solves = gate;
+/** Answers taken in since the start, for measurements. */
+export const solved = { count: 0 };
+(globalThis as unknown as { __solved: typeof solved }).__solved = solved;
+
+let restTimer = 0;
+
+/** Dragging ends when a value has rested: then everything is asked for once more in full. */
+function stir(): void {
+  dragging.value = true;
+  clearTimeout(restTimer);
+  const rest = (): void => {
+    if (gate.inFlight) { restTimer = window.setTimeout(rest, 30); return; }
+    dragging.value = false;
+  };
+  restTimer = window.setTimeout(rest, 250);
+}
 
 export function setLive(key: string, value: number | undefined): void {
+  stir();
   const next = { ...values.value };
   if (value === undefined) delete next[key]; else next[key] = value;
   values.value = next;
@@ -59,21 +85,28 @@ export async function applyLive(): Promise<void> {
 async function fetchScene(): Promise<void> {
   try {
     const answer = await get<Scene | { status: 'invalid' }>('scene');
-    if (answer.status === 'ok') scene.value = answer;
+    if (answer.status === 'ok') standing.value = answer;
   } catch (error) { sayError(error); }
 }
 
 export function startLive(): void {
   let seen = 0;
+  let last: Change[] | null = null;
   effect(() => {
     // another model: the sliders start from it, and the old pipe must not be taken for its own
-    if (opened.value !== seen) { seen = opened.value; values.value = {}; solution.value = null; failure.value = null; }
+    if (opened.value !== seen) { seen = opened.value; values.value = {}; solution.value = null; calm.value = null; failure.value = null; }
+  });
+  let timer = 0;
+  effect(() => {
+    const s = solution.value;
+    if (s === null || !dragging.value) { clearTimeout(timer); timer = 0; calm.value = s; return; }
+    timer ||= window.setTimeout(() => { timer = 0; calm.value = solution.peek(); }, calmTime);
   });
   effect(() => {
     const ready = hasModel.value && errors.value.length === 0;
     void revision.value;
-    const list = changes.value;
-    if (ready) untracked(() => gate.submit({ changes: list, asked: performance.now() }));
+    const list = changes.value, lean = dragging.value;
+    if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
     else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {

@@ -15,6 +15,8 @@ export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dar
 export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
+/** Width of the left pane in px; 0 as the page has it. */
+export const leftWidth = kept<number>('left', 0);
 export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'tension', 'von_mises']);
 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */

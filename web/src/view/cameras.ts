@@ -65,7 +65,7 @@ export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.P
     case 'overbend': {
       const list = places();
       const points = list.length ? [...list, vec(s.tensioner.place)] : along(s, 0, 0.2 * end);
-      return around(points, side(-0.4, 0.48), camera, 1.06);
+      return around(points, side(-0.4, 0.48), camera, 1.16);
     }
     case 'stinger': {
       const list = places('stinger');

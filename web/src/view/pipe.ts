@@ -36,18 +36,23 @@ export class PipeView {
     const old = this.shape;
     this.shape = tube(points, sides, old);
     if (this.shape !== old) {
+      // with room to grow: the number of stations differs a little from one solution to the next
+      const room = Math.ceil(1.25 * this.shape.stations);
+      const grown = { centres: new Float32Array(3 * room * sides), normals: new Float32Array(3 * room * sides), stations: room, sides };
+      this.shape = tube(points, sides, grown);
       this.geometry.dispose();
       this.geometry = new THREE.BufferGeometry();
-      this.colours = new Float32Array(this.shape.centres.length).fill(0.6);
+      this.colours = new Float32Array(grown.centres.length).fill(0.6);
       this.geometry.setAttribute('position', new THREE.BufferAttribute(this.shape.centres, 3));
       this.geometry.setAttribute('normal', new THREE.BufferAttribute(this.shape.normals, 3));
       this.geometry.setAttribute('color', new THREE.BufferAttribute(this.colours, 3));
-      this.geometry.setIndex(new THREE.BufferAttribute(tubeIndices(this.shape.stations, sides), 1));
+      this.geometry.setIndex(new THREE.BufferAttribute(tubeIndices(room, sides), 1));
       this.mesh.geometry = this.geometry;
     } else {
       this.geometry.getAttribute('position').needsUpdate = true;
       this.geometry.getAttribute('normal').needsUpdate = true;
     }
+    this.geometry.setDrawRange(0, Math.max(0, this.shape.stations - 1) * sides * 6);
   }
 
   setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName): void {
@@ -57,7 +62,7 @@ export class PipeView {
     for (let i = 0; i < n; ++i) {
       if (values) linear.setRGB(...colourAt(map, (values[i]! - low) / (high - low || 1), rgb), THREE.SRGBColorSpace);
       else linear.setRGB(0.55, 0.58, 0.61, THREE.SRGBColorSpace);
-      for (let j = 0; j < sides; ++j) linear.toArray(this.colours, (i * sides + j) * 3);
+      for (let j = 0, k = i * sides * 3; j < sides; ++j) { this.colours[k++] = linear.r; this.colours[k++] = linear.g; this.colours[k++] = linear.b; }
     }
     const attribute = this.geometry.getAttribute('color');
     if (attribute) attribute.needsUpdate = true;

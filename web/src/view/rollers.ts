@@ -17,8 +17,9 @@ function outline(): THREE.Vector3[] {
   return out;
 }
 const lines = outline();
+const nothing = new THREE.Matrix4().makeScale(0, 0, 0);
 
-export interface RollerRef { support: Support; row: number; position: string; reaction: number; separation: number; center: THREE.Vector3 }
+export interface RollerRef { support: Support; row: number; position: string; reaction: number; separation: number; center: THREE.Vector3; matrix: THREE.Matrix4 }
 
 export class RollersView {
   readonly group = new THREE.Group();
@@ -28,7 +29,8 @@ export class RollersView {
   private readonly material = new THREE.MeshStandardMaterial({ roughness: 0.5, metalness: 0.1 });
   private readonly faint = new THREE.MeshStandardMaterial({ color: '#9fb2c2', transparent: true, opacity: 0.22, depthWrite: false });
   private ghost: THREE.InstancedMesh | null = null;
-  private base: THREE.Color[] = [];
+  private places = new Float32Array(0);
+  private shownReactions: Map<string, number> | null = null;
 
   constructor() {
     this.clear.frustumCulled = false;
@@ -42,15 +44,18 @@ export class RollersView {
       this.solid = new THREE.InstancedMesh(shape, this.material, Math.max(1, all.length));
       this.ghost = new THREE.InstancedMesh(shape, this.faint, Math.max(1, all.length));
       for (const mesh of [this.solid, this.ghost]) { mesh.frustumCulled = false; this.group.add(mesh); }
+      this.places = new Float32Array(3 * lines.length * Math.max(1, all.length));
+      this.clear.geometry.dispose();
+      this.clear.geometry = new THREE.BufferGeometry();
+      this.clear.geometry.setAttribute('position', new THREE.BufferAttribute(this.places, 3));
     }
-    const places: number[] = [];
+    let lined = 0;
     const matrix = new THREE.Matrix4();
     const turn = new THREE.Quaternion();
     const corner = new THREE.Vector3();
     const colour = new THREE.Color();
     let clear = 0;
     this.list = [];
-    this.base = [];
     const rowOf = new Map<Support, number>();
     all.forEach(({ s, r }, i) => {
       turn.setFromUnitVectors(up, vec(r.axis).normalize());
@@ -60,22 +65,49 @@ export class RollersView {
       this.solid!.setMatrixAt(i, matrix);
       if (!touches) {
         this.ghost!.setMatrixAt(clear++, matrix);
-        for (const p of lines) places.push(...corner.copy(p).applyMatrix4(matrix).toArray());
-        this.solid!.setMatrixAt(i, new THREE.Matrix4().makeScale(0, 0, 0));
+        for (const p of lines) { corner.copy(p).applyMatrix4(matrix).toArray(this.places, lined); lined += 3; }
+        this.solid!.setMatrixAt(i, nothing);
       }
       colour.setRGB(...colourAt('load', r.reaction / (largest || 1)), THREE.SRGBColorSpace);
-      this.base.push(colour.clone());
       this.solid!.setColorAt(i, colour);
       if (r.position === 'bottom') rowOf.set(s, (rowOf.get(s) ?? -1) + 1);
-      this.list.push({ support: s, row: rowOf.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center) });
+      this.list.push({ support: s, row: rowOf.get(s) ?? 0, position: r.position, reaction: r.reaction, separation: r.separation, center: vec(r.center), matrix: matrix.clone() });
     });
     this.solid!.count = all.length;
     this.ghost!.count = clear;
     this.solid!.instanceMatrix.needsUpdate = true;
     this.ghost!.instanceMatrix.needsUpdate = true;
     if (this.solid!.instanceColor) this.solid!.instanceColor.needsUpdate = true;
-    this.clear.geometry.dispose();
-    this.clear.geometry = new THREE.BufferGeometry();
-    this.clear.geometry.setAttribute('position', new THREE.Float32BufferAttribute(places, 3));
+    this.clear.geometry.getAttribute('position').needsUpdate = true;
+    this.clear.geometry.setDrawRange(0, lined / 3);
+    if (this.shownReactions) this.setReactions(this.shownReactions, this.largestShown);
+  }
+
+  private largestShown = 1;
+
+  /** While a run is animated: each box in the colour of its reaction at the moment, grey where that is not known. */
+  setReactions(of: Map<string, number>, largest: number): void {
+    if (!this.solid) return;
+    this.shownReactions = of;
+    this.largestShown = largest;
+    const colour = new THREE.Color();
+    this.list.forEach((r, i) => {
+      const value = of.get(r.support.name);
+      if (value === undefined) colour.setRGB(0.5, 0.53, 0.56, THREE.SRGBColorSpace);
+      else if (value <= 0) colour.setRGB(0.75, 0.79, 0.82, THREE.SRGBColorSpace);
+      else colour.setRGB(...colourAt('load', value / (largest || 1)), THREE.SRGBColorSpace);
+      this.solid!.setColorAt(i, colour);
+      this.solid!.setMatrixAt(i, r.matrix);
+    });
+    this.solid.instanceMatrix.needsUpdate = true;
+    if (this.solid.instanceColor) this.solid.instanceColor.needsUpdate = true;
+    this.ghost!.visible = this.clear.visible = false;
+  }
+
+  /** Back to the reactions of statics; `set` follows. */
+  endReactions(): void {
+    this.shownReactions = null;
+    if (this.ghost) this.ghost.visible = true;
+    this.clear.visible = true;
   }
 }

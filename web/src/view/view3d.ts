@@ -13,7 +13,14 @@ import { SeaView } from './sea';
 
 export interface Colouring { values: ArrayLike<number> | null; low: number; high: number }
 export type Picked = { kind: 'station'; index: number } | { kind: 'roller'; roller: RollerRef } | null;
-export interface Moment { time: number; pose: number[]; places: Float32Array; flashes: { support: string; row: number; position: string; strength: number }[] }
+export interface Moment {
+  time: number; pose: number[]; places: Float32Array;
+  flashes: { support: string; row: number; position: string; strength: number }[];
+  /** Reactions of the boxes at the moment, as far as they are known; the largest of the run. */
+  reactions: Map<string, number>; largest: number;
+  /** What the tensioner does: +1 pays out, -1 hauls in, 0 holds; at its limit it can not go on. */
+  tensioner: { way: number; limit: boolean; travel: number } | null;
+}
 
 /** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
 function drawnByProcessor(): boolean {
@@ -57,15 +64,27 @@ export class View3D {
   private view: ViewName | null = 'whole';
   private hullKey = '';
   private seaKey = '';
+  private seaScene: Scene | null = null;
   private flight: { from: [THREE.Vector3, THREE.Vector3]; to: [THREE.Vector3, THREE.Vector3]; start: number } | null = null;
   private readonly observer: ResizeObserver;
   private running = true;
   private coarse = 1;
   private slow = 0;
   private lastDraw = -Infinity;
+  private lastLabels = -Infinity;
+  private stale = false; // solution or colours have changed since they were drawn
+  private colouring: Colouring | null = null;
+  private moment: Moment | null = null;
+  private dragging = false;
+  private drawn = false; // in the turn before
+  private cost = 0; // of a picture: ms from its drawing to the next turn of the page
+  private rigKey = '';
+  private readonly byProcessor = drawnByProcessor();
+  private readonly arrow = new THREE.Group();
+  private readonly arrowPaint = new THREE.MeshBasicMaterial({ color: '#1f6fd0' });
 
   constructor(private readonly box: HTMLElement) {
-    this.renderer = new THREE.WebGLRenderer({ antialias: !drawnByProcessor(), alpha: true, powerPreference: 'high-performance' });
+    this.renderer = new THREE.WebGLRenderer({ antialias: !this.byProcessor, alpha: true, powerPreference: 'high-performance' });
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     box.append(this.renderer.domElement);
     const overlay = document.createElement('div');
@@ -89,7 +108,12 @@ export class View3D {
     this.marker.visible = false;
     this.afloat.matrixAutoUpdate = false;
     this.hullGroup.matrixAutoUpdate = false;
-    this.afloat.add(this.hullGroup, this.rigGroup, this.rollers.group, this.flashGroup);
+    const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.22, 0.22, 3, 12), this.arrowPaint);
+    const head = new THREE.Mesh(new THREE.ConeGeometry(0.65, 1.6, 16), this.arrowPaint);
+    head.position.y = 2.3;
+    this.arrow.add(shaft, head);
+    this.arrow.visible = false;
+    this.afloat.add(this.hullGroup, this.rigGroup, this.rollers.group, this.flashGroup, this.arrow);
     this.world.add(this.afloat, this.pipe.mesh, this.sea.group, this.marker);
 
     this.observer = new ResizeObserver(() => this.resize());
@@ -101,6 +125,10 @@ export class View3D {
       requestAnimationFrame(loop);
       this.fly(now);
       if (!this.dirty) { this.rest(now); return; }
+      // Where the processor draws, the page stands still meanwhile: while dragging it is left more than half of the time.
+      if (this.drawn) { this.cost = now - this.lastDraw; this.drawn = false; }
+      if (this.dragging && this.byProcessor && this.cost > 25 && now - this.lastDraw < Math.min(160, 2.5 * this.cost)) return;
+      this.drawn = true;
       this.dirty = false;
       this.pace(now);
       this.draw();
@@ -121,19 +149,46 @@ export class View3D {
     this.scene = scene;
     this.still = poseMatrix(scene.vessel.pose);
     this.pipe.setRadius(scene.pipe.outer_radius);
-    this.build();
+    this.stale = true;
+    this.redraw();
   }
 
   setSolution(solution: Converged): void {
     const first = this.solution === null;
     this.solution = solution;
-    this.setPipe(solution);
-    this.build();
-    if (first || this.view) this.go(this.view ?? 'whole', false);
+    this.stale = true;
+    this.redraw();
+    if (first) this.go(this.view ?? 'whole', false);
+    else if (this.view && !this.dragging) this.go(this.view);
+  }
+
+  /** While a value is dragged the camera stands still and only what moves is drawn, with coarser pixels. */
+  setDragging(on: boolean): void {
+    if (on === this.dragging) return;
+    this.dragging = on;
+    if (on) {
+      this.flight = null;
+      const least = this.byProcessor ? 0.5 : 1 / Math.min(2, devicePixelRatio);
+      if (this.coarse > least) { this.coarse = least; this.setPixels(); }
+    } else {
+      this.stale = true;
+      this.lastLabels = -Infinity;
+    }
+    this.redraw();
   }
 
   /** Another model: look at it afresh. */
-  reset(): void { this.solution = null; this.view = 'whole'; }
+  reset(): void { this.solution = null; this.view = 'whole'; this.rigKey = ''; }
+
+  /** Brings what is drawn up to the newest solution: once a picture, however many solutions came since the last. */
+  private refresh(): void {
+    if (!this.stale || !this.solution) return;
+    this.stale = false;
+    if (!this.moment) this.setPipe(this.solution);
+    this.build();
+    const c = this.colouring;
+    if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress');
+  }
 
   private setPipe(s: Converged): void {
     const n = s.pipe.s.length;
@@ -143,6 +198,8 @@ export class View3D {
   }
 
   setColouring(c: Colouring): void {
+    this.colouring = c;
+    if (this.stale) { this.redraw(); return; }
     this.pipe.setColours(c.values, c.low, c.high, 'stress');
     this.redraw();
   }
@@ -158,18 +215,34 @@ export class View3D {
   setMoment(moment: Moment | null): void {
     if (!this.scene) return;
     dispose(this.flashGroup);
+    if (!moment && !this.moment) return;
+    this.moment = moment;
+    this.pointArrow(moment?.tensioner ?? null);
     if (!moment) {
-      if (this.solution) this.setPipe(this.solution);
+      this.rollers.endReactions();
+      this.stale = true;
       this.afloat.matrix.identity();
       this.sea.setTime(null);
     } else {
       this.pipe.setPlaces(moment.places);
       this.afloat.matrix.multiplyMatrices(poseMatrix(moment.pose), this.still.clone().invert());
       this.sea.setTime(moment.time);
+      this.rollers.setReactions(moment.reactions, moment.largest);
       for (const f of moment.flashes) this.flash(f);
     }
     this.afloat.matrixWorldNeedsUpdate = true;
     this.redraw();
+  }
+
+  /** Beside the tensioner, the way the pipe is going through it. */
+  private pointArrow(t: Moment['tensioner']): void {
+    this.arrow.visible = t !== null && (t.way !== 0 || t.limit);
+    if (!t || !this.solution) return;
+    const along = vec(this.solution.tensioner.direction).normalize();
+    const way = t.way || Math.sign(t.travel) || 1;
+    this.arrow.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.clone().multiplyScalar(way));
+    this.arrow.position.copy(vec(this.solution.tensioner.place)).addScaledVector(along, -2.2 + t.travel).add(new THREE.Vector3(0, 0, 3));
+    this.arrowPaint.color.set(t.limit ? '#c3271b' : way > 0 ? '#1f6fd0' : '#7a3fb5');
   }
 
   private flash(f: Moment['flashes'][number]): void {
@@ -186,18 +259,22 @@ export class View3D {
     if (!scene || !solution) return;
     const largest = Math.max(1, ...solution.supports.flatMap((s) => s.rollers.map((r) => r.reaction)));
     this.rollers.set(solution.supports, largest);
-    dispose(this.rigGroup);
-    this.rigGroup.add(rig(solution, scene));
-    const key = JSON.stringify([scene.vessel, scene.ramp, scene.tensioner]);
+    const rigKey = JSON.stringify([solution.supports.map((s) => s.place), solution.tensioner.place, scene.vessel.pose, scene.pipe]);
+    if (rigKey !== this.rigKey) {
+      this.rigKey = rigKey;
+      dispose(this.rigGroup);
+      this.rigGroup.add(rig(solution, scene));
+    }
+    const key = JSON.stringify([{ ...scene.vessel, pose: 0 }, scene.ramp, scene.tensioner]);
     if (key !== this.hullKey) {
       this.hullKey = key;
       dispose(this.hullGroup);
       this.hullGroup.add(hull(scene.vessel, this.slotDepth(scene)));
-      this.hullGroup.matrix.copy(this.still);
-      this.hullGroup.matrixWorldNeedsUpdate = true;
     }
-    this.placeSea();
-    this.labelList = this.makeLabels();
+    this.hullGroup.matrix.copy(this.still);
+    this.hullGroup.matrixWorldNeedsUpdate = true;
+    if (!this.dragging || this.seaKey === '' || scene !== this.seaScene) this.placeSea();
+    if (!this.dragging) this.labelList = this.makeLabels();
     this.redraw();
   }
 
@@ -230,6 +307,7 @@ export class View3D {
     const key = JSON.stringify([low, high, scene.seabed, scene.current, scene.waves.length, scene.water_depth, this.dark]);
     if (key === this.seaKey) return;
     this.seaKey = key;
+    this.seaScene = scene;
     this.sea.set(scene, low, high, this.dark);
   }
 
@@ -281,7 +359,7 @@ export class View3D {
 
   /** Full sharpness again when the picture stands still. */
   private rest(now: number): void {
-    if (this.coarse === 1 || now - this.lastDraw < 350) return;
+    if (this.dragging || this.coarse === 1 || now - this.lastDraw < 350) return;
     this.coarse = 1;
     this.setPixels();
     this.draw();
@@ -306,6 +384,7 @@ export class View3D {
   }
 
   private draw(): void {
+    this.refresh();
     const distance = this.camera.position.distanceTo(this.controls.target);
     this.camera.near = Math.max(0.05, distance / 400);
     this.camera.far = distance * 8 + 3000;
@@ -319,7 +398,12 @@ export class View3D {
       this.marker.scale.setScalar(Math.max(5.5 * pixel * away, 0));
     }
     this.renderer.render(this.world, this.camera);
-    this.labels.draw(this.labelList, this.camera, this.width, this.height);
+    // moving names costs a layout of the page: a few times a second are enough while a value is dragged
+    const now = performance.now();
+    if (!this.dragging || now - this.lastLabels > 200) {
+      this.lastLabels = now;
+      this.labels.draw(this.labelList, this.camera, this.width, this.height);
+    }
     ++this.frames;
   }
 
