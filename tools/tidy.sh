@@ -14,6 +14,10 @@ patterns=("$@")
 if ((${#patterns[@]} == 0)); then
   patterns=('.*')
 fi
+expressions=()
+for pattern in "${patterns[@]}"; do
+  expressions+=("^$PWD/src/.*($pattern)")
+done
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 # Kernels are compiled once per instruction set: one look at each is enough.
@@ -27,7 +31,7 @@ PYTHON
 # Called through Debian's own Python: the one first on the PATH may be another. The compile commands are g++'s, whose
 # warning options clang need not know.
 if ! /usr/bin/python3 "$(command -v run-clang-tidy)" -quiet -p "$work" -j "$(nproc)" \
-    -extra-arg=-Wno-unknown-warning-option "${patterns[@]/#/^$PWD/src/.*}" >"$work/log" 2>&1; then
+    -extra-arg=-Wno-unknown-warning-option "${expressions[@]}" >"$work/log" 2>&1; then
   grep -E -A 4 '(warning|error):' "$work/log" || tail -n 40 "$work/log"
   exit 1
 fi

@@ -27,7 +27,7 @@ void expect_numbers(const Json& json, const std::set<std::string>& keys, const s
 void expect_spreads(const Json& json, const std::set<std::string>& keys, const std::string& place) {
   for (const std::string& key : keys) {
     ASSERT_TRUE(json.contains(key)) << place << "." << key;
-    expect_numbers(json[key], {"min", "max", "mean", "std"}, place + "." + key);
+    expect_numbers(json[key], {"min", "max", "mean", "std"}, std::string(place).append(".").append(key));
   }
 }
 
