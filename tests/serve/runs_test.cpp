@@ -87,6 +87,9 @@ TEST(serve_runs, a_run_can_be_looked_at_while_it_runs_and_be_cancelled) {
   EXPECT_EQ(serving.post("/api/runs/" + id + "/cancel", json::object()).status, 200);
   EXPECT_EQ(serving.wait_for(id)["state"], "cancelled");
   EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));
+  const Reply late = serving.get("/api/runs/" + id + "/series?name=top_tension");  // asked before the page was told
+  EXPECT_EQ(late.status, 200);
+  EXPECT_TRUE(late.json["t"].empty());
   EXPECT_EQ(serving.wait_for(next)["state"], "done");  // the queue goes on
 }
 

@@ -52,23 +52,20 @@ std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
   return runs.folder(done(runs, request)) / "results.h5";
 }
 
-/// It has come to nothing and has no histories; a page may ask before it knows.
-bool left_nothing(const RunInfo& run) {
-  return run.state == RunState::cancelled || run.state == RunState::failed;
-}
-
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
-  if (left_nothing(run)) return json_answer(Json::array());
+  if (run.state != RunState::done) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
 }
 
-/// A history, so far or as a whole.
+/// A history, so far or as a whole. A run that waits, failed or was cancelled has an empty one and not a fault: a page
+/// asks by what it was last told, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
+  if (run.state != RunState::done) return {};
   const std::lock_guard<std::mutex> hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
@@ -78,8 +75,7 @@ std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::strin
 }
 
 HttpAnswer series(RunQueue& runs, const HttpRequest& request) {
-  RunInfo run = runs.find(request.parts[0]);
-  if (run.state != RunState::running) run = done(runs, request);
+  const RunInfo run = runs.find(request.parts[0]);
   const double infinity = std::numeric_limits<double>::infinity();
   const SeriesWindow window{request.number("t0", -infinity), request.number("t1", infinity),
                             static_cast<std::size_t>(std::clamp(request.number("px", 1000.0), 1.0, kMostPoints))};
