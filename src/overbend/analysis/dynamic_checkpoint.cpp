@@ -9,9 +9,31 @@ namespace {
 
 constexpr std::size_t kContactNumbers = 7;
 constexpr std::size_t kWaterNumbers = 7;
+constexpr std::size_t kBendingNumbers = 10 + 2 * kSprings;
 
 void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
   checkpoint.arrays.push_back({name, std::move(values)});
+}
+
+std::vector<double> bending_numbers(const std::vector<BendingMemory>& memories) {
+  std::vector<double> out;
+  for (const BendingMemory& m : memories) {
+    out.insert(out.end(), {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(),
+                           m.center.x(), m.center.y(), m.slack, m.largest});
+    for (const Vec2& slip : m.slip) out.insert(out.end(), {slip.x(), slip.y()});
+  }
+  return out;
+}
+
+BendingMemory bending_memory(const double* v) {
+  BendingMemory m;
+  m.tangent = Vec3(v[0], v[1], v[2]);
+  m.axis = Vec3(v[3], v[4], v[5]);
+  m.center = Vec2(v[6], v[7]);
+  m.slack = v[8];
+  m.largest = v[9];
+  for (std::size_t i = 0; i < kSprings; ++i) m.slip[i] = Vec2(v[10 + 2 * i], v[11 + 2 * i]);
+  return m;
 }
 
 Slip slip_of(double value) {
@@ -47,6 +69,10 @@ void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state) {
                                      static_cast<double>(c.lateral), static_cast<double>(c.element), c.xi});
   }
   put(checkpoint, "state/contacts", std::move(contacts));
+  if (!state.bending.empty()) {
+    put(checkpoint, "state/bending", bending_numbers(state.bending));
+    put(checkpoint, "state/bending_heat", {state.bending_heat});
+  }
 }
 
 void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
@@ -69,6 +95,13 @@ void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     const double* v = &contacts.at(kContactNumbers * i);
     state.contacts[i] = {v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6]};
+  }
+  if (!state.bending.empty()) {
+    const std::vector<double>& bending = checkpoint_array(checkpoint, "state/bending");
+    for (std::size_t i = 0; i < state.bending.size(); ++i) {
+      state.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
+    }
+    state.bending_heat = checkpoint_array(checkpoint, "state/bending_heat").at(0);
   }
 }
 

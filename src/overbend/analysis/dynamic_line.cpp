@@ -54,6 +54,7 @@ DynamicSystem::DynamicSystem(const DynamicLine& line)
     : line_(&line),
       contacts_(line.rollers, line.cells, line.shoe_V, line.mesh.length, line.elements.radius),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
+      plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
       tangent_(line.mesh.nodes()) {}
 
 HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motion, bool free_along) const {
@@ -126,6 +127,11 @@ void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, co
   }
   const LineMotion motion = motion_of(state, before, shares, state.bed_slip.data());
   add_line_forces(line_->elements, line_->environment, {state.q.data(), nullptr}, motion, target, best_isa());
+  if (line_->yielding.any) {
+    state.bending_heat = before.bending_heat + add_moving_yielding(line_->yielding, line_->mesh, state.q.data(),
+                                                                   before.bending, state.bending, plastic_moment_,
+                                                                   {&residual_, with_tangent ? &tangent_ : nullptr});
+  }
   contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts,
                      {&residual_, with_tangent ? &tangent_ : nullptr});
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
@@ -196,6 +202,10 @@ InstantEnergy DynamicSystem::energy(const DynamicState& state) const {
   InstantEnergy now;
   const LineMotion motion = motion_of(state, state, {}, nullptr);
   now.line = line_energy(line_->elements, line_->environment, {state.q.data(), nullptr}, motion, best_isa());
+  if (line_->yielding.any) {
+    now.line.strain += stored_by_yielding(line_->yielding, line_->mesh, state.q.data(), state.bending);
+    now.bending_heat = state.bending_heat;
+  }
   for (int i = 0; i < contacts_.count(); ++i) {
     const MovingContact& contact = contacts_.contacts()[static_cast<std::size_t>(i)];
     const ContactLaw& law = contacts_.rollers()[static_cast<std::size_t>(i)].law;
@@ -263,6 +273,9 @@ DynamicState state_at_rest(const DynamicLine& line, const std::vector<double>& q
   state.top_guide = {Vec3(q[top], q[top + 1], q[top + 2]).norm(), 0.0, 0.0, 0.0};
   state.bed_slip.assign(static_cast<std::size_t>(kGaussPoints * kBedDirections) * line.elements.padded(), 0.0);
   state.contacts.assign(line.rollers.size(), ContactMemory{});
+  if (line.yielding.any) {
+    state.bending = fresh_memories(line.mesh, q.data());
+  }
   return state;
 }
 

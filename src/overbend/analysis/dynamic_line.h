@@ -8,6 +8,7 @@
 #include "analysis/held_directions.h"
 #include "analysis/line_mesh.h"
 #include "analysis/moving_contacts.h"
+#include "analysis/yielding.h"
 #include "mechanics/line_elements.h"
 #include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
@@ -42,6 +43,7 @@ struct DynamicLine {
   LineMesh mesh;
   LineElements elements;
   LineEnvironment environment;
+  YieldingElements yielding;
   LineEnd anchor, top;
   TensionerLaw tensioner;  ///< Moves the top along its guide, where it is held; the default is a locked brake.
   double build_up = 0.0;   ///< Before t = 0, over which the tensioner is brought in [s].
@@ -66,6 +68,8 @@ struct DynamicState {
   double last_step = 0.0;   ///< That led here; 0 at the start [s].
   AlignedDoubles bed_slip;  ///< See LineMotion.
   std::vector<ContactMemory> contacts;
+  std::vector<BendingMemory> bending;  ///< Per Gauss point; empty where no steel yields.
+  double bending_heat = 0.0;           ///< Made by yielding so far [J].
 };
 
 /// Sums of energies and powers at one instant; see EnergyBalance.
@@ -75,6 +79,7 @@ struct InstantEnergy {
   double roller_power = 0.0;                       ///< Of the moving rollers on the pipe [W].
   double contact_loss = 0.0, friction_loss = 0.0;  ///< [W]
   double top_power = 0.0, anchor_power = 0.0;      ///< [W]
+  double bending_heat = 0.0;                       ///< Made by yielding so far [J].
 };
 
 class DynamicSystem {
@@ -87,6 +92,8 @@ class DynamicSystem {
   std::uint64_t contact_signature() const { return contacts_.signature(); }
   bool contacts_settled() const { return contacts_.settled(); }
   const std::vector<double>& residual() const { return residual_; }
+  /// What yielding takes off the elastic moment EI k, per Gauss point; empty where no steel yields.
+  const std::vector<Vec3>& plastic_moment() const { return plastic_moment_; }
   BlockTridiagonal& tangent() { return tangent_; }
 
   /// Brings the surroundings to a time, and the rollers to the line as it is in `near`.
@@ -134,6 +141,7 @@ class DynamicSystem {
   Surroundings surroundings_;
   MovingContacts contacts_;
   std::vector<double> residual_;
+  std::vector<Vec3> plastic_moment_;
   std::array<double, 6> anchor_residual_{}, top_residual_{};  ///< Before hold().
   BlockTridiagonal tangent_;
   HeldDirections held_anchor_, held_top_;

@@ -108,7 +108,7 @@ void DynamicRecorder::start(const RecordedInstant& at) {
 }
 
 void DynamicRecorder::recover(const RecordedInstant& at) {
-  recovery_.recover(*at.state, at.system->contacts(), nodes_);
+  recovery_.recover(*at.state, at.system->contacts(), at.system->plastic_moment(), nodes_);
   find_key_values(at);
   find_support_values(at);
   find_passed(at);

@@ -98,6 +98,8 @@ DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
   line.mesh = solution.mesh;
   line.elements = system.elements();
   line.environment = system.environment();
+  line.yielding = system.yielding();
+  choose_levels(line.yielding, solution.state.q.data());
   line.anchor = {true, true};
   line.top = {true, model.description.tensioner.guide == Guide::clamped};
   line.rollers = moving_rollers(model, system.rollers(), shortest_element(solution.mesh));
@@ -113,6 +115,9 @@ DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
 
 DynamicState static_state(const DynamicLine& line, const StaticSolution& solution, double time) {
   DynamicState state = state_at_rest(line, solution.state.q, time);
+  if (!solution.bending.empty()) {
+    state.bending = solution.bending;
+  }
   const std::size_t padded = line.elements.padded();
   for (int e = 0; e < line.elements.count; ++e) {
     const std::size_t i = static_cast<std::size_t>(e);

@@ -26,6 +26,27 @@ ElementBends bends_of(const double* q, double h, double EI) {
           bend_vector(EI, t2, (2.0 / h) * t1 + (4.0 / h) * t2 - chord)};
 }
 
+/// Plastic moment at a node: of the Gauss points next to it, on both sides.
+Vec3 plastic_at_node(const std::vector<Vec3>& plastic_moment, std::size_t node, std::size_t last) {
+  if (plastic_moment.empty()) return Vec3::Zero();
+  const std::size_t after = kGaussPoints * std::min(node, last - 1);
+  if (node == 0) return plastic_moment[after];
+  if (node == last) return plastic_moment[after + kGaussPoints - 1];
+  return 0.5 * (plastic_moment[after - 1] + plastic_moment[after]);
+}
+
+/// Inside an element: of the Gauss point that is nearest.
+Vec3 plastic_inside(const std::vector<Vec3>& plastic_moment, std::size_t element, double xi) {
+  if (plastic_moment.empty()) return Vec3::Zero();
+  const std::size_t point = xi < 0.2 ? 0 : xi < 0.5 ? 1 : xi < 0.8 ? 2 : 3;
+  return plastic_moment[kGaussPoints * element + point];
+}
+
+double yielded_at(const std::vector<BendingMemory>& memory, std::size_t node) {
+  const std::size_t after = std::min(kGaussPoints * node, memory.size() - 1);
+  return std::max(memory[after].largest, after > 0 ? memory[after - 1].largest : 0.0);
+}
+
 Vec3 up_across(const Vec3& t) {
   const Vec3 up = Vec3::UnitZ() - t.z() * t;
   const double size = up.norm();
@@ -35,8 +56,8 @@ Vec3 up_across(const Vec3& t) {
 }  // namespace
 
 void NodeValues::resize(std::size_t nodes) {
-  for (std::vector<double>* array :
-       {&effective_tension, &bending_moment, &bending_stress, &von_mises, &strain, &vertical_moment, &x, &y, &z}) {
+  for (std::vector<double>* array : {&effective_tension, &bending_moment, &bending_stress, &von_mises, &strain,
+                                     &vertical_moment, &curvature, &x, &y, &z}) {
     array->resize(nodes);
   }
 }
@@ -50,7 +71,7 @@ NodeRecovery::NodeRecovery(const Model& model, const DynamicLine& line) : model_
 }
 
 void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts,
-                                   NodeValues& values) {
+                                   const std::vector<Vec3>& plastic_moment, NodeValues& values) {
   const std::vector<double>& length = line_->mesh.length;
   std::fill(bend_.begin(), bend_.end(), Vec3(Vec3::Zero()));
   for (std::size_t e = 0; e < length.size(); ++e) {
@@ -70,7 +91,9 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
   for (std::size_t node = 0; node <= last; ++node) {
     const double share = node == 0 || node == last ? 1.0 : 0.5;
     const Vec3 t = Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
-    const Vec3 bend = share * (bend_[node] - bend_[node].dot(t) * t);
+    const Vec3 elastic = share * (bend_[node] - bend_[node].dot(t) * t);
+    const Vec3 bend = elastic - plastic_at_node(plastic_moment, node, last);
+    values.curvature[node] = elastic.norm() / line_->elements.EI[std::min(node, last - 1)];
     values.bending_moment[node] = bend.norm();
     values.vertical_moment[node] = bend.dot(up_across(t));
   }
@@ -79,17 +102,20 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
       const std::size_t e = static_cast<std::size_t>(contact.at.element);
       const double x = contact.at.xi, y = 1.0 - x;
       const ElementBends bends = bends_of(state.q.data() + 6 * e, length[e], line_->elements.EI[e]);
-      const Vec3 bend = y * bends.first + x * bends.second - (2.0 * length[e] * x * x * y * y) * contact.force();
       const Vec3 a = Eigen::Map<const Vec3>(state.q.data() + 6 * e + 3);
+      const Vec3 all = y * bends.first + x * bends.second - (2.0 * length[e] * x * x * y * y) * contact.force();
+      const Vec3 elastic = all - all.dot(a) / a.squaredNorm() * a;
+      const double moment = (elastic - plastic_inside(plastic_moment, e, x)).norm();
       const std::size_t node = x < 0.5 ? e : e + 1;
-      const double moment = (bend - bend.dot(a) / a.squaredNorm() * a).norm();
       values.bending_moment[node] = std::max(values.bending_moment[node], moment);
+      values.curvature[node] = std::max(values.curvature[node], elastic.norm() / line_->elements.EI[e]);
     }
   }
 }
 
-void NodeRecovery::recover(const DynamicState& state, const std::vector<MovingContact>& contacts, NodeValues& values) {
-  bending_moments(state, contacts, values);
+void NodeRecovery::recover(const DynamicState& state, const std::vector<MovingContact>& contacts,
+                           const std::vector<Vec3>& plastic_moment, NodeValues& values) {
+  bending_moments(state, contacts, plastic_moment, values);
   const LineElements& elements = line_->elements;
   for (std::size_t node = 0; node < section_.size(); ++node) {
     const std::size_t e = std::min(node, line_->mesh.length.size() - 1);
@@ -100,7 +126,10 @@ void NodeRecovery::recover(const DynamicState& state, const std::vector<MovingCo
     SectionLoads loads;
     loads.effective_tension = elements.EA[e] * stretch + elements.pressure_constant[e] +
                               elements.pressure_slope[e] * z + elements.pressure_external[e] * std::max(-z, 0.0);
-    loads.curvature = values.bending_moment[node] / section.EI;
+    loads.bending_moment = values.bending_moment[node];
+    loads.curvature = values.curvature[node];
+    loads.z = z;
+    loads.largest_curvature = section.bending ? yielded_at(state.bending, node) : 0.0;
     loads.external_pressure = model_->water_weight_density * std::max(-z, 0.0);
     loads.internal_pressure = section.internal_pressure - section.contents_weight_density * z;
     const SectionStress stress = section_stress(section, loads);

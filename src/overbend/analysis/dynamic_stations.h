@@ -12,6 +12,7 @@ namespace overbend {
 struct NodeValues {
   std::vector<double> effective_tension, bending_moment, bending_stress, von_mises, strain;
   std::vector<double> vertical_moment;  ///< Sagging positive [N m].
+  std::vector<double> curvature;        ///< Magnitude [1/m].
   std::vector<double> x, y, z;          ///< W [m]
 
   void resize(std::size_t nodes);
@@ -24,12 +25,14 @@ class NodeRecovery {
 
   /// From the state evaluated last. The moment at a node is the mean of those of the cubics on both sides, with the
   /// fixed-end moments of the roller forces inside the elements added: exact for small bending between nodes. Where a
-  /// roller pushes inside an element, the moment under it goes to the nearer node if it is larger there. Nothing is
-  /// allocated.
-  void recover(const DynamicState& state, const std::vector<MovingContact>& contacts, NodeValues& values);
+  /// roller pushes inside an element, the moment under it goes to the nearer node if it is larger there. What yielding
+  /// takes off comes from the nearest Gauss points. Nothing is allocated.
+  void recover(const DynamicState& state, const std::vector<MovingContact>& contacts,
+               const std::vector<Vec3>& plastic_moment, NodeValues& values);
 
  private:
-  void bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts, NodeValues& values);
+  void bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts,
+                       const std::vector<Vec3>& plastic_moment, NodeValues& values);
 
   const Model* model_;
   const DynamicLine* line_;

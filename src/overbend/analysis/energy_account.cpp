@@ -20,6 +20,7 @@ void visit(Instant& e, const Visit& visit_one) {
   visit_one(e.friction_loss);
   visit_one(e.top_power);
   visit_one(e.anchor_power);
+  visit_one(e.bending_heat);
 }
 
 template <class Balance, class Visit>
@@ -36,6 +37,7 @@ void visit_balance(Balance& b, const Visit& visit_one) {
   visit_one(b.contact_loss);
   visit_one(b.friction_loss);
   visit_one(b.seabed_loss);
+  visit_one(b.yielding_loss);
   visit_one(b.error);
   visit_one(b.throughput);
 }
@@ -67,8 +69,10 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   integrate(b.contact_loss, last_.contact_loss, now.contact_loss);
   integrate(b.friction_loss, last_.friction_loss, now.friction_loss);
   integrate(b.seabed_loss, last_.line.seabed_loss, now.line.seabed_loss);
-  b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss -
-            b.fluid - b.rollers - b.top - b.anchor;
+  b.yielding_loss = now.bending_heat - first_.bending_heat;
+  b.throughput += now.bending_heat - last_.bending_heat;
+  b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss +
+            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor;
   last_ = now;
 }
 

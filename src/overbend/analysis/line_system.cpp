@@ -50,6 +50,7 @@ LineSystem::LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh
     : model_(&model), mesh_(std::move(mesh)), plane_(lay_plane(model, pose)), pose_(pose) {
   elements_ = line_elements(model, mesh_.length, mesh_.section);
   environment_ = line_environment(model, plane_.tensioner_W, plane_.port_W);
+  yielding_ = yielding_elements(model, mesh_);
   double radius = 0.0;
   for (std::size_t e = 0; e < mesh_.length.size(); ++e) {
     total_weight_ += elements_.weight[e] * mesh_.length[e];
@@ -108,11 +109,26 @@ void LineSystem::evaluate(const LineState& state, bool with_tangent) {
     target = {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0)};
   }
   add_line_forces(elements_, environment_, state.shape(), target, best_isa());
+  add_yielding(state, with_tangent, false);
   for (int i = 0; i < 3; ++i) {
     residual_[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
   }
   find_contacts(state);
   add_contacts(state, with_tangent);
+}
+
+void LineSystem::add_yielding(const LineState& state, bool with_tangent, bool keep_memory) {
+  if (!yielding_.any || !yields_) {
+    return;
+  }
+  choose_levels(yielding_, state.q.data());
+  add_static_yielding(yielding_, mesh_, model_->description.statics.history, state.q.data(), keep_memory,
+                      yielding_points_, {&residual_, with_tangent ? &tangent_ : nullptr});
+}
+
+std::vector<BendingMemory> LineSystem::bending_memory(const LineState& state) {
+  add_yielding(state, false, true);
+  return yielding_points_.memory;
 }
 
 void LineSystem::find_contacts(const LineState& state) {

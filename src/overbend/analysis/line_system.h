@@ -12,6 +12,7 @@
 #include "analysis/held_directions.h"
 #include "analysis/lay_shape.h"
 #include "analysis/line_mesh.h"
+#include "analysis/yielding.h"
 #include "mechanics/contact_cells.h"
 #include "mechanics/line_elements.h"
 #include "mechanics/roller_contact.h"
@@ -57,6 +58,8 @@ class LineSystem {
   const std::vector<double>& residual() const { return residual_; }
   const LineElements& elements() const { return elements_; }
   const LineEnvironment& environment() const { return environment_; }
+  const YieldingElements& yielding() const { return yielding_; }
+  const StaticYielding& yielding_points() const { return yielding_points_; }
   BlockTridiagonal& tangent() { return tangent_; }
   Vec3 far_direction() const { return far_direction_; }
   double total_weight() const { return total_weight_; }  ///< In air [N].
@@ -65,6 +68,10 @@ class LineSystem {
   void limit_roller_stiffness(double limit) { roller_limit_ = limit; }
   /// Whether side rollers act.
   void use_side_rollers(bool use) { use_side_rollers_ = use; }
+  /// Whether the steel may yield.
+  void let_yield(bool yields) { yields_ = yields; }
+  /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
+  std::vector<BendingMemory> bending_memory(const LineState& state);
   /// Share of the current's speed that acts.
   void scale_current(double scale) { environment_.current_scale = scale; }
 
@@ -97,6 +104,7 @@ class LineSystem {
   void find_contacts(const LineState& state);
   void add_contacts(const LineState& state, bool with_tangent);
   void hold_ends();
+  void add_yielding(const LineState& state, bool with_tangent, bool keep_memory);
 
   const Model* model_;
   LineMesh mesh_;
@@ -104,6 +112,9 @@ class LineSystem {
   VesselPose pose_;
   LineElements elements_;
   LineEnvironment environment_;
+  YieldingElements yielding_;
+  StaticYielding yielding_points_;
+  bool yields_ = true;
   ContactCells cells_;
   std::vector<PlacedRoller> rollers_;
   std::vector<int> roller_box_;

@@ -9,7 +9,6 @@
 #include "base/version.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
-#include "mechanics/stress.h"
 
 namespace overbend {
 namespace {
@@ -46,6 +45,11 @@ ElementVector element_residual(const LineSystem& system, const LineState& state,
                   {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
                   {out, nullptr, nullptr, nullptr}, best_isa());
   ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
+  if (!system.yielding_points().plastic_moment.empty()) {
+    add_element_yielding(system.mesh(), element, shape.q,
+                         &system.yielding_points().plastic_moment[kGaussPoints * static_cast<std::size_t>(element)],
+                         residual);
+  }
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   for (const RollerState& roller : system.roller_states()) {
     if (roller.force > 0.0 && roller.at.element == element) {
@@ -113,16 +117,19 @@ CutForces cut_at(const LineSystem& system, const LineState& state, const std::ve
   return {force, start.moment - lever.cross(start.force) - loads.moment};
 }
 
-Station make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element, double xi) {
+StationCut make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element,
+                        double xi) {
   const Model& model = system.model();
   const std::size_t e = static_cast<std::size_t>(element);
   const double h = system.mesh().length[e];
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
   const CentrelinePoint at = centreline(q, xi, h);
   const Vec3 t = at.a.normalized();
-  const Section& section = model.sections[static_cast<std::size_t>(system.mesh().section[e])];
 
-  Station station;
+  StationCut result;
+  result.section = system.mesh().section[e];
+  result.tangent = t;
+  Station& station = result.station;
   station.s = system.mesh().s[e] + xi * h;
   station.p_W = at.r;
   station.astern = (at.r - point_from_ramp(model, model.mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
@@ -130,31 +137,17 @@ Station make_station(const LineSystem& system, const LineState& state, const Cut
   station.effective_tension = cut.force.dot(t);
   const Vec3 moment = cut.moment - cut.moment.dot(t) * t;
   station.bending_moment = moment.norm();
-  station.curvature = station.bending_moment / section.EI;
-  const Vec3 bend = moment.cross(t);  // EI times the curvature vector
+  result.bend = moment.cross(t);
   const Vec3 horizontal(t.x(), t.y(), 0.0);
   const Vec3 port =
       horizontal.norm() > 1e-9 ? Vec3(Vec3::UnitZ().cross(horizontal.normalized())) : system.plane().port_W;
-  station.lateral_moment = bend.dot(port);
-  station.vertical_moment = bend.dot(t.cross(port));
+  station.lateral_moment = result.bend.dot(port);
+  station.vertical_moment = result.bend.dot(t.cross(port));
 
   const PointLoad load = point_load(system.elements(), system.environment(), element, at.r, at.a);
   station.seabed_reaction = load.seabed_normal;
   station.penetration = load.penetration;
-  SectionLoads loads;
-  loads.effective_tension = station.effective_tension;
-  loads.curvature = station.curvature;
-  loads.external_pressure = model.water_weight_density * std::max(-at.r.z(), 0.0);
-  loads.internal_pressure = section.internal_pressure - section.contents_weight_density * at.r.z();
-  const SectionStress stress = section_stress(section, loads);
-  station.wall_tension = stress.wall_tension;
-  station.axial_stress = stress.axial;
-  station.bending_stress = stress.bending;
-  station.hoop_stress = stress.hoop;
-  station.von_mises = stress.von_mises;
-  station.strain = stress.strain;
-  station.yield_stress = section.yield_stress;
-  return station;
+  return result;
 }
 
 namespace {
@@ -162,7 +155,7 @@ namespace {
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
 std::vector<Station> make_stations(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
                                    const std::optional<LinePlace>& touchdown) {
-  std::vector<Station> stations;
+  std::vector<StationCut> stations;
   for (int e = 0; e < system.mesh().elements(); ++e) {
     std::vector<double> places{0.0};
     const double h = system.mesh().length[static_cast<std::size_t>(e)];
@@ -180,14 +173,14 @@ std::vector<Station> make_stations(const LineSystem& system, const LineState& st
     }
     std::sort(places.begin(), places.end());
     for (const double xi : places) {
-      const Station station = make_station(system, state, cut_at(system, state, cuts, e, xi), e, xi);
-      if (stations.empty() || station.s > stations.back().s + 1e-6) {
+      const StationCut station = make_station(system, state, cut_at(system, state, cuts, e, xi), e, xi);
+      if (stations.empty() || station.station.s > stations.back().station.s + 1e-6) {
         stations.push_back(station);
       }
     }
   }
   stations.push_back(make_station(system, state, cuts.back(), system.mesh().elements() - 1, 1.0));
-  return stations;
+  return finish_stations(system.model(), stations);
 }
 
 void keep_larger(Extreme& extreme, double value, const Station& at) {
@@ -311,6 +304,7 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   results.total_length = top.s;
   results.length_top_to_touchdown = top.s - landing.s;
   results.top_tension = top.effective_tension;
+  results.residual_curvature = landing.residual_curvature;
   results.bottom_tension = landing.effective_tension * std::cos(landing.inclination);
   results.anchor_W = results.stations.front().p_W;
 

@@ -12,7 +12,18 @@ namespace overbend {
 CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
                  double xi);
 
-Station make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element, double xi);
+/// A station before its stresses are known.
+struct StationCut {
+  Station station;
+  int section = 0;
+  Vec3 tangent = Vec3::UnitX();  ///< Unit vector along the pipe, W.
+  Vec3 bend = Vec3::Zero();      ///< Moment as a vector towards the centre of the curve: EI k of linear steel [N m].
+};
+StationCut make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element, double xi);
+
+/// Curvature, stress and strain of all stations, from the anchor to the tensioner. Where steel yields it is bent from
+/// station to station on its way from the tensioner, by the moments of the cuts.
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut>& cuts);
 
 /// The last support that carries the pipe, seen from the tensioner.
 struct Departure {

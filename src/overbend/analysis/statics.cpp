@@ -164,7 +164,7 @@ bool relax_and_finish(Case& at) {
 }
 
 /// Tries one way after another; names the one that worked.
-bool solve_from_shape(Case& at, const LayShape& shape) {
+bool solve_elastic(Case& at, const LayShape& shape) {
   const StaticMethod wanted = at.model.description.statics.method;
   at.state = sample_shape(at.system, shape);
   if (wanted == StaticMethod::newton) {
@@ -185,6 +185,17 @@ bool solve_from_shape(Case& at, const LayShape& shape) {
   }
   at.report.method = "dynamic relaxation, then newton";
   return relax_and_finish(at);
+}
+
+/// From the elastic shape to that of steel that yields.
+bool let_yield(Case& at) {
+  at.system.let_yield(true);
+  return !at.system.yielding().any || follow(at, "yielding steel");
+}
+
+bool solve_from_shape(Case& at, const LayShape& shape) {
+  at.system.let_yield(false);
+  return solve_elastic(at, shape) && let_yield(at);
 }
 
 /// Zones of the mesh as the solution has them.
@@ -281,7 +292,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {StaticSolution{at.system.mesh(), at.state, at.report}, std::nullopt};
+  return {StaticSolution{at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state)}, std::nullopt};
 }
 
 }  // namespace overbend

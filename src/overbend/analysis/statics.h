@@ -14,6 +14,7 @@ struct StaticSolution {
   LineMesh mesh;
   LineState state;
   SolveReport report;
+  std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
 };
 
 /// Why there is none.

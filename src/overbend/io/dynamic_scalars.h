@@ -56,6 +56,7 @@ void visit_energy(Row& r, Visit& visit) {
   visit(ResultField{"contact_loss", "J", "Lost in the damping of the contacts"}, r.contact_loss);
   visit(ResultField{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
   visit(ResultField{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
+  visit(ResultField{"yielding_loss", "J", "Lost in yielding steel"}, r.yielding_loss);
   visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);
   visit(ResultField{"throughput", "J", "Sum of the absolute work and losses"}, r.throughput);
 }

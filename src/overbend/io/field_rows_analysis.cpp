@@ -125,6 +125,12 @@ std::vector<Field> analysis() {
        .text = "newton falls back on dynamic relaxation by itself; dynamic_relaxation always starts with it.",
        .fallback = "newton",
        .choices = {"newton", "dynamic_relaxation"}},
+      {.path = s + ".history",
+       .kind = FieldKind::choice,
+       .text = "Of a pipe that yields. laying: every section came over the supports from the tensioner; monotonic: it "
+               "was bent to its shape once.",
+       .fallback = "laying",
+       .choices = {"laying", "monotonic"}},
       {.path = s + ".tolerance",
        .kind = FieldKind::number,
        .text = "Largest unbalanced nodal force over the total weight.",

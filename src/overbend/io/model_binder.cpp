@@ -103,6 +103,33 @@ std::vector<CoatingDescription> bind_coatings(const FieldValue& group) {
   return coatings;
 }
 
+std::vector<CurvePoint> bind_curve(const FieldValue& group, const char* list, const char* x, const char* y) {
+  std::vector<CurvePoint> points;
+  for (const FieldValue& item : items(group, list)) {
+    CurvePoint point;
+    take(item, x, point.x);
+    take(item, y, point.y);
+    points.push_back(point);
+  }
+  return points;
+}
+
+MaterialDescription bind_material(const FieldValue& group) {
+  MaterialDescription material;
+  take_choice(
+      group, "law",
+      std::array{"linear", "moment_ramberg_osgood", "ramberg_osgood", "bilinear", "stress_strain", "moment_curvature"},
+      material.law);
+  take(group, "moment_coefficient", material.moment_coefficient);
+  take(group, "moment_exponent", material.moment_exponent);
+  take(group, "hardening_exponent", material.hardening_exponent);
+  take(group, "yield_strain", material.yield_strain);
+  take(group, "hardening_modulus", material.hardening_modulus);
+  material.stress_strain = bind_curve(group, "stress_strain", "strain", "stress");
+  material.moment_curvature = bind_curve(group, "moment_curvature", "curvature", "moment");
+  return material;
+}
+
 /// Reads what a group gives on top of `section`: defaults for the line, the line's own for a segment.
 SectionDescription bind_section(const FieldValue& group, SectionDescription section) {
   SteelDescription& steel = section.steel;
@@ -113,6 +140,7 @@ SectionDescription bind_section(const FieldValue& group, SectionDescription sect
   take(group, "steel.yield_stress", steel.yield_stress);
   take(group, "steel.tensile_strength", steel.tensile_strength);
   take(group, "steel.weight_density", steel.weight_density);
+  if (const FieldValue* material = group.find("steel.material")) steel.material = bind_material(*material);
   if (group.find("coatings") != nullptr) section.coatings = bind_coatings(group);
   if (const FieldValue* joint = group.find("joint")) {
     section.joint = JointDescription{};
@@ -273,6 +301,7 @@ void bind_analysis(const FieldValue& root, Description& description) {
   take(*group, "mesh.touchdown_element", description.mesh.touchdown_element);
   take(*group, "mesh.longest_element", description.mesh.longest_element);
   take_choice(*group, "static.method", std::array{"newton", "dynamic_relaxation"}, description.statics.method);
+  take_choice(*group, "static.history", std::array{"laying", "monotonic"}, description.statics.history);
   take(*group, "static.tolerance", description.statics.tolerance);
   take(*group, "static.max_iterations", description.statics.max_iterations);
   const FieldValue* dynamic = group->find("dynamic");

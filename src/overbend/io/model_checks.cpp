@@ -189,6 +189,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_current(check);
   check_waves(root, file, diagnostics);
   check_pipe(check);
+  check_materials(root, file, diagnostics);
   check_tension(check);
   check_tensioner_range(check);
   check_tensioner_mode(check);

@@ -18,6 +18,9 @@ void check_waves(const FieldValue& root, const std::string& file, Diagnostics& d
 /// Supports, rollers and tensioner: part of check_model.
 void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 
+/// The steel's law beyond yield: part of check_model.
+void check_materials(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
 /// The vessel's motion: part of check_model.
 void check_motion(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
 

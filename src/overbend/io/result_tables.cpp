@@ -25,6 +25,7 @@ std::vector<std::string> pipe_head() {
           "lateral moment [kN m]",
           "seabed reaction [kN/m]",
           "penetration [m]",
+          "residual curvature [1/m]",
           "region"};
 }
 
@@ -34,7 +35,10 @@ void pipe_cells(CsvTable& table, const Station& p) {
   table.cell(p.axial_stress * kMega).cell(p.bending_stress * kMega).cell(p.hoop_stress * kMega);
   table.cell(p.von_mises * kMega).cell(p.strain * kPercent).cell(p.astern).cell(p.inclination * kDegrees);
   table.cell(p.wall_tension * kKilo).cell(p.vertical_moment * kKilo).cell(p.lateral_moment * kKilo);
-  table.cell(p.seabed_reaction * kKilo).cell(p.penetration).cell(std::string(word(p.region)));
+  table.cell(p.seabed_reaction * kKilo)
+      .cell(p.penetration)
+      .cell(p.residual_curvature)
+      .cell(std::string(word(p.region)));
 }
 
 std::vector<std::string> supports_head() {

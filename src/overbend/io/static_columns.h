@@ -22,6 +22,8 @@ void visit_station(Row& r, Visit& visit) {
                     "Bending moment out of that plane, positive when curving to port going astern"},
         r.lateral_moment);
   visit(ResultField{"curvature", "1/m", "Curvature, magnitude"}, r.curvature);
+  visit(ResultField{"residual_curvature", "1/m", "Curvature left without moment, of steel that has yielded; magnitude"},
+        r.residual_curvature);
   visit(ResultField{"axial_stress", "Pa", "Axial stress from the wall tension"}, r.axial_stress);
   visit(ResultField{"bending_stress", "Pa", "Bending stress at the outer fibre of the steel"}, r.bending_stress);
   visit(ResultField{"hoop_stress", "Pa", "Hoop stress at the inner wall, tension positive"}, r.hoop_stress);

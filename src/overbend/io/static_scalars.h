@@ -14,6 +14,8 @@ void visit_key_results(Results& r, Visit& visit) {
   visit(ResultField{"warnings", "1", "Warnings on the model"}, r.warnings);
   visit(ResultField{"top_tension", "N", "Effective tension at the tensioner"}, r.top_tension);
   visit(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}, r.bottom_tension);
+  visit(ResultField{"residual_curvature", "1/m", "Of the pipe at touchdown, from yielding over the supports"},
+        r.residual_curvature);
   visit(ResultField{"largest_tension", "N", "Largest effective tension"}, r.largest_tension);
   visit(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back);
   visit(ResultField{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}, r.top_to_touchdown);

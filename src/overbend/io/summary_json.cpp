@@ -74,6 +74,7 @@ Json lay(const StaticResults& r) {
   touchdown["astern"] = r.touchdown.astern;
   return {{"top_tension", r.top_tension},
           {"bottom_tension", r.bottom_tension},
+          {"residual_curvature", r.residual_curvature},
           {"largest_tension", r.largest_tension},
           {"wanted_tension", r.wanted_tension},
           {"lay_back", r.lay_back},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace overbend {
 namespace {
@@ -9,6 +10,22 @@ namespace {
 double von_mises(double axial, double hoop, double radial) {
   const double a = axial - hoop, b = hoop - radial, c = radial - axial;
   return std::sqrt(0.5 * (a * a + b * b + c * c));
+}
+
+/// What the steel bears at a strain; no limit where that is not known.
+double borne(const Section& section, double strain) {
+  return section.bending && section.bending->steel ? section.bending->steel->at(std::abs(strain)).stress
+                                                   : std::numeric_limits<double>::infinity();
+}
+
+/// Strain of the axis beyond the elastic one, as the neutral axis moves in bending under tension.
+double moved_axis(const Section& section, const SectionLoads& loads) {
+  if (!section.bending) {
+    return 0.0;
+  }
+  return monotonic(*section.bending, level_at(*section.bending, loads.z),
+                   std::max(loads.curvature, loads.largest_curvature))
+      .mid_strain;
 }
 
 }  // namespace
@@ -24,22 +41,26 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   SectionStress stress;
   stress.wall_tension = loads.effective_tension - po * section.pressure_area + pi * section.internal_area;
   stress.axial = stress.wall_tension / section.steel_area;
-  stress.bending = section.youngs_modulus * loads.curvature * outer;
+  const double nominal = loads.bending_moment / section.second_moment * outer;
+  const double largest = std::max(loads.curvature, loads.largest_curvature);
+  stress.bending = std::min(nominal, borne(section, largest * outer));
   stress.hoop = mean + difference / (inner * inner);
+  // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
+  const double poisson = 1.0 - 2.0 * section.poissons_ratio;
+  const double axial_strain =
+      (loads.effective_tension - poisson * (po * section.pressure_area - pi * section.internal_area)) / section.EA +
+      moved_axis(section, loads);
+  stress.strain =
+      std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
   for (const double radius : {outer, inner}) {
     const double hoop = mean + difference / (radius * radius);
     const double radial = mean - difference / (radius * radius);
     for (const double side : {-1.0, 1.0}) {
-      const double longitudinal = stress.axial + side * stress.bending * radius / outer;
+      const double most = borne(section, std::abs(axial_strain) + largest * radius);
+      const double longitudinal = std::clamp(stress.axial + side * nominal * radius / outer, -most, most);
       stress.von_mises = std::max(stress.von_mises, von_mises(longitudinal, hoop, radial));
     }
   }
-  // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
-  const double poisson = 1.0 - 2.0 * section.poissons_ratio;
-  const double axial_strain =
-      (loads.effective_tension - poisson * (po * section.pressure_area - pi * section.internal_area)) / section.EA;
-  stress.strain =
-      std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
   return stress;
 }
 

@@ -18,6 +18,25 @@
 
 namespace overbend {
 
+/// What relates moment to curvature. Beyond `linear` the steel yields, unloads elastically and hardens kinematically.
+enum class MaterialLaw { linear, moment_ramberg_osgood, ramberg_osgood, bilinear, stress_strain, moment_curvature };
+
+/// A point of a user's curve: strain [-] and stress [Pa], or curvature [1/m] and moment [N m].
+struct CurvePoint {
+  double x = 0.0, y = 0.0;
+};
+
+struct MaterialDescription {
+  MaterialLaw law = MaterialLaw::linear;
+  std::optional<double> moment_coefficient;  ///< A of kappa/kappa_y = M/M_y + A (M/M_y)^B; fitted if not given.
+  std::optional<double> moment_exponent;     ///< B of the same.
+  std::optional<double> hardening_exponent;  ///< n of strain = stress/E + plastic part (stress/SMYS)^n.
+  double yield_strain = 0.005;               ///< Total strain at SMYS [-].
+  double hardening_modulus = 0.0;            ///< Slope beyond yield of `bilinear` [Pa].
+  std::vector<CurvePoint> stress_strain;     ///< From the origin on, which is not given.
+  std::vector<CurvePoint> moment_curvature;  ///< The same.
+};
+
 struct SteelDescription {
   double outside_diameter = 0.0;           ///< [m]
   double wall_thickness = 0.0;             ///< [m]
@@ -26,6 +45,7 @@ struct SteelDescription {
   double yield_stress = 0.0;               ///< SMYS [Pa]
   std::optional<double> tensile_strength;  ///< SMTS [Pa]
   double weight_density = 77e3;            ///< [N/m3]
+  MaterialDescription material;
 };
 
 struct CoatingDescription {
@@ -224,6 +244,10 @@ struct SupportsDescription {
 
 enum class StaticMethod { newton, dynamic_relaxation };
 
+/// What a yielding pipe has been through where it lies in statics: it came over the supports from the tensioner, or it
+/// was bent to its shape once and only there.
+enum class LayHistory { laying, monotonic };
+
 struct MeshDescription {
   std::optional<double> overbend_element;   ///< Element length over the supports [m]; rule of the mesh if not given.
   std::optional<double> touchdown_element;  ///< Element length around touchdown [m].
@@ -232,6 +256,7 @@ struct MeshDescription {
 
 struct StaticSettings {
   StaticMethod method = StaticMethod::newton;
+  LayHistory history = LayHistory::laying;
   double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
   int max_iterations = 60;  ///< Of one stage.
 };

@@ -48,6 +48,36 @@ void resolve_sections(Model& model) {
   }
 }
 
+/// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension less the
+/// weight below the tensioner. Water pressure acts from outside.
+std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, double top_z) {
+  const double depth = model.description.environment.water_depth;
+  const double tension = model.description.tensioner.tension.value_or(0.0);
+  std::vector<LevelLoads> levels;
+  for (const double z : {-depth, -0.5 * depth, 0.0, std::max(top_z, 1.0)}) {
+    const double above = std::max(top_z, 0.0) - std::max(z, 0.0);
+    const double hanging = section.weight_in_air * above - section.weight_submerged * std::min(z, 0.0);
+    const double outside = -model.water_weight_density * std::min(z, 0.0);
+    const double inside = section.internal_pressure - section.contents_weight_density * z;
+    const double bore = section.steel_diameter - 2.0 * section.wall_thickness;
+    LevelLoads level{z, {}};
+    level.wall.wall_tension =
+        std::max(tension - hanging, 0.0) - outside * section.pressure_area + inside * section.internal_area;
+    level.wall.hoop_stress = (inside * bore - outside * section.steel_diameter) / (2.0 * section.wall_thickness);
+    levels.push_back(level);
+  }
+  return levels;
+}
+
+void resolve_bending(Model& model) {
+  const PipeDescription& pipe = model.description.pipe;
+  const double top_z = model.description.vessel.stern_shoe_z + model.description.tensioner.z;
+  for (std::size_t i = 0; i < model.sections.size(); ++i) {
+    const SteelDescription& steel = i == 0 ? pipe.section.steel : pipe.segments[i - 1].section.steel;
+    model.sections[i].bending = bending_law(steel, wall_levels(model, model.sections[i], top_z));
+  }
+}
+
 }  // namespace
 
 Mat3 vessel_axes(double heading, double trim, double heel) {
@@ -90,6 +120,7 @@ Model build_model(const Description& description) {
   model.water_weight_density = description.environment.water_weight_density;
   model.water_density = model.water_weight_density / kGravity;
   resolve_sections(model);
+  resolve_bending(model);
   model.supports = place_supports(description, model.sections.front().outer_radius());
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
   model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));

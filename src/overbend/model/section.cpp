@@ -1,6 +1,5 @@
 #include "model/section.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace overbend {
@@ -45,7 +44,7 @@ Section derive_section(const std::string& name, const SectionDescription& descri
   section.internal_area = disc(bore);
   section.pressure_area = disc(steel.outside_diameter);
   section.steel_area = section.pressure_area - section.internal_area;
-  section.second_moment = std::numbers::pi / 64.0 * (std::pow(steel.outside_diameter, 4) - std::pow(bore, 4));
+  section.second_moment = second_moment(steel.outside_diameter, steel.wall_thickness);
   section.EA = steel.youngs_modulus * section.steel_area;
   section.EI = steel.youngs_modulus * section.second_moment;
 

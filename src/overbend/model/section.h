@@ -1,8 +1,10 @@
 /// Cross-section of the pipe: what follows from steel, coatings and joint pattern.
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "model/bending_law.h"
 #include "model/description.h"
 
 namespace overbend {
@@ -29,6 +31,7 @@ struct Section {
   double weight_submerged = 0.0;         ///< [N/m]
   double contents_weight_density = 0.0;  ///< [N/m3]
   double internal_pressure = 0.0;        ///< At z = 0 [Pa].
+  std::optional<BendingLaw> bending;     ///< Of steel that yields; absent for linear steel.
   double drag_normal = 0.0, drag_axial = 0.0, added_mass_normal = 0.0, added_mass_axial = 0.0;
 
   double outer_radius() const { return 0.5 * outer_diameter; }

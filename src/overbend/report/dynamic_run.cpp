@@ -36,7 +36,8 @@ std::string energy_tables(const EnergyBalance& e) {
   row(in, "Lost in contacts", e.contact_loss);
   row(in, "Lost to friction", e.friction_loss);
   row(in, "Lost in the seabed", e.seabed_loss);
-  row(in, "Lost", e.contact_loss + e.friction_loss + e.seabed_loss, "total");
+  if (e.yielding_loss > 0.0) row(in, "Lost in yielding steel", e.yielding_loss);
+  row(in, "Lost", e.contact_loss + e.friction_loss + e.seabed_loss + e.yielding_loss, "total");
   html::Table stored = energy_listing("Energy: stored, change since the start");
   row(stored, "Motion", e.kinetic);
   row(stored, "Strain", e.strain);

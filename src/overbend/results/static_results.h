@@ -24,16 +24,17 @@ struct Station {
   double wall_tension = 0.0;       ///< True wall tension [N].
   double bending_moment = 0.0;     ///< Magnitude [N m].
   double vertical_moment = 0.0;    ///< Part in the vertical plane of the pipe, sagging positive [N m].
-  double lateral_moment = 0.0;   ///< Part out of that plane, positive when the pipe curves to port going astern [N m].
-  double curvature = 0.0;        ///< Magnitude [1/m].
-  double axial_stress = 0.0;     ///< From wall tension [Pa].
-  double bending_stress = 0.0;   ///< At the steel's outer fibre [Pa].
-  double hoop_stress = 0.0;      ///< At the inner wall, tension positive [Pa].
-  double von_mises = 0.0;        ///< Largest over the section [Pa].
-  double strain = 0.0;           ///< Largest longitudinal strain magnitude at the outer fibre [-].
-  double seabed_reaction = 0.0;  ///< Per length [N/m].
-  double penetration = 0.0;      ///< Into the seabed [m].
-  double yield_stress = 0.0;     ///< Of the section here [Pa].
+  double lateral_moment = 0.0;  ///< Part out of that plane, positive when the pipe curves to port going astern [N m].
+  double curvature = 0.0;       ///< Magnitude [1/m].
+  double residual_curvature = 0.0;  ///< Left without moment, of steel that has yielded; magnitude [1/m].
+  double axial_stress = 0.0;        ///< From wall tension [Pa].
+  double bending_stress = 0.0;      ///< At the steel's outer fibre [Pa].
+  double hoop_stress = 0.0;         ///< At the inner wall, tension positive [Pa].
+  double von_mises = 0.0;           ///< Largest over the section [Pa].
+  double strain = 0.0;              ///< Largest longitudinal strain magnitude at the outer fibre [-].
+  double seabed_reaction = 0.0;     ///< Per length [N/m].
+  double penetration = 0.0;         ///< Into the seabed [m].
+  double yield_stress = 0.0;        ///< Of the section here [Pa].
   Region region = Region::sagbend;
 };
 
@@ -129,6 +130,7 @@ struct StaticResults {
 
   double top_tension = 0.0;                     ///< Effective, at the tensioner [N].
   double bottom_tension = 0.0;                  ///< Horizontal, at touchdown [N].
+  double residual_curvature = 0.0;              ///< Of the pipe at touchdown, from yielding over the supports [1/m].
   double largest_tension = 0.0;                 ///< Effective [N].
   double lay_back = 0.0;                        ///< Horizontal, stern shoe to touchdown [m].
   double top_to_touchdown = 0.0;                ///< Horizontal, tensioner to touchdown [m].

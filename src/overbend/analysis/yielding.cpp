@@ -1,0 +1,176 @@
+#include "analysis/yielding.h"
+
+#include <algorithm>
+
+namespace overbend {
+namespace {
+
+ElementVector dofs(const double* q, std::size_t element) {
+  return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element));
+}
+
+void scatter(const ElementVector& force, const ElementMatrix& k, int element, const YieldingTarget& target) {
+  double* residual = target.residual->data() + 6 * element;
+  for (int i = 0; i < 12; ++i) residual[i] += force(i);
+  if (target.tangent == nullptr) return;
+  for (int r = 0; r < kNodeDofs; ++r) {
+    for (int c = 0; c < kNodeDofs; ++c) {
+      target.tangent->diag(element)[r * kRowWidth + c] += k(r, c);
+      target.tangent->upper(element)[r * kRowWidth + c] += k(r, 6 + c);
+      target.tangent->lower(element)[r * kNodeDofs + c] += k(6 + r, c);
+      target.tangent->diag(element + 1)[r * kRowWidth + c] += k(6 + r, 6 + c);
+    }
+  }
+}
+
+/// Sums up the points of one element.
+class ElementSum {
+ public:
+  explicit ElementSum(bool with_tangent) : with_tangent_(with_tangent) {}
+
+  void add(const HermiteValues& shape, const CentrelinePoint& at, double weight, const BendingMemory& memory,
+           const BendingAnswer& answer, Vec3& moment) {
+    moment = from_axes(memory, answer.plastic_moment);
+    if (answer.plastic_moment.isZero(0.0)) return;
+    Mat3 tangent = Mat3::Zero();
+    if (with_tangent_ && answer.sliding) {
+      Eigen::Matrix<double, 3, 2> axes;
+      axes << memory.axis, memory.tangent.cross(memory.axis);
+      tangent = axes * answer.plastic_tangent * axes.transpose();
+    }
+    add_plastic_point(shape, at, weight, moment, tangent, force_, with_tangent_ ? &stiffness_ : nullptr);
+    any_ = true;
+  }
+  void scatter_to(int element, const YieldingTarget& target) const {
+    if (any_) scatter(force_, stiffness_, element, target);
+  }
+
+ private:
+  bool with_tangent_, any_ = false;
+  ElementVector force_ = ElementVector::Zero();
+  ElementMatrix stiffness_ = ElementMatrix::Zero();
+};
+
+CentrelinePoint point_at(const ElementVector& q, const HermiteValues& shape) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());
+  return {nodes * shape.value, nodes * shape.first, nodes * shape.second};
+}
+
+}  // namespace
+
+YieldingElements yielding_elements(const Model& model, const LineMesh& mesh) {
+  YieldingElements elements;
+  for (const int section : mesh.section) {
+    const Section& of = model.sections[static_cast<std::size_t>(section)];
+    elements.law.push_back(of.bending ? &*of.bending : nullptr);
+    elements.any = elements.any || of.bending;
+  }
+  elements.mix.resize(mesh.section.size());
+  return elements;
+}
+
+void choose_levels(YieldingElements& elements, const double* q) {
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    if (elements.law[e] != nullptr) {
+      elements.mix[e] = level_at(*elements.law[e], 0.5 * (q[6 * e + 2] + q[6 * e + 8]));
+    }
+  }
+}
+
+std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q) {
+  std::vector<BendingMemory> memories;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const ElementVector at_nodes = dofs(q, e);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      memories.push_back(fresh_memory(point_at(at_nodes, hermite(kGaussXi[i], mesh.length[e])).a.normalized()));
+    }
+  }
+  return memories;
+}
+
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, LayHistory history, const double* q,
+                         bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
+  const std::size_t count = elements.law.size();
+  points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
+  points.memory.resize(keep_memory ? kGaussPoints * count : 0);
+  const BendingLaw* last = nullptr;
+  BendingMemory memory;
+  for (std::size_t e = count; e-- > 0;) {
+    const BendingLaw* law = elements.law[e];
+    const ElementVector at_nodes = dofs(q, e);
+    ElementSum sum(target.tangent != nullptr);
+    for (int i = kGaussPoints - 1; i >= 0; --i) {
+      const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
+      const CentrelinePoint at = point_at(at_nodes, shape);
+      const Vec3 tangent = at.a.normalized();
+      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
+      if (law == nullptr || law != last || history == LayHistory::monotonic) {
+        memory = fresh_memory(tangent);
+        last = law;
+      } else {
+        bring_along(memory, tangent);
+      }
+      if (law != nullptr) {
+        const Vec2 k = in_axes(memory, curvature_vector(at));
+        const BendingAnswer answer = bend(*law, elements.mix[e], k, memory);
+        sum.add(shape, at, kGaussWeight[i] * mesh.length[e], memory, answer, points.plastic_moment[index]);
+      }
+      if (keep_memory) points.memory[index] = memory;
+    }
+    sum.scatter_to(static_cast<int>(e), target);
+  }
+}
+
+double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
+                           const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
+                           std::vector<Vec3>& plastic_moment, const YieldingTarget& target) {
+  double loss = 0.0;
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    const BendingLaw* law = elements.law[e];
+    if (law == nullptr) continue;
+    const ElementVector at_nodes = dofs(q, e);
+    ElementSum sum(target.tangent != nullptr);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
+      const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
+      const CentrelinePoint at = point_at(at_nodes, shape);
+      BendingMemory& memory = after[index];
+      memory = before[index];
+      bring_along(memory, at.a.normalized());
+      const BendingAnswer answer = bend(*law, elements.mix[e], in_axes(memory, curvature_vector(at)), memory);
+      const double weight = kGaussWeight[i] * mesh.length[e];
+      loss += weight * answer.loss;
+      sum.add(shape, at, weight, memory, answer, plastic_moment[index]);
+    }
+    sum.scatter_to(static_cast<int>(e), target);
+  }
+  return loss;
+}
+
+double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
+                          const std::vector<BendingMemory>& memory) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    if (elements.law[e] == nullptr) continue;
+    const ElementVector at_nodes = dofs(q, e);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const BendingMemory& at = memory[kGaussPoints * e + static_cast<std::size_t>(i)];
+      const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, hermite(kGaussXi[i], mesh.length[e]))));
+      sum += kGaussWeight[i] * mesh.length[e] * stored_beyond_elastic(*elements.law[e], elements.mix[e], k, at);
+    }
+  }
+  return sum;
+}
+
+void add_element_yielding(const LineMesh& mesh, int element, const double* q, const Vec3* plastic_moment,
+                          ElementVector& force) {
+  const std::size_t e = static_cast<std::size_t>(element);
+  const ElementVector at_nodes = dofs(q, e);
+  for (int i = 0; i < kGaussPoints; ++i) {
+    const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
+    add_plastic_point(shape, point_at(at_nodes, shape), kGaussWeight[i] * mesh.length[e], plastic_moment[i],
+                      Mat3::Zero(), force, nullptr);
+  }
+}
+
+}  // namespace overbend
