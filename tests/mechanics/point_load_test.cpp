@@ -47,7 +47,7 @@ TEST(point_load, drag_along_a_pipe_is_the_axial_law) {
 
 TEST(stress, a_thin_pipe_under_inner_pressure_has_the_boiler_stress) {
   SectionDescription pipe;
-  pipe.steel = {0.5, 0.0005, 207e9, 0.3, 450e6, std::nullopt, 77e3};
+  pipe.steel = {0.5, 0.0005, 207e9, 0.3, 450e6, std::nullopt, 77e3, {}};
   const Section section = derive_section("thin", pipe, 10.05e3);
   SectionLoads loads;
   loads.internal_pressure = 1e5;

@@ -14,7 +14,7 @@ namespace overbend::testing {
 /// The 16-inch pipe of [silva2009] table 4.
 inline SectionDescription sixteen_inch_pipe() {
   SectionDescription pipe;
-  pipe.steel = {0.4064, 0.011125, 207e9, 0.3, 414e6, std::nullopt, 77e3};
+  pipe.steel = {0.4064, 0.011125, 207e9, 0.3, 414e6, std::nullopt, 77e3, {}};
   pipe.coatings = {{"corrosion coating", 0.0032, 9.32e3}, {"concrete", 0.0381, 21.974e3}};
   pipe.joint = JointDescription{12.0, 0.6, 10.065e3};
   pipe.hydrodynamics = {1.2, 0.03, 1.0, 0.0};

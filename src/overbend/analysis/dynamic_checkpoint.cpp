@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kContactNumbers = 7;
 constexpr std::size_t kWaterNumbers = 7;
-constexpr std::size_t kBendingNumbers = 10 + 2 * kSprings;
+constexpr std::size_t kBendingNumbers = 16 + kSliders * kDirections;
 
 void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
   checkpoint.arrays.push_back({name, std::move(values)});
@@ -18,9 +18,11 @@ void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> va
 std::vector<double> bending_numbers(const std::vector<BendingMemory>& memories) {
   std::vector<double> out;
   for (const BendingMemory& m : memories) {
-    out.insert(out.end(), {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(),
-                           m.center.x(), m.center.y(), m.slack, m.largest});
-    for (const Vec2& slip : m.slip) out.insert(out.end(), {slip.x(), slip.y()});
+    out.insert(out.end(),
+               {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(), m.center.x(),
+                m.center.y(), m.slack, m.largest, m.held.x(), m.held.y(), static_cast<double>(m.held_mix.lower),
+                m.held_mix.share, static_cast<double>(m.stamp >> 32U), static_cast<double>(m.stamp & 0xffffffffU)});
+    out.insert(out.end(), m.slip.begin(), m.slip.end());
   }
   return out;
 }
@@ -32,7 +34,10 @@ BendingMemory bending_memory(const double* v) {
   m.center = Vec2(v[6], v[7]);
   m.slack = v[8];
   m.largest = v[9];
-  for (std::size_t i = 0; i < kSprings; ++i) m.slip[i] = Vec2(v[10 + 2 * i], v[11 + 2 * i]);
+  m.held = Vec2(v[10], v[11]);
+  m.held_mix = {static_cast<int>(v[12]), v[13]};
+  m.stamp = (static_cast<std::uint64_t>(v[14]) << 32U) | static_cast<std::uint64_t>(v[15]);
+  std::copy_n(v + 16, m.slip.size(), m.slip.begin());
   return m;
 }
 

@@ -70,6 +70,8 @@ class LineSystem {
   void use_side_rollers(bool use) { use_side_rollers_ = use; }
   /// Whether the steel may yield.
   void let_yield(bool yields) { yields_ = yields; }
+  /// Whether steel that may yield keeps what bent it upstream: the tangent does not know that.
+  bool remembers() const { return yielding_.any && yields_; }
   /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
   /// Share of the current's speed that acts.

@@ -28,6 +28,31 @@ double step_limit(const std::vector<double>& dq, double move) {
   return share;
 }
 
+/// Where the tangent leaves out that steel remembers what bent it upstream, steps shrink by one factor after another in
+/// one direction: then the rest of that series is taken at once (Aitken 1926).
+class SeriesAhead {
+ public:
+  /// Lengthens a step that continues a series; returns the factor.
+  double lengthen(std::vector<double>& dq) {
+    double same = 0.0, before = 0.0, now = 0.0;
+    for (std::size_t i = 0; i < last_.size(); ++i) {
+      same += dq[i] * last_[i];
+      before += last_[i] * last_[i];
+      now += dq[i] * dq[i];
+    }
+    const double ratio = before > 0.0 ? same / before : 0.0;
+    const bool series = std::abs(ratio) > 0.1 && ratio < 0.95 && same * same > 0.98 * before * now;
+    last_ = series ? std::vector<double>(dq.size(), 0.0) : dq;
+    const double factor = series ? 1.0 / (1.0 - ratio) : 1.0;
+    for (double& value : dq) value *= factor;
+    return factor;
+  }
+  void forget() { last_.assign(last_.size(), 0.0); }
+
+ private:
+  std::vector<double> last_;
+};
+
 struct Search {
   LineSystem& system;
   const LineState& from;
@@ -71,6 +96,7 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
   NewtonReport report;
   std::vector<double> dq(state.q.size());
   LineState trial = state;
+  SeriesAhead ahead;
   double damping = 0.0;  // viscous resistance to a step, per length [N/m2]
   const double move = largest_move(system);
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
@@ -97,6 +123,11 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       }
       damping = std::max(kDampingStep * damping, 1e2);
       continue;
+    }
+    if (settings.remembers && damping == 0.0) {
+      dH *= ahead.lengthen(dq);
+    } else {
+      ahead.forget();
     }
     const double limit = std::min(step_limit(dq, move), system.share_before_entering(dq, settings.entering));
     double force_step = limit * dH;

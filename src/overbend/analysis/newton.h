@@ -12,6 +12,7 @@ struct NewtonSettings {
   int max_iterations = 60;
   bool free_far_force = true;  ///< False: H stays, the extra equation is not looked at.
   double entering = 1e30;      ///< No step drives the pipe deeper than this into a roller beyond where it is [m].
+  bool remembers = false;      ///< The tangent is not exact: steel remembers what happened upstream.
 };
 
 enum class NewtonEnd { converged, too_many_iterations, singular, lost };

@@ -40,6 +40,7 @@ double soft_roller(const Case& at, double tension) {
 
 bool run_newton(Case& at, NewtonSettings settings, const char* stage) {
   settings.max_iterations = at.model.description.statics.max_iterations;
+  settings.remembers = at.system.remembers();
   const NewtonReport r = newton(at.system, at.state, at.target, settings);
   at.report.iterations += r.iterations;
   at.report.force_residual = r.residual;

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/commands.h"
+#include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
 #include "runs/exit_code.h"
@@ -19,10 +20,13 @@ void line(const std::string& name, const std::string& value) {
   std::cout << fmt::format("  {:<24}{}\n", name, value);
 }
 
-void print_section(const Section& section) {
+void print_section(const Section& section, const SteelDescription& material) {
   std::cout << "\nSection: " << section.name << "\n";
   line("steel", fmt::format("{:.6g} mm outside, {:.6g} mm wall, yield {:.6g} MPa", section.steel_diameter * 1e3,
                             section.wall_thickness * 1e3, section.yield_stress / 1e6));
+  const FirstYield yield = first_yield(material);
+  line("material", material_words(material));
+  line("first yield", fmt::format("{:.2f} kN m at a curvature of {:.6f} 1/m", yield.moment / 1e3, yield.curvature));
   line("steel area", fmt::format("{:.6g} mm2", section.steel_area * 1e6));
   line("outer diameter", fmt::format("{:.6g} m over the coatings (hydrodynamic diameter)", section.outer_diameter));
   line("EA", fmt::format("{:.2f} kN", section.EA / 1e3));
@@ -118,7 +122,10 @@ int run_check(const std::string& model_file) {
   if (!description) return kWrongInput;
   const Model model = build_model(*description);
   std::cout << description->title << "\n" << model_file << " is a valid model.\n";
-  for (const Section& section : model.sections) print_section(section);
+  for (std::size_t i = 0; i < model.sections.size(); ++i) {
+    const PipeDescription& pipe = description->pipe;
+    print_section(model.sections[i], (i == 0 ? pipe.section : pipe.segments[i - 1].section).steel);
+  }
   print_places(model);
   print_supports(model);
   std::vector<std::string> warnings = description->warnings;

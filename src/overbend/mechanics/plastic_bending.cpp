@@ -1,77 +1,151 @@
 #include "mechanics/plastic_bending.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
 namespace overbend {
 namespace {
 
-/// Stiffness of the springs for a mix of levels.
-struct Springs {
-  const BendingLevel *lower, *upper;
-  double share;
+constexpr std::size_t kWide = kDirections;
 
-  Springs(const BendingLaw& law, const LevelMix& mix)
-      : lower(&law.levels[static_cast<std::size_t>(mix.lower)]),
-        upper(&law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)]),
-        share(mix.share) {}
-  double operator[](std::size_t i) const {
-    return lower->stiffness[i] + share * (upper->stiffness[i] - lower->stiffness[i]);
+/// Stiffness of the sliders for a mix of levels.
+std::array<double, kSliders> stiffness_of(const BendingLaw& law, const LevelMix& mix) {
+  const BendingLevel& lower = law.levels[static_cast<std::size_t>(mix.lower)];
+  const BendingLevel& upper = law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)];
+  std::array<double, kSliders> stiffness{};
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    stiffness[i] = lower.stiffness[i] + mix.share * (upper.stiffness[i] - lower.stiffness[i]);
+  }
+  return stiffness;
+}
+
+/// Sum over the directions of a value times the direction.
+Vec2 along_directions(const std::array<double, kWide>& values) {
+  const Directions& d = directions();
+  double x = 0.0, y = 0.0;
+  for (std::size_t j = 0; j < kWide; ++j) {
+    x += values[j] * d.x[j];
+    y += values[j] * d.y[j];
+  }
+  return {x, y};
+}
+
+const Vec2& held_moment(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
+  if (!(memory.held_mix == mix)) {
+    const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
+    std::array<double, kWide> sum{};
+    for (std::size_t i = 0; i < kSliders; ++i) {
+      for (std::size_t j = 0; j < kWide; ++j) sum[j] += stiffness[i] * memory.slip[kWide * i + j];
+    }
+    memory.held = memory.stamp == 0 ? Vec2(Vec2::Zero()) : along_directions(sum);
+    memory.held_mix = mix;
+  }
+  return memory.held;
+}
+
+/// A number that tells histories apart: the last one stirred with what came on top (splitmix64, Steele 2014).
+std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
+  for (const double part : {curvature.x(), curvature.y()}) {
+    std::uint64_t z = stamp + std::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    stamp = z ^ (z >> 31U);
+  }
+  return stamp | 1U;
+}
+
+/// What the fibres of all directions do when the section is bent.
+struct Fibres {
+  alignas(64) std::array<double, kWide> bend{};    ///< Curvature towards each.
+  alignas(64) std::array<double, kWide> moment{};  ///< Taken off by slips.
+  alignas(64) std::array<double, kWide> slope{};   ///< Of that, by sliders that slide.
+  double loss = 0.0, slack = std::numeric_limits<double>::infinity();
+  bool sliding = false;
+
+  void bend_slider(double limit, double stiffness, double* slip) {
+    double over_sum = 0.0, most = 0.0;
+    for (std::size_t j = 0; j < kWide; ++j) {
+      const double e = bend[j] - slip[j];
+      const double over = e - std::min(std::max(e, -limit), limit);
+      slip[j] += over;
+      over_sum += std::abs(over);
+      most = std::max(most, std::abs(e));
+      moment[j] += stiffness * slip[j];
+      slope[j] += over != 0.0 ? stiffness : 0.0;
+    }
+    loss += stiffness * limit * over_sum;
+    sliding = sliding || over_sum > 0.0;
+    slack = std::min(slack, std::max(0.0, limit - most));
   }
 };
 
-Vec2 moment_of_slips(const Springs& springs, const BendingMemory& memory) {
-  Vec2 sum = Vec2::Zero();
-  for (std::size_t i = 0; i < kSprings; ++i) sum += springs[i] * memory.slip[i];
-  return sum;
-}
-
 }  // namespace
 
+BendingMemory& BendingMemory::operator=(const BendingMemory& other) {
+  if (this == &other) return *this;
+  tangent = other.tangent;
+  axis = other.axis;
+  center = other.center;
+  slack = other.slack;
+  largest = other.largest;
+  held = other.held;
+  held_mix = other.held_mix;
+  if (stamp != other.stamp) slip = other.slip;
+  stamp = other.stamp;
+  return *this;
+}
+
 BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature, BendingMemory& memory) {
-  const Springs springs(law, mix);
   BendingAnswer answer;
   if ((curvature - memory.center).squaredNorm() <= memory.slack * std::abs(memory.slack)) {
-    answer.plastic_moment = moment_of_slips(springs, memory);
+    answer.plastic_moment = held_moment(law, mix, memory);
     return answer;
   }
-  double slack = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < kSprings; ++i) {
-    const Vec2 trial = curvature - memory.slip[i];
-    const double size = trial.norm(), limit = law.limit[i];
-    if (size > limit) {
-      const Vec2 n = trial / size, slide = (size - limit) * n;
-      memory.slip[i] += slide;
-      answer.sliding = true;
-      const double held = limit / size, stiffness = springs[i];
-      answer.plastic_tangent += stiffness * (Mat2::Identity() - held * (Mat2::Identity() - n * n.transpose()));
-      answer.loss += stiffness * limit * (size - limit);
-      slack = 0.0;
-    } else {
-      slack = std::min(slack, limit - size);
-    }
-    answer.plastic_moment += springs[i] * memory.slip[i];
+  const Directions& d = directions();
+  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
+  Fibres fibres;
+  for (std::size_t j = 0; j < kWide; ++j) fibres.bend[j] = curvature.x() * d.x[j] + curvature.y() * d.y[j];
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    fibres.bend_slider(law.limit[i], stiffness[i], memory.slip.data() + kWide * i);
   }
+  answer.plastic_moment = along_directions(fibres.moment);
+  answer.loss = fibres.loss;
+  answer.sliding = fibres.sliding;
   memory.center = curvature;
-  memory.slack = slack;
-  if (answer.sliding) memory.largest = std::max(memory.largest, curvature.norm());
+  memory.slack = fibres.slack;
+  memory.held = answer.plastic_moment;
+  memory.held_mix = mix;
+  if (answer.sliding) {
+    for (std::size_t j = 0; j < kWide; ++j) {
+      const Vec2 to(d.x[j], d.y[j]);
+      answer.plastic_tangent += fibres.slope[j] * to * to.transpose();
+    }
+    memory.largest = std::max(memory.largest, curvature.norm());
+    memory.stamp = stirred(memory.stamp, curvature);
+  }
   return answer;
 }
 
 double stored_beyond_elastic(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature,
                              const BendingMemory& memory) {
-  const Springs springs(law, mix);
+  if (memory.stamp == 0) return 0.0;
+  const Directions& d = directions();
+  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
   double sum = 0.0;
-  for (std::size_t i = 0; i < kSprings; ++i) {
-    sum += 0.5 * springs[i] * ((curvature - memory.slip[i]).squaredNorm() - curvature.squaredNorm());
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    for (std::size_t j = 0; j < kWide; ++j) {
+      const double slip = memory.slip[kWide * i + j], k = curvature.x() * d.x[j] + curvature.y() * d.y[j];
+      sum += 0.5 * stiffness[i] * slip * (slip - 2.0 * k);
+    }
   }
   return sum;
 }
 
 Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory) {
   constexpr int kMost = 60;
-  Vec2 k = (moment + moment_of_slips(Springs(law, mix), memory)) / EI;
+  Vec2 k = (moment + held_moment(law, mix, memory)) / EI;
   for (int i = 0; i < kMost; ++i) {
     BendingMemory trial = memory;
     const BendingAnswer answer = bend(law, mix, k, trial);

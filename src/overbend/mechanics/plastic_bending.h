@@ -9,6 +9,8 @@
 /// first did to it.
 #pragma once
 
+#include <cstdint>
+
 #include "mechanics/rod_element.h"
 #include "model/bending_law.h"
 
@@ -17,20 +19,24 @@ namespace overbend {
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-/// Memory of one section of pipe.
+using Slips = std::array<double, kSliders * kDirections>;  ///< By slider, then direction [1/m].
+
+/// Memory of one section of pipe. Copying one onto another leaves the slips alone where they are the same already:
+/// `stamp` tells, which is made of the slips' whole history.
 struct BendingMemory {
   Vec3 tangent = Vec3::UnitX();  ///< Direction of the pipe when the axis below was taken.
   Vec3 axis = Vec3::UnitY();     ///< First axis across the pipe; the second is tangent x axis.
-  Vec2 center = Vec2::Zero();    ///< No spring slides while the curvature stays this close to here:
+  Vec2 center = Vec2::Zero();    ///< Nothing slides while the curvature stays this close to here:
   double slack = -1.0;           ///< [1/m]; negative: not known yet.
   double largest = 0.0;          ///< Curvature at which it has yielded, the largest so far [1/m].
-  std::array<Vec2, kSprings> slip = no_slip();
+  Vec2 held = Vec2::Zero();      ///< Plastic moment of the slips, at `held_mix` [N m].
+  LevelMix held_mix = {-1, 0.0};
+  std::uint64_t stamp = 0;  ///< 0: never slid.
+  alignas(64) Slips slip{};
 
-  static std::array<Vec2, kSprings> no_slip() {
-    std::array<Vec2, kSprings> slip;
-    slip.fill(Vec2::Zero());
-    return slip;
-  }
+  BendingMemory() = default;
+  BendingMemory(const BendingMemory& other) = default;
+  BendingMemory& operator=(const BendingMemory& other);
 };
 
 /// Answer of a section to a curvature.

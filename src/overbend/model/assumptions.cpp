@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "model/dynamic_assumptions.h"
+#include "model/material_words.h"
 #include "model/model.h"
 
 namespace overbend {
@@ -16,7 +17,8 @@ double degrees(double radians) {
 
 void assume_pipe(std::vector<std::string>& list, const Model& model) {
   const Section& pipe = model.sections.front();
-  list.push_back("EA and EI are of the steel alone; coatings add weight, not stiffness. The steel is linear elastic.");
+  list.push_back("EA and EI are of the steel alone; coatings add weight, not stiffness.");
+  for (const std::string& text : material_assumptions(model)) list.push_back(text);
   if (model.description.pipe.section.joint) {
     list.push_back(
         "Field-joint infill replaces the outermost coating over its share of the pipe joint; weight is spread evenly "

@@ -3,15 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
+
+#include "base/nonnegative_fit.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kOnset = 1e-4;          ///< Lack of moment, relative, at which the first spring slides.
-constexpr double kLargestStrain = 0.03;  ///< At the outer fibre, where the last spring slides.
+constexpr double kOnset = 1e-4;          ///< Lack of moment, relative, at which the first sliders slide.
+constexpr double kLargestStrain = 0.03;  ///< At the outer fibre, up to which the springs are fitted.
 constexpr double kLeastRest = 1e-4;      ///< Of EI: a pipe never loses all stiffness.
+constexpr int kFitPoints = 40;
 
 using MomentAt = std::function<MomentPoint(double curvature, double guess)>;
+
+/// What a moment curve is fitted over.
+struct FitRange {
+  double first = 0.0, last = 0.0;  ///< Onset of yielding, largest curvature [1/m].
+};
 
 /// Curvature at which the moment falls short of EI kappa by kOnset.
 double onset(const MomentAt& moment, double EI, double largest) {
@@ -24,42 +33,89 @@ double onset(const MomentAt& moment, double EI, double largest) {
   return 0.5 * (low + high);
 }
 
-BendingLevel springs(const MomentAt& moment, double z, double EI, double elastic_strain,
-                     const std::array<double, kSprings>& limit) {
+/// What all directions' sliders of one limit take off the elastic moment, for unit stiffness, bent along a d_j (`turn`
+/// 0) or between two (0.5).
+double taken_off(double limit, double curvature, double turn) {
+  double sum = 0.0;
+  for (int j = 0; j < kDirections; ++j) {
+    const double c = std::cos(std::numbers::pi * (j + 0.5 + turn) / kDirections);
+    sum += std::abs(c) * std::max(0.0, curvature * std::abs(c) - limit);
+  }
+  return sum;
+}
+
+double taken_off(double limit, double curvature) {
+  return 0.5 * (taken_off(limit, curvature, 0.0) + taken_off(limit, curvature, 0.5));
+}
+
+/// Limits close together where the curve bends most, just beyond onset.
+void set_limits(BendingLaw& law, const FitRange& range) {
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    const double u = static_cast<double>(i) / kSliders;
+    law.limit[i] = range.first * std::pow(range.last / range.first, u * u);
+  }
+  for (std::size_t i = 0; i < kStrainPoints; ++i) {
+    law.curvature[i] = range.first * std::pow(range.last / range.first, static_cast<double>(i) / (kStrainPoints - 1));
+  }
+}
+
+std::vector<double> fit_curvatures(const FitRange& range) {
+  std::vector<double> k;
+  for (int i = 1; i <= kFitPoints; ++i) {
+    k.push_back(range.first * std::pow(range.last / range.first, static_cast<double>(i) / kFitPoints));
+  }
+  return k;
+}
+
+/// Least squares of the relative lack of moment.
+std::array<double, kSliders> fit_stiffness(const BendingLaw& law, const std::vector<double>& k,
+                                           const std::vector<double>& moment) {
+  Eigen::MatrixXd A(kFitPoints, kSliders);
+  Eigen::VectorXd b(kFitPoints);
+  for (int p = 0; p < kFitPoints; ++p) {
+    const std::size_t at = static_cast<std::size_t>(p);
+    for (int i = 0; i < kSliders; ++i) A(p, i) = taken_off(law.limit[static_cast<std::size_t>(i)], k[at]) / moment[at];
+    b(p) = law.EI * k[at] / moment[at] - 1.0;
+  }
+  const Eigen::VectorXd x = nonnegative_fit(A, b);
+  const double all = 0.5 * kDirections * x.sum(), most = (1.0 - kLeastRest) * law.EI;
+  std::array<double, kSliders> stiffness{};
+  for (int i = 0; i < kSliders; ++i) stiffness[static_cast<std::size_t>(i)] = x(i) * (all > most ? most / all : 1.0);
+  return stiffness;
+}
+
+void add_level(BendingLaw& law, const MomentAt& moment, double z, double elastic_strain, const FitRange& range) {
   BendingLevel level;
   level.z = z;
-  double last_k = limit[0], last_m = EI * limit[0], slope_before = EI;
   double guess = elastic_strain;
-  for (std::size_t i = 1; i < kSprings; ++i) {
-    const MomentPoint at = moment(limit[i], guess);
-    guess = at.mid_strain;
-    const double slope = std::clamp((at.moment - last_m) / (limit[i] - last_k), kLeastRest * EI, slope_before);
-    level.stiffness[i - 1] = slope_before - slope;
-    level.mid_strain[i] = at.mid_strain - elastic_strain;
-    slope_before = slope;
-    last_k = limit[i];
-    last_m = at.moment;
+  for (std::size_t i = 0; i < kStrainPoints; ++i) {
+    guess = moment(law.curvature[i], guess).mid_strain;
+    level.mid_strain[i] = guess - elastic_strain;
   }
-  level.rest = slope_before;  // the last spring would need a slope beyond the last limit: the curve goes on straight
-  return level;
+  const std::vector<double> k = fit_curvatures(range);
+  std::vector<double> m;
+  guess = elastic_strain;
+  for (const double curvature : k) {
+    const MomentPoint point = moment(curvature, guess);
+    m.push_back(point.moment);
+    guess = point.mid_strain;
+  }
+  level.stiffness = fit_stiffness(law, k, m);
+  law.levels.push_back(level);
+  const LevelMix mix{static_cast<int>(law.levels.size()) - 1, 0.0};
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    law.fit_error = std::max(law.fit_error, std::abs(monotonic(law, mix, k[i]).moment / m[i] - 1.0));
+  }
 }
 
-std::array<double, kSprings> geometric(double first, double last) {
-  std::array<double, kSprings> limit{};
-  for (std::size_t i = 0; i < kSprings; ++i) {
-    limit[i] = first * std::pow(last / first, static_cast<double>(i) / (kSprings - 1));
-  }
-  return limit;
-}
-
-BendingLaw from_moments(const MomentAt& moment, double EI, double first, double last) {
+BendingLaw from_moments(const MomentAt& moment, double EI, const FitRange& range) {
   BendingLaw law;
-  law.limit = geometric(first, last);
-  law.levels.push_back(springs(moment, 0.0, EI, 0.0, law.limit));
+  law.EI = EI;
+  set_limits(law, range);
+  add_level(law, moment, 0.0, 0.0, range);
   return law;
 }
 
-/// Straight between the points, which become limits; what springs are left stand close behind the last.
 BendingLaw from_table(const SteelDescription& steel, double EI) {
   std::vector<CurvePoint> points = steel.material.moment_curvature;
   points.front().x = points.front().y / EI;  // the straight part is the section's own
@@ -70,13 +126,7 @@ BendingLaw from_table(const SteelDescription& steel, double EI) {
     const double share = (k - points[i - 1].x) / (points[i].x - points[i - 1].x);
     return MomentPoint{points[i - 1].y + share * (points[i].y - points[i - 1].y), 0.0};
   };
-  if (points.size() > kSprings) return from_moments(moment, EI, points.front().x, points.back().x);
-  BendingLaw law;
-  for (std::size_t i = 0; i < kSprings; ++i) {
-    law.limit[i] = i < points.size() ? points[i].x : law.limit[i - 1] * 1.1;
-  }
-  law.levels.push_back(springs(moment, 0.0, EI, 0.0, law.limit));
-  return law;
+  return from_moments(moment, EI, {points.front().x, std::max(points.back().x, 2.0 * points.front().x)});
 }
 
 BendingLaw from_form(const SteelDescription& steel, double EI) {
@@ -87,31 +137,45 @@ BendingLaw from_form(const SteelDescription& steel, double EI) {
   const auto moment = [&](double k, double) {
     return MomentPoint{yield.moment * relative_moment(form, k / yield.curvature), 0.0};
   };
-  const double last = 2.0 * kLargestStrain / steel.outside_diameter;
-  return from_moments(moment, EI, onset(moment, EI, 2.0 * yield.curvature), std::max(last, 4.0 * yield.curvature));
+  const double last = std::max(2.0 * kLargestStrain / steel.outside_diameter, 4.0 * yield.curvature);
+  return from_moments(moment, EI, {onset(moment, EI, 2.0 * yield.curvature), last});
 }
 
 BendingLaw from_steel(const SteelDescription& steel, double EI, const std::vector<LevelLoads>& levels) {
   const double yield = first_yield(steel).curvature;
-  const double last = std::max(2.0 * kLargestStrain / steel.outside_diameter, 4.0 * yield);
+  FitRange range;
+  range.last = std::max(2.0 * kLargestStrain / steel.outside_diameter, 4.0 * yield);
   std::vector<WallIntegral> walls;
-  for (const LevelLoads& level : levels) walls.emplace_back(steel, level.wall, last);
+  for (const LevelLoads& level : levels) walls.emplace_back(steel, level.wall, range.last);
   const auto moment_of = [](const WallIntegral& wall) {
     return [&wall](double k, double guess) { return wall.at(k, guess); };
   };
-  double first = last;
-  for (const WallIntegral& wall : walls) first = std::min(first, onset(moment_of(wall), EI, 2.0 * yield));
+  range.first = range.last;
+  for (const WallIntegral& wall : walls) range.first = std::min(range.first, onset(moment_of(wall), EI, 2.0 * yield));
   BendingLaw law;
-  law.limit = geometric(first, last);
+  law.EI = EI;
+  set_limits(law, range);
   for (std::size_t i = 0; i < levels.size(); ++i) {
-    const double elastic = walls[i].at(0.0).mid_strain;
-    law.levels.push_back(springs(moment_of(walls[i]), levels[i].z, EI, elastic, law.limit));
+    add_level(law, moment_of(walls[i]), levels[i].z, walls[i].at(0.0).mid_strain, range);
   }
   law.steel.emplace(steel, plastic_strain(steel), 0.0, 1.5 * kLargestStrain);
   return law;
 }
 
 }  // namespace
+
+const Directions& directions() {
+  static const Directions all = [] {
+    Directions d{};
+    for (std::size_t j = 0; j < kDirections; ++j) {
+      const double angle = std::numbers::pi * (static_cast<double>(j) + 0.5) / kDirections;
+      d.x[j] = std::cos(angle);
+      d.y[j] = std::sin(angle);
+    }
+    return d;
+  }();
+  return all;
+}
 
 LevelMix level_at(const BendingLaw& law, double z) {
   const auto above =
@@ -126,14 +190,16 @@ MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvatu
   const BendingLevel& lower = law.levels[static_cast<std::size_t>(mix.lower)];
   const BendingLevel& upper = law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)];
   const auto between = [&](double a, double b) { return a + mix.share * (b - a); };
-  MomentPoint point{between(lower.rest, upper.rest) * curvature, 0.0};
-  for (std::size_t i = 0; i < kSprings; ++i) {
-    point.moment += between(lower.stiffness[i], upper.stiffness[i]) * std::min(curvature, law.limit[i]);
-    if (i > 0 && curvature > law.limit[i - 1]) {
-      const double share = std::min(1.0, (curvature - law.limit[i - 1]) / (law.limit[i] - law.limit[i - 1]));
-      const double from = between(lower.mid_strain[i - 1], upper.mid_strain[i - 1]);
-      point.mid_strain = from + share * (between(lower.mid_strain[i], upper.mid_strain[i]) - from);
-    }
+  MomentPoint point{law.EI * curvature, 0.0};
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    point.moment -= between(lower.stiffness[i], upper.stiffness[i]) * taken_off(law.limit[i], curvature);
+  }
+  const auto after = std::lower_bound(law.curvature.begin(), law.curvature.end() - 1, curvature);
+  const std::size_t i = static_cast<std::size_t>(after - law.curvature.begin());
+  if (i > 0) {
+    const double share = (curvature - law.curvature[i - 1]) / (law.curvature[i] - law.curvature[i - 1]);
+    const auto strain = [&](std::size_t at) { return between(lower.mid_strain[at], upper.mid_strain[at]); };
+    point.mid_strain = strain(i - 1) + std::min(share, 1.0) * (strain(i) - strain(i - 1));
   }
   return point;
 }

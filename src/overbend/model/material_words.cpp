@@ -1,0 +1,85 @@
+#include "model/material_words.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace overbend {
+namespace {
+
+std::string moment_form(const SteelDescription& steel) {
+  const MaterialDescription& material = steel.material;
+  if (material.moment_coefficient && material.moment_exponent) {
+    return fmt::format("kappa/kappa_y = M/M_y + {:.4g} (M/M_y)^{:.4g}", *material.moment_coefficient,
+                       *material.moment_exponent);
+  }
+  const MomentRambergOsgood fit = fit_moment_law(steel);
+  return fmt::format(
+      "kappa/kappa_y = M/M_y + {:.4g} (M/M_y)^{:.4g}, fitted to the wall's integral of the stress-strain law from "
+      "first "
+      "yield to four times its curvature, moment within {:.2f} %",
+      fit.coefficient, fit.exponent, 100.0 * fit.largest_error);
+}
+
+const SteelDescription& steel_of(const Model& model, std::size_t section) {
+  const PipeDescription& pipe = model.description.pipe;
+  return section == 0 ? pipe.section.steel : pipe.segments[section - 1].section.steel;
+}
+
+}  // namespace
+
+std::string material_words(const SteelDescription& steel) {
+  const MaterialDescription& material = steel.material;
+  const double yield = 1e-6 * steel.yield_stress;
+  switch (material.law) {
+    case MaterialLaw::linear:
+      return "linear elastic";
+    case MaterialLaw::moment_ramberg_osgood:
+      return moment_form(steel);
+    case MaterialLaw::ramberg_osgood:
+      return fmt::format("Ramberg-Osgood, n = {:.4g}, total strain {:.4g} % at {:.4g} MPa",
+                         material.hardening_exponent.value_or(0.0), 100.0 * material.yield_strain, yield);
+    case MaterialLaw::bilinear:
+      return fmt::format("bilinear, yield at {:.4g} MPa, slope {:.4g} GPa beyond", yield,
+                         1e-9 * material.hardening_modulus);
+    case MaterialLaw::stress_strain:
+      return fmt::format("stress-strain curve of {} points", material.stress_strain.size());
+    case MaterialLaw::moment_curvature:
+      return fmt::format("moment-curvature curve of {} points", material.moment_curvature.size());
+  }
+  return "";
+}
+
+std::vector<std::string> material_assumptions(const Model& model) {
+  std::vector<std::string> list;
+  for (std::size_t i = 0; i < model.sections.size(); ++i) {
+    list.push_back(
+        fmt::format("Steel of section '{}': {}.", model.sections[i].name, material_words(steel_of(model, i))));
+  }
+  const auto& sections = model.sections;
+  if (std::none_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending.has_value(); })) {
+    return list;
+  }
+  list.push_back(
+      "Steel that has yielded unloads elastically and hardens kinematically, fibre by fibre around the wall; "
+      "axially the pipe stays elastic.");
+  if (std::any_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending && s.bending->steel; })) {
+    list.push_back(
+        "Moments come from the stress-strain law integrated over the wall, with the wall tension and the hoop stress "
+        "of "
+        "the hanging pipe at each height in statics; their changes in waves are left out.");
+    list.push_back(
+        "Stress of yielded steel is the elastic stress of the moment, at most what the stress-strain curve bears at "
+        "the "
+        "largest curvature so far; stresses locked into the wall are not followed.");
+  } else {
+    list.push_back("Where steel is given by moments only, stress is the elastic stress of the moment, M D / (2 I).");
+  }
+  list.push_back(model.description.statics.history == LayHistory::laying
+                     ? "In statics every section has come over the supports from the tensioner and kept what bent it "
+                       "on the way; it does not roll, although pipe with residual curvature tends to."
+                     : "In statics every section was bent to its shape once, as if it had not come over the supports.");
+  return list;
+}
+
+}  // namespace overbend

@@ -1,0 +1,17 @@
+/// The law of the steel in words, for reports and `overbend check`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+
+namespace overbend {
+
+/// "Ramberg-Osgood in stress and strain, n = 25, ...": the law of a section's steel with its numbers, a fit included.
+std::string material_words(const SteelDescription& steel);
+
+/// What is assumed about the steel of all sections.
+std::vector<std::string> material_assumptions(const Model& model);
+
+}  // namespace overbend
