@@ -196,25 +196,92 @@ TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
   EXPECT_NEAR(r.tensioner.time_holding, r.duration, 1e-9);
 }
 
-TEST(dynamics, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
-  const Case c(workable());
+/// Runs whole, and once stopped at the first row from `stop` on and taken up again.
+void expect_same_bits_when_taken_up(const Description& description, double stop) {
+  const Case c(description);
   const DynamicOptions options = dynamic_options(c.model);
   MemorySink whole, first, second;
   const DynamicResults expected = c.run(whole, options).results.value();
-  const DynamicOutcome stopped = c.run(first, options, nullptr, [](const DynamicProgress& at) {
-    return at.time >= 5.0 ? DynamicControl::stop : DynamicControl::go_on;
+  const DynamicOutcome stopped = c.run(first, options, nullptr, [&](const DynamicProgress& at) {
+    return at.time >= stop ? DynamicControl::stop : DynamicControl::go_on;
   });
   ASSERT_TRUE(stopped.stopped);
   ASSERT_EQ(first.checkpoints.size(), 1u);
   const DynamicResults got = c.run(second, options, &first.checkpoints.front()).results.value();
   EXPECT_EQ(got.von_mises.max, expected.von_mises.max);
+  EXPECT_EQ(got.strain.max, expected.strain.max);
   EXPECT_EQ(got.effective_tension.std, expected.effective_tension.std);
   EXPECT_EQ(got.energy.error, expected.energy.error);
+  EXPECT_EQ(got.energy.yielding_loss, expected.energy.yielding_loss);
+  EXPECT_EQ(got.tensioner.pay_out_count, expected.tensioner.pay_out_count);
   EXPECT_EQ(got.run.steps, expected.run.steps);
   EXPECT_EQ(got.impact_count, expected.impact_count);
   std::vector<std::vector<double>> rows = first.rows;
   rows.insert(rows.end(), second.rows.begin(), second.rows.end());
   EXPECT_EQ(rows, whole.rows);
+}
+
+TEST(dynamics, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
+  expect_same_bits_when_taken_up(workable(), 5.0);
+}
+
+TEST(tensioner_in_time, a_run_taken_up_in_every_state_gives_the_same_bits) {
+  const Description d = hauling(TensionerMode::controlled);
+  MemorySink sink;
+  Case(d).results(sink);
+  const std::vector<double> time = sink.column("time"), state = sink.column("tensioner/state");
+  std::vector<double> seen;
+  for (std::size_t i = 0; i + 1 < state.size(); ++i) {  // at the first row of each state
+    if (time[i] <= 0.0 || std::find(seen.begin(), seen.end(), state[i]) != seen.end()) continue;
+    seen.push_back(state[i]);
+    expect_same_bits_when_taken_up(d, time[i]);
+  }
+  EXPECT_GE(seen.size(), 4u);  // holds, waits, pays out, hauls in
+}
+
+/// The stinger as the paper prints it, past yield, with steel that yields.
+Description yielding() {
+  Description d = workable();
+  d.supports = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-as-printed.yaml").description.value().supports;
+  d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
+  d.pipe.section.steel.material.hardening_exponent = 25.0;
+  d.environment.waves.hs = 3.0;
+  return d;
+}
+
+TEST(yielding_in_time, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
+  expect_same_bits_when_taken_up(yielding(), 5.0);
+}
+
+TEST(yielding_in_time, energy_in_is_energy_stored_and_lost) {
+  const Case c(yielding());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_GT(r.energy.yielding_loss, 10.0);
+  EXPECT_LT(std::abs(r.energy.drift()), 1e-4);
+}
+
+TEST(yielding_in_time, at_rest_the_pipe_stays_where_statics_put_it) {
+  Description d = yielding();
+  d.environment.waves.type = WaveType::none;
+  d.vessel.motion = VesselMotion::fixed;
+  const Case c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_LT(r.energy.yielding_loss, 0.1);  // [J]; what settling from the tolerance of statics makes
+  for (std::size_t i = 0; i < r.z.max.size(); ++i) EXPECT_NEAR(r.z.max[i], r.z.min[i], 1e-5) << i;
+}
+
+// Without the short steps of impacts, of which a pipe that yields has its own.
+TEST(yielding_in_time, steps_stay_as_long_as_with_linear_steel) {
+  Description yields = yielding();
+  yields.dynamics->impact_force = 1e9;
+  Description linear = yields;
+  linear.pipe.section.steel.material = {};
+  MemorySink a, b;
+  const DynamicResults with = Case(yields).results(a), without = Case(linear).results(b);
+  EXPECT_GT(with.energy.yielding_loss, 10.0);
+  EXPECT_LT(static_cast<double>(with.run.steps), 1.1 * static_cast<double>(without.run.steps));
 }
 
 TEST(dynamics, writing_checkpoints_does_not_change_the_run) {
@@ -227,14 +294,16 @@ TEST(dynamics, writing_checkpoints_does_not_change_the_run) {
 }
 
 TEST(dynamics, the_time_loop_allocates_nothing) {
-  const Case c(workable());
-  EmptySink sink;
-  long at_first = 0, at_last = 0;
-  c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {
-    (at.time < 0.0 ? at_first : at_last) = testing::allocation_count();
-    return DynamicControl::go_on;
-  });
-  EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end
+  for (const Description& d : {workable(), yielding()}) {
+    const Case c(d);
+    EmptySink sink;
+    long at_first = 0, at_last = 0;
+    c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {
+      (at.time < 0.0 ? at_first : at_last) = testing::allocation_count();
+      return DynamicControl::go_on;
+    });
+    EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end
+  }
 }
 
 TEST(dynamics, says_why_a_model_can_not_be_run_in_time) {

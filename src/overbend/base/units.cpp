@@ -44,6 +44,7 @@ const std::vector<DimensionNames>& dimensions() {
       {"kg", "a mass", {"kg", "t", "lb"}},
       {"kg/m", "a mass per length", {"kg/m"}},
       {"kg/m^3", "a mass density", {"kg/m^3"}},
+      {"m-1", "a curvature", {"m-1"}},
       {"m^2", "an area", {"m^2", "mm^2"}},
       {"1/s", "a frequency", {"Hz"}},
       {"rad/s", "an angular speed", {"rad/s"}},

@@ -83,7 +83,7 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
   const double outer = steel_number(section, pipe, "outside_diameter", 0.0);
   const double wall = steel_number(section, pipe, "wall_thickness", 0.0);
   const double EI = wall > 0.0 && outer > 2.0 * wall ? modulus * second_moment(outer, wall) : 0.0;
-  check_curve(check, moment_curvature, "curvature", "moment", {EI, "the bending stiffness", "N m", "kN m"});
+  check_curve(check, moment_curvature, "curvature", "moment", {EI, "the bending stiffness", "N*m", "kN*m"});
 }
 
 }  // namespace

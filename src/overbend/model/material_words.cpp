@@ -26,6 +26,12 @@ const SteelDescription& steel_of(const Model& model, std::size_t section) {
   return section == 0 ? pipe.section.steel : pipe.segments[section - 1].section.steel;
 }
 
+std::string fit_words(const Section& section) {
+  return section.bending
+             ? fmt::format("; its moment curve is followed within {:.2f} %", 100.0 * section.bending->fit_error)
+             : "";
+}
+
 }  // namespace
 
 std::string material_words(const SteelDescription& steel) {
@@ -53,8 +59,8 @@ std::string material_words(const SteelDescription& steel) {
 std::vector<std::string> material_assumptions(const Model& model) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    list.push_back(
-        fmt::format("Steel of section '{}': {}.", model.sections[i].name, material_words(steel_of(model, i))));
+    list.push_back(fmt::format("Steel of section '{}': {}{}.", model.sections[i].name,
+                               material_words(steel_of(model, i)), fit_words(model.sections[i])));
   }
   const auto& sections = model.sections;
   if (std::none_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending.has_value(); })) {
