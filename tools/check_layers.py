@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "results": {"model", "base"},
     "numerics": {"base"},
     "mechanics": {"model", "base"},
-    "analysis": {"mechanics", "numerics", "results", "model", "base"},
+    "analysis": {"mechanics", "numerics", "checks", "results", "model", "base"},
     "checks": {"results", "model", "base"},
     "io": {"checks", "results", "model", "base"},
     "report": EVERYTHING - {"app", "serve", "runs"},
