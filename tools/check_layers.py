@@ -22,7 +22,7 @@ MAY_INCLUDE = {
     "numerics": {"base"},
     "mechanics": {"model", "base"},
     "analysis": {"mechanics", "numerics", "checks", "results", "model", "base"},
-    "checks": {"results", "model", "base"},
+    "checks": {"mechanics", "results", "model", "base"},
     "io": {"checks", "results", "model", "base"},
     "report": EVERYTHING - {"app", "serve", "runs"},
     "runs": EVERYTHING - {"app", "serve"},

@@ -47,6 +47,7 @@ NodeRecovery::NodeRecovery(const Model& model, const DynamicLine& line) : model_
     section_.push_back(line.mesh.section[std::min(node, line.mesh.section.size() - 1)]);
   }
   bend_.resize(nodes);
+  tangent_.resize(nodes);
 }
 
 void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts,
@@ -71,6 +72,8 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
     const double share = node == 0 || node == last ? 1.0 : 0.5;
     const Vec3 t = Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
     const Vec3 bend = share * (bend_[node] - bend_[node].dot(t) * t);
+    tangent_[node] = t;
+    bend_[node] = bend;
     values.bending_moment[node] = bend.norm();
     values.vertical_moment[node] = bend.dot(up_across(t));
   }
@@ -82,8 +85,12 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
       const Vec3 bend = y * bends.first + x * bends.second - (2.0 * length[e] * x * x * y * y) * contact.force();
       const Vec3 a = Eigen::Map<const Vec3>(state.q.data() + 6 * e + 3);
       const std::size_t node = x < 0.5 ? e : e + 1;
-      const double moment = (bend - bend.dot(a) / a.squaredNorm() * a).norm();
-      values.bending_moment[node] = std::max(values.bending_moment[node], moment);
+      const Vec3 across = bend - bend.dot(a) / a.squaredNorm() * a;
+      const double moment = across.norm();
+      if (moment > values.bending_moment[node]) {
+        values.bending_moment[node] = moment;
+        bend_[node] = across;
+      }
     }
   }
 }

@@ -7,6 +7,7 @@
 #include "analysis/recovery_parts.h"
 #include "analysis/touchdown.h"
 #include "base/version.h"
+#include "checks/run_checks.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/stress.h"
@@ -323,6 +324,9 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   sum_forces(results, system, state);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
+  results.checks = check_statics(model, results);
+  results.assumptions.insert(results.assumptions.end(), results.checks.assumptions.begin(),
+                             results.checks.assumptions.end());
   return results;
 }
 
