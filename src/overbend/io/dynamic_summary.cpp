@@ -1,3 +1,4 @@
+#include "io/check_tables.h"
 #include "io/dynamic_writer.h"
 #include "io/result_field.h"
 #include "io/summary_json.h"
@@ -149,6 +150,7 @@ std::string dynamic_summary(const StaticResults& statics, const DynamicResults& 
   dynamics["assumptions"] = r.assumptions;
   dynamics["warnings"] = r.warnings;
   Json summary = static_summary_json(statics);
+  summary["checks"] = checks_json(r.checks);
   summary["dynamic"] = dynamics;
   return summary_text(summary);
 }
