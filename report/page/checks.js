@@ -7,10 +7,11 @@
   const along = Report.along;
   const checks = data.checks;
   const kinds = [
-    { key: 'api', name: 'API RP 1111, bending and pressure', colour: colours.third, dash: '9 3' },
-    { key: 'stress', name: 'equivalent stress, 0.87 f_y', colour: colours.second, dash: '5 3' },
-    { key: 'load', name: 'DNV, load controlled', colour: colours.dynamic },
-    { key: 'strain', name: 'DNV, displacement controlled', colour: colours.pipe },
+    { key: 'api', name: 'API RP 1111', colour: colours.third, dash: '9 3' },
+    { key: 'stress', name: 'stress', colour: colours.second, dash: '5 3' },
+    { key: 'load', name: 'DNV load', colour: colours.dynamic },
+    { key: 'strain', name: 'DNV strain', colour: colours.pipe },
+    { key: 'laying', name: 'laying strain', colour: colours.port, dash: '3 3' },
   ];
 
   Report.utilisation = function (panel, part) {

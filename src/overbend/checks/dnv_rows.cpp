@@ -117,7 +117,7 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
   row.utilisation = terms.utilisation();
   row.reserve = load_reserve(terms);
   judge(row);
-  if (!row.governing) row.remark = "for information: the pipe is bent to the supports, the strain decides";
+  if (!row.governing) row.remark = "the pipe is bent to the supports, the strain decides";
   if (const CheckStation* beyond = where_load_does_not_hold(all, region)) {
     outside(row, why_load_does_not_hold(all.section_of(*beyond)));
   }

@@ -6,7 +6,7 @@
 namespace overbend {
 namespace {
 
-constexpr const char* kSection13 = "13, simplified laying criteria";
+constexpr const char* kSection13 = "sec. 13";
 constexpr CheckTitle kStaticStrain = {
     "dnv_criterion_1", "Laying criterion I, static strain", kDnv, kSection13, "longitudinal strain", "1"};
 constexpr CheckTitle kCombinedStrain = {

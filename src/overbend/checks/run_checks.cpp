@@ -12,6 +12,15 @@ void append(std::vector<CheckRow>& rows, const std::vector<CheckRow>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
+/// The strain over the supports against criterion I and, in time, II; 0 for a grade that the criteria do not know.
+double laying_at(const CheckStations& all, const CheckStation& station) {
+  const CheckSection& section = all.section_of(station);
+  if (!section.laying) return 0.0;
+  const double still = station.strain / section.laying->static_strain;
+  const double moving = section.strain_factor * station.largest_strain.value / section.laying->combined_strain;
+  return all.in_time ? std::max(still, moving) : still;
+}
+
 /// Utilisations at every station, and the largest of those that decide there.
 CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& settings) {
   CheckAlong along;
@@ -22,13 +31,15 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
     const double strain = dnv && supported ? station.bend.value : 0.0;
     const double stress =
         dnv && !supported ? station.largest_von_mises.value / all.section_of(station).stress_limit : 0.0;
+    const double laying = dnv && supported ? laying_at(all, station) : 0.0;
     const double bending = api ? api_bending_at(all, station, settings) : 0.0;
     along.s.push_back(station.s);
     along.load.push_back(load);
     along.strain.push_back(strain);
     along.stress.push_back(stress);
+    along.laying.push_back(laying);
     along.api.push_back(bending);
-    along.governing.push_back(std::max({supported ? strain : std::max(load, stress), bending}));
+    along.governing.push_back(std::max({supported ? strain : std::max(load, stress), laying, bending}));
   }
   return along;
 }

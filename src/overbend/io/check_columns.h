@@ -47,6 +47,8 @@ void visit_check_along(Along& a, Visit& visit) {
   visit(ResultField{"load", "1", "Utilisation, DNV-ST-F101 load controlled"}, a.load);
   visit(ResultField{"strain", "1", "Utilisation, DNV-ST-F101 displacement controlled; 0 off the supports"}, a.strain);
   visit(ResultField{"stress", "1", "Equivalent stress over 0.87 f_y; 0 over the supports"}, a.stress);
+  visit(ResultField{"laying", "1", "Strain over the limits of the simplified laying criteria; 0 off the supports"},
+        a.laying);
   visit(ResultField{"api", "1", "Utilisation, API RP 1111 bending and external pressure"}, a.api);
   visit(ResultField{"governing", "1", "Largest utilisation that decides at the station"}, a.governing);
 }

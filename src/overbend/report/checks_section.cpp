@@ -25,7 +25,7 @@ struct Shown {
 /// SI units as engineers read them; a strain in percent.
 Shown shown(const std::string& units, const std::string& what) {
   if (units == "Pa") return {1e-6, "MPa"};
-  if (units == "N m") return {1e-3, "kN m"};
+  if (units == "N m") return {1e-3, "kN\u00a0m"};
   if (units == "N") return {1e-3, "kN"};
   if (units == "N/m") return {1e-3, "kN/m"};
   if (units == "m") return {1.0, "m"};
@@ -83,15 +83,17 @@ std::string when(const CheckRow& row) {
 }
 
 std::string governing_table(const StaticResults& statics, const CheckTable& table) {
-  html::Table out("Governing check of each region", {{"Region", "", true},
-                                                     {"Check", "", true},
-                                                     {"Code", "", true},
-                                                     {"Utilisation", "-"},
-                                                     {"Reserve factor", "-"},
-                                                     {"Place", "", true},
-                                                     {"Along pipe", "m"},
-                                                     {"Time", "s"},
-                                                     {"Status", "", true}});
+  html::Table out("Governing check of each region",
+                  {{"Region", "", true},
+                   {"Check", "", true},
+                   {"Code", "", true},
+                   {"Utilisation", "-"},
+                   {"Reserve factor", "-"},
+                   {"Place", "", true},
+                   {"Along pipe", "m"},
+                   {"Time", "s"},
+                   {"Status", "", true}},
+                  "checks");
   for (const CheckRegion region : kOrder) {
     const std::vector<const CheckRow*> rows = rows_of(table, region);
     if (rows.empty() || !rows.front()->governing || !rows.front()->judged()) continue;
@@ -119,18 +121,20 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
 std::string region_table(const StaticResults& statics, const CheckTable& table, CheckRegion region) {
   const std::vector<const CheckRow*> rows = rows_of(table, region);
   if (rows.empty()) return "";
-  html::Table out(region_title(region), {{"Check", "", true},
-                                         {"Code", "", true},
-                                         {"Demand", ""},
-                                         {"Capacity", ""},
-                                         {"Unit", "", true},
-                                         {"Utilisation", "-"},
-                                         {"Reserve factor", "-"},
-                                         {"Along pipe", "m"},
-                                         {"X", "m"},
-                                         {"Z", "m"},
-                                         {"Time", "s"},
-                                         {"Status", "", true}});
+  html::Table out(region_title(region),
+                  {{"Check", "", true},
+                   {"Code", "", true},
+                   {"Demand", ""},
+                   {"Capacity", ""},
+                   {"Unit", "", true},
+                   {"Utilisation", "-"},
+                   {"Reserve factor", "-"},
+                   {"Along pipe", "m"},
+                   {"X", "m"},
+                   {"Z", "m"},
+                   {"Time", "s"},
+                   {"Status", "", true}},
+                  "checks");
   for (const CheckRow* row : rows) add_row(out, statics, *row);
   return out.str();
 }
@@ -182,7 +186,11 @@ std::string checks_section(const StaticResults& statics, const CheckTable& table
   if (table.rows.empty()) return "";
   std::string body = headline(table) + governing_table(statics, table);
   const std::vector<Figure> figures = {
-      {"checks", "Utilisation of the code checks along the pipe", {"whole", "overbend"}}};
+      {"checks",
+       "Utilisation of the code checks along the pipe: DNV displacement controlled (DNV strain) and load controlled "
+       "(DNV load), simplified laying criteria (laying strain), equivalent stress over 0.87 f_y (stress), bending and "
+       "external pressure (API RP 1111)",
+       {"whole", "overbend"}}};
   body += figure_list(
       figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
       number);
@@ -207,6 +215,7 @@ nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable
   add("load", table.along.load);
   add("strain", table.along.strain);
   add("stress", table.along.stress);
+  add("laying", table.along.laying);
   add("api", table.along.api);
   add("governing", table.along.governing);
   return data;

@@ -62,6 +62,7 @@ struct CheckAlong {
   std::vector<double> load;       ///< DNV load controlled.
   std::vector<double> strain;     ///< DNV displacement controlled, over the supports.
   std::vector<double> stress;     ///< Equivalent stress over 0.87 f_y, where the pipe hangs free and on the seabed.
+  std::vector<double> laying;     ///< Simplified laying criteria on the strain, over the supports.
   std::vector<double> api;        ///< API bending and external pressure.
   std::vector<double> governing;  ///< Largest of those that decide at the station.
 };
