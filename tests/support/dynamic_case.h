@@ -80,10 +80,11 @@ inline void fill_stations(DynamicResults& results, const StaticResults& statics,
     list->resize(kCount);
     fill(ResultField{}, *list);
   }
-  visit_station_design(results.design, [&](const ResultField&, std::vector<double>& list) {
+  const auto fill_list = [&](const ResultField&, std::vector<double>& list) {
     list.resize(kCount);
     fill(ResultField{}, list);
-  });
+  };
+  visit_station_design(results.design, fill_list);
   results.static_place.resize(kCount);
   fill(ResultField{}, results.static_place);
   for (std::size_t i = 0; i < kCount; ++i) {

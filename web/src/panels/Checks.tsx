@@ -36,15 +36,18 @@ export function Checks() {
   const ofRun = run?.state === 'done' ? runChecks.value : null;
   const checks = ofRun ?? calm.value?.checks ?? [];
   if (checks.length === 0) return null;
+  const deciding = governing(checks);
+  const worst = ranked(deciding)[0];
   return (
     <section class={`results checks${failure.value && !ofRun ? ' old' : ''}`} aria-label="Code checks">
       <h2>Code checks <small>{ofRun ? `of ${run!.kind === 'dynamic' ? 'the run' : 'the static run'}` : 'statics'}</small></h2>
-      {governing(checks).map((c) => <Governing key={c.region} check={c} />)}
+      {worst ? <Governing check={worst} /> : null}
       <details>
         <summary>All checks</summary>
+        {deciding.map((c) => <Governing key={c.region} check={c} />)}
         <table class="checks"><tbody>{ranked(checks).map((c) => <Row key={`${c.id} ${c.region} ${c.remark}`} check={c} />)}</tbody></table>
+        <p class="brief">Utilisation; above 1 is exceeded. Formulas not compared with the printed standards.</p>
       </details>
-      <p class="brief">Utilisation; above 1 is exceeded. Formulas not compared with the printed standards.</p>
     </section>
   );
 }
