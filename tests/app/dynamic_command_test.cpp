@@ -69,7 +69,7 @@ TEST(dynamic_command, strict_ends_with_4_when_a_check_is_exceeded_in_time) {
   const ProgramRun run = run_dynamic_model(folder, weak, "--strict");
   EXPECT_EQ(run.code, 4) << run.err;
   EXPECT_NE(run.err.find("Tension at the tensioner"), std::string::npos) << run.err;
-  const Json checks = summary_of(folder / "out").at("checks");
+  const Json checks = summary_of(folder / "out").at("dynamic").at("checks");
   EXPECT_EQ(checks.at("worst").at("id"), "tensioner_load");
   EXPECT_GT(checks.at("worst").at("utilisation").get<double>(), 1.0);
   EXPECT_TRUE(fs::is_regular_file(folder / "out/checks.csv"));

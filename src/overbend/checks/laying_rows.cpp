@@ -15,7 +15,7 @@ constexpr CheckTitle kStress = {
     "dnv_equivalent_stress", "Equivalent stress, 0.87 f_y", kDnv, kSection13, "von Mises stress", "Pa"};
 
 std::string row_words(const CheckSection& section) {
-  const std::string row = fmt::format("limit of {}", section.laying->grade);
+  std::string row = fmt::format("limit of {}", section.laying->grade);
   if (section.laying_exact) return row;
   return row + fmt::format(", the nearest lower grade of the table for {:.0f} MPa", section.smys / 1e6);
 }

@@ -147,10 +147,10 @@ std::string dynamic_summary(const StaticResults& statics, const DynamicResults& 
   dynamics["tensioner"] = tensioner(r.tensioner);
   dynamics["extremes"] = list(r.extremes, estimate);
   dynamics.update(solution(r));
+  dynamics["checks"] = checks_json(r.checks);
   dynamics["assumptions"] = r.assumptions;
   dynamics["warnings"] = r.warnings;
   Json summary = static_summary_json(statics);
-  summary["checks"] = checks_json(r.checks);
   summary["dynamic"] = dynamics;
   return summary_text(summary);
 }

@@ -173,8 +173,9 @@ std::string headline(const CheckTable& table) {
                     : fmt::format("<b>{} governing check{} exceeded.</b>", exceeded, exceeded == 1 ? " is" : "s are");
   text += fmt::format(" The largest utilisation is {} ({}, {}).", fixed(worst->utilisation, 3),
                       html::escape(worst->name), html::escape(region_title(worst->region)));
-  if (invalid > 0)
+  if (invalid > 0) {
     text += fmt::format(" {} outside the validity of their formulas: neither passed nor failed.", invalid);
+  }
   return "<p>" + text +
          " The reserve factor is the factor on the load effects, pressure apart, that brings the utilisation to 1. "
          "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";

@@ -56,8 +56,8 @@ async function load(id: string): Promise<void> {
     if (run.state !== 'done') return;
     const e = await get<Envelopes>(`runs/${id}/envelopes`);
     const i = run.kind === 'dynamic' ? await get<{ impacts: Impact[] }>(`runs/${id}/impacts`) : { impacts: [] };
-    const summary = await get<{ checks?: { list: Check[] } }>(`runs/${id}/summary`);
-    if (mine === loadCount && selectedId.value === id) { envelopes.value = e; impacts.value = i.impacts; runChecks.value = summary.checks?.list ?? null; }
+    const summary = await get<{ checks?: { list: Check[] }; dynamic?: { checks?: { list: Check[] } } }>(`runs/${id}/summary`);
+    if (mine === loadCount && selectedId.value === id) { envelopes.value = e; impacts.value = i.impacts; runChecks.value = (summary.dynamic ?? summary).checks?.list ?? null; }
   } catch (error) { sayError(error); }
 }
 
