@@ -11,6 +11,7 @@ Group beams();
 Group roller_deck();
 Group jlays();
 Group bgl1_example();
+Group code_checks();
 Group dynamic();
 Group convergence();
 

@@ -18,20 +18,23 @@ Lay::Lay(Model model) : model_(std::make_unique<Model>(std::move(model))) {
   cuts_ = cut_forces(*system_, solution_.state);
 }
 
+Station Lay::station(int element, double xi) const {
+  const CutForces cut = cut_at(*system_, solution_.state, cuts_, element, xi);
+  return finish_stations(*model_, {make_station(*system_, solution_.state, cut, element, xi)}).front();
+}
+
 Station Lay::at(double from_top) const {
   const LineMesh& mesh = system_->mesh();
   const double s = std::clamp(mesh.total_length() - from_top, 0.0, mesh.total_length());
   const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
   const int element = std::clamp(static_cast<int>(after - mesh.s.begin()) - 1, 0, mesh.elements() - 1);
   const std::size_t e = static_cast<std::size_t>(element);
-  const double xi = (s - mesh.s[e]) / mesh.length[e];
-  return make_station(*system_, solution_.state, cut_at(*system_, solution_.state, cuts_, element, xi), element, xi);
+  return station(element, (s - mesh.s[e]) / mesh.length[e]);
 }
 
 Station Lay::at_roller(std::size_t roller) const {
   const ClosestPoint& at = system_->roller_states()[roller].at;
-  return make_station(*system_, solution_.state, cut_at(*system_, solution_.state, cuts_, at.element, at.xi),
-                      at.element, at.xi);
+  return station(at.element, at.xi);
 }
 
 Description case_description(const std::string& name) {

@@ -27,6 +27,7 @@ class Lay {
   double from_top(const Station& station) const { return system_->mesh().total_length() - station.s; }
 
  private:
+  Station station(int element, double xi) const;
   std::unique_ptr<Model> model_;  ///< Its address is kept by the system.
   StaticSolution solution_;
   StaticResults results_;

@@ -70,6 +70,7 @@
     geometry: (panel, part) => (part === 'plan' ? Report.plan(panel) : Report.elevation(panel, part)),
     reactions: Report.reaction_bars,
     separations: Report.separation_bars,
+    checks: Report.utilisation,
     history: Report.history,
     spectra: Report.spectra,
     shares: Report.share_bars,

@@ -63,6 +63,32 @@ TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
   EXPECT_LT(std::abs(dynamic.at("energy_drift").get<double>()), 0.01);
 }
 
+TEST(dynamic_command, strict_ends_with_4_when_a_check_is_exceeded_in_time) {
+  const TemporaryFolder folder;
+  const std::string weak = kSmallLay + "checks: {limits: {tension: 310 kN}}\n";  // 300 kN at rest
+  const ProgramRun run = run_dynamic_model(folder, weak, "--strict");
+  EXPECT_EQ(run.code, 4) << run.err;
+  EXPECT_NE(run.err.find("Tension at the tensioner"), std::string::npos) << run.err;
+  const Json checks = summary_of(folder / "out").at("dynamic").at("checks");
+  EXPECT_EQ(checks.at("worst").at("id"), "tensioner_load");
+  EXPECT_GT(checks.at("worst").at("utilisation").get<double>(), 1.0);
+  EXPECT_TRUE(fs::is_regular_file(folder / "out/checks.csv"));
+}
+
+TEST(dynamic_command, the_report_made_again_has_the_same_checks) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);
+  const auto section = [&] {
+    const std::string page = file_text(folder / "out/report.html");
+    const std::size_t from = page.find("id=\"checks\"");
+    return from == std::string::npos ? std::string() : page.substr(from, page.find("</section>", from) - from);
+  };
+  const std::string first = section();
+  ASSERT_FALSE(first.empty());
+  ASSERT_EQ(run_program("report " + (folder / "out").string()).code, 0);
+  EXPECT_EQ(section(), first);
+}
+
 TEST(dynamic_command, takes_the_duration_from_the_command_line) {
   const TemporaryFolder folder;
   const std::string model = with(kSmallLay, "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n", "");

@@ -48,6 +48,34 @@ TEST(static_command, writes_the_results_where_told_and_prints_the_key_ones) {
   }
 }
 
+std::string with_limit(const std::string& limit) {
+  return file_text(case_file("BGL1-T250")) + "\nchecks: {limits: {tension: " + limit + "}}\n";
+}
+
+TEST(static_command, tells_the_deciding_checks) {
+  const TemporaryFolder folder;
+  const Ended done = run(folder.path(), "static " + case_file("BGL1-T250") + " -o out --strict");
+  EXPECT_EQ(done.code, 0) << done.err;
+  for (const char* said : {"check, overbend", "check, sagbend", "DNV-ST-F101 (2021)", "from the tensioner"}) {
+    EXPECT_NE(done.out.find(said), std::string::npos) << said;
+  }
+  EXPECT_TRUE(fs::is_regular_file(folder / "out/checks.csv"));
+}
+
+TEST(static_command, strict_ends_with_4_and_names_the_worst_check_with_the_results_written) {
+  const TemporaryFolder folder;
+  testing::write_file(folder / "weak.yaml", with_limit("200 kN"));
+  const Ended strict = run(folder.path(), "static weak.yaml -o out --strict");
+  EXPECT_EQ(strict.code, 4);
+  EXPECT_NE(strict.err.find("Tension at the tensioner"), std::string::npos) << strict.err;
+  EXPECT_NE(strict.err.find("1.25"), std::string::npos) << strict.err;
+  EXPECT_EQ(std::count(strict.err.begin(), strict.err.end(), '\n'), 1);
+  for (const char* file : {"summary.json", "checks.csv", "results.h5", "report.html"}) {
+    EXPECT_TRUE(fs::is_regular_file(folder / "out" / file)) << file;
+  }
+  EXPECT_EQ(run(folder.path(), "static weak.yaml -o again").code, 0);
+}
+
 TEST(static_command, names_the_folder_after_the_model_when_none_is_given) {
   const TemporaryFolder folder;
   const Ended done = run(folder.path(), "static " + case_file("J12-D400-T560"));

@@ -54,7 +54,7 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   EXPECT_EQ(extremes * sizeof(DynamicExtreme), sizeof(DynamicRegion));
   // supports, hardest_impacts, histories, spectra, extremes
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 2 * sizeof(DynamicRegion) +
-                5 * kListBytes,
+                5 * kListBytes + sizeof(results.design) + sizeof(results.checks),
             sizeof(DynamicResults));
 }
 
@@ -86,6 +86,8 @@ std::string bits_of(const DynamicResults& r) {
     bits(ResultField{spectrum.name + spectrum.units + "frequency"}, spectrum.frequency);
     bits(ResultField{spectrum.name + spectrum.units + "density"}, spectrum.density);
   }
+  visit_station_design(r.design, bits);
+  testing::visit_checks(r.checks, bits);
   return bits.text;
 }
 
@@ -95,6 +97,7 @@ void expect_round_trip(const std::string& name) {
   DynamicResults results = filled_dynamics(statics);
   const RunStore store = filled_run(folder.path(), 5000);
   results.histories = summarise_histories(store);
+  results.checks = statics.checks;
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
   EXPECT_TRUE(has_dynamic(folder / "results.h5"));
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");

@@ -20,7 +20,7 @@ using testing::filled_run;
 using testing::solved_case;
 using testing::TemporaryFolder;
 
-TEST(dynamic_writer, writes_the_five_files) {
+TEST(dynamic_writer, writes_the_files) {
   const TemporaryFolder folder;
   const auto& [description, statics] = solved_case("BGL1-T250");
   const DynamicResults dynamics = filled_dynamics(statics);
@@ -31,7 +31,8 @@ TEST(dynamic_writer, writes_the_five_files) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "out")) {
     names.insert(entry.path().filename());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "results.h5"}));
+  EXPECT_EQ(names, (std::set<std::string>{"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "checks.csv",
+                                          "results.h5"}));
   EXPECT_EQ(testing::file_text(folder / "out/summary.json"), dynamic_summary(statics, dynamics));
   EXPECT_EQ(testing::file_text(folder / "out/impacts.csv"), impacts_table(dynamics));
 }

@@ -31,6 +31,19 @@ TEST(field_lists, hold_every_member_of_the_tables) {
   EXPECT_EQ(section.bytes, sizeof(DerivedSection));
 }
 
+TEST(field_lists, hold_every_member_of_a_check) {
+  SizeVisitor row, input, along, design;
+  visit_check<const CheckRow>(CheckRow{}, row);
+  visit_check_input<const CheckInput>(CheckInput{}, input);
+  visit_check_along<const CheckAlong>(CheckAlong{}, along);
+  visit_station_design<const StationDesign>(StationDesign{}, design);
+  constexpr std::size_t kShared = 8;  // region and status, two words, share eight bytes
+  EXPECT_EQ(row.bytes + kListBytes - kShared, sizeof(CheckRow));
+  EXPECT_EQ(input.bytes, sizeof(CheckInput));
+  EXPECT_EQ(along.bytes, sizeof(CheckAlong));
+  EXPECT_EQ(design.bytes, sizeof(StationDesign));
+}
+
 TEST(field_lists, hold_every_single_value) {
   const StaticResults results;
   SizeVisitor all, touchdown, solve, extreme;
@@ -43,7 +56,7 @@ TEST(field_lists, hold_every_single_value) {
   int extremes = 0;
   visit_region(results.sagbend, [&](const char*, const char*, const char*, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
-                sizeof(results.sagbend) + kListBytes + kListBytes + kListBytes,
+                sizeof(results.sagbend) + kListBytes + kListBytes + kListBytes + sizeof(results.checks),
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));
@@ -72,6 +85,7 @@ std::string bits_of(const StaticResults& results) {
       for (const RollerResult& roller : row.rollers) visit_roller(roller, bits);
     }
   }
+  testing::visit_checks(results.checks, bits);
   return bits.text;
 }
 
@@ -86,6 +100,7 @@ TEST(results_reader, gives_back_an_s_lay_bit_for_bit) {
   const StoredStatics stored = through_file(results, description);
   EXPECT_EQ(bits_of(stored.results), bits_of(results));
   EXPECT_EQ(stored.model_text, testing::file_text(testing::case_file("BGL1-T250")));
+  EXPECT_GT(stored.results.checks.rows.size(), 10U);
 }
 
 TEST(results_reader, gives_back_a_j_lay_without_supports_and_overbend) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/check_columns.h"
 #include "io/dynamic_histories.h"
 #include "io/dynamic_scalars.h"
 #include "io/run_store.h"
@@ -79,6 +80,11 @@ inline void fill_stations(DynamicResults& results, const StaticResults& statics,
     list->resize(kCount);
     fill(ResultField{}, *list);
   }
+  const auto fill_list = [&](const ResultField&, std::vector<double>& list) {
+    list.resize(kCount);
+    fill(ResultField{}, list);
+  };
+  visit_station_design(results.design, fill_list);
   results.static_place.resize(kCount);
   fill(ResultField{}, results.static_place);
   for (std::size_t i = 0; i < kCount; ++i) {

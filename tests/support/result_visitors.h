@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "io/check_columns.h"
 #include "io/result_field.h"
 
 namespace overbend::testing {
@@ -43,6 +44,8 @@ struct BitsVisitor {
   void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
   void operator()(const ResultField& field, Region value) { (*this)(field, std::string(word(value))); }
   void operator()(const ResultField& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, CheckStatus value) { (*this)(field, std::string(word(value))); }
+  void operator()(const ResultField& field, CheckRegion value) { (*this)(field, std::string(word(value))); }
   void operator()(const ResultField& field, const std::optional<double>& value) {
     if (value) (*this)(field, *value);
   }
@@ -55,5 +58,15 @@ struct BitsVisitor {
     for (double number : value.reshaped()) (*this)(field, number);
   }
 };
+
+/// A table of checks by its bits.
+inline void visit_checks(const CheckTable& table, BitsVisitor& bits) {
+  for (const CheckRow& row : table.rows) {
+    visit_check(row, bits);
+    for (const CheckInput& input : row.inputs) visit_check_input(input, bits);
+  }
+  visit_check_along(table.along, bits);
+  bits(ResultField{"assumptions"}, table.assumptions);
+}
 
 }  // namespace overbend::testing

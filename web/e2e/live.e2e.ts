@@ -28,6 +28,22 @@ test('the known solution', async () => {
   await bench.shot(page, 'bgl1');
 });
 
+test('code checks are told by region, and colour the pipe', async () => {
+  const panel = page.locator('section[aria-label="Code checks"]');
+  await page.locator('#s-tension').waitFor();
+  expect(await panel.locator('.region').first().innerText()).toMatch(/overbend\s+0\.\d+/);
+  await panel.locator('summary').click();
+  expect(await panel.locator('details .region').allInnerTexts()).toHaveLength(5);
+  expect(await panel.locator('tbody tr').count()).toBeGreaterThan(15);
+  expect(await panel.innerText()).toMatch(/Laying criterion II[\s\S]*not done/);
+  await page.selectOption('[aria-label="Colour of the pipe"]', 'checks');
+  await page.waitForFunction(() => Number.parseFloat((document.querySelector('.legend .ends span:last-child') as HTMLElement).innerText) < 5);
+  await page.waitForTimeout(700);
+  await bench.shot(page, 'checks');
+  await page.selectOption('[aria-label="Colour of the pipe"]', 'von_mises');
+  await panel.locator('summary').click();
+});
+
 test('a picture for the guide', async () => {
   const guide = await bench.open({ width: 1600, height: 900 });
   await solved(guide);

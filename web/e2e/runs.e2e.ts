@@ -55,6 +55,14 @@ test('what frames do not hold can not be chosen while they are shown', async () 
   expect(closed.join()).toMatch(/Bending stress.*Strain.*Utilisation/);
 });
 
+test('the checks are those of the run', async () => {
+  const panel = page.locator('section[aria-label="Code checks"]');
+  expect(await panel.locator('h2').innerText()).toMatch(/of the run/);
+  await panel.locator('summary').click();
+  expect(await panel.locator('tr', { hasText: 'Laying criterion II' }).innerText()).toMatch(/0\.\d+\s+(passed|exceeded)/);
+  await panel.locator('summary').click();
+});
+
 test('the report is downloaded', async () => {
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('.run >> text=Report')]);
   const text = readFileSync(await file.path(), 'utf8');

@@ -37,6 +37,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
     : model_(&model),
       line_(&line),
       recovery_(model, line),
+      design_(model, recovery_.sections()),
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
@@ -105,6 +106,11 @@ void DynamicRecorder::start(const RecordedInstant& at) {
   recover(at);
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
+  design_.start(design_instant(at));
+}
+
+DesignInstant DynamicRecorder::design_instant(const RecordedInstant& at) const {
+  return {nodes_, recovery_.moments(), recovery_.tangents(), at.system->contacts(), at.state->time};
 }
 
 void DynamicRecorder::recover(const RecordedInstant& at) {
@@ -238,6 +244,7 @@ void DynamicRecorder::step(const RecordedInstant& at) {
   if (at.state->time <= 0.0) {
     return;
   }
+  design_.step(design_instant(at));
   double* out = node_sample_.data();
   for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
                                             &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {

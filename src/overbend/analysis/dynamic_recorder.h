@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "analysis/design_recorder.h"
 #include "analysis/dynamic_stations.h"
 #include "analysis/dynamics.h"
 #include "analysis/tensioner_account.h"
@@ -60,6 +61,7 @@ class DynamicRecorder {
 
  private:
   void recover(const RecordedInstant& at);
+  DesignInstant design_instant(const RecordedInstant& at) const;
   void forget_interval();
   void find_key_values(const RecordedInstant& at);
   void find_region_peaks(int last_contact_node, int touchdown_node, double time);
@@ -73,6 +75,7 @@ class DynamicRecorder {
   const Model* model_;
   const DynamicLine* line_;
   NodeRecovery recovery_;
+  DesignRecorder design_;
   NodeValues nodes_, static_nodes_;
   KeyValues key_;
   int tip_roller_ = -1;  ///< Bottom roller of the stinger's last row.

@@ -17,6 +17,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/supports", support_statistics_.save());
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
+  put("record/design", design_.save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
   for (const auto* region : {&key_.overbend, &key_.sagbend}) {
     for (const RegionPeak& peak : *region) {
@@ -47,6 +48,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   support_statistics_.restore(get("record/supports"));
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
+  design_.restore(get("record/design"));
   std::size_t i = 0;
   const std::vector<double>& peaks = get("record/peaks");
   for (auto* region : {&key_.overbend, &key_.sagbend}) {

@@ -157,6 +157,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   for (std::size_t i = 0; i < n; ++i) {
     results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
   }
+  design_.fill(results.design);
   fill_regions(results);
   fill_supports(results);
   results.hardest_impacts = hardest_;

@@ -68,6 +68,7 @@ NodeRecovery::NodeRecovery(const Model& model, const DynamicLine& line) : model_
     section_.push_back(line.mesh.section[std::min(node, line.mesh.section.size() - 1)]);
   }
   bend_.resize(nodes);
+  tangent_.resize(nodes);
 }
 
 void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts,
@@ -94,6 +95,8 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
     const Vec3 elastic = share * (bend_[node] - bend_[node].dot(t) * t);
     const Vec3 bend = elastic - plastic_at_node(plastic_moment, node, last);
     values.curvature[node] = elastic.norm() / line_->elements.EI[std::min(node, last - 1)];
+    tangent_[node] = t;
+    bend_[node] = bend;
     values.bending_moment[node] = bend.norm();
     values.vertical_moment[node] = bend.dot(up_across(t));
   }
@@ -105,10 +108,14 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
       const Vec3 a = Eigen::Map<const Vec3>(state.q.data() + 6 * e + 3);
       const Vec3 all = y * bends.first + x * bends.second - (2.0 * length[e] * x * x * y * y) * contact.force();
       const Vec3 elastic = all - all.dot(a) / a.squaredNorm() * a;
-      const double moment = (elastic - plastic_inside(plastic_moment, e, x)).norm();
+      const Vec3 bend = elastic - plastic_inside(plastic_moment, e, x);
+      const double moment = bend.norm();
       const std::size_t node = x < 0.5 ? e : e + 1;
-      values.bending_moment[node] = std::max(values.bending_moment[node], moment);
       values.curvature[node] = std::max(values.curvature[node], elastic.norm() / line_->elements.EI[e]);
+      if (moment > values.bending_moment[node]) {
+        values.bending_moment[node] = moment;
+        bend_[node] = bend;
+      }
     }
   }
 }

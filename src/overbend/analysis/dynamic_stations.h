@@ -30,6 +30,11 @@ class NodeRecovery {
   void recover(const DynamicState& state, const std::vector<MovingContact>& contacts,
                const std::vector<Vec3>& plastic_moment, NodeValues& values);
 
+  // Of the state recovered last, at every node, W.
+  const std::vector<Vec3>& moments() const { return bend_; }      ///< Bending moment [N m].
+  const std::vector<Vec3>& tangents() const { return tangent_; }  ///< Unit.
+  const std::vector<int>& sections() const { return section_; }
+
  private:
   void bending_moments(const DynamicState& state, const std::vector<MovingContact>& contacts,
                        const std::vector<Vec3>& plastic_moment, NodeValues& values);
@@ -37,7 +42,8 @@ class NodeRecovery {
   const Model* model_;
   const DynamicLine* line_;
   std::vector<int> section_;  ///< Of every node.
-  std::vector<Vec3> bend_;    ///< EI times the curvature vector at every node, both sides added [N m].
+  std::vector<Vec3> bend_;    ///< EI times the curvature vector at every node, in the end its moment [N m].
+  std::vector<Vec3> tangent_;
 };
 
 }  // namespace overbend

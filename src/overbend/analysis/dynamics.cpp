@@ -11,6 +11,7 @@
 #include "analysis/dynamic_setup.h"
 #include "analysis/energy_account.h"
 #include "analysis/water_field.h"
+#include "checks/run_checks.h"
 #include "mechanics/vessel_motion.h"
 
 namespace overbend {
@@ -370,6 +371,8 @@ DynamicResults Run::results(const StaticResults& statics) const {
   r.run.integrator = "generalized-alpha, spectral radius " +
                      std::to_string(options_.step.spectral_radius).substr(0, 4) +
                      (options_.fixed_step ? ", fixed step" : ", adaptive step");
+  r.checks = check_dynamics(model_, statics, r);
+  r.assumptions.insert(r.assumptions.end(), r.checks.assumptions.begin(), r.checks.assumptions.end());
   return r;
 }
 

@@ -7,6 +7,7 @@
 #include "analysis/recovery_parts.h"
 #include "analysis/touchdown.h"
 #include "base/version.h"
+#include "checks/run_checks.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
 
@@ -180,7 +181,7 @@ std::vector<Station> make_stations(const LineSystem& system, const LineState& st
     }
   }
   stations.push_back(make_station(system, state, cuts.back(), system.mesh().elements() - 1, 1.0));
-  return finish_stations(system.model(), stations);
+  return finish_stations(system.model(), std::move(stations));
 }
 
 void keep_larger(Extreme& extreme, double value, const Station& at) {
@@ -317,6 +318,9 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   sum_forces(results, system, state);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
+  results.checks = check_statics(model, results);
+  results.assumptions.insert(results.assumptions.end(), results.checks.assumptions.begin(),
+                             results.checks.assumptions.end());
   return results;
 }
 

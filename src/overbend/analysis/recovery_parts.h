@@ -23,7 +23,7 @@ StationCut make_station(const LineSystem& system, const LineState& state, const 
 
 /// Curvature, stress and strain of all stations, from the anchor to the tensioner. Where steel yields it is bent from
 /// station to station on its way from the tensioner, by the moments of the cuts.
-std::vector<Station> finish_stations(const Model& model, std::vector<StationCut>& cuts);
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts);
 
 /// The last support that carries the pipe, seen from the tensioner.
 struct Departure {

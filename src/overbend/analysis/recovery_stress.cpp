@@ -53,7 +53,7 @@ class Traveller {
 
 }  // namespace
 
-std::vector<Station> finish_stations(const Model& model, std::vector<StationCut>& cuts) {
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts) {
   Traveller traveller(model.description.statics.history);
   std::vector<Station> stations(cuts.size());
   for (std::size_t i = cuts.size(); i-- > 0;) {

@@ -12,6 +12,8 @@
 namespace overbend {
 namespace {
 
+constexpr const char* kStrictHelp = "Exit code 4 where a code check is exceeded; the results are written all the same";
+
 void add_check(CLI::App& program, int& code) {
   CLI::App* command =
       program.add_subcommand("check", "Read and validate a model; print what was understood. Writes nothing.");
@@ -24,9 +26,11 @@ void add_static(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("static", "Static equilibrium of a model; writes a folder of results.");
   auto model = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
+  auto strict = std::make_shared<bool>(false);
   command->add_option("MODEL", *model, "Model file (YAML)")->required();
   command->add_option("-o,--output", *output, "Folder for the results; left out: MODEL's name with .results, here");
-  command->callback([model, output, &code] { code = run_static(*model, *output); });
+  command->add_flag("--strict", *strict, kStrictHelp);
+  command->callback([model, output, strict, &code] { code = run_static(*model, *output, *strict); });
 }
 
 /// What runs in time have in common; `what` works in threads.
@@ -49,6 +53,7 @@ void add_dynamic(CLI::App& program, int& code) {
   command->add_option("-o,--output", arguments->output,
                       "Folder for the results; left out: MODEL's name with .results, here");
   add_run_options(command, *arguments, "Seeds");
+  command->add_flag("--strict", arguments->strict, kStrictHelp);
   command->callback([arguments, &code] { code = run_dynamic(*arguments); });
 }
 

@@ -14,7 +14,8 @@ std::optional<Description> load_model(const std::string& path);
 
 int run_check(const std::string& model_file);
 /// Statics of a model into the folder `output`; empty: "<stem>.results" in the current folder.
-int run_static(const std::string& model_file, const std::string& output);
+/// With `strict` it returns kCheckExceeded where a governing check is exceeded; the results are written all the same.
+int run_static(const std::string& model_file, const std::string& output, bool strict);
 
 struct DynamicArguments {
   std::string model_file;
@@ -23,6 +24,7 @@ struct DynamicArguments {
   bool resume = false;             ///< Go on from the last checkpoint in `output`.
   double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
   int threads = 0;                 ///< Seeds at work at the same time; 0: as many as there are cores.
+  bool strict = false;             ///< kCheckExceeded where a governing check is exceeded.
 };
 
 /// Statics, then the time domain, for every seed of the model. Interrupted, it leaves checkpoints and returns

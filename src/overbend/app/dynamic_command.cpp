@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/dynamic_seeds.h"
 #include "app/interruption.h"
@@ -38,6 +39,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
                       ? std::string("\n")
                       : fmt::format(", the hardest {:.1f} kN\n", r.hardest_impacts.front().peak_force / 1e3));
   }
+  std::cout << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of what passed\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);
@@ -94,7 +96,7 @@ int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArgu
   }
   print_results(shared.statics, *end.results);
   std::cout << "Results are in " << folder.string() << "\n";
-  return kDone;
+  return strict_code(end.results->checks, arguments.strict);
 }
 
 std::optional<std::string> twice(std::vector<std::uint64_t> seeds) {
@@ -112,7 +114,8 @@ int run_in(const fs::path& folder, const Description& description, const Dynamic
   if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
   const DynamicCase shared = prepared->shared();
   if (seeds.size() < 2) return run_one(shared, folder, arguments);
-  return run_seeds(shared, seeds, folder, {arguments.resume, arguments.checkpoint_every, arguments.threads});
+  return run_seeds(shared, seeds, folder,
+                   {arguments.resume, arguments.checkpoint_every, arguments.threads, arguments.strict});
 }
 
 }  // namespace

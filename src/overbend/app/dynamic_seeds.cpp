@@ -5,6 +5,7 @@
 #include <iostream>
 #include <map>
 
+#include "app/check_lines.h"
 #include "app/seeds_gather.h"
 #include "io/dynamic_reader.h"
 #include "io/seeds_writer.h"
@@ -15,7 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-SeedsResults gather(const DynamicCase& shared, const std::vector<SideRun>& seeds) {
+/// Keeps the table whose worst check is used more.
+void keep_worse(CheckTable& worst, CheckTable&& other) {
+  const CheckRow *a = worst_check(worst), *b = worst_check(other);
+  if (b != nullptr && (a == nullptr || b->utilisation > a->utilisation)) worst = std::move(other);
+}
+
+SeedsResults gather(const DynamicCase& shared, const std::vector<SideRun>& seeds, CheckTable& worst) {
   SeedsResults results;
   results.build_up = shared.description.dynamics->build_up;
   results.quantities = seed_quantities(shared.statics);
@@ -24,10 +31,11 @@ SeedsResults gather(const DynamicCase& shared, const std::vector<SideRun>& seeds
       results.failed.push_back({seed.seed, seed.end.why});
       continue;
     }
-    const DynamicResults run = read_dynamic_results(seed.folder / "results.h5").results;
+    DynamicResults run = read_dynamic_results(seed.folder / "results.h5").results;
     results.duration = run.duration;
     results.runs.push_back(
         {seed.seed, seed.folder.filename().string(), seed_values(shared.statics, run), run.warnings});
+    keep_worse(worst, std::move(run.checks));
   }
   fill_statistics(results);
   const WaveType type = shared.description.environment.waves.type;
@@ -56,9 +64,10 @@ void print(const SeedsResults& results) {
   for (const std::string& warning : results.warnings) std::cout << "  warning: " << warning << "\n";
 }
 
-int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::path& folder) {
+int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::path& folder, bool strict) {
   if (all_wrong(seeds, folder)) return kWrongInput;
-  const SeedsResults results = gather(shared, seeds);
+  CheckTable worst;
+  const SeedsResults results = gather(shared, seeds, worst);
   for (const FailedSeed& failed : results.failed) {
     std::cerr << "overbend: seed " << failed.seed << ": " << failed.why << "\n";
   }
@@ -71,7 +80,7 @@ int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::
     print(results);
     std::cout << "Results are in " << folder.string() << "\n";
   }
-  return results.failed.empty() ? kDone : kNoSolution;
+  return results.failed.empty() ? strict_code(worst, strict) : kNoSolution;
 }
 
 }  // namespace
@@ -83,7 +92,7 @@ int run_seeds(const DynamicCase& shared, const std::vector<std::uint64_t>& numbe
     seeds.push_back({&shared, number, folder / fmt::format("seed-{}", number)});
   }
   const ExitCode code = run_side_by_side(seeds, options, "seeds");
-  return code == kDone ? end(shared, seeds, folder) : code;
+  return code == kDone ? end(shared, seeds, folder, options.strict) : code;
 }
 
 }  // namespace overbend

@@ -22,6 +22,11 @@ double largest_reaction(const DynamicResults& r) {
   return largest;
 }
 
+double worst_utilisation(const DynamicResults& r) {
+  const CheckRow* worst = worst_check(r.checks);
+  return worst == nullptr ? 0.0 : worst->utilisation;
+}
+
 std::vector<Rule> rules(const StaticResults& statics) {
   constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
   using Results = DynamicResults;
@@ -55,6 +60,7 @@ std::vector<Rule> rules(const StaticResults& statics) {
     add({"impact_count", "1", "Number of impacts", kNone},
         [](const Results& r) { return static_cast<double>(r.impact_count); });
   }
+  add({"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest}, worst_utilisation);
   add({"energy_drift", "1", "Error of the energy balance over the energy that has passed", kNone},
       [](const Results& r) { return r.energy.drift(); });
   return list;

@@ -22,6 +22,7 @@ struct SideOptions {
   bool resume = false;             ///< Finished runs are kept, begun ones taken up.
   double checkpoint_every = 30.0;  ///< Of each run [s].
   int threads = 0;                 ///< Runs at work at the same time; 0: as many as there are cores.
+  bool strict = false;             ///< kCheckExceeded where a governing code check of a run is exceeded.
 };
 
 /// Runs all into their folders; what they give does not depend on the number of threads. One that fails does not stop

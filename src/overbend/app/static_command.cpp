@@ -5,6 +5,7 @@
 
 #include "analysis/recovery.h"
 #include "analysis/statics.h"
+#include "app/check_lines.h"
 #include "app/commands.h"
 #include "io/staged_folder.h"
 #include "runs/exit_code.h"
@@ -47,6 +48,7 @@ void print_results(const StaticResults& r) {
     line("largest roller reaction",
          fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
   }
+  std::cout << check_lines(r.checks);
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
   line("solver", fmt::format("{:>12.3f} s, {} iterations, {}", r.solve.wall_time, r.solve.iterations, r.solve.method));
@@ -65,7 +67,7 @@ fs::path default_folder(const std::string& model_file) {
 
 }  // namespace
 
-int run_static(const std::string& model_file, const std::string& output) {
+int run_static(const std::string& model_file, const std::string& output, bool strict) {
   const std::optional<Description> description = load_model(model_file);
   if (!description) return kWrongInput;
   const Model model = build_model(*description);
@@ -81,7 +83,7 @@ int run_static(const std::string& model_file, const std::string& output) {
   }
   print_results(results);
   std::cout << "Results are in " << folder.string() << "\n";
-  return kDone;
+  return strict_code(results.checks, strict);
 }
 
 }  // namespace overbend

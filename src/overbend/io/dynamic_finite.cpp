@@ -1,3 +1,4 @@
+#include "io/check_columns.h"
 #include "io/dynamic_scalars.h"
 #include "io/finite_check.h"
 #include "io/finite_visitor.h"
@@ -70,6 +71,9 @@ void require_finite(const DynamicResults& results) {
              [](const auto& row, auto& v) { visit_impact(row, v); });
   check_rows("dynamic.extremes", results.extremes, [](const auto& row, auto& v) { visit_estimate(row, v); });
   check_histories(results);
+  const FiniteColumns design{"dynamic.design"};
+  visit_station_design(results.design, design);
+  require_finite(results.checks, "dynamic.checks.");
 }
 
 }  // namespace overbend

@@ -1,3 +1,4 @@
+#include "io/check_hdf5.h"
 #include "io/dynamic_blocks.h"
 #include "io/dynamic_scalars.h"
 #include "io/dynamic_writer.h"
@@ -149,6 +150,8 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_rows(file, "/dynamic/extremes", "Most probable largest values in three hours", dynamics.extremes, extremes);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
+  if (!dynamics.design.load.empty()) write_design(file, dynamics.design);
+  write_checks(file, "/dynamic/checks", dynamics.checks);
   write_long_data(file, store);
   file.close();
 }

@@ -1,5 +1,6 @@
 #include "io/dynamic_reader.h"
 
+#include "io/check_hdf5.h"
 #include "io/dynamic_scalars.h"
 #include "io/dynamic_writer.h"
 #include "io/hdf5_readers.h"
@@ -104,6 +105,8 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);
+  results.design = read_design(file);
+  results.checks = read_checks(file, "/dynamic/checks");
   return results;
 }
 

@@ -1,3 +1,4 @@
+#include "io/check_tables.h"
 #include "io/dynamic_writer.h"
 #include "io/result_field.h"
 #include "io/summary_json.h"
@@ -146,6 +147,7 @@ std::string dynamic_summary(const StaticResults& statics, const DynamicResults& 
   dynamics["tensioner"] = tensioner(r.tensioner);
   dynamics["extremes"] = list(r.extremes, estimate);
   dynamics.update(solution(r));
+  dynamics["checks"] = checks_json(r.checks);
   dynamics["assumptions"] = r.assumptions;
   dynamics["warnings"] = r.warnings;
   Json summary = static_summary_json(statics);

@@ -1,5 +1,6 @@
 #include "io/dynamic_writer.h"
 
+#include "io/check_tables.h"
 #include "io/finite_check.h"
 #include "io/results_writer.h"
 
@@ -13,6 +14,7 @@ void write_dynamic_files(const StaticResults& statics, const DynamicResults& dyn
   write_text(folder / "pipe.csv", dynamic_pipe_table(statics, dynamics));
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
+  write_text(folder / "checks.csv", checks_table(dynamics.checks));
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));
 }
 

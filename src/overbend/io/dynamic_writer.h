@@ -1,4 +1,4 @@
-/// Writes what a dynamic analysis found: summary.json, pipe.csv, supports.csv, impacts.csv, results.h5.
+/// Writes what a dynamic analysis found: summary.json, pipe.csv, supports.csv, impacts.csv, checks.csv, results.h5.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// Writes the five files into an existing folder, for callers that stage one (staged_folder.h) with further files of
+/// Writes the files into an existing folder, for callers that stage one (staged_folder.h) with further files of
 /// their own. Long data go from the store to results.h5 in blocks. Throws std::runtime_error when a quantity is not
 /// finite (and names it) or a file can not be written; some of the files may stand then.
 void write_dynamic_files(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,

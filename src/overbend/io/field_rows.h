@@ -24,5 +24,6 @@ std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();
 std::vector<Field> analysis();
+std::vector<Field> checks();
 
 }  // namespace overbend::field_rows

@@ -26,7 +26,7 @@ const std::vector<Field>& field_table() {
   static const std::vector<Field> kTable = [] {
     std::vector<Field> table;
     for (auto* part :
-         {head, environment, waves, pipe, vessel, motion_convention, tensioner, rollers, supports, analysis}) {
+         {head, environment, waves, pipe, vessel, motion_convention, tensioner, rollers, supports, analysis, checks}) {
       const std::vector<Field> rows = part();
       table.insert(table.end(), rows.begin(), rows.end());
     }

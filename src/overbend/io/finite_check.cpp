@@ -1,5 +1,6 @@
 #include "io/finite_check.h"
 
+#include "io/check_columns.h"
 #include "io/finite_visitor.h"
 #include "io/static_columns.h"
 #include "io/static_scalars.h"
@@ -30,6 +31,16 @@ void check_support(const SupportResult& support, const std::string& place) {
 
 }  // namespace
 
+void require_finite(const CheckTable& checks, const std::string& place) {
+  for (std::size_t i = 0; i < checks.rows.size(); ++i) {
+    FiniteVisitor visit{place + indexed("list", i)};
+    visit_check(checks.rows[i], visit);
+    for (const CheckInput& input : checks.rows[i].inputs) visit_check_input(input, visit);
+  }
+  const FiniteColumns columns{place + "along"};
+  visit_check_along(checks.along, columns);
+}
+
 void require_finite(const StaticResults& results) {
   FiniteVisitor visit;
   visit_key_results(results, visit);
@@ -53,6 +64,7 @@ void require_finite(const StaticResults& results) {
   for (std::size_t i = 0; i < results.supports.size(); ++i) {
     check_support(results.supports[i], indexed("supports", i));
   }
+  require_finite(results.checks, "checks.");
 }
 
 }  // namespace overbend

@@ -1,6 +1,8 @@
 /// No number that is none leaves the program.
 #pragma once
 
+#include <string>
+
 #include "results/dynamic_results.h"
 #include "results/static_results.h"
 
@@ -11,5 +13,8 @@ void require_finite(const StaticResults& results);
 
 /// The same: "dynamic.supports[3].reaction_max".
 void require_finite(const DynamicResults& results);
+
+/// The same, `place` before the names.
+void require_finite(const CheckTable& checks, const std::string& place);
 
 }  // namespace overbend

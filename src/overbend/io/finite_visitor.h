@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "io/result_field.h"
 
@@ -30,6 +31,17 @@ struct FiniteVisitor {
   }
   template <class Other>
   void operator()(const ResultField&, const Other&) const {}  // text, flags and counts are always finite
+};
+
+/// Visits whole columns, each value by its index.
+struct FiniteColumns {
+  std::string place;
+
+  void operator()(const ResultField& field, const std::vector<double>& values) const {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      FiniteVisitor{place + "[" + std::to_string(i) + "]."}(field, values[i]);
+    }
+  }
 };
 
 inline std::string indexed(const std::string& name, std::size_t index) {

@@ -1,3 +1,4 @@
+#include "io/check_hdf5.h"
 #include "io/hdf5_visitors.h"
 #include "io/results_writer.h"
 #include "io/run_record.h"
@@ -99,6 +100,7 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
   write_region(file, "/static/sagbend", "Extremes from there to touchdown", results.sagbend);
   write_tables(file, "/static", results);
   write_supports(file, "/static", results);
+  write_checks(file, "/static/checks", results.checks);
 }
 
 void write_static_hdf5(const StaticResults& results, const Description& description,

@@ -52,6 +52,8 @@ class TableWriter {
   void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
   void operator()(const ResultField& field, Region value) { column(field).texts.emplace_back(word(value)); }
   void operator()(const ResultField& field, RollerPosition value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, CheckStatus value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, CheckRegion value) { column(field).texts.emplace_back(word(value)); }
   void operator()(const ResultField& field, const Vec3& value) {
     for (int i = 0; i < 3; ++i) {
       (*this)(ResultField{component_name(field, i), field.units, field.description, field.frame}, value(i));

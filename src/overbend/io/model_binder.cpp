@@ -3,40 +3,17 @@
 #include <array>
 #include <filesystem>
 
+#include "io/binding.h"
+#include "io/check_binder.h"
+
 namespace overbend {
 namespace {
-
-void take(const FieldValue& group, const std::string& key, double& target) {
-  if (const auto number = group.get_number(key)) target = *number;
-}
-
-void take(const FieldValue& group, const std::string& key, std::optional<double>& target) {
-  if (const auto number = group.get_number(key)) target = *number;
-}
-
-void take(const FieldValue& group, const std::string& key, int& target) {
-  if (const auto integer = group.get_integer(key)) target = static_cast<int>(*integer);
-}
-
-void take(const FieldValue& group, const std::string& key, std::string& target) {
-  if (const auto text = group.get_text(key)) target = *text;
-}
 
 /// A number for both directions, or a group with one each.
 void take_friction(const FieldValue& group, double& axial, double& lateral) {
   if (const auto both = group.get_number("friction")) axial = lateral = *both;
   take(group, "friction.axial", axial);
   take(group, "friction.lateral", lateral);
-}
-
-/// Position of a word in the list of names of an enum, in its order.
-template <typename Enum, std::size_t count>
-void take_choice(const FieldValue& group, const std::string& key, const std::array<const char*, count>& names,
-                 Enum& target) {
-  const auto text = group.get_text(key);
-  for (std::size_t i = 0; text && i < count; ++i) {
-    if (*text == names[i]) target = static_cast<Enum>(i);
-  }
 }
 
 std::string resolve(const std::string& file, const std::string& source_file) {
@@ -147,6 +124,7 @@ SectionDescription bind_section(const FieldValue& group, SectionDescription sect
     take(*joint, "length", section.joint->length);
     take(*joint, "field_joint", section.joint->field_joint);
     take(*joint, "infill_weight_density", section.joint->infill_weight_density);
+    take(*joint, "strain_factor", section.joint->strain_factor);
   }
   HydrodynamicsDescription& hydrodynamics = section.hydrodynamics;
   take(group, "hydrodynamics.drag_normal", hydrodynamics.drag_normal);
@@ -336,6 +314,7 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   }
   description.supports = bind_supports(root);
   bind_analysis(root, description);
+  description.checks = bind_checks(root);
   return description;
 }
 

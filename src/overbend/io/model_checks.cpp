@@ -72,6 +72,20 @@ void check_pipe(Checker& check) {
   }
 }
 
+/// The wall that is left for collapse.
+void check_wall_tolerance(Checker& check) {
+  const FieldValue* tolerance = check.root().find("checks.wall_tolerance");
+  const FieldValue* pipe = check.root().find("pipe");
+  if (tolerance == nullptr || pipe == nullptr) return;
+  const auto against = [&](const FieldValue& section) {
+    const FieldValue* wall = section.find("steel.wall_thickness");
+    if (wall == nullptr || tolerance->number < wall->number) return;
+    check.error(*tolerance, "a tolerance of " + tolerance->shown, "less than the wall, " + wall->shown);
+  };
+  against(*pipe);
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) against(segment);
+}
+
 void check_tension(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   const FieldValue* pipe = check.root().find("pipe");
@@ -190,6 +204,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_waves(root, file, diagnostics);
   check_pipe(check);
   check_materials(root, file, diagnostics);
+  check_wall_tolerance(check);
   check_tension(check);
   check_tensioner_range(check);
   check_tensioner_mode(check);

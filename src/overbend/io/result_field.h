@@ -38,6 +38,16 @@ inline const char* word(Region region) {
   return "seabed";
 }
 
+inline const char* word(CheckStatus status) {
+  constexpr const char* kWords[] = {"passed", "exceeded", "outside validity", "not done"};
+  return kWords[static_cast<int>(status)];
+}
+
+inline const char* word(CheckRegion region) {
+  constexpr const char* kWords[] = {"line", "overbend", "stinger tip", "sagbend", "seabed"};
+  return kWords[static_cast<int>(region)];
+}
+
 /// Back from the word; false where there is no such word.
 inline bool from_word(const std::string& text, Region& region) {
   for (const Region candidate : {Region::overbend, Region::sagbend, Region::seabed}) {
@@ -53,6 +63,28 @@ inline bool from_word(const std::string& text, RollerPosition& position) {
   for (const RollerPosition candidate : {RollerPosition::bottom, RollerPosition::port, RollerPosition::starboard}) {
     if (text == word(candidate)) {
       position = candidate;
+      return true;
+    }
+  }
+  return false;
+}
+
+inline bool from_word(const std::string& text, CheckStatus& status) {
+  for (const CheckStatus candidate :
+       {CheckStatus::passed, CheckStatus::exceeded, CheckStatus::outside_validity, CheckStatus::not_done}) {
+    if (text == word(candidate)) {
+      status = candidate;
+      return true;
+    }
+  }
+  return false;
+}
+
+inline bool from_word(const std::string& text, CheckRegion& region) {
+  for (const CheckRegion candidate :
+       {CheckRegion::line, CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
+    if (text == word(candidate)) {
+      region = candidate;
       return true;
     }
   }

@@ -1,5 +1,6 @@
 #include "io/results_reader.h"
 
+#include "io/check_hdf5.h"
 #include "io/hdf5_readers.h"
 #include "io/static_columns.h"
 #include "io/static_scalars.h"
@@ -77,6 +78,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   read_region(file, "/static/sagbend", results.sagbend);
   read_tables(file, results);
   read_supports(file, results);
+  results.checks = read_checks(file, "/static/checks");
   return stored;
 }
 

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "io/check_tables.h"
 #include "io/finite_check.h"
 #include "io/staged_folder.h"
 
@@ -21,6 +22,7 @@ void write_static_files(const StaticResults& results, const Description& descrip
   write_static_hdf5(results, description, folder / "results.h5");
   write_text(folder / "pipe.csv", pipe_table(results));
   write_text(folder / "supports.csv", supports_table(results));
+  write_text(folder / "checks.csv", checks_table(results.checks));
   write_text(folder / "summary.json", static_summary(results));
 }
 

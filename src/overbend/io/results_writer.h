@@ -1,4 +1,4 @@
-/// Writes what a static analysis found: summary.json, pipe.csv, supports.csv, results.h5.
+/// Writes what a static analysis found: summary.json, pipe.csv, supports.csv, checks.csv, results.h5.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace overbend {
 void write_static_results(const StaticResults& results, const Description& description,
                           const std::filesystem::path& dir);
 
-/// The same four files straight into an existing folder, for callers that stage a folder with further files of their
+/// The same files straight into an existing folder, for callers that stage a folder with further files of their
 /// own.
 void write_static_files(const StaticResults& results, const Description& description,
                         const std::filesystem::path& folder);

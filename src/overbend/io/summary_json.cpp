@@ -1,5 +1,6 @@
 #include "io/summary_json.h"
 
+#include "io/check_tables.h"
 #include "io/result_field.h"
 #include "io/results_writer.h"
 
@@ -128,7 +129,8 @@ Json static_summary_json(const StaticResults& r) {
           {"version", r.version},   {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
           {"frame", kWorldFrame},   {"assumptions", r.assumptions},
           {"warnings", r.warnings}, {"derived", r.sections.empty() ? Json::object() : sections.front()},
-          {"sections", sections},   {"static", statics}};
+          {"sections", sections},   {"checks", checks_json(r.checks)},
+          {"static", statics}};
 }
 
 std::string summary_text(const Json& summary) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "model/check_settings.h"
 #include "model/motion_history.h"
 #include "model/rao_table.h"
 
@@ -59,6 +60,7 @@ struct JointDescription {
   double length = 12.2;                ///< One pipe joint [m].
   double field_joint = 0.0;            ///< Length without the outermost coating, per joint [m].
   double infill_weight_density = 0.0;  ///< [N/m3]
+  double strain_factor = 1.0;          ///< Strain at a field joint over that of the pipe beside it [-].
 };
 
 struct HydrodynamicsDescription {
@@ -289,6 +291,7 @@ struct Description {
   MeshDescription mesh;
   StaticSettings statics;
   std::optional<DynamicSettings> dynamics;
+  CheckSettings checks;
   std::vector<std::string> warnings;  ///< What the reader noticed and accepted.
 };
 

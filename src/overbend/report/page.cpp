@@ -27,7 +27,7 @@ std::string head(const std::string& title) {
 std::string scripts(const std::string& data) {
   std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(data) + "</script>\n";
   for (const char* name :
-       {"d3", "data", "chart", "along", "diagrams", "envelopes", "in_time", "histories", "bars", "contacts",
+       {"d3", "data", "chart", "along", "diagrams", "envelopes", "checks", "in_time", "histories", "bars", "contacts",
         "compared_tensioner", "compared_contact", "side_view", "painter", "scene", "main"}) {
     out += script(report_asset(name));
   }

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "io/yaml_reader.h"
+#include "report/checks_section.h"
 #include "report/dynamic_sections.h"
 #include "report/figures.h"
 #include "report/html.h"
@@ -54,8 +55,9 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   entries.emplace_back("Program", "Overbend " + results.version);
   entries.emplace_back("Written", written_now());
   int figure = 0;
+  const std::string checks = checks_section(results, results.checks, figure);
   const std::string body = title_block("Static pipelay analysis", results.title, entries) +
-                           key_results(results, "results", "Key results") + warnings_section(remarks) +
+                           key_results(results, "results", "Key results") + warnings_section(remarks) + checks +
                            figures_section(results, "figures", "Figures", figure) + static_tables(results) +
                            inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
                            balance_section(results) + model_text_section(model_text);
@@ -66,9 +68,10 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   require_stations(!statics.stations.empty() && !results.station_s.empty());
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
+  const std::string checks = checks_section(statics, results.checks, figure);
   const std::string dynamic =
       dynamic_title_block(statics, results, description, written_now()) + dynamic_key_results(statics, results) +
-      warnings_section(dynamic_remarks(statics, results)) + dynamic_figures_section(statics, results, figure) +
+      warnings_section(dynamic_remarks(statics, results)) + checks + dynamic_figures_section(statics, results, figure) +
       dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
       impacts_section(statics, results) + tensioner_section(statics, results) + dynamic_run_section(results);
   const std::string before = key_results(statics, "static-results", "The static state from which the run starts") +

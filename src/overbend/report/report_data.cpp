@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "report/checks_section.h"
 #include "report/comparison_data.h"
 #include "report/dynamic_data.h"
 #include "report/json_number.h"
@@ -159,6 +160,7 @@ std::string text(const json& data) {
 
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic) {
   json data = static_figure_data(results);
+  data["checks"] = checks_figure_data(results, dynamic != nullptr ? dynamic->checks : results.checks);
   if (dynamic != nullptr) {
     data["dynamic"] = dynamic_figure_data(results, *dynamic);
   }

@@ -129,6 +129,26 @@ struct DynamicRunReport {
   std::string integrator;                          ///< "generalized-alpha, spectral radius 0.8".
 };
 
+/// What the code checks need of every station over time, by the design load effects of docs/theory/checks.md: arrays of
+/// one length, empty where nothing of it was made. Times are of the moment at which the value stood [s].
+struct StationDesign {
+  // Load controlled, at the moment of its largest utilisation.
+  std::vector<double> load;           ///< Utilisation [-].
+  std::vector<double> load_time;      ///< [s]
+  std::vector<double> moment;         ///< Design moment [N m].
+  std::vector<double> force;          ///< Design effective force [N].
+  std::vector<double> load_pressure;  ///< External over internal pressure [Pa].
+  std::vector<double> share;          ///< Of the plastic moment, that a roller's force left [-].
+  std::vector<double> largest_force;  ///< Largest magnitude of the design force of all times [N].
+  // Displacement controlled, over the supports; 0 elsewhere.
+  std::vector<double> strain;           ///< Utilisation [-].
+  std::vector<double> strain_time;      ///< [s]
+  std::vector<double> design_strain;    ///< [-]
+  std::vector<double> strain_pressure;  ///< External over internal pressure [Pa].
+  // When the largest values of the envelopes stood [s].
+  std::vector<double> von_mises_time, fibre_strain_time, tension_time;
+};
+
 /// Everything a dynamic run hands on, beside the static results it started from.
 struct DynamicResults {
   double duration = 0.0, build_up = 0.0, output_step = 0.0;  ///< [s]
@@ -152,6 +172,9 @@ struct DynamicResults {
   std::vector<HistorySummary> histories;
   std::vector<Spectrum> spectra;
   std::vector<ExtremeEstimate> extremes;
+
+  StationDesign design;
+  CheckTable checks;  ///< Of the whole run.
 };
 
 }  // namespace overbend

@@ -9,6 +9,7 @@
 
 #include "base/vec.h"
 #include "model/supports.h"
+#include "results/check_results.h"
 
 namespace overbend {
 
@@ -170,6 +171,8 @@ struct StaticResults {
   double water_depth = 0.0;                                      ///< At the stern shoe [m].
   double pipe_outer_diameter = 0.0, steel_outer_diameter = 0.0;  ///< Of the line's own section [m].
   double wanted_tension = 0.0;
+
+  CheckTable checks;  ///< Of the static state.
 };
 
 }  // namespace overbend

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/result_field.h"
 #include "report/json_number.h"
 
 namespace overbend {
@@ -31,6 +32,36 @@ Json column(const StaticResults& r, Value value) {
   return numbers;
 }
 
+/// Utilisation of the code check that decides at every station.
+Json governing_checks(const StaticResults& r) {
+  const std::vector<double>& used = r.checks.along.governing;
+  Json numbers = Json::array();
+  for (auto value = used.rbegin(); value != used.rend(); ++value) numbers.push_back(seven_digits(*value));
+  return numbers;
+}
+
+/// The checks in brief, as summary.json has them in full.
+Json checks(const StaticResults& r) {
+  Json list = Json::array();
+  for (const CheckRow& row : r.checks.rows) {
+    Json item = {{"id", row.id},
+                 {"name", row.name},
+                 {"code", row.code},
+                 {"clause", row.clause},
+                 {"region", word(row.region)},
+                 {"status", word(row.status)},
+                 {"governing", row.governing},
+                 {"remark", row.remark}};
+    if (row.status != CheckStatus::not_done) {
+      item["utilisation"] = seven_digits(row.utilisation);
+      item["reserve"] = seven_digits(row.reserve);
+      item["at"] = {{"from_top", seven_digits(row.from_top)}};
+    }
+    list.push_back(std::move(item));
+  }
+  return list;
+}
+
 Json pipe(const StaticResults& r, const std::vector<std::string>* lists) {
   using Value = double (*)(const Station&);
   constexpr std::array<std::pair<const char*, Value>, 6> kLists = {
@@ -47,6 +78,7 @@ Json pipe(const StaticResults& r, const std::vector<std::string>* lists) {
   for (const auto& [name, value] : kLists) {
     if (lists == nullptr || std::ranges::find(*lists, name) != lists->end()) all[name] = column(r, value);
   }
+  if (lists == nullptr || std::ranges::find(*lists, "checks") != lists->end()) all["checks"] = governing_checks(r);
   return all;
 }
 
@@ -131,6 +163,7 @@ Json static_json(const StaticResults& r, const std::vector<std::string>* lists) 
       {"touchdown", {{"s", seven_digits(from_tensioner(r, r.touchdown.s))}, {"place", place_json(r.touchdown.p_W)}}},
       {"supports", supports},
       {"tensioner", {{"place", place_json(r.tensioner_W)}, {"direction", place_json(leaving(r))}}},
+      {"checks", checks(r)},
       {"warnings", r.warnings}};
 }
 

@@ -35,13 +35,20 @@ export interface Region {
 
 export interface Roller { position: string; center: Vector; axis: Vector; radius: number; face: number; reaction: number; separation: number }
 
+/** A code check at the place where it is used most; without utilisation where it is not done. */
+export interface Check {
+  id: string; name: string; code: string; clause: string; region: string;
+  status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
+  governing: boolean; remark: string; utilisation?: number; reserve?: number; at?: { from_top: number }; time?: number | null;
+}
+
 export interface Support {
   name: string; structure: 'ramp' | 'stinger'; place: Vector; s: number; reaction: number; separation: number; contact: boolean; rollers: Roller[];
 }
 
 export interface PipeLists {
   s: number[]; x: number[]; y: number[]; z: number[]; tension: number[]; moment: number[];
-  bending_stress: number[]; von_mises: number[]; strain: number[]; utilisation: number[];
+  bending_stress: number[]; von_mises: number[]; strain: number[]; utilisation: number[]; checks: number[];
 }
 
 export interface Converged {
@@ -55,6 +62,7 @@ export interface Converged {
   touchdown: { s: number; place: Vector } | null;
   supports: Support[];
   tensioner: { place: Vector; direction: Vector };
+  checks: Check[];
   warnings: string[];
 }
 

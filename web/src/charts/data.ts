@@ -55,7 +55,7 @@ export function along(key: string, s: Converged, e: Envelopes | null): ChartData
   const values = (s.pipe[q.key] as number[]).slice(0, n).map((v) => v * q.factor);
   let x = s.pipe.s.slice(0, n);
   const lines: ChartData['lines'] = [];
-  const band = e && q.key !== 'utilisation' ? e[q.key] : null;
+  const band = e && q.key !== 'utilisation' && q.key !== 'checks' ? e[q.key] : null;
   if (band?.max && band.min) {
     const end = x[x.length - 1]!;
     const m = e!.s.filter((v) => v <= end).length;

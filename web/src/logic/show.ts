@@ -1,5 +1,5 @@
 // Quantities along the pipe: name, unit on the page, and factor from SI.
-export interface Shown { key: 'tension' | 'moment' | 'bending_stress' | 'von_mises' | 'strain' | 'utilisation'; name: string; unit: string; factor: number }
+export interface Shown { key: 'tension' | 'moment' | 'bending_stress' | 'von_mises' | 'strain' | 'utilisation' | 'checks'; name: string; unit: string; factor: number }
 
 export const quantities: Shown[] = [
   { key: 'tension', name: 'Effective tension', unit: 'kN', factor: 1e-3 },
@@ -7,7 +7,8 @@ export const quantities: Shown[] = [
   { key: 'bending_stress', name: 'Bending stress', unit: 'MPa', factor: 1e-6 },
   { key: 'von_mises', name: 'von Mises stress', unit: 'MPa', factor: 1e-6 },
   { key: 'strain', name: 'Strain', unit: '%', factor: 100 },
-  { key: 'utilisation', name: 'Utilisation', unit: '–', factor: 1 },
+  { key: 'utilisation', name: 'Utilisation of yield', unit: '–', factor: 1 },
+  { key: 'checks', name: 'Utilisation of code checks', unit: '–', factor: 1 },
 ];
 
 export const quantity = (key: string): Shown | undefined => quantities.find((q) => q.key === key);

@@ -4,6 +4,7 @@ import { dialog, leftTab, leftWidth } from '../state/look';
 import { dismiss, notices } from '../state/notices';
 import { runs } from '../state/runs';
 import { AnimationBar } from './AnimationBar';
+import { Checks } from './Checks';
 import { Diagrams } from './Diagrams';
 import { ConflictDialog, OpenDialog, SaveAsDialog } from './Files';
 import { Form } from './Form';
@@ -79,7 +80,7 @@ export function App() {
         <Left />
         <Handle />
         <div class="centre"><Picture /><AnimationBar /></div>
-        <aside class="right" aria-label="Results and sliders"><Results /><Sliders /></aside>
+        <aside class="right" aria-label="Results and sliders"><Results /><Checks /><Sliders /></aside>
         <Diagrams />
       </main>
       {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : null}

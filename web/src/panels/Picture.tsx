@@ -35,7 +35,7 @@ function reactionsAt(t: number): Map<string, number> {
 function range(key: ColourBy, s = solution.value): [number, number] {
   const q = quantity(key)!;
   if (!s) return [0, 1];
-  const band = key === 'utilisation' ? null : envelopes.value?.[key];
+  const band = key === 'utilisation' || key === 'checks' ? null : envelopes.value?.[key];
   const list = frame.value && band?.max ? [...band.max, ...(band.min ?? [])] : (s.pipe[key] as number[] | undefined) ?? [];
   let low = Infinity, high = -Infinity;
   for (const v of list) { low = Math.min(low, v); high = Math.max(high, v); }
@@ -61,7 +61,7 @@ function Values() {
     <dl class="values">
       <div class="kv"><dt>s from tensioner</dt><dd>{tidy(s.pipe.s[i]!, 5)} <small>m</small></dd></div>
       <div class="kv"><dt>height</dt><dd>{tidy(s.pipe.z[i]!, 4)} <small>m</small></dd></div>
-      {quantities.filter((q) => s.pipe[q.key]?.length).map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('bending moment', 'moment').replace('von mises stress', 'von Mises')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
+      {quantities.filter((q) => s.pipe[q.key]?.length).map((q) => <div key={q.key} class="kv"><dt>{q.name.toLowerCase().replace('effective ', '').replace('bending moment', 'moment').replace('von mises stress', 'von Mises').replace('utilisation of ', '')}</dt><dd>{tidy((s.pipe[q.key] as number[])[i]! * q.factor, 4)} <small>{q.unit === '–' ? '' : q.unit}</small></dd></div>)}
     </dl>
   );
 }

@@ -30,7 +30,7 @@ export const roundTrip = signal(0);
 interface Request { asked: number; body: { changes: Change[]; full: boolean; lists?: string[] } }
 
 /** Lists along the pipe that are on the screen: no others are sent while dragging. */
-const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation)$/.test(name));
+const looked = (): string[] => [...new Set([colourBy.value, ...slots.value])].filter((name) => /^(tension|moment|bending_stress|von_mises|strain|utilisation|checks)$/.test(name));
 
 const gate = new Solver<Request>(
   (answer: StaticAnswer, { asked }) => batch(() => {

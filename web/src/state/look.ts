@@ -12,7 +12,7 @@ function kept<T>(name: string, start: T): Signal<T> {
 
 export type Theme = 'light' | 'dark';
 export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation';
+export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
 /** Width of the left pane in px; 0 as the page has it. */

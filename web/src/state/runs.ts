@@ -1,7 +1,7 @@
 // Runs: the list, the one that is looked at, and what diagrams and animation need of it.
 import { computed, signal } from '@preact/signals';
 import { address, get, post } from '../api/client';
-import type { Column, Envelopes, Impact, Run } from '../api/types';
+import type { Check, Column, Envelopes, Impact, Run } from '../api/types';
 import { say, sayError } from './notices';
 
 export const runs = signal<Run[]>([]);
@@ -10,6 +10,8 @@ export const selected = computed(() => runs.value.find((r) => r.id === selectedI
 export const envelopes = signal<Envelopes | null>(null);
 export const columns = signal<Column[]>([]);
 export const impacts = signal<Impact[]>([]);
+/** Code checks of the run that is looked at; null until it has some. */
+export const runChecks = signal<Check[] | null>(null);
 /** When a run was first seen running: for the time to finish. */
 const begun = new Map<string, { at: number; progress: number }>();
 
@@ -36,6 +38,7 @@ export function select(id: string | null): void {
   envelopes.value = null;
   columns.value = [];
   impacts.value = [];
+  runChecks.value = null;
   if (id) void load(id);
 }
 
@@ -53,7 +56,8 @@ async function load(id: string): Promise<void> {
     if (run.state !== 'done') return;
     const e = await get<Envelopes>(`runs/${id}/envelopes`);
     const i = run.kind === 'dynamic' ? await get<{ impacts: Impact[] }>(`runs/${id}/impacts`) : { impacts: [] };
-    if (mine === loadCount && selectedId.value === id) { envelopes.value = e; impacts.value = i.impacts; }
+    const summary = await get<{ checks?: { list: Check[] }; dynamic?: { checks?: { list: Check[] } } }>(`runs/${id}/summary`);
+    if (mine === loadCount && selectedId.value === id) { envelopes.value = e; impacts.value = i.impacts; runChecks.value = (summary.dynamic ?? summary).checks?.list ?? null; }
   } catch (error) { sayError(error); }
 }
 

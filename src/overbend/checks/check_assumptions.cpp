@@ -1,0 +1,102 @@
+#include "checks/check_assumptions.h"
+
+#include <fmt/format.h>
+
+namespace overbend {
+namespace {
+
+const char* word(SafetyClass safety) {
+  switch (safety) {
+    case SafetyClass::low:
+      return "low";
+    case SafetyClass::medium:
+      return "medium";
+    case SafetyClass::high:
+      break;
+  }
+  return "high";
+}
+
+void assume_sources(std::vector<std::string>& list, const CheckSettings& settings) {
+  if (settings.codes != CheckCodes::api) {
+    list.emplace_back(
+        "Code checks: collapse and propagation by DNV-ST-F101 follow a public source that cites the clauses; the load "
+        "factors, the load-controlled, displacement-controlled and simplified laying criteria are recalled. None has "
+        "been compared with the printed standard; compare before relying on them.");
+  }
+  if (settings.codes != CheckCodes::dnv) {
+    list.emplace_back(
+        "Code checks: the formulas of API RP 1111 are recalled and have not been compared with the printed standard.");
+  }
+}
+
+void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const CheckSettings& settings) {
+  list.push_back(fmt::format(
+      "Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion allowance, fabrication "
+      "tolerance of the wall {:.4g} mm, ovality {:.4g}.",
+      word(settings.safety_class), settings.condition_factor, 1e3 * settings.wall_tolerance, settings.ovality));
+  list.emplace_back(
+      "Code checks: over the supports the pipe takes the shape of the stinger and is checked as displacement "
+      "controlled; the load-controlled criterion is told there for information. Below the last support in contact, in "
+      "the sagbend and on the seabed it is checked as load controlled. Regions are those of the static state.");
+  list.push_back(
+      all.in_time
+          ? "Code checks over a run: the static state, with its current, is the functional load effect; what is added "
+            "in time is "
+            "the environmental one. Factors 1.1 and 1.3, or 1/1.1 and 1/1.3 where a part relieves, whichever is worse; "
+            "the largest of the run is reported, without extrapolation to three hours."
+          : "Code checks: a static state by itself, with its current, counts as functional load effect alone (factor "
+            "1.1); environmental load effects need a run in time.");
+  list.emplace_back(
+      "Code checks: the equivalent stress is the von Mises stress of this report (Lame at both walls), without load "
+      "factors.");
+}
+
+void assume_material(std::vector<std::string>& list, const CheckStations& all, const CheckSettings& settings) {
+  if (!settings.manufacture && !settings.alpha_fab) {
+    list.emplace_back(
+        "Code checks: the manufacture of the pipe is not given; UOE with the fabrication factor 0.85 and, by API, the "
+        "collapse factor 0.6 is taken, the weakest.");
+  }
+  for (std::size_t i = 0; i < all.sections.size(); ++i) {
+    const CheckSection& section = all.sections[i];
+    const std::string where = i == 0 ? "" : fmt::format(" of segment {}", i);
+    if (!section.grade_of_smts.empty()) {
+      list.push_back(fmt::format(
+          "Code checks: the tensile strength{} is not given; {:.0f} MPa of API 5L {} with this yield stress is taken.",
+          where, section.smts / 1e6, section.grade_of_smts));
+    } else if (section.smts <= 0.0) {
+      list.push_back(
+          fmt::format("Code checks: the tensile strength{} is not given and no grade of API 5L has this "
+                      "yield stress: what needs it is not done.",
+                      where));
+    }
+  }
+}
+
+void assume_api(std::vector<std::string>& list, const CheckStations& all, const CheckSettings& settings) {
+  const CheckSection& section = all.sections.front();
+  list.push_back(fmt::format(
+      "Code checks: API RP 1111 in its {} edition with f_o {:.4g}, f_c {:.4g}, f_1 {:.4g} and delta {:.4g}; the strain "
+      "of installation is the largest longitudinal one, its axial part included.",
+      settings.api.edition == ApiEdition::third ? "3rd" : "4th", section.api_collapse_share,
+      section.api_pressure_factor, settings.api.bending_factor, section.api_delta));
+}
+
+}  // namespace
+
+std::vector<std::string> check_assumptions(const CheckStations& all, const CheckSettings& settings) {
+  std::vector<std::string> list;
+  assume_sources(list, settings);
+  if (settings.codes != CheckCodes::api) assume_dnv(list, all, settings);
+  assume_material(list, all, settings);
+  if (settings.codes != CheckCodes::dnv) assume_api(list, all, settings);
+  if (settings.point_load) {
+    list.emplace_back(
+        "Code checks: the force of a roller reduces the plastic moment at its station by 1 - (D/t2)/130 R/R_y; "
+        "recalled, not compared with the printed standard.");
+  }
+  return list;
+}
+
+}  // namespace overbend

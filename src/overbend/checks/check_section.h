@@ -1,0 +1,48 @@
+/// Capacities of a cross-section under the settings of the checks: made once, read at every station and step.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "checks/api_1111.h"
+#include "checks/dnv_combined.h"
+#include "checks/dnv_strain.h"
+#include "checks/load_effects.h"
+#include "checks/steel_grades.h"
+#include "model/description.h"
+
+namespace overbend {
+
+struct CheckSection {
+  Wall wall;                  ///< With t2, the nominal wall.
+  double thinnest = 0.0;      ///< t1 [m].
+  double smys = 0.0;          ///< [Pa]
+  double smts = 0.0;          ///< [Pa]; 0 where neither given nor known from the grade.
+  std::string grade_of_smts;  ///< Name of the grade that gave the tensile strength; empty where the file gave it.
+  double fy = 0.0, fu = 0.0;  ///< Characteristic strengths [Pa].
+  double alpha_fab = 0.0;
+  double factor = 0.0;                                                ///< gamma_m gamma_SC [-].
+  double collapse_thinnest = 0.0, collapse = 0.0, propagation = 0.0;  ///< p_c(t1), p_c(t2), p_pr [Pa].
+  double strain_capacity = 0.0;                                       ///< eps_c(t2, 0) [-].
+  LoadCapacity load;
+  StrainCapacity strain;
+  std::optional<LayingLimits> laying;
+  bool laying_exact = false;   ///< The row is of this SMYS's own grade, or was named in the file.
+  double stress_limit = 0.0;   ///< 0.87 f_y [Pa].
+  double strain_factor = 1.0;  ///< At field joints.
+  ApiPipe api;
+  double api_collapse_share = 0.0;   ///< f_o
+  double api_pressure_factor = 0.0;  ///< f_c
+  double api_delta = 0.0;
+};
+
+CheckSection make_check_section(const SectionDescription& section, const CheckSettings& settings);
+
+/// Of the line's own section, then of the segments': as in Model::sections.
+std::vector<CheckSection> check_sections(const Description& description);
+
+/// Combination b, and a where system effects are present.
+std::vector<LoadFactors> load_combinations(const CheckSettings& settings);
+
+}  // namespace overbend

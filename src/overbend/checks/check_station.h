@@ -1,0 +1,51 @@
+/// What the checks need of a station, of the static state or over a run in time.
+#pragma once
+
+#include <vector>
+
+#include "checks/check_section.h"
+#include "model/model.h"
+#include "results/dynamic_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// A value and the moment at which it stood (0 in statics).
+struct Timed {
+  double value = 0.0;
+  double time = 0.0;
+};
+
+struct CheckStation {
+  std::size_t section = 0;
+  CheckRegion region = CheckRegion::sagbend;
+  double s = 0.0, from_top = 0.0;
+  Vec3 p_W = Vec3::Zero();
+  double overpressure = 0.0;  ///< External over internal pressure at the static place [Pa].
+  // Functional load effects: the static state.
+  double moment = 0.0, force = 0.0, strain = 0.0, von_mises = 0.0;
+  // Load controlled, where it is used most.
+  Timed load;
+  double design_moment = 0.0, design_force = 0.0, load_pressure = 0.0, share = 1.0, largest_force = 0.0;
+  // Displacement controlled, likewise.
+  Timed bend;
+  double design_strain = 0.0, bend_pressure = 0.0;
+  // Without load factors: the largest of static state or run.
+  Timed largest_von_mises, largest_strain, largest_tension;
+};
+
+struct CheckStations {
+  std::vector<CheckSection> sections;
+  std::vector<CheckStation> stations;
+  bool in_time = false;
+
+  const CheckSection& section_of(const CheckStation& station) const { return sections[station.section]; }
+};
+
+/// Stations of the static state: design load effects are the factored static ones.
+CheckStations static_stations(const Model& model, const StaticResults& statics);
+
+/// Stations of a run: design load effects as the run gathered them.
+CheckStations dynamic_stations(const Model& model, const StaticResults& statics, const DynamicResults& dynamics);
+
+}  // namespace overbend

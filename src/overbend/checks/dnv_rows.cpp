@@ -1,0 +1,166 @@
+#include <cmath>
+
+#include "checks/check_row.h"
+#include "checks/check_rows.h"
+
+namespace overbend {
+namespace {
+
+constexpr CheckTitle kCollapse = {"dnv_collapse", "Collapse under external pressure", kDnv,
+                                  "5.4.4",        "external over internal pressure",  "Pa"};
+constexpr CheckTitle kPropagation = {"dnv_propagation", "Propagation of a buckle",         kDnv,
+                                     "5.4.5",           "external over internal pressure", "Pa"};
+constexpr CheckTitle kCrossover = {"dnv_crossover", "Cross-over of the buckle arrestor", kDnv,
+                                   "5.4.5",         "external over internal pressure",   "Pa"};
+constexpr CheckTitle kLoad = {
+    "dnv_load_controlled", "Local buckling, load controlled", kDnv, "5.4.6", "design bending moment", "N m"};
+constexpr CheckTitle kBend = {
+    "dnv_displacement_controlled", "Local buckling, displacement controlled", kDnv, "5.4.6", "design strain", "1"};
+
+/// A pressure along the line against a capacity of the section.
+template <class Capacity>
+CheckRow pressure_row(const CheckTitle& title, const CheckStations& all, Capacity capacity) {
+  CheckRow row = row_of(title, CheckRegion::line);
+  const CheckStation* worst = most_used(
+      all, CheckRegion::line, [&](const CheckStation& at) { return at.overpressure / capacity(all.section_of(at)); });
+  place_row(row, *worst);
+  judge_ratio(row, std::max(worst->overpressure, 0.0), capacity(all.section_of(*worst)));
+  return row;
+}
+
+const CheckSection& section_at(const CheckStations& all, const CheckRow& row) {
+  const auto at = std::find_if(all.stations.begin(), all.stations.end(),
+                               [&](const CheckStation& station) { return station.s == row.s; });
+  return all.section_of(*at);
+}
+
+CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
+  CheckRow row = pressure_row(kCollapse, all, [](const CheckSection& s) { return s.collapse_thinnest / s.factor; });
+  const CheckSection& section = section_at(all, row);
+  row.inputs = {{"p_c(t1)", "collapse pressure", section.collapse_thinnest, "Pa"},
+                {"t1", "wall less tolerance", section.thinnest, "m"},
+                {"f_y", "characteristic yield stress", section.fy, "Pa"},
+                {"alpha_fab", "fabrication factor", section.alpha_fab, "1"},
+                {"O_0", "ovality", settings.ovality, "1"},
+                {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
+  return row;
+}
+
+CheckRow propagation_row(const CheckStations& all) {
+  CheckRow row = pressure_row(kPropagation, all, [](const CheckSection& s) { return s.propagation / s.factor; });
+  const CheckSection& section = section_at(all, row);
+  row.governing = false;
+  row.inputs = {{"p_pr(t2)", "propagation pressure", section.propagation, "Pa"},
+                {"t2", "wall", section.wall.thickness, "m"},
+                {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
+  const double slenderness = section.wall.slenderness();
+  if (slenderness <= 15.0 || slenderness >= 45.0) {
+    outside(row, "holds for 15 < D/t2 < 45");
+  } else if (row.status == CheckStatus::exceeded) {
+    row.remark = "a buckle once started would run: buckle arrestors are needed";
+  }
+  return row;
+}
+
+CheckRow crossover_row(const CheckStations& all, const ArrestorSettings& arrestor) {
+  const auto pressure = [&](const CheckSection& s) {
+    return crossover_pressure(s.wall, s.propagation, arrestor.propagation_pressure, arrestor.length);
+  };
+  CheckRow row = pressure_row(kCrossover, all, [&](const CheckSection& s) { return pressure(s) / (1.1 * s.factor); });
+  row.inputs = {{"p_X", "cross-over pressure", pressure(section_at(all, row)), "Pa"},
+                {"p_BA", "propagation pressure of the arrestor", arrestor.propagation_pressure, "Pa"},
+                {"L_BA", "length of the arrestor", arrestor.length, "m"}};
+  return row;
+}
+
+std::vector<CheckInput> load_inputs(const CheckSection& section, const CheckStation& at) {
+  return {{"M_F", "functional (static) moment", at.moment, "N m"},
+          {"S_F", "functional (static) effective force", at.force, "N"},
+          {"M_Sd", "design moment", at.design_moment, "N m"},
+          {"S_Sd", "design effective force", at.design_force, "N"},
+          {"p_e - p_i", "external over internal pressure", at.load_pressure, "Pa"},
+          {"p_c(t2)", "collapse pressure", section.collapse, "Pa"},
+          {"alpha_c", "flow stress factor", section.load.alpha_c, "1"},
+          {"alpha_pm", "plastic moment left by a roller", at.share, "1"},
+          {"M_p", "plastic moment", plastic_moment(section.wall, section.fy), "N m"},
+          {"S_p", "plastic axial force", plastic_axial_force(section.wall, section.fy), "N"},
+          {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
+}
+
+/// The station where the formula does not hold, nearest to its end; null where it holds all along.
+const CheckStation* where_load_does_not_hold(const CheckStations& all, CheckRegion region) {
+  const CheckStation* at = most_used(all, region, [&](const CheckStation& station) {
+    const LoadCapacity& capacity = all.section_of(station).load;
+    return capacity.slender_enough ? station.largest_force / capacity.axial_limit : kLargestReserve;
+  });
+  return load_formula_holds(all.section_of(*at).load, at->largest_force) ? nullptr : at;
+}
+
+std::string why_load_does_not_hold(const CheckSection& section) {
+  return section.load.slender_enough ? "holds for an effective force below 0.4 S_p" : "holds for 15 <= D/t2 <= 45";
+}
+
+CheckRow load_row(const CheckStations& all, CheckRegion region) {
+  CheckRow row = row_of(kLoad, region);
+  row.governing = region != CheckRegion::overbend;
+  const CheckStation* at = most_used(all, region, [](const CheckStation& station) { return station.load.value; });
+  const CheckSection& section = all.section_of(*at);
+  if (!section.load.known) return not_done(row, "tensile strength not given");
+  const LoadTerms terms =
+      load_terms(section.load, at->design_moment, at->design_force, at->load_pressure, 0.0, at->share);
+  place_row(row, *at);
+  if (all.in_time) time_row(row, at->load.time);
+  row.inputs = load_inputs(section, *at);
+  row.demand = at->design_moment;
+  row.capacity = std::max(0.0, std::sqrt(std::max(0.0, 1.0 - terms.pressure)) - terms.axial * terms.axial) * at->share /
+                 section.load.moment_factor;
+  row.utilisation = terms.utilisation();
+  row.reserve = load_reserve(terms);
+  judge(row);
+  if (!row.governing) row.remark = "the pipe is bent to the supports, the strain decides";
+  if (const CheckStation* beyond = where_load_does_not_hold(all, region)) {
+    outside(row, why_load_does_not_hold(all.section_of(*beyond)));
+  }
+  return row;
+}
+
+CheckRow bend_row(const CheckStations& all) {
+  CheckRow row = row_of(kBend, CheckRegion::overbend);
+  const CheckStation* at =
+      most_used(all, CheckRegion::overbend, [](const CheckStation& station) { return station.bend.value; });
+  const CheckSection& section = all.section_of(*at);
+  place_row(row, *at);
+  row.inputs = {{"eps_F", "functional (static) strain", at->strain, "1"},
+                {"eps_Sd", "design strain", at->design_strain, "1"},
+                {"SNCF", "strain factor of field joints", section.strain_factor, "1"},
+                {"eps_c", "strain capacity", section.strain_capacity, "1"},
+                {"p_e - p_i", "external over internal pressure", at->bend_pressure, "Pa"},
+                {"p_c(t2)", "collapse pressure", section.collapse, "Pa"}};
+  if (!section.strain.holds) {
+    outside(row, "holds for D/t2 < 45");
+    return row;
+  }
+  if (all.in_time) time_row(row, at->bend.time);
+  const StrainTerms terms = strain_terms(section.strain, at->design_strain, at->bend_pressure, 0.0);
+  row.demand = at->design_strain;
+  row.utilisation = terms.utilisation();
+  row.reserve = terms.reserve();
+  row.capacity = std::pow(std::max(0.0, 1.0 - terms.pressure), 1.0 / terms.exponent) / section.strain.strain_factor;
+  judge(row);
+  return row;
+}
+
+}  // namespace
+
+std::vector<CheckRow> dnv_rows(const CheckStations& all, const CheckSettings& settings) {
+  std::vector<CheckRow> rows = {collapse_row(all, settings), propagation_row(all)};
+  if (settings.arrestor) rows.push_back(crossover_row(all, *settings.arrestor));
+  for (const CheckRegion region : kPipeRegions) {
+    if (most_used(all, region, [](const CheckStation&) { return 0.0; }) == nullptr) continue;
+    if (region == CheckRegion::overbend) rows.push_back(bend_row(all));
+    rows.push_back(load_row(all, region));
+  }
+  return rows;
+}
+
+}  // namespace overbend

@@ -1,0 +1,120 @@
+#include "checks/check_row.h"
+#include "checks/check_rows.h"
+#include "mechanics/contact_damage.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kProject = "project limit";
+
+/// The roller that carries most by some measure, with the name of its box.
+struct WorstRoller {
+  double value = 0.0, s = 0.0;
+  Vec3 p_W = Vec3::Zero();
+  std::string box;
+};
+
+/// Arc length and place of a row, of the box where the pipe does not cross the row.
+void keep_larger(WorstRoller& worst, double value, const SupportResult& box, const RowResult* row) {
+  if (value <= worst.value && !worst.box.empty()) return;
+  const bool crossed = row != nullptr && row->s >= 0.0;
+  worst = {value, crossed ? row->s : box.s, row != nullptr ? row->p_W : box.p_W, box.name};
+}
+
+/// `of_state(roller, row)` in statics; `of_run(roller)` over a run.
+template <class OfState, class OfRun>
+WorstRoller worst_roller(const StaticResults& statics, const DynamicResults* dynamics, OfState of_state, OfRun of_run) {
+  WorstRoller worst;
+  for (std::size_t i = 0; i < statics.supports.size(); ++i) {
+    const SupportResult& box = statics.supports[i];
+    if (dynamics == nullptr) {
+      for (const RowResult& row : box.rows) {
+        for (const RollerResult& roller : row.rollers) keep_larger(worst, of_state(roller), box, &row);
+      }
+      continue;
+    }
+    for (const RollerDynamics& roller : dynamics->supports[i].rollers) {
+      const auto row = static_cast<std::size_t>(roller.row);
+      keep_larger(worst, of_run(roller), box, row < box.rows.size() ? &box.rows[row] : nullptr);
+    }
+  }
+  return worst;
+}
+
+CheckRow roller_row(const CheckTitle& title, const WorstRoller& worst, double limit, const StaticResults& statics) {
+  CheckRow row = row_of(title, CheckRegion::line);
+  row.s = worst.s;
+  row.from_top = statics.stations.back().s - worst.s;
+  row.p_W = worst.p_W;
+  judge_ratio(row, worst.value, limit);
+  row.remark = "at " + worst.box;
+  return row;
+}
+
+/// The rollers' forces of a run are largest values over all of it; no single moment belongs to them.
+void add_rollers(std::vector<CheckRow>& rows, const Model& model, const StaticResults& statics,
+                 const DynamicResults* dynamics) {
+  static constexpr CheckTitle kForce = {"roller_load", "Roller force", kProject, "", "force of one roller", "N"};
+  static constexpr CheckTitle kLine = {
+      "coating_line_load", "Line load on the coating", kProject, "", "force per length of coating", "N/m"};
+  const EquipmentLimits& limits = model.description.checks.limits;
+  if (statics.supports.empty()) return;
+  if (limits.roller_load) {
+    const WorstRoller worst = worst_roller(
+        statics, dynamics, [](const RollerResult& r) { return r.reaction; },
+        [](const RollerDynamics& r) { return r.reaction.max; });
+    rows.push_back(roller_row(kForce, worst, *limits.roller_load, statics));
+  }
+  if (limits.coating_line_load) {
+    const Section& pipe = model.sections.front();
+    const auto of_state = [&](const RollerResult& r) {
+      return line_load(r.reaction, contact_length(r.face, pipe.outer_diameter, pipe.steel_diameter));
+    };
+    const WorstRoller worst =
+        worst_roller(statics, dynamics, of_state, [](const RollerDynamics& r) { return r.line_load; });
+    rows.push_back(roller_row(kLine, worst, *limits.coating_line_load, statics));
+  }
+}
+
+void add_tension(std::vector<CheckRow>& rows, double limit, const StaticResults& statics,
+                 const DynamicResults* dynamics) {
+  static constexpr CheckTitle kTitle = {
+      "tensioner_load", "Tension at the tensioner", kProject, "", "effective tension", "N"};
+  CheckRow row = row_of(kTitle, CheckRegion::line);
+  row.s = statics.stations.back().s;
+  row.p_W = statics.stations.back().p_W;
+  judge_ratio(row, std::max(0.0, dynamics != nullptr ? dynamics->top_tension.max : statics.top_tension), limit);
+  rows.push_back(row);
+}
+
+/// A least distance: what is needed over what there is.
+void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& statics, const DynamicResults* dynamics) {
+  static constexpr CheckTitle kTitle = {
+      "tip_clearance", "Clearance at the stinger tip", kProject, "", "distance of pipe and roller", "m"};
+  if (!statics.stinger_tip_clearance || statics.supports.empty()) return;
+  const double there = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
+  CheckRow row = row_of(kTitle, CheckRegion::line);
+  row.s = statics.supports.back().s;
+  row.from_top = statics.stations.back().s - row.s;
+  row.p_W = statics.supports.back().p_W;
+  row.demand = limit;
+  row.capacity = there;
+  row.utilisation = there > 0.0 ? std::min(limit / there, kLargestReserve) : kLargestReserve;
+  row.reserve = std::max(0.0, there / limit);
+  row.remark = "demand is the distance asked for, capacity the least there is";
+  judge(row);
+  rows.push_back(row);
+}
+
+}  // namespace
+
+std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics) {
+  const EquipmentLimits& limits = model.description.checks.limits;
+  std::vector<CheckRow> rows;
+  add_rollers(rows, model, statics, dynamics);
+  if (limits.tension) add_tension(rows, *limits.tension, statics, dynamics);
+  if (limits.tip_clearance) add_tip(rows, *limits.tip_clearance, statics, dynamics);
+  return rows;
+}
+
+}  // namespace overbend

@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include "checks/check_row.h"
+#include "checks/check_rows.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kSection13 = "sec. 13";
+constexpr CheckTitle kStaticStrain = {
+    "dnv_criterion_1", "Laying criterion I, static strain", kDnv, kSection13, "longitudinal strain", "1"};
+constexpr CheckTitle kCombinedStrain = {
+    "dnv_criterion_2", "Laying criterion II, static and dynamic strain", kDnv, kSection13, "longitudinal strain", "1"};
+constexpr CheckTitle kStress = {
+    "dnv_equivalent_stress", "Equivalent stress, 0.87 f_y", kDnv, kSection13, "von Mises stress", "Pa"};
+
+std::string row_words(const CheckSection& section) {
+  std::string row = fmt::format("limit of {}", section.laying->grade);
+  if (section.laying_exact) return row;
+  return row + fmt::format(", the nearest lower grade of the table for {:.0f} MPa", section.smys / 1e6);
+}
+
+/// A strain over the supports against a limit of the section's grade.
+template <class Strain>
+void judge_strain(CheckRow& row, const CheckStations& all, double LayingLimits::*limit, Strain strain) {
+  const auto used = [&](const CheckStation& at) {
+    const CheckSection& section = all.section_of(at);
+    return section.laying ? strain(at) / ((*section.laying).*limit) : kLargestReserve;
+  };
+  const CheckStation* at = most_used(all, CheckRegion::overbend, used);
+  const CheckSection& section = all.section_of(*at);
+  place_row(row, *at);
+  if (!section.laying) {
+    outside(row, "the criteria begin at X52");
+    return;
+  }
+  judge_ratio(row, strain(*at), (*section.laying).*limit);
+  row.remark = row_words(section);
+  row.inputs = {{"eps", "longitudinal strain at the outer fibre", row.demand, "1"},
+                {"SMYS", "specified minimum yield stress", section.smys, "Pa"}};
+}
+
+CheckRow static_strain_row(const CheckStations& all) {
+  CheckRow row = row_of(kStaticStrain, CheckRegion::overbend);
+  judge_strain(row, all, &LayingLimits::static_strain, [](const CheckStation& at) { return at.strain; });
+  return row;
+}
+
+CheckRow combined_strain_row(const CheckStations& all) {
+  CheckRow row = row_of(kCombinedStrain, CheckRegion::overbend);
+  if (!all.in_time) return not_done(row, "needs a run in time");
+  const auto strain = [&](const CheckStation& at) {
+    return all.section_of(at).strain_factor * at.largest_strain.value;
+  };
+  judge_strain(row, all, &LayingLimits::combined_strain, strain);
+  const auto same = [&](const CheckStation& at) { return at.s == row.s; };
+  const CheckStation& at = *std::find_if(all.stations.begin(), all.stations.end(), same);
+  time_row(row, at.largest_strain.time);
+  row.inputs.push_back({"SNCF", "strain factor of field joints", all.section_of(at).strain_factor, "1"});
+  return row;
+}
+
+/// The largest von Mises stress over a region against a limit that the section gives.
+template <class Limit>
+CheckRow stress_row(const CheckTitle& title, const CheckStations& all, CheckRegion region, Limit limit) {
+  CheckRow row = row_of(title, region);
+  const CheckStation* at = most_used(all, region, [&](const CheckStation& station) {
+    return station.largest_von_mises.value / limit(all.section_of(station));
+  });
+  place_row(row, *at);
+  if (all.in_time) time_row(row, at->largest_von_mises.time);
+  judge_ratio(row, at->largest_von_mises.value, limit(all.section_of(*at)));
+  row.inputs = {{"sigma_eq", "von Mises stress", row.demand, "Pa"},
+                {"SMYS", "specified minimum yield stress", all.section_of(*at).smys, "Pa"}};
+  return row;
+}
+
+bool has(const CheckStations& all, CheckRegion region) {
+  return most_used(all, region, [](const CheckStation&) { return 0.0; }) != nullptr;
+}
+
+void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegion region,
+               const std::optional<double>& share) {
+  static constexpr CheckTitle kTitle = {"yield_share", "Share of yield", "project limit", "", "von Mises stress", "Pa"};
+  if (!share || !has(all, region)) return;
+  rows.push_back(stress_row(kTitle, all, region, [&](const CheckSection& s) { return *share * s.smys; }));
+  rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", in time" : ", static");
+}
+
+/// The static state of a run, so that its static limits can be judged beside those in time.
+CheckStations at_rest(const CheckStations& all) {
+  CheckStations rest = all;
+  rest.in_time = false;
+  for (CheckStation& station : rest.stations) station.largest_von_mises = {station.von_mises, 0.0};
+  return rest;
+}
+
+}  // namespace
+
+std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings& settings) {
+  std::vector<CheckRow> rows;
+  const YieldShares& share = settings.yield_share;
+  if (settings.codes != CheckCodes::api && has(all, CheckRegion::overbend)) {
+    rows.push_back(static_strain_row(all));
+    rows.push_back(combined_strain_row(all));
+  }
+  for (const CheckRegion region : {CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
+    if (settings.codes == CheckCodes::api || !has(all, region)) continue;
+    rows.push_back(stress_row(kStress, all, region, [](const CheckSection& s) { return s.stress_limit; }));
+  }
+  const CheckStations rest = at_rest(all);
+  add_share(rows, rest, CheckRegion::overbend, share.overbend_static);
+  add_share(rows, rest, CheckRegion::sagbend, share.sagbend_static);
+  if (all.in_time) {
+    add_share(rows, all, CheckRegion::overbend, share.overbend_dynamic);
+    add_share(rows, all, CheckRegion::sagbend, share.sagbend_dynamic);
+  }
+  return rows;
+}
+
+}  // namespace overbend

@@ -1,0 +1,70 @@
+#include "checks/run_checks.h"
+
+#include <algorithm>
+
+#include "checks/check_assumptions.h"
+#include "checks/check_rows.h"
+
+namespace overbend {
+namespace {
+
+void append(std::vector<CheckRow>& rows, const std::vector<CheckRow>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+/// The strain over the supports against criterion I and, in time, II; 0 for a grade that the criteria do not know.
+double laying_at(const CheckStations& all, const CheckStation& station) {
+  const CheckSection& section = all.section_of(station);
+  if (!section.laying) return 0.0;
+  const double still = station.strain / section.laying->static_strain;
+  const double moving = section.strain_factor * station.largest_strain.value / section.laying->combined_strain;
+  return all.in_time ? std::max(still, moving) : still;
+}
+
+/// Utilisations at every station, and the largest of those that decide there.
+CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& settings) {
+  CheckAlong along;
+  const bool dnv = settings.codes != CheckCodes::api, api = settings.codes != CheckCodes::dnv;
+  for (const CheckStation& station : all.stations) {
+    const bool supported = station.region == CheckRegion::overbend;
+    const double load = dnv ? station.load.value : 0.0;
+    const double strain = dnv && supported ? station.bend.value : 0.0;
+    const double stress =
+        dnv && !supported ? station.largest_von_mises.value / all.section_of(station).stress_limit : 0.0;
+    const double laying = dnv && supported ? laying_at(all, station) : 0.0;
+    const double bending = api ? api_bending_at(all, station, settings) : 0.0;
+    along.s.push_back(station.s);
+    along.load.push_back(load);
+    along.strain.push_back(strain);
+    along.stress.push_back(stress);
+    along.laying.push_back(laying);
+    along.api.push_back(bending);
+    along.governing.push_back(std::max({supported ? strain : std::max(load, stress), laying, bending}));
+  }
+  return along;
+}
+
+CheckTable table_of(const Model& model, const StaticResults& statics, const DynamicResults* dynamics,
+                    const CheckStations& all) {
+  const CheckSettings& settings = model.description.checks;
+  CheckTable table;
+  if (settings.codes != CheckCodes::api) append(table.rows, dnv_rows(all, settings));
+  append(table.rows, laying_rows(all, settings));
+  if (settings.codes != CheckCodes::dnv) append(table.rows, api_rows(all, settings));
+  append(table.rows, equipment_rows(model, statics, dynamics));
+  table.along = utilisations_along(all, settings);
+  table.assumptions = check_assumptions(all, settings);
+  return table;
+}
+
+}  // namespace
+
+CheckTable check_statics(const Model& model, const StaticResults& statics) {
+  return table_of(model, statics, nullptr, static_stations(model, statics));
+}
+
+CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
+  return table_of(model, statics, &dynamics, dynamic_stations(model, statics, dynamics));
+}
+
+}  // namespace overbend

@@ -1,0 +1,225 @@
+#include "report/checks_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/result_field.h"
+#include "report/figure_list.h"
+#include "report/html.h"
+#include "report/json_number.h"
+#include "report/places.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+struct Shown {
+  double factor = 1.0;
+  const char* unit = "";
+};
+
+/// SI units as engineers read them; a strain in percent.
+Shown shown(const std::string& units, const std::string& what) {
+  if (units == "Pa") return {1e-6, "MPa"};
+  if (units == "N m") return {1e-3, "kN\u00a0m"};
+  if (units == "N") return {1e-3, "kN"};
+  if (units == "N/m") return {1e-3, "kN/m"};
+  if (units == "m") return {1.0, "m"};
+  return what.find("strain") != std::string::npos ? Shown{100.0, "%"} : Shown{};
+}
+
+/// Four significant digits or more, without exponents.
+std::string number(double value) {
+  const double size = std::abs(value);
+  return fixed(value, size >= 1000.0 ? 0 : size >= 100.0 ? 1 : size >= 1.0 ? 3 : 4);
+}
+
+std::string region_title(CheckRegion region) {
+  constexpr std::array<const char*, 5> kTitles = {"Line and equipment", "Overbend", "Stinger tip", "Sagbend", "Seabed"};
+  return kTitles[static_cast<std::size_t>(region)];
+}
+
+constexpr std::array<CheckRegion, 5> kOrder = {CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend,
+                                               CheckRegion::seabed, CheckRegion::line};
+
+std::string code_of(const CheckRow& row) {
+  return row.clause.empty() ? row.code : row.code + ", " + row.clause;
+}
+
+std::string status_of(const CheckRow& row) {
+  std::string text = row.governing ? word(row.status) : "for information";
+  if (!row.governing && row.status != CheckStatus::passed) text += std::string(", ") + word(row.status);
+  return row.remark.empty() ? text : text + ": " + row.remark;
+}
+
+std::string row_class(const CheckRow& row) {
+  if (!row.governing) return "soft";
+  return row.status == CheckStatus::exceeded ? "over" : "";
+}
+
+std::string reserve_of(const CheckRow& row) {
+  return row.reserve >= 999.0 ? "> 999" : fixed(row.reserve, 2);
+}
+
+/// Most used first; what could not be judged last.
+std::vector<const CheckRow*> rows_of(const CheckTable& table, CheckRegion region) {
+  std::vector<const CheckRow*> rows;
+  for (const CheckRow& row : table.rows) {
+    if (row.region == region) rows.push_back(&row);
+  }
+  const auto rank = [](const CheckRow* row) { return row->judged() ? (row->governing ? 0 : 1) : 2; };
+  std::stable_sort(rows.begin(), rows.end(), [&](const CheckRow* a, const CheckRow* b) {
+    return rank(a) != rank(b) ? rank(a) < rank(b) : a->utilisation > b->utilisation;
+  });
+  return rows;
+}
+
+std::string when(const CheckRow& row) {
+  return row.in_time ? fixed(row.time, 1) : "static";
+}
+
+std::string governing_table(const StaticResults& statics, const CheckTable& table) {
+  html::Table out("Governing check of each region",
+                  {{"Region", "", true},
+                   {"Check", "", true},
+                   {"Code", "", true},
+                   {"Utilisation", "-"},
+                   {"Reserve factor", "-"},
+                   {"Place", "", true},
+                   {"Along pipe", "m"},
+                   {"Time", "s"},
+                   {"Status", "", true}},
+                  "checks");
+  for (const CheckRegion region : kOrder) {
+    const std::vector<const CheckRow*> rows = rows_of(table, region);
+    if (rows.empty() || !rows.front()->governing || !rows.front()->judged()) continue;
+    const CheckRow& row = *rows.front();
+    out.row({region_title(region), row.name, code_of(row), fixed(row.utilisation, 3), reserve_of(row),
+             place_name(statics, row.s), fixed(row.from_top, 1), when(row), word(row.status)},
+            row_class(row));
+  }
+  return out.str();
+}
+
+void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row) {
+  if (row.status == CheckStatus::not_done) {
+    out.row({row.name, code_of(row), "", "", "", "", "", "", "", "", "", status_of(row)}, row_class(row));
+    return;
+  }
+  const Shown units = shown(row.units, row.quantity);
+  const Vec3 p = ship_point(statics, row.p_W);
+  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor), units.unit,
+           fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1), fixed(p.z(), 1),
+           when(row), status_of(row)},
+          row_class(row));
+}
+
+std::string region_table(const StaticResults& statics, const CheckTable& table, CheckRegion region) {
+  const std::vector<const CheckRow*> rows = rows_of(table, region);
+  if (rows.empty()) return "";
+  html::Table out(region_title(region),
+                  {{"Check", "", true},
+                   {"Code", "", true},
+                   {"Demand", ""},
+                   {"Capacity", ""},
+                   {"Unit", "", true},
+                   {"Utilisation", "-"},
+                   {"Reserve factor", "-"},
+                   {"Along pipe", "m"},
+                   {"X", "m"},
+                   {"Z", "m"},
+                   {"Time", "s"},
+                   {"Status", "", true}},
+                  "checks");
+  for (const CheckRow* row : rows) add_row(out, statics, *row);
+  return out.str();
+}
+
+std::string inputs_table(const CheckTable& table) {
+  html::Table out("", {{"Check", "", true},
+                       {"Region", "", true},
+                       {"Symbol", "", true},
+                       {"Meaning", "", true},
+                       {"Value", ""},
+                       {"Unit", "", true}});
+  for (const CheckRow& row : table.rows) {
+    std::string name = row.name + ", " + row.code;
+    for (const CheckInput& input : row.inputs) {
+      const Shown units = input.units == "m" ? Shown{1e3, "mm"} : shown(input.units, input.meaning);
+      const bool factor = input.meaning.find("factor") != std::string::npos;
+      out.row({name, region_title(row.region), input.symbol, input.meaning,
+               number(input.value * (factor ? 1.0 : units.factor)), factor ? "" : units.unit});
+      name.clear();
+    }
+  }
+  return html::folded("The numbers that went into each check", out.str(), false);
+}
+
+std::string headline(const CheckTable& table) {
+  const CheckRow* worst = worst_check(table);
+  if (worst == nullptr) return "<p>No check could be judged.</p>\n";
+  const auto exceeded = std::count_if(table.rows.begin(), table.rows.end(), [](const CheckRow& row) {
+    return row.governing && row.status == CheckStatus::exceeded;
+  });
+  const auto invalid = std::count_if(table.rows.begin(), table.rows.end(), [](const CheckRow& row) {
+    return row.governing && row.status == CheckStatus::outside_validity;
+  });
+  std::string text =
+      exceeded == 0 ? "No governing check is exceeded."
+                    : fmt::format("<b>{} governing check{} exceeded.</b>", exceeded, exceeded == 1 ? " is" : "s are");
+  text += fmt::format(" The largest utilisation is {} ({}, {}).", fixed(worst->utilisation, 3),
+                      html::escape(worst->name), html::escape(region_title(worst->region)));
+  if (invalid > 0) {
+    text += fmt::format(" {} outside the validity of their formulas: neither passed nor failed.", invalid);
+  }
+  return "<p>" + text +
+         " The reserve factor is the factor on the load effects, pressure apart, that brings the utilisation to 1. "
+         "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";
+}
+
+}  // namespace
+
+std::string checks_section(const StaticResults& statics, const CheckTable& table, int& number) {
+  if (table.rows.empty()) return "";
+  std::string body = headline(table) + governing_table(statics, table);
+  const std::vector<Figure> figures = {
+      {"checks",
+       "Utilisation of the code checks along the pipe: DNV displacement controlled (DNV strain) and load controlled "
+       "(DNV load), simplified laying criteria (laying strain), equivalent stress over 0.87 f_y (stress), bending and "
+       "external pressure (API RP 1111)",
+       {"whole", "overbend"}}};
+  body += figure_list(
+      figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
+      number);
+  std::string tables;
+  for (const CheckRegion region : kOrder) tables += region_table(statics, table, region);
+  body += "<div class=\"wide\">\n" + tables + "</div>\n" + inputs_table(table);
+  return html::section("checks", "Code checks", body);
+}
+
+nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table) {
+  using nlohmann::json;
+  if (table.along.s.empty()) return nullptr;
+  json data;
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    json column = json::array();
+    for (auto value = values.rbegin(); value != values.rend(); ++value) column.push_back(json_number(*value));
+    data[name] = column;
+  };
+  std::vector<double> along;
+  for (const double s : table.along.s) along.push_back(from_tensioner(statics, s));
+  add("s", along);
+  add("load", table.along.load);
+  add("strain", table.along.strain);
+  add("stress", table.along.stress);
+  add("laying", table.along.laying);
+  add("api", table.along.api);
+  add("governing", table.along.governing);
+  return data;
+}
+
+}  // namespace overbend

@@ -1,0 +1,85 @@
+/// What the code checks found: plain data, SI units.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace overbend {
+
+enum class CheckStatus {
+  passed,
+  exceeded,          ///< Utilisation above 1.
+  outside_validity,  ///< The formula does not hold for this pipe or load: neither passed nor failed.
+  not_done,          ///< Something is missing, see `remark`.
+};
+
+enum class CheckRegion {
+  line,      ///< All of the line, or the equipment.
+  overbend,  ///< Tensioner to the last support in contact.
+  tip,       ///< From there to the inflection, where the pipe hangs free and still hogs.
+  sagbend,   ///< From there to touchdown.
+  seabed,
+};
+
+/// A number that went into a check.
+struct CheckInput {
+  std::string symbol;   ///< "M_F"
+  std::string meaning;  ///< "functional moment"
+  double value = 0.0;
+  std::string units;  ///< SI
+};
+
+/// One check at the station and moment where it is used most.
+struct CheckRow {
+  std::string id;      ///< For scripts: "dnv_load_controlled".
+  std::string name;    ///< "Local buckling, load controlled"
+  std::string code;    ///< With its edition: "DNV-ST-F101 (2021)".
+  std::string clause;  ///< "5.4.6"
+  CheckRegion region = CheckRegion::line;
+  CheckStatus status = CheckStatus::not_done;
+  bool governing = true;  ///< False: for information, does not decide.
+  std::string quantity;   ///< What demand and capacity are: "design strain".
+  std::string units;      ///< SI, of both.
+  double demand = 0.0, capacity = 0.0;
+  double utilisation = 0.0;
+  double reserve = 0.0;     ///< Factor on the load effects that brings the utilisation to 1 [-].
+  double s = 0.0;           ///< Arc length from the anchor [m].
+  double from_top = 0.0;    ///< Along the pipe from the tensioner [m].
+  Vec3 p_W = Vec3::Zero();  ///< Place in the static state [m].
+  bool in_time = false;     ///< False: of the static state.
+  double time = 0.0;        ///< When, where in_time [s].
+  std::string remark;
+  std::vector<CheckInput> inputs;
+
+  bool judged() const { return status == CheckStatus::passed || status == CheckStatus::exceeded; }
+};
+
+/// Largest utilisations at every station, arrays of one length; 0 where a check is not made.
+struct CheckAlong {
+  std::vector<double> s;          ///< From the anchor [m].
+  std::vector<double> load;       ///< DNV load controlled.
+  std::vector<double> strain;     ///< DNV displacement controlled, over the supports.
+  std::vector<double> stress;     ///< Equivalent stress over 0.87 f_y, where the pipe hangs free and on the seabed.
+  std::vector<double> laying;     ///< Simplified laying criteria on the strain, over the supports.
+  std::vector<double> api;        ///< API bending and external pressure.
+  std::vector<double> governing;  ///< Largest of those that decide at the station.
+};
+
+struct CheckTable {
+  std::vector<CheckRow> rows;
+  CheckAlong along;
+  std::vector<std::string> assumptions;
+};
+
+/// The judged and governing row that is used most; null without one.
+inline const CheckRow* worst_check(const CheckTable& table) {
+  const CheckRow* worst = nullptr;
+  for (const CheckRow& row : table.rows) {
+    if (row.governing && row.judged() && (worst == nullptr || row.utilisation > worst->utilisation)) worst = &row;
+  }
+  return worst;
+}
+
+}  // namespace overbend

@@ -1,0 +1,269 @@
+// The table of checks of solved models.
+#include "checks/run_checks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "analysis/recovery.h"
+#include "analysis/statics.h"
+#include "checks/dnv_combined.h"
+#include "checks/dnv_strength.h"
+#include "io/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+/// The example solved once; the settings of its checks may differ.
+struct Solved {
+  Description description;
+  StaticResults statics;
+};
+
+const Solved& bgl1() {
+  static const Solved kSolved = [] {
+    const Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
+    const Model model = build_model(d);
+    return Solved{d, recover_statics(model, solve_statics(model).solution.value())};
+  }();
+  return kSolved;
+}
+
+CheckTable checks_with(const std::function<void(Description&)>& change) {
+  Description d = bgl1().description;
+  change(d);
+  return check_statics(build_model(d), bgl1().statics);
+}
+
+const CheckRow* find(const CheckTable& table, const std::string& id, CheckRegion region) {
+  for (const CheckRow& row : table.rows) {
+    if (row.id == id && row.region == region) return &row;
+  }
+  return nullptr;
+}
+
+const CheckRow& row_of(const CheckTable& table, const std::string& id, CheckRegion region) {
+  const CheckRow* row = find(table, id, region);
+  if (row == nullptr) throw std::runtime_error("no row " + id);
+  return *row;
+}
+
+double input(const CheckRow& row, const std::string& symbol) {
+  for (const CheckInput& i : row.inputs) {
+    if (i.symbol == symbol) return i.value;
+  }
+  throw std::runtime_error("no input " + symbol);
+}
+
+bool any_contains(const std::vector<std::string>& all, const std::string& text) {
+  return std::any_of(all.begin(), all.end(), [&](const std::string& s) { return s.find(text) != std::string::npos; });
+}
+
+TEST(run_checks, the_example_has_a_complete_table_without_settings) {
+  const CheckTable& table = bgl1().statics.checks;
+  for (const char* id :
+       {"dnv_collapse", "dnv_propagation", "api_collapse", "api_propagation", "api_tension", "api_combined_load"}) {
+    ASSERT_NE(find(table, id, CheckRegion::line), nullptr) << id;
+    EXPECT_TRUE(row_of(table, id, CheckRegion::line).judged()) << id;
+  }
+  for (const char* id : {"dnv_displacement_controlled", "dnv_criterion_1"}) {
+    EXPECT_TRUE(row_of(table, id, CheckRegion::overbend).judged()) << id;
+  }
+  for (const CheckRegion region : {CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
+    for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
+      EXPECT_TRUE(row_of(table, id, region).judged()) << id;
+    }
+  }
+  EXPECT_EQ(row_of(table, "dnv_criterion_2", CheckRegion::overbend).status, CheckStatus::not_done);
+  for (const CheckRow& row : table.rows) {
+    EXPECT_TRUE(std::isfinite(row.utilisation) && std::isfinite(row.reserve)) << row.id;
+    EXPECT_FALSE(row.code.empty()) << row.id;
+  }
+}
+
+TEST(run_checks, load_over_the_supports_is_told_but_does_not_decide) {
+  const CheckTable& table = bgl1().statics.checks;
+  EXPECT_FALSE(row_of(table, "dnv_load_controlled", CheckRegion::overbend).governing);
+  EXPECT_TRUE(row_of(table, "dnv_load_controlled", CheckRegion::sagbend).governing);
+  EXPECT_TRUE(row_of(table, "dnv_displacement_controlled", CheckRegion::overbend).governing);
+  EXPECT_FALSE(row_of(table, "dnv_propagation", CheckRegion::line).governing);
+}
+
+TEST(run_checks, static_load_effects_carry_the_functional_factor) {
+  const CheckRow& row = row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend);
+  EXPECT_NEAR(input(row, "M_Sd"), 1.1 * input(row, "M_F"), 1e-9 * input(row, "M_F"));
+  EXPECT_NEAR(input(row, "S_Sd"), 1.1 * input(row, "S_F"), 1e-9 * input(row, "S_F"));
+  EXPECT_NEAR(input(row, "gamma_m gamma_SC"), 1.15 * 1.04, 1e-12);
+}
+
+TEST(run_checks, the_table_agrees_with_a_calculation_by_hand_at_the_worst_station_of_the_sagbend) {
+  const CheckRow& row = row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend);
+  const Station* at = nullptr;
+  for (const Station& station : bgl1().statics.stations) {
+    if (station.s == row.s) at = &station;
+  }
+  ASSERT_NE(at, nullptr);
+  const Wall wall{0.4064, 0.011125, 207e9, 0.3};
+  const double fy = 0.96 * 414e6, fu = 0.96 * 517e6, factor = 1.15 * 1.04;
+  const double plastic = fy * std::pow(0.4064 - 0.011125, 2) * 0.011125;
+  const double axial = fy * M_PI * (0.4064 - 0.011125) * 0.011125;
+  const double beta = (60.0 - wall.slenderness()) / 90.0, alpha_c = 1.0 - beta + beta * fu / fy;
+  const double m = factor * 1.1 * at->bending_moment / (alpha_c * plastic);
+  const double s = factor * 1.1 * at->effective_tension / (alpha_c * axial);
+  const double p = factor * 10050.0 * -at->p_W.z() / collapse_pressure(wall, fy, 0.85, 0.005);
+  EXPECT_NEAR(row.utilisation, std::pow(m + s * s, 2) + p * p, 1e-9);
+  const double reserve = row.reserve;
+  EXPECT_NEAR(std::pow(reserve * m + std::pow(reserve * s, 2), 2) + p * p, 1.0, 1e-9);
+}
+
+TEST(run_checks, every_region_reports_the_station_that_is_used_most) {
+  const CheckTable& table = bgl1().statics.checks;
+  ASSERT_EQ(table.along.s.size(), bgl1().statics.stations.size());
+  double largest = 0.0;
+  for (const double value : table.along.strain) largest = std::max(largest, value);
+  EXPECT_DOUBLE_EQ(row_of(table, "dnv_displacement_controlled", CheckRegion::overbend).utilisation, largest);
+  double load = 0.0;
+  for (std::size_t i = 0; i < table.along.s.size(); ++i) {
+    if (bgl1().statics.stations[i].region == Region::seabed) load = std::max(load, table.along.load[i]);
+  }
+  EXPECT_DOUBLE_EQ(row_of(table, "dnv_load_controlled", CheckRegion::seabed).utilisation, load);
+}
+
+TEST(run_checks, a_missing_tensile_strength_is_taken_from_the_grade_and_said) {
+  EXPECT_TRUE(any_contains(bgl1().statics.assumptions, "517 MPa of API 5L X60"));
+  const CheckTable unknown = checks_with([](Description& d) { d.pipe.section.steel.yield_stress = 430e6; });
+  const CheckRow& row = row_of(unknown, "dnv_load_controlled", CheckRegion::sagbend);
+  EXPECT_EQ(row.status, CheckStatus::not_done);
+  EXPECT_EQ(row.remark, "tensile strength not given");
+  EXPECT_EQ(row_of(unknown, "api_combined_load", CheckRegion::line).status, CheckStatus::not_done);
+  EXPECT_TRUE(row_of(unknown, "dnv_collapse", CheckRegion::line).judged());  // needs none
+  EXPECT_TRUE(any_contains(unknown.assumptions, "no grade of API 5L"));
+}
+
+TEST(run_checks, between_grades_the_lower_row_of_the_laying_criteria_is_taken_with_words) {
+  const CheckTable table = checks_with([](Description& d) { d.pipe.section.steel.yield_stress = 430e6; });
+  const CheckRow& row = row_of(table, "dnv_criterion_1", CheckRegion::overbend);
+  EXPECT_DOUBLE_EQ(row.capacity, 0.0023);
+  EXPECT_NE(row.remark.find("nearest lower grade"), std::string::npos);
+  EXPECT_DOUBLE_EQ(row_of(bgl1().statics.checks, "dnv_criterion_1", CheckRegion::overbend).capacity, 0.0023);
+  const CheckTable named = checks_with([](Description& d) { d.checks.grade = "X52"; });
+  EXPECT_DOUBLE_EQ(row_of(named, "dnv_criterion_1", CheckRegion::overbend).capacity, 0.00205);
+}
+
+TEST(run_checks, what_lies_outside_a_formula_is_neither_passed_nor_failed) {
+  const CheckTable thick = checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.03; });  // D/t 13.5
+  for (const CheckRegion region : {CheckRegion::overbend, CheckRegion::sagbend}) {
+    const CheckRow& row = row_of(thick, "dnv_load_controlled", region);
+    EXPECT_EQ(row.status, CheckStatus::outside_validity);
+    EXPECT_NE(row.remark.find("15"), std::string::npos);
+  }
+  const CheckTable thin = checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.0075; });  // 54
+  EXPECT_EQ(row_of(thin, "dnv_displacement_controlled", CheckRegion::overbend).status, CheckStatus::outside_validity);
+  EXPECT_EQ(row_of(thin, "dnv_propagation", CheckRegion::line).status, CheckStatus::outside_validity);
+  EXPECT_EQ(row_of(thin, "api_bending_pressure", CheckRegion::sagbend).status, CheckStatus::outside_validity);
+  const CheckTable weak = checks_with([](Description& d) { d.pipe.section.steel.yield_stress = 290e6; });
+  EXPECT_EQ(row_of(weak, "dnv_criterion_1", CheckRegion::overbend).status, CheckStatus::outside_validity);
+  const CheckRow* worst = worst_check(thick);
+  ASSERT_NE(worst, nullptr);
+  EXPECT_NE(worst->status, CheckStatus::outside_validity);
+}
+
+TEST(run_checks, a_large_effective_force_is_outside_validity) {
+  StaticResults pulled = bgl1().statics;
+  for (Station& station : pulled.stations) station.effective_tension = 2.5e6;  // 0.4 S_p is 2.2 MN
+  const CheckTable table = check_statics(build_model(bgl1().description), pulled);
+  const CheckRow& row = row_of(table, "dnv_load_controlled", CheckRegion::sagbend);
+  EXPECT_EQ(row.status, CheckStatus::outside_validity);
+  EXPECT_NE(row.remark.find("0.4 S_p"), std::string::npos);
+}
+
+TEST(run_checks, settings_reach_the_checks) {
+  const double plain = row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend).utilisation;
+  const auto load = [](const std::function<void(CheckSettings&)>& change) {
+    const CheckTable table = checks_with([&](Description& d) { change(d.checks); });
+    return row_of(table, "dnv_load_controlled", CheckRegion::sagbend).utilisation;
+  };
+  EXPECT_GT(load([](CheckSettings& s) { s.safety_class = SafetyClass::high; }), plain);
+  EXPECT_LT(load([](CheckSettings& s) { s.alpha_u = 1.0; }), plain);
+  EXPECT_LT(load([](CheckSettings& s) { s.manufacture = Manufacture::seamless; }), plain);
+  EXPECT_GT(load([](CheckSettings& s) { s.system_effects = true; }), plain);
+  EXPECT_LT(load([](CheckSettings& s) { s.condition_factor = 0.82; }), plain);
+  const auto collapse = [](const std::function<void(CheckSettings&)>& change) {
+    const CheckTable table = checks_with([&](Description& d) { change(d.checks); });
+    return row_of(table, "dnv_collapse", CheckRegion::line).utilisation;
+  };
+  const double round = row_of(bgl1().statics.checks, "dnv_collapse", CheckRegion::line).utilisation;
+  EXPECT_GT(collapse([](CheckSettings& s) { s.wall_tolerance = 0.001; }), round);
+  EXPECT_GT(collapse([](CheckSettings& s) { s.ovality = 0.02; }), round);
+}
+
+TEST(run_checks, the_basis_of_yield_moves_the_stress_limit) {
+  const double smys = row_of(bgl1().statics.checks, "dnv_equivalent_stress", CheckRegion::sagbend).capacity;
+  EXPECT_DOUBLE_EQ(smys, 0.87 * 414e6);
+  const CheckTable fy = checks_with([](Description& d) { d.checks.yield_basis = YieldBasis::fy; });
+  EXPECT_DOUBLE_EQ(row_of(fy, "dnv_equivalent_stress", CheckRegion::sagbend).capacity, 0.87 * 0.96 * 414e6);
+}
+
+TEST(run_checks, the_strain_factor_of_field_joints_counts_for_the_design_strain_and_api) {
+  const CheckTable table = checks_with([](Description& d) { d.pipe.section.joint->strain_factor = 1.2; });
+  const CheckTable& plain = bgl1().statics.checks;
+  const auto demand = [](const CheckTable& t, const char* id) { return row_of(t, id, CheckRegion::overbend).demand; };
+  for (const char* id : {"dnv_displacement_controlled", "api_bending_pressure"}) {
+    EXPECT_NEAR(demand(table, id), 1.2 * demand(plain, id), 1e-12) << id;
+  }
+  EXPECT_DOUBLE_EQ(demand(table, "dnv_criterion_1"), demand(plain, "dnv_criterion_1"));  // without concentration
+}
+
+TEST(run_checks, a_roller_takes_from_the_plastic_moment_only_when_asked) {
+  const CheckTable table = checks_with([](Description& d) { d.checks.point_load = true; });
+  EXPECT_GT(row_of(table, "dnv_load_controlled", CheckRegion::overbend).utilisation,
+            row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::overbend).utilisation);
+  EXPECT_DOUBLE_EQ(row_of(table, "dnv_load_controlled", CheckRegion::sagbend).utilisation,
+                   row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend).utilisation);
+}
+
+TEST(run_checks, one_code_alone_leaves_the_other_out) {
+  for (const auto& [codes, other] : {std::pair{CheckCodes::dnv, "api_"}, std::pair{CheckCodes::api, "dnv_"}}) {
+    const CheckTable table = checks_with([c = codes](Description& d) { d.checks.codes = c; });
+    EXPECT_FALSE(table.rows.empty());
+    for (const CheckRow& row : table.rows) EXPECT_FALSE(row.id.starts_with(other)) << row.id;
+  }
+}
+
+TEST(run_checks, limits_of_the_equipment_are_judged_where_given) {
+  EXPECT_EQ(find(bgl1().statics.checks, "roller_load", CheckRegion::line), nullptr);
+  const CheckTable table = checks_with([](Description& d) {
+    d.checks.limits = {100e3, 200e3, 240e3, 0.5};
+    d.checks.yield_share.overbend_static = 0.85;
+    d.checks.yield_share.sagbend_dynamic = 0.9;
+  });
+  EXPECT_NEAR(row_of(table, "roller_load", CheckRegion::line).demand, bgl1().statics.largest_reaction, 1e-6);
+  EXPECT_GT(row_of(table, "coating_line_load", CheckRegion::line).utilisation, 0.0);
+  EXPECT_EQ(row_of(table, "tensioner_load", CheckRegion::line).status, CheckStatus::exceeded);
+  EXPECT_NEAR(row_of(table, "tensioner_load", CheckRegion::line).utilisation, 250.0 / 240.0, 1e-6);
+  EXPECT_NEAR(row_of(table, "tip_clearance", CheckRegion::line).capacity, *bgl1().statics.stinger_tip_clearance, 1e-12);
+  EXPECT_DOUBLE_EQ(row_of(table, "yield_share", CheckRegion::overbend).capacity, 0.85 * 414e6);
+  EXPECT_EQ(find(table, "yield_share", CheckRegion::sagbend), nullptr);  // needs a run in time
+}
+
+TEST(run_checks, an_arrestor_is_judged_by_its_cross_over) {
+  const CheckTable table = checks_with([](Description& d) { d.checks.arrestor = ArrestorSettings{8e6, 0.5}; });
+  const CheckRow& row = row_of(table, "dnv_crossover", CheckRegion::line);
+  EXPECT_TRUE(row.governing);
+  EXPECT_GT(input(row, "p_X"), input(row_of(table, "dnv_propagation", CheckRegion::line), "p_pr(t2)"));
+  EXPECT_LT(input(row, "p_X"), 8e6);
+}
+
+TEST(run_checks, the_api_edition_changes_the_factor_on_collapse) {
+  const CheckTable third = checks_with([](Description& d) { d.checks.api.edition = ApiEdition::third; });
+  const CheckRow& row = row_of(third, "api_bending_pressure", CheckRegion::sagbend);
+  EXPECT_EQ(input(row, "f_c"), 1.0);
+  EXPECT_NE(row.code.find("1999"), std::string::npos);
+  const CheckRow& fourth = row_of(bgl1().statics.checks, "api_bending_pressure", CheckRegion::sagbend);
+  EXPECT_NEAR(input(fourth, "delta"), 0.0025, 1e-15);  // half of O_0
+  EXPECT_NEAR(input(fourth, "f_c"), 0.6 * (1.0 + 20.0 * 0.0025), 1e-12);
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,25 @@
+// Code checks in the order in which they matter.
+import type { Check } from '../api/types';
+
+const regions = ['overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
+
+const judged = (c: Check): boolean => c.status === 'passed' || c.status === 'exceeded';
+
+/** The check that decides in each region, tensioner first. */
+export function governing(checks: readonly Check[]): Check[] {
+  return regions.flatMap((region) => {
+    const those = checks.filter((c) => c.region === region && c.governing && judged(c));
+    return those.length ? [those.reduce((a, b) => (b.utilisation! > a.utilisation! ? b : a))] : [];
+  });
+}
+
+/** All checks: those that decide by utilisation, then those for information, then those that could not be judged. */
+export function ranked(checks: readonly Check[]): Check[] {
+  const rank = (c: Check): number => (!judged(c) ? 2 : c.governing ? 0 : 1);
+  return [...checks].sort((a, b) => rank(a) - rank(b) || (b.utilisation ?? 0) - (a.utilisation ?? 0));
+}
+
+export const level = (c: Check): 'over' | 'near' | 'good' | 'open' =>
+  (!judged(c) ? 'open' : !c.governing ? 'open' : c.utilisation! > 1 ? 'over' : c.utilisation! > 0.87 ? 'near' : 'good');
+
+export const regionName = (region: string): string => (region === 'line' ? 'whole line' : region);
