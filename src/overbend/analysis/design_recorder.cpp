@@ -19,7 +19,7 @@ Vec3 strain_vector(double strain, const Vec3& moment) {
 
 DesignRecorder::DesignRecorder(const Model& model, const std::vector<int>& section_of_node)
     : model_(&model),
-      sections_(check_sections(model.description)),
+      sections_(check_sections(model)),
       combinations_(load_combinations(model.description.checks)),
       section_(section_of_node.begin(), section_of_node.end()),
       first_supported_(section_of_node.size()),

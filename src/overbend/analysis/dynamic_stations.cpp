@@ -42,6 +42,12 @@ Vec3 plastic_inside(const std::vector<Vec3>& plastic_moment, std::size_t element
   return plastic_moment[kGaussPoints * element + point];
 }
 
+/// EI at a node: of the softer of its two elements, where the pipe bends more.
+double softer_side(const AlignedDoubles& EI, std::size_t node, std::size_t last) {
+  const double after = EI[std::min(node, last - 1)];
+  return node == 0 ? after : std::min(after, EI[node - 1]);
+}
+
 double yielded_at(const std::vector<BendingMemory>& memory, std::size_t node) {
   const std::size_t after = std::min(kGaussPoints * node, memory.size() - 1);
   return std::max(memory[after].largest, after > 0 ? memory[after - 1].largest : 0.0);
@@ -94,7 +100,7 @@ void NodeRecovery::bending_moments(const DynamicState& state, const std::vector<
     const Vec3 t = Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
     const Vec3 elastic = share * (bend_[node] - bend_[node].dot(t) * t);
     const Vec3 bend = elastic - plastic_at_node(plastic_moment, node, last);
-    values.curvature[node] = elastic.norm() / line_->elements.EI[std::min(node, last - 1)];
+    values.curvature[node] = elastic.norm() / softer_side(line_->elements.EI, node, last);
     tangent_[node] = t;
     bend_[node] = bend;
     values.bending_moment[node] = bend.norm();

@@ -86,8 +86,11 @@ LineMesh build_mesh(const Model& model, const MeshZones& zones) {
   }
   std::vector<double> fixed;
   for (const SectionSpan& span : model.spans) {
-    if (span.to < zones.total - kShortestElement) {
-      fixed.push_back(span.to);
+    for (const double end : {span.from, span.to}) {
+      const double last = fixed.empty() ? 0.0 : fixed.back();
+      if (end > last && end < zones.total - kShortestElement) {
+        fixed.push_back(end);
+      }
     }
   }
   fixed.push_back(zones.total);

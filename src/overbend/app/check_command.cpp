@@ -123,8 +123,7 @@ int run_check(const std::string& model_file) {
   const Model model = build_model(*description);
   std::cout << description->title << "\n" << model_file << " is a valid model.\n";
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    const PipeDescription& pipe = description->pipe;
-    print_section(model.sections[i], (i == 0 ? pipe.section : pipe.segments[i - 1].section).steel);
+    print_section(model.sections[i], model.description_of(i).steel);
   }
   print_places(model);
   print_supports(model);

@@ -69,10 +69,10 @@ CheckSection make_check_section(const SectionDescription& section, const CheckSe
   return out;
 }
 
-std::vector<CheckSection> check_sections(const Description& description) {
-  std::vector<CheckSection> sections = {make_check_section(description.pipe.section, description.checks)};
-  for (const SegmentDescription& segment : description.pipe.segments) {
-    sections.push_back(make_check_section(segment.section, description.checks));
+std::vector<CheckSection> check_sections(const Model& model) {
+  std::vector<CheckSection> sections;
+  for (std::size_t i = 0; i < model.sections.size(); ++i) {
+    sections.push_back(make_check_section(model.description_of(i), model.description.checks));
   }
   return sections;
 }

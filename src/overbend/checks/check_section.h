@@ -10,7 +10,7 @@
 #include "checks/dnv_strain.h"
 #include "checks/load_effects.h"
 #include "checks/steel_grades.h"
-#include "model/description.h"
+#include "model/model.h"
 
 namespace overbend {
 
@@ -39,8 +39,8 @@ struct CheckSection {
 
 CheckSection make_check_section(const SectionDescription& section, const CheckSettings& settings);
 
-/// Of the line's own section, then of the segments': as in Model::sections.
-std::vector<CheckSection> check_sections(const Description& description);
+/// As in Model::sections.
+std::vector<CheckSection> check_sections(const Model& model);
 
 /// Combination b, and a where system effects are present.
 std::vector<LoadFactors> load_combinations(const CheckSettings& settings);

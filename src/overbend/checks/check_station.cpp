@@ -90,7 +90,7 @@ void factor_static(CheckStation& station, const CheckSection& section, const std
 
 CheckStations static_stations(const Model& model, const StaticResults& statics) {
   CheckStations out;
-  out.sections = check_sections(model.description);
+  out.sections = check_sections(model);
   const std::vector<LoadFactors> combinations = load_combinations(model.description.checks);
   const RegionLimits limits = region_limits(statics);
   const std::vector<double> rollers = roller_forces(statics);
@@ -115,7 +115,7 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
 CheckStations dynamic_stations(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
   CheckStations out;
   out.in_time = true;
-  out.sections = check_sections(model.description);
+  out.sections = check_sections(model);
   const RegionLimits limits = region_limits(statics);
   const StationDesign& design = dynamics.design;
   for (std::size_t i = 0; i < dynamics.station_s.size(); ++i) {

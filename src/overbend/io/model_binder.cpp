@@ -124,6 +124,8 @@ SectionDescription bind_section(const FieldValue& group, SectionDescription sect
     take(*joint, "length", section.joint->length);
     take(*joint, "field_joint", section.joint->field_joint);
     take(*joint, "infill_weight_density", section.joint->infill_weight_density);
+    take(*joint, "coated_stiffness", section.joint->coated_stiffness);
+    take(*joint, "first", section.joint->first);
     take(*joint, "strain_factor", section.joint->strain_factor);
   }
   HydrodynamicsDescription& hydrodynamics = section.hydrodynamics;

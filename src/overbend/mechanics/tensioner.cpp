@@ -68,16 +68,17 @@ bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine
   return false;
 }
 
-/// Turns with the speed, and stands where its travel ends.
+/// Turns with the speed, and stands where its travel ends. A speed that would count as restored is not yet a turn.
 Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
-  if (travel.speed != 0.0) {
-    m.side = travel.speed > 0.0 ? 1 : -1;
+  if (-m.side * travel.speed > kRestored * law.velocity) {
+    m.side = -m.side;
     m.state = m.side > 0 ? TensionerState::pay_out : TensionerState::haul_in;
   }
-  const TensionerDrive outward = m.side > 0 ? TensionerDrive::fastest : TensionerDrive::slowest;
-  if (m.drive == outward && law.limit - m.side * travel.length <= kSamePlace) {
+  const int outward = m.drive == TensionerDrive::fastest ? 1 : m.drive == TensionerDrive::slowest ? -1 : 0;
+  if (outward != 0 && law.limit - outward * travel.length <= kSamePlace) {
+    m.side = outward;
     come_to_rest(m, TensionerState::at_limit);
-    return {m.side * law.limit, 0.0, 0.0};
+    return {outward * law.limit, 0.0, 0.0};
   }
   return travel;
 }

@@ -46,7 +46,7 @@ struct SteelDescription {
   double yield_stress = 0.0;               ///< SMYS [Pa]
   std::optional<double> tensile_strength;  ///< SMTS [Pa]
   double weight_density = 77e3;            ///< [N/m3]
-  MaterialDescription material;
+  MaterialDescription material = {};
 };
 
 struct CoatingDescription {
@@ -60,7 +60,9 @@ struct JointDescription {
   double length = 12.2;                ///< One pipe joint [m].
   double field_joint = 0.0;            ///< Length without the outermost coating, per joint [m].
   double infill_weight_density = 0.0;  ///< [N/m3]
-  double strain_factor = 1.0;          ///< Strain at a field joint over that of the pipe beside it [-].
+  double coated_stiffness = 1.0;       ///< EI between the field joints over that of the steel [-].
+  std::optional<double> first = {};  ///< Tensioner to the middle of the first field joint; half a joint if absent [m].
+  double strain_factor = 1.0;   ///< Strain at a field joint over that of the pipe beside it [-].
 };
 
 struct HydrodynamicsDescription {

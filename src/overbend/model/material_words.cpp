@@ -21,11 +21,6 @@ std::string moment_form(const SteelDescription& steel) {
       fit.coefficient, fit.exponent, 100.0 * fit.largest_error);
 }
 
-const SteelDescription& steel_of(const Model& model, std::size_t section) {
-  const PipeDescription& pipe = model.description.pipe;
-  return section == 0 ? pipe.section.steel : pipe.segments[section - 1].section.steel;
-}
-
 std::string fit_words(const Section& section) {
   return section.bending
              ? fmt::format("; its moment curve is followed within {:.2f} %", 100.0 * section.bending->fit_error)
@@ -60,7 +55,7 @@ std::vector<std::string> material_assumptions(const Model& model) {
   std::vector<std::string> list;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
     list.push_back(fmt::format("Steel of section '{}': {}{}.", model.sections[i].name,
-                               material_words(steel_of(model, i)), fit_words(model.sections[i])));
+                               material_words(model.description_of(i).steel), fit_words(model.sections[i])));
   }
   const auto& sections = model.sections;
   if (std::none_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending.has_value(); })) {

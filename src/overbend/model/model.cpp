@@ -48,6 +48,31 @@ void resolve_sections(Model& model) {
   }
 }
 
+/// Length from the tensioner over which field joints are told apart: the supports and three pipe joints beyond.
+double jointed_length(const Description& d, double joint) {
+  double reach = 0.0;
+  for (const BoxDescription& box : d.supports.boxes) reach = std::max(reach, box.x + box.length - d.tensioner.x);
+  return reach > 0.0 ? 1.1 * reach + 3.0 * joint : 0.0;
+}
+
+/// Stiffer pipe between the field joints, behind the segments.
+void resolve_joints(Model& model) {
+  const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
+  if (!joint || joint->coated_stiffness <= 1.0) return;
+  Section coated = model.sections.front();
+  coated.name = "coated pipe between field joints";
+  coated.EI *= joint->coated_stiffness;
+  const int section = static_cast<int>(model.sections.size());
+  model.sections.push_back(coated);
+  const double end = jointed_length(model.description, joint->length);
+  double from = model.spans.empty() ? 0.0 : model.spans.back().to;
+  for (double middle = joint->first.value_or(0.5 * joint->length); from < end; middle += joint->length) {
+    const double to = middle - 0.5 * joint->field_joint;
+    if (to > from) model.spans.push_back({from, to, section});
+    from = std::max(from, to + joint->field_joint);
+  }
+}
+
 /// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension less the
 /// weight below the tensioner. Water pressure acts from outside.
 std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, double top_z) {
@@ -70,10 +95,9 @@ std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, 
 }
 
 void resolve_bending(Model& model) {
-  const PipeDescription& pipe = model.description.pipe;
   const double top_z = model.description.vessel.stern_shoe_z + model.description.tensioner.z;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
-    const SteelDescription& steel = i == 0 ? pipe.section.steel : pipe.segments[i - 1].section.steel;
+    const SteelDescription& steel = model.description_of(i).steel;
     model.sections[i].bending = bending_law(steel, wall_levels(model, model.sections[i], top_z));
   }
 }
@@ -114,6 +138,11 @@ int Model::section_at(double distance_from_top) const {
   return span == spans.end() ? 0 : span->section;
 }
 
+const SectionDescription& Model::description_of(std::size_t section) const {
+  const PipeDescription& pipe = description.pipe;
+  return section == 0 || section > pipe.segments.size() ? pipe.section : pipe.segments[section - 1].section;
+}
+
 Model build_model(const Description& description) {
   Model model;
   model.description = description;
@@ -121,6 +150,7 @@ Model build_model(const Description& description) {
   model.water_density = model.water_weight_density / kGravity;
   resolve_sections(model);
   resolve_bending(model);
+  resolve_joints(model);
   model.supports = place_supports(description, model.sections.front().outer_radius());
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
   model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));

@@ -46,8 +46,8 @@ struct SectionSpan {
 
 struct Model {
   Description description;
-  std::vector<Section> sections;   ///< [0] the line's own, then the segments'.
-  std::vector<SectionSpan> spans;  ///< Segments from the tensioner astern; the rest has section 0.
+  std::vector<Section> sections;   ///< [0] the line's own, then the segments', then the coated pipe between joints.
+  std::vector<SectionSpan> spans;  ///< By distance from the tensioner; the rest has section 0.
   Supports supports;
   VesselPose mean_pose;
   SeabedPlane seabed;
@@ -56,6 +56,8 @@ struct Model {
   double water_density = 0.0;         ///< [kg/m3]
 
   int section_at(double distance_from_top) const;
+  /// What a section was made from: coated pipe between field joints comes from the line's own.
+  const SectionDescription& description_of(std::size_t section) const;
 };
 
 /// Resolves frames and derives properties. The description has been validated by the reader.
