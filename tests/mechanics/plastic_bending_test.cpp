@@ -109,7 +109,7 @@ TEST(bending_memory, work_is_stored_or_lost) {
     k = next;
     m = next_m;
   }
-  const double stored = 0.5 * kEI * k.squaredNorm() + stored_beyond_elastic(law, {}, k, memory);
+  const double stored = 0.5 * kEI * k.squaredNorm() + stored_beyond_elastic(k, memory);
   EXPECT_NEAR(work, stored + heat, 1e-3 * work);  // first order in the 8000 steps
 }
 
@@ -167,8 +167,9 @@ ElementVector plastic_force(const BendingLaw& law, const std::array<BendingMemor
     const BendingAnswer answer = bend(law, {}, in_axes(memory, curvature_vector(at)), memory);
     Eigen::Matrix<double, 3, 2> axes;
     axes << memory.axis, memory.tangent.cross(memory.axis);
-    add_plastic_point(shape, at, kGaussWeight[i] * h, from_axes(memory, answer.plastic_moment),
-                      axes * answer.plastic_tangent * axes.transpose(), force, stiffness);
+    const Mat3 tangent = axes * answer.plastic_tangent * axes.transpose();
+    add_plastic_point(shape, at, kGaussWeight[i] * h, from_axes(memory, answer.plastic_moment), &tangent, force,
+                      stiffness);
   }
   return force;
 }
@@ -208,7 +209,7 @@ TEST(plastic_point, plastic_forces_of_an_element_balance_but_for_the_torque_of_o
     BendingMemory memory = fresh_memory(at.a.normalized());
     const Vec3 k = curvature_vector(at);
     const Vec3 moment = from_axes(memory, bend(law, {}, in_axes(memory, k), memory).plastic_moment);
-    add_plastic_point(hermite(kGaussXi[i], kLength), at, kGaussWeight[i] * kLength, moment, Mat3::Zero(), f, nullptr);
+    add_plastic_point(hermite(kGaussXi[i], kLength), at, kGaussWeight[i] * kLength, moment, nullptr, f, nullptr);
     torque += kGaussWeight[i] * kLength * k.cross(moment);
     EXPECT_LT(k.cross(moment).norm(), 5e-3 * k.norm() * moment.norm());  // a fresh pipe: what sixteen directions leave
   }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kContactNumbers = 7;
 constexpr std::size_t kWaterNumbers = 7;
-constexpr std::size_t kBendingNumbers = 16 + kSliders * kDirections;
+constexpr std::size_t kBendingNumbers = 17 + kSliders * kDirections;
 
 void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
   checkpoint.arrays.push_back({name, std::move(values)});
@@ -18,10 +18,10 @@ void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> va
 std::vector<double> bending_numbers(const std::vector<BendingMemory>& memories) {
   std::vector<double> out;
   for (const BendingMemory& m : memories) {
-    out.insert(out.end(),
-               {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(), m.center.x(),
-                m.center.y(), m.slack, m.largest, m.held.x(), m.held.y(), static_cast<double>(m.held_mix.lower),
-                m.held_mix.share, static_cast<double>(m.stamp >> 32U), static_cast<double>(m.stamp & 0xffffffffU)});
+    out.insert(out.end(), {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(),
+                           m.center.x(), m.center.y(), m.slack, m.largest, m.held.x(), m.held.y(),
+                           static_cast<double>(m.held_mix.lower), m.held_mix.share, static_cast<double>(m.stamp >> 32U),
+                           static_cast<double>(m.stamp & 0xffffffffU), m.stored});
     out.insert(out.end(), m.slip.begin(), m.slip.end());
   }
   return out;
@@ -37,7 +37,8 @@ BendingMemory bending_memory(const double* v) {
   m.held = Vec2(v[10], v[11]);
   m.held_mix = {static_cast<int>(v[12]), v[13]};
   m.stamp = (static_cast<std::uint64_t>(v[14]) << 32U) | static_cast<std::uint64_t>(v[15]);
-  std::copy_n(v + 16, m.slip.size(), m.slip.begin());
+  m.stored = v[16];
+  std::copy_n(v + 17, m.slip.size(), m.slip.begin());
   return m;
 }
 

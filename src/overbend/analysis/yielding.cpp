@@ -1,6 +1,7 @@
 #include "analysis/yielding.h"
 
 #include <algorithm>
+#include <array>
 
 namespace overbend {
 namespace {
@@ -32,13 +33,15 @@ class ElementSum {
            const BendingAnswer& answer, Vec3& moment) {
     moment = from_axes(memory, answer.plastic_moment);
     if (answer.plastic_moment.isZero(0.0)) return;
-    Mat3 tangent = Mat3::Zero();
-    if (with_tangent_ && answer.sliding) {
+    const bool slides = with_tangent_ && answer.sliding;
+    Mat3 tangent;
+    if (slides) {
       Eigen::Matrix<double, 3, 2> axes;
       axes << memory.axis, memory.tangent.cross(memory.axis);
       tangent = axes * answer.plastic_tangent * axes.transpose();
     }
-    add_plastic_point(shape, at, weight, moment, tangent, force_, with_tangent_ ? &stiffness_ : nullptr);
+    add_plastic_point(shape, at, weight, moment, slides ? &tangent : nullptr, force_,
+                      with_tangent_ ? &stiffness_ : nullptr);
     any_ = true;
   }
   void scatter_to(int element, const YieldingTarget& target) const {
@@ -51,9 +54,22 @@ class ElementSum {
   ElementMatrix stiffness_ = ElementMatrix::Zero();
 };
 
+/// Derivatives of the Hermite functions at a Gauss point; values are left out.
+HermiteValues gauss_shape(int point, double h) {
+  static const std::array<HermiteValues, kGaussPoints> unit = {hermite(kGaussXi[0], 1.0), hermite(kGaussXi[1], 1.0),
+                                                               hermite(kGaussXi[2], 1.0), hermite(kGaussXi[3], 1.0)};
+  const HermiteValues& of = unit[static_cast<std::size_t>(point)];
+  const double by_h = 1.0 / h;
+  HermiteValues shape;
+  shape.first << by_h * of.first(0), of.first(1), by_h * of.first(2), of.first(3);
+  shape.second << by_h * by_h * of.second(0), by_h * of.second(1), by_h * by_h * of.second(2), by_h * of.second(3);
+  return shape;
+}
+
+/// Derivatives of the centreline there.
 CentrelinePoint point_at(const ElementVector& q, const HermiteValues& shape) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());
-  return {nodes * shape.value, nodes * shape.first, nodes * shape.second};
+  return {Vec3::Zero(), nodes * shape.first, nodes * shape.second};
 }
 
 }  // namespace
@@ -82,7 +98,7 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
     const ElementVector at_nodes = dofs(q, e);
     for (int i = 0; i < kGaussPoints; ++i) {
-      memories.push_back(fresh_memory(point_at(at_nodes, hermite(kGaussXi[i], mesh.length[e])).a.normalized()));
+      memories.push_back(fresh_memory(point_at(at_nodes, gauss_shape(i, mesh.length[e])).a.normalized()));
     }
   }
   return memories;
@@ -100,7 +116,7 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
     const ElementVector at_nodes = dofs(q, e);
     ElementSum sum(target.tangent != nullptr);
     for (int i = kGaussPoints - 1; i >= 0; --i) {
-      const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
+      const HermiteValues shape = gauss_shape(i, mesh.length[e]);
       const CentrelinePoint at = point_at(at_nodes, shape);
       const Vec3 tangent = at.a.normalized();
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
@@ -132,7 +148,7 @@ double add_moving_yielding(const YieldingElements& elements, const LineMesh& mes
     ElementSum sum(target.tangent != nullptr);
     for (int i = 0; i < kGaussPoints; ++i) {
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
+      const HermiteValues shape = gauss_shape(i, mesh.length[e]);
       const CentrelinePoint at = point_at(at_nodes, shape);
       BendingMemory& memory = after[index];
       memory = before[index];
@@ -155,8 +171,8 @@ double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh
     const ElementVector at_nodes = dofs(q, e);
     for (int i = 0; i < kGaussPoints; ++i) {
       const BendingMemory& at = memory[kGaussPoints * e + static_cast<std::size_t>(i)];
-      const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, hermite(kGaussXi[i], mesh.length[e]))));
-      sum += kGaussWeight[i] * mesh.length[e] * stored_beyond_elastic(*elements.law[e], elements.mix[e], k, at);
+      const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, gauss_shape(i, mesh.length[e]))));
+      sum += kGaussWeight[i] * mesh.length[e] * stored_beyond_elastic(k, at);
     }
   }
   return sum;
@@ -167,9 +183,9 @@ void add_element_yielding(const LineMesh& mesh, int element, const double* q, co
   const std::size_t e = static_cast<std::size_t>(element);
   const ElementVector at_nodes = dofs(q, e);
   for (int i = 0; i < kGaussPoints; ++i) {
-    const HermiteValues shape = hermite(kGaussXi[i], mesh.length[e]);
-    add_plastic_point(shape, point_at(at_nodes, shape), kGaussWeight[i] * mesh.length[e], plastic_moment[i],
-                      Mat3::Zero(), force, nullptr);
+    const HermiteValues shape = gauss_shape(i, mesh.length[e]);
+    add_plastic_point(shape, point_at(at_nodes, shape), kGaussWeight[i] * mesh.length[e], plastic_moment[i], nullptr,
+                      force, nullptr);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace overbend {
 namespace {
@@ -35,11 +36,16 @@ Vec2 along_directions(const std::array<double, kWide>& values) {
 const Vec2& held_moment(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
   if (!(memory.held_mix == mix)) {
     const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
-    std::array<double, kWide> sum{};
+    std::array<double, kWide> sum{}, energy{};
     for (std::size_t i = 0; i < kSliders; ++i) {
-      for (std::size_t j = 0; j < kWide; ++j) sum[j] += stiffness[i] * memory.slip[kWide * i + j];
+      for (std::size_t j = 0; j < kWide; ++j) {
+        const double slip = memory.slip[kWide * i + j];
+        sum[j] += stiffness[i] * slip;
+        energy[j] += 0.5 * stiffness[i] * slip * slip;
+      }
     }
     memory.held = memory.stamp == 0 ? Vec2(Vec2::Zero()) : along_directions(sum);
+    memory.stored = std::accumulate(energy.begin(), energy.end(), 0.0);
     memory.held_mix = mix;
   }
   return memory.held;
@@ -61,6 +67,7 @@ struct Fibres {
   alignas(64) std::array<double, kWide> bend{};    ///< Curvature towards each.
   alignas(64) std::array<double, kWide> moment{};  ///< Taken off by slips.
   alignas(64) std::array<double, kWide> slope{};   ///< Of that, by sliders that slide.
+  alignas(64) std::array<double, kWide> energy{};  ///< Half of stiffness times slip squared.
   double loss = 0.0, slack = std::numeric_limits<double>::infinity();
   bool sliding = false;
 
@@ -73,6 +80,7 @@ struct Fibres {
       over_sum += std::abs(over);
       most = std::max(most, std::abs(e));
       moment[j] += stiffness * slip[j];
+      energy[j] += 0.5 * stiffness * slip[j] * slip[j];
       slope[j] += over != 0.0 ? stiffness : 0.0;
     }
     loss += stiffness * limit * over_sum;
@@ -91,6 +99,7 @@ BendingMemory& BendingMemory::operator=(const BendingMemory& other) {
   slack = other.slack;
   largest = other.largest;
   held = other.held;
+  stored = other.stored;
   held_mix = other.held_mix;
   if (stamp != other.stamp) slip = other.slip;
   stamp = other.stamp;
@@ -116,6 +125,7 @@ BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curva
   memory.center = curvature;
   memory.slack = fibres.slack;
   memory.held = answer.plastic_moment;
+  memory.stored = std::accumulate(fibres.energy.begin(), fibres.energy.end(), 0.0);
   memory.held_mix = mix;
   if (answer.sliding) {
     for (std::size_t j = 0; j < kWide; ++j) {
@@ -126,21 +136,6 @@ BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curva
     memory.stamp = stirred(memory.stamp, curvature);
   }
   return answer;
-}
-
-double stored_beyond_elastic(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature,
-                             const BendingMemory& memory) {
-  if (memory.stamp == 0) return 0.0;
-  const Directions& d = directions();
-  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < kSliders; ++i) {
-    for (std::size_t j = 0; j < kWide; ++j) {
-      const double slip = memory.slip[kWide * i + j], k = curvature.x() * d.x[j] + curvature.y() * d.y[j];
-      sum += 0.5 * stiffness[i] * slip * (slip - 2.0 * k);
-    }
-  }
-  return sum;
 }
 
 Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory) {
@@ -182,7 +177,7 @@ Vec3 curvature_vector(const CentrelinePoint& at) {
 }
 
 void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, double weight, const Vec3& plastic_moment,
-                       const Mat3& tangent, ElementVector& force, ElementMatrix* stiffness) {
+                       const Mat3* tangent, ElementVector& force, ElementMatrix* stiffness) {
   const Vec3 &a = at.a, &b = at.b, &M = plastic_moment;
   const double g = a.squaredNorm(), m = a.dot(b), beta = M.dot(b);
   const double g1 = 1.0 / std::sqrt(g), g3 = g1 / g, g5 = g3 / g;
@@ -196,14 +191,17 @@ void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, do
   }
   const Mat3 one = Mat3::Identity();
   const Vec3 k = g1 * (b - (m / g) * a);
-  const Mat3 k_b = g1 * one;
-  const Mat3 k_a = -g3 * (b * a.transpose() + m * one);  // parts along a drop out: the moment stands across the pipe
   const Mat3 Ma = M * a.transpose(), Mb = M * b.transpose(), Mk = M * k.transpose();
-  Mat3 h_aa = k_a.transpose() * tangent * k_a + (0.5 / g) * (Mk + Mk.transpose());
-  h_aa += -beta * g3 * one + 3.0 * beta * g5 * a * a.transpose() - g3 * (Mb + Mb.transpose()) +
-          3.0 * m * g5 * (Ma + Ma.transpose());
-  const Mat3 h_ba = k_b.transpose() * tangent * k_a - g3 * (Ma + Ma.transpose());
-  const Mat3 h_bb = k_b.transpose() * tangent * k_b;
+  Mat3 h_aa = (0.5 / g) * (Mk + Mk.transpose()) - beta * g3 * one + 3.0 * beta * g5 * a * a.transpose() -
+              g3 * (Mb + Mb.transpose()) + 3.0 * m * g5 * (Ma + Ma.transpose());
+  Mat3 h_ba = -g3 * (Ma + Ma.transpose()), h_bb = Mat3::Zero();
+  if (tangent != nullptr) {
+    const Mat3 k_a = -g3 * (b * a.transpose() + m * one);  // parts along a drop out: the moment stands across the pipe
+    const Mat3 along = *tangent * k_a;
+    h_aa += k_a.transpose() * along;
+    h_ba += g1 * along;
+    h_bb = (g1 * g1) * *tangent;
+  }
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 4; ++i) {
       stiffness->block<3, 3>(3 * j, 3 * i) -=

@@ -30,6 +30,7 @@ struct BendingMemory {
   double slack = -1.0;           ///< [1/m]; negative: not known yet.
   double largest = 0.0;          ///< Curvature at which it has yielded, the largest so far [1/m].
   Vec2 held = Vec2::Zero();      ///< Plastic moment of the slips, at `held_mix` [N m].
+  double stored = 0.0;           ///< Half the sum of stiffness times slip squared, at `held_mix` [J/m].
   LevelMix held_mix = {-1, 0.0};
   std::uint64_t stamp = 0;  ///< 0: never slid.
   alignas(64) Slips slip{};
@@ -50,9 +51,10 @@ struct BendingAnswer {
 /// Bends a section whose memory has been brought along; `memory` becomes what it is afterwards.
 BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature, BendingMemory& memory);
 
-/// Energy in the springs minus that of EI k^2/2 [J/m].
-double stored_beyond_elastic(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature,
-                             const BendingMemory& memory);
+/// Energy in the springs minus that of EI k^2/2, of a section bent before at its level [J/m].
+inline double stored_beyond_elastic(const Vec2& curvature, const BendingMemory& memory) {
+  return memory.stored - curvature.dot(memory.held);
+}
 
 /// Curvature at which the section carries a moment; memory as it will be there.
 Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory);
@@ -78,9 +80,9 @@ inline Vec3 from_axes(const BendingMemory& memory, const Vec2& v) {
 }
 
 /// Adds what a plastic moment (world axes) at a Gauss point takes off the element's internal force, and with
-/// `stiffness` off its tangent, where `tangent` is dM_p/dk across the pipe, world axes. `weight` is the Gauss weight
-/// times the element's length.
+/// `stiffness` off its tangent, where `tangent` is dM_p/dk across the pipe, world axes; null for none. `weight` is the
+/// Gauss weight times the element's length. Only derivatives of shape and point are used.
 void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, double weight, const Vec3& plastic_moment,
-                       const Mat3& tangent, ElementVector& force, ElementMatrix* stiffness);
+                       const Mat3* tangent, ElementVector& force, ElementMatrix* stiffness);
 
 }  // namespace overbend
