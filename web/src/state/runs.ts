@@ -2,6 +2,7 @@
 import { computed, signal } from '@preact/signals';
 import { address, get, post } from '../api/client';
 import type { Check, Column, Envelopes, Impact, Run } from '../api/types';
+import { newerList } from '../logic/runs';
 import { say, sayError } from './notices';
 
 export const runs = signal<Run[]>([]);
@@ -16,7 +17,7 @@ export const runChecks = signal<Check[] | null>(null);
 const begun = new Map<string, { at: number; progress: number }>();
 
 export async function fetchRuns(): Promise<void> {
-  try { runs.value = await get<Run[]>('runs'); } catch (error) { sayError(error); }
+  try { const list = await get<Run[]>('runs'); runs.value = newerList(runs.value, list); } catch (error) { sayError(error); }
 }
 
 export async function startRun(kind: Run['kind'], duration?: number): Promise<void> {
