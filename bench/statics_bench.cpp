@@ -1,6 +1,8 @@
 /// Statics of the BGL-1 example: from the parsed model, and with a start from the neighbour.
 #include <benchmark/benchmark.h>
 
+#include <string>
+
 #include "analysis/recovery.h"
 #include "analysis/statics.h"
 #include "io/yaml_reader.h"
@@ -45,6 +47,22 @@ void bgl1_recovery(benchmark::State& state) {
   }
 }
 BENCHMARK(bgl1_recovery)->Unit(benchmark::kMillisecond);
+
+/// From the parsed model, its derived properties included: with linear steel, and with steel that yields.
+void with_steel(benchmark::State& state, const char* example, bool yields) {
+  Description d = read_model(std::string(OVERBEND_SOURCE_DIR "/examples/") + example).description.value();
+  if (yields) {
+    d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
+    d.pipe.section.steel.material.hardening_exponent = 25.0;
+  }
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solve_statics(build_model(d)));
+  }
+}
+BENCHMARK_CAPTURE(with_steel, bgl1_linear, "bgl1.yaml", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(with_steel, bgl1_yields, "bgl1.yaml", true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(with_steel, as_printed_linear, "bgl1-as-printed.yaml", false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(with_steel, as_printed_yields, "bgl1-as-printed.yaml", true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace overbend
