@@ -173,6 +173,31 @@ TEST(statics, thicker_pipe_at_the_tensioner_bends_less_there) {
   EXPECT_GT(r.sections[1].EI, 1.8 * r.sections[0].EI);
 }
 
+// In series: the same moment bends the softer joint more, by the ratio of the stiffnesses.
+TEST(statics, strain_gathers_at_bare_field_joints) {
+  Description d = reference_bgl1();
+  d.pipe.section.joint = JointDescription{12.0, 0.6, 10.065e3};
+  d.pipe.section.joint->coated_stiffness = 1.4;
+  const StaticResults r = solve_results(d);
+  EXPECT_LT(r.global_residual, 1e-9);
+  const auto at = [&](double from_tensioner) {
+    const double s = r.total_length - from_tensioner;
+    return *std::min_element(r.stations.begin(), r.stations.end(),
+                             [&](const Station& a, const Station& b) { return std::abs(a.s - s) < std::abs(b.s - s); });
+  };
+  int joints = 0;
+  for (double middle = 6.0; middle < 60.0; middle += 12.0) {
+    const Station joint = at(middle), coated = at(middle + 0.6);
+    if (joint.bending_moment < 100e3) continue;
+    ++joints;
+    const double ratio = (joint.curvature / joint.bending_moment) / (coated.curvature / coated.bending_moment);
+    EXPECT_NEAR(ratio, 1.4, 1e-9) << middle;
+    EXPECT_NEAR(joint.bending_stress, 207e9 * joint.curvature * 0.2032, 1.0);
+    EXPECT_NEAR(coated.bending_stress, 207e9 * coated.curvature * 0.2032, 1.0);
+  }
+  EXPECT_GE(joints, 2);
+}
+
 TEST(statics, too_little_tension_is_refused_with_the_least_that_would_do) {
   Description d = reference_bgl1();
   d.tensioner.tension = 40e3;

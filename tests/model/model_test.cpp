@@ -117,5 +117,21 @@ TEST(model, segments_count_from_the_tensioner) {
   EXPECT_EQ(m.section_at(40.0), 0);
 }
 
+TEST(model, stiff_coated_pipe_leaves_the_field_joints_bare) {
+  Description d = one_box();
+  d.pipe.section.joint->coated_stiffness = 1.3;
+  const Model m = build_model(d);
+  ASSERT_EQ(m.sections.size(), 2u);
+  EXPECT_DOUBLE_EQ(m.sections[1].EI, 1.3 * m.sections[0].EI);
+  EXPECT_EQ(m.sections[1].weight_in_air, m.sections[0].weight_in_air);
+  EXPECT_EQ(m.section_at(5.6), 1);  // joints of 12 m, the first in the middle of it, 0.6 m bare
+  EXPECT_EQ(m.section_at(6.0), 0);
+  EXPECT_EQ(m.section_at(6.4), 1);
+  EXPECT_EQ(m.section_at(18.0), 0);
+  EXPECT_EQ(m.section_at(1000.0), 0);  // far behind the supports it makes no difference
+  d.pipe.section.joint->first = 2.0;
+  EXPECT_EQ(build_model(d).section_at(14.0), 0);
+}
+
 }  // namespace
 }  // namespace overbend

@@ -17,7 +17,14 @@ double degrees(double radians) {
 
 void assume_pipe(std::vector<std::string>& list, const Model& model) {
   const Section& pipe = model.sections.front();
-  list.push_back("EA and EI are of the steel alone; coatings add weight, not stiffness.");
+  const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
+  list.push_back(
+      joint && joint->coated_stiffness > 1.0
+          ? fmt::format(
+                "EA is of the steel alone. EI is, too, but for the coated pipe between the field joints over the "
+                "supports and three joints beyond, which is {:.3g} times as stiff; the steel carries its share.",
+                joint->coated_stiffness)
+          : "EA and EI are of the steel alone; coatings add weight, not stiffness.");
   for (const std::string& text : material_assumptions(model)) list.push_back(text);
   if (model.description.pipe.section.joint) {
     list.push_back(
