@@ -26,8 +26,9 @@ void settle(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, std::vector<Eige
       const double target = wanted(static_cast<Eigen::Index>(j)), now = x(used[j]);
       if (target <= 0.0) share = std::min(share, now / (now - target));
     }
-    for (std::size_t j = 0; j < used.size(); ++j)
+    for (std::size_t j = 0; j < used.size(); ++j) {
       x(used[j]) += share * (wanted(static_cast<Eigen::Index>(j)) - x(used[j]));
+    }
     if (share >= 1.0) return;
     std::erase_if(used, [&](Eigen::Index j) { return x(j) <= kNothing * x.maxCoeff(); });
     for (Eigen::Index j = 0; j < x.size(); ++j) {
