@@ -118,11 +118,11 @@ void LineSystem::evaluate(const LineState& state, bool with_tangent) {
 }
 
 void LineSystem::add_yielding(const LineState& state, bool with_tangent, bool keep_memory) {
-  if (!yielding_.any || !yields_) {
+  if (!remembers()) {
     return;
   }
   choose_levels(yielding_, state.q.data());
-  add_static_yielding(yielding_, mesh_, model_->description.statics.history, state.q.data(), keep_memory,
+  add_static_yielding(yielding_, mesh_, {model_->description.statics.history, yield_share_}, state.q.data(), keep_memory,
                       yielding_points_, {&residual_, with_tangent ? &tangent_ : nullptr});
 }
 

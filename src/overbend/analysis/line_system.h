@@ -68,10 +68,10 @@ class LineSystem {
   void limit_roller_stiffness(double limit) { roller_limit_ = limit; }
   /// Whether side rollers act.
   void use_side_rollers(bool use) { use_side_rollers_ = use; }
-  /// Whether the steel may yield.
-  void let_yield(bool yields) { yields_ = yields; }
+  /// Share of the plastic moments that acts: 0 is linear steel, 1 is what the model says.
+  void let_yield(double share) { yield_share_ = share; }
   /// Whether steel that may yield keeps what bent it upstream: the tangent does not know that.
-  bool remembers() const { return yielding_.any && yields_; }
+  bool remembers() const { return yielding_.any && yield_share_ > 0.0; }
   /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
   /// Share of the current's speed that acts.
@@ -116,7 +116,7 @@ class LineSystem {
   LineEnvironment environment_;
   YieldingElements yielding_;
   StaticYielding yielding_points_;
-  bool yields_ = true;
+  double yield_share_ = 1.0;
   ContactCells cells_;
   std::vector<PlacedRoller> rollers_;
   std::vector<int> roller_box_;

@@ -188,14 +188,30 @@ bool solve_elastic(Case& at, const LayShape& shape) {
   return relax_and_finish(at);
 }
 
-/// From the elastic shape to that of steel that yields.
+/// From the elastic shape to that of steel that yields: at once, or the plastic moments in steps.
 bool let_yield(Case& at) {
-  at.system.let_yield(true);
-  return !at.system.yielding().any || follow(at, "yielding steel");
+  at.system.let_yield(1.0);
+  const LineState elastic = at.state;
+  if (!at.system.yielding().any || follow(at, "yielding steel")) {
+    return true;
+  }
+  at.state = elastic;
+  double reached = 0.0, step = 0.25;
+  while (reached < 1.0 && step > 0.01) {
+    const LineState before = at.state;
+    at.system.let_yield(std::min(1.0, reached + step));
+    if (follow(at, "yielding in steps")) {
+      reached += step;
+    } else {
+      at.state = before;
+      step *= 0.5;
+    }
+  }
+  return reached >= 1.0;
 }
 
 bool solve_from_shape(Case& at, const LayShape& shape) {
-  at.system.let_yield(false);
+  at.system.let_yield(0.0);
   return solve_elastic(at, shape) && let_yield(at);
 }
 

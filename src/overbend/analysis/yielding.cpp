@@ -104,7 +104,7 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
   return memories;
 }
 
-void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, LayHistory history, const double* q,
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how, const double* q,
                          bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
   const std::size_t count = elements.law.size();
   points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
@@ -120,7 +120,7 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
       const CentrelinePoint at = point_at(at_nodes, shape);
       const Vec3 tangent = at.a.normalized();
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      if (law == nullptr || law != last || history == LayHistory::monotonic) {
+      if (law == nullptr || law != last || how.history == LayHistory::monotonic) {
         memory = fresh_memory(tangent);
         last = law;
       } else {
@@ -128,7 +128,9 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
       }
       if (law != nullptr) {
         const Vec2 k = in_axes(memory, curvature_vector(at));
-        const BendingAnswer answer = bend(*law, elements.mix[e], k, memory);
+        BendingAnswer answer = bend(*law, elements.mix[e], k, memory);
+        answer.plastic_moment *= how.share;
+        answer.plastic_tangent *= how.share;
         sum.add(shape, at, kGaussWeight[i] * mesh.length[e], memory, answer, points.plastic_moment[index]);
       }
       if (keep_memory) points.memory[index] = memory;

@@ -31,6 +31,12 @@ struct YieldingTarget {
   BlockTridiagonal* tangent = nullptr;
 };
 
+/// How steel yields in statics.
+struct StaticYield {
+  LayHistory history = LayHistory::laying;
+  double share = 1.0;  ///< Of the plastic moments that acts, for continuation.
+};
+
 /// What the Gauss points of a line in statics came to, kGaussPoints per element. In use only where steel yields.
 struct StaticYielding {
   std::vector<Vec3> plastic_moment;   ///< World axes [N m].
@@ -40,7 +46,7 @@ struct StaticYielding {
 /// Adds the plastic moments of a line at rest. With LayHistory::laying every section is what came to its place from
 /// the tensioner without twist, through all curvatures in between: the shape stands still while the pipe moves through
 /// it. The tangent takes what happened upstream as given.
-void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, LayHistory history, const double* q,
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how, const double* q,
                          bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
 /// Adds those of a line in motion: `after` becomes what `before` was, bent on to `q`. Returns the heat made [J].

@@ -67,6 +67,9 @@ std::string lay_table(const StaticResults& r) {
   row("Tension at the tensioner (effective)", fixed(r.top_tension / 1e3, 2), "kN");
   row("Largest effective tension", fixed(r.largest_tension / 1e3, 2), "kN");
   row("Horizontal tension at touchdown", fixed(r.bottom_tension / 1e3, 2), "kN");
+  if (r.residual_curvature > 0.0) {
+    row("Residual curvature at touchdown", fmt::format("{:.5f}", r.residual_curvature), "1/m");
+  }
   row("Lay-back, stern shoe to touchdown", fixed(r.lay_back, 2), "m");
   row("Tensioner to touchdown, horizontal", fixed(r.top_to_touchdown, 2), "m");
   row("Tensioner to touchdown, along the pipe", fixed(r.length_top_to_touchdown, 2), "m");
