@@ -104,8 +104,8 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
   return memories;
 }
 
-void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how, const double* q,
-                         bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
+                         const double* q, bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
   const std::size_t count = elements.law.size();
   points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
   points.memory.resize(keep_memory ? kGaussPoints * count : 0);

@@ -46,8 +46,8 @@ struct StaticYielding {
 /// Adds the plastic moments of a line at rest. With LayHistory::laying every section is what came to its place from
 /// the tensioner without twist, through all curvatures in between: the shape stands still while the pipe moves through
 /// it. The tangent takes what happened upstream as given.
-void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how, const double* q,
-                         bool keep_memory, StaticYielding& points, const YieldingTarget& target);
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
+                         const double* q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
 /// Adds those of a line in motion: `after` becomes what `before` was, bent on to `q`. Returns the heat made [J].
 double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
