@@ -120,13 +120,14 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
                                              left_[box].side > 0.0 ? "port" : "starboard"));
     }
   }
-  const double yield = model_->sections.front().yield_stress;
+  const Section& pipe = model_->sections.front();
+  const double yield = pipe.yield_stress;
   const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
-  if (yield > 0.0 && worst > yield) {
+  if (yield > 0.0 && worst > yield && !pipe.bending) {
     results.warnings.emplace_back(
         "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
         "beyond "
-        "it are those of a pipe that does not yield");
+        "it are those of a pipe that does not yield (pipe.steel.material lets it)");
   }
   if (results.top_tension.min < 0.0) {
     results.warnings.emplace_back("the tension at the tensioner falls below zero");
