@@ -1,7 +1,10 @@
 /// Solves many random but sensible lays from nothing and reports the share solved, the reasons of the rest, and the
 /// times.
 ///
-///     overbend_robustness [COUNT] [SEED] [FILE.csv]
+///     overbend_robustness [COUNT] [SEED] [FILE.csv] [yields]
+///
+/// With `yields` the steel is X65, Ramberg-Osgood of an exponent between 8 and 40, which these stingers bend past
+/// yield.
 ///
 /// Pipes of 6 to 48 inch, depths of 10 to 2,500 m, S-lay and J-lay, 3 to 30 boxes of 1 to 4 rows, tension 1.05 to 4
 /// times the least that the hanging pipe needs. A lay is sensible when its stinger bends the pipe within 0.15 to 0.3 %
@@ -156,8 +159,17 @@ struct Tally {
   std::vector<double> times;
 };
 
-void run_one(std::uint64_t seed, Tally& tally, fmt::ostream& csv) {
-  const Description d = random_lay(seed);
+MaterialDescription random_material(std::uint64_t seed) {
+  Dice dice(seed);
+  MaterialDescription material;
+  material.law = MaterialLaw::ramberg_osgood;
+  material.hardening_exponent = dice.between(8.0, 40.0);
+  return material;
+}
+
+void run_one(std::uint64_t seed, bool yields, Tally& tally, fmt::ostream& csv) {
+  Description d = random_lay(seed);
+  if (yields) d.pipe.section.steel.material = random_material(seed);
   const Model model = build_model(d);
   const StaticOutcome outcome = solve_statics(model);
   const double diameter = d.pipe.section.steel.outside_diameter / kInch;
@@ -192,9 +204,10 @@ int main(int count, char** words) {
   const std::uint64_t seed = count > 2 ? std::stoull(words[2]) : 1;
   auto csv = fmt::output_file(count > 3 ? words[3] : "robustness.csv");
   csv.print("seed,diameter [in],depth [m],tension [kN],boxes,rows,outcome,method,time [ms],residual,global residual\n");
+  const bool yields = count > 4 && std::string(words[4]) == "yields";
   overbend::Tally tally;
   for (int i = 0; i < lays; ++i) {
-    overbend::run_one(seed + static_cast<std::uint64_t>(i), tally, csv);
+    overbend::run_one(seed + static_cast<std::uint64_t>(i), yields, tally, csv);
   }
   std::sort(tally.times.begin(), tally.times.end());
   fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays,
