@@ -60,7 +60,7 @@ void assume_material(std::vector<std::string>& list, const CheckStations& all, c
   }
   for (std::size_t i = 0; i < all.sections.size(); ++i) {
     const CheckSection& section = all.sections[i];
-    const std::string where = i == 0 ? "" : fmt::format(" of segment {}", i);
+    const std::string where = i == 0 ? "" : fmt::format(" of '{}'", section.name);
     if (!section.grade_of_smts.empty()) {
       list.push_back(fmt::format(
           "Code checks: the tensile strength{} is not given; {:.0f} MPa of API 5L {} with this yield stress is taken.",
