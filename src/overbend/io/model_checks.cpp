@@ -49,6 +49,11 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
   if (length != nullptr && bare != nullptr && bare->number >= length->number) {
     check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
   }
+  if (joint->get_number("coated_stiffness").value_or(1.0) > 1.0 &&
+      joint->get_number("strain_factor").value_or(1.0) > 1.0) {
+    check.warn(*joint,
+               "coated_stiffness already gathers strain at the field joints; strain_factor multiplies it again");
+  }
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
   const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
   if (uncoated) {
