@@ -122,6 +122,9 @@ TEST(examples, yielding_page_holds) {
   EXPECT_NEAR(1e2 * linear.overbend->strain.value, 0.264, 0.002);
   EXPECT_NEAR(1e2 * steel.overbend->strain.value, 0.303, 0.002);
   EXPECT_NEAR(steel.residual_curvature, 0.0031, 1e-4);
+  const auto says_roll = [](const std::string& warning) { return warning.find("rolls") != std::string::npos; };
+  EXPECT_TRUE(std::any_of(steel.warnings.begin(), steel.warnings.end(), says_roll));
+  EXPECT_FALSE(std::any_of(linear.warnings.begin(), linear.warnings.end(), says_roll));
   EXPECT_NEAR(1e-3 * linear.sagbend.bending_moment.value, 98.0, 1.0);
   EXPECT_NEAR(1e-3 * steel.sagbend.bending_moment.value, 272.0, 4.0);
   EXPECT_NEAR(1e-3 * steel.largest_reaction, 76.1, 1.0);
