@@ -21,15 +21,8 @@ Json row_json(const CheckRow& row) {
   for (const CheckInput& i : row.inputs) {
     inputs.push_back({{"symbol", i.symbol}, {"meaning", i.meaning}, {"value", i.value}, {"units", i.units}});
   }
-  Json json = {{"id", row.id},
-               {"name", row.name},
-               {"code", row.code},
-               {"clause", row.clause},
-               {"region", word(row.region)},
-               {"status", word(row.status)},
-               {"governing", row.governing},
-               {"remark", row.remark},
-               {"inputs", inputs}};
+  Json json = check_head_json(row);
+  json["inputs"] = inputs;
   if (row.status == CheckStatus::not_done) return json;
   Json at = {{"s", row.s}, {"from_top", row.from_top}};
   at.update(place(row.p_W));
@@ -45,6 +38,17 @@ Json row_json(const CheckRow& row) {
 }
 
 }  // namespace
+
+Json check_head_json(const CheckRow& row) {
+  return {{"id", row.id},
+          {"name", row.name},
+          {"code", row.code},
+          {"clause", row.clause},
+          {"region", word(row.region)},
+          {"status", word(row.status)},
+          {"governing", row.governing},
+          {"remark", row.remark}};
+}
 
 std::string checks_table(const CheckTable& table) {
   CsvTable csv({"check",          "code",     "clause", "region",   "status", "governing", "utilisation",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "io/check_tables.h"
 #include "io/result_field.h"
 #include "report/json_number.h"
 
@@ -44,14 +45,7 @@ Json governing_checks(const StaticResults& r) {
 Json checks(const StaticResults& r) {
   Json list = Json::array();
   for (const CheckRow& row : r.checks.rows) {
-    Json item = {{"id", row.id},
-                 {"name", row.name},
-                 {"code", row.code},
-                 {"clause", row.clause},
-                 {"region", word(row.region)},
-                 {"status", word(row.status)},
-                 {"governing", row.governing},
-                 {"remark", row.remark}};
+    Json item = check_head_json(row);
     if (row.status != CheckStatus::not_done) {
       item["utilisation"] = seven_digits(row.utilisation);
       item["reserve"] = seven_digits(row.reserve);
