@@ -8,11 +8,10 @@
 #include "analysis/dynamic_checkpoint.h"
 #include "analysis/dynamic_clock.h"
 #include "analysis/dynamic_recorder.h"
-#include "analysis/dynamic_setup.h"
 #include "analysis/energy_account.h"
+#include "analysis/run_setup.h"
 #include "analysis/water_field.h"
 #include "checks/run_checks.h"
-#include "mechanics/vessel_motion.h"
 
 namespace overbend {
 namespace {
@@ -22,48 +21,6 @@ constexpr double kSmallestStep = 1e-7;     ///< [s]
 constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
 constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
 constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
-
-/// Everything that stands still during a run.
-struct Setup {
-  Sea sea;
-  VesselMotionModel motion;
-  DynamicLine line;
-  double interval = 0.5;  ///< Of the clock that steps must meet [s].
-};
-
-/// Place and direction of the tensioner in the vessel's frame.
-struct TensionerPlace {
-  Vec3 place_V, direction_V;
-};
-
-TensionerPlace tensioner_place(const Model& model) {
-  const TensionerDescription& t = model.description.tensioner;
-  const VesselDescription& v = model.description.vessel;
-  // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
-  return {Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z), Vec3(std::cos(t.incline), 0.0, std::sin(t.incline))};
-}
-
-EndMotion anchor_motion(const StaticSolution& start) {
-  const std::vector<double>& q = start.state.q;
-  EndMotion motion;
-  motion.place = Vec3(q[0], q[1], q[2]);
-  motion.direction = Vec3(q[3], q[4], q[5]).normalized();
-  return motion;
-}
-
-Setup make_setup(const Model& model, const StaticSolution& start, double static_tension,
-                 const DynamicOptions& options) {
-  Setup setup;
-  const Description& d = model.description;
-  setup.sea =
-      make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
-  setup.motion = make_vessel_motion(model, setup.sea);
-  setup.line = dynamic_line(model, start);
-  setup.line.build_up = options.build_up;
-  setup.line.tensioner = tensioner_law(d.tensioner, static_tension);
-  setup.interval = water_interval(setup.sea, options.output_step);
-  return setup;
-}
 
 std::string place_text(double time, double s) {
   return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
@@ -119,7 +76,7 @@ class Run {
 
   const Model& model_;
   DynamicOptions options_;
-  Setup setup_;
+  RunSetup setup_;
   EndMotion anchor_;
   TensionerPlace tensioner_;
   Clock clock_;

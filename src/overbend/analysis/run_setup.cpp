@@ -1,0 +1,38 @@
+#include "analysis/run_setup.h"
+
+#include <cmath>
+
+#include "analysis/water_field.h"
+
+namespace overbend {
+
+TensionerPlace tensioner_place(const Model& model) {
+  const TensionerDescription& t = model.description.tensioner;
+  const VesselDescription& v = model.description.vessel;
+  // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
+  return {Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z), Vec3(std::cos(t.incline), 0.0, std::sin(t.incline))};
+}
+
+EndMotion anchor_motion(const StaticSolution& start) {
+  const std::vector<double>& q = start.state.q;
+  EndMotion motion;
+  motion.place = Vec3(q[0], q[1], q[2]);
+  motion.direction = Vec3(q[3], q[4], q[5]).normalized();
+  return motion;
+}
+
+RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
+                    const DynamicOptions& options) {
+  RunSetup setup;
+  const Description& d = model.description;
+  setup.sea =
+      make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
+  setup.motion = make_vessel_motion(model, setup.sea);
+  setup.line = dynamic_line(model, start);
+  setup.line.build_up = options.build_up;
+  setup.line.tensioner = tensioner_law(d.tensioner, static_tension);
+  setup.interval = water_interval(setup.sea, options.output_step);
+  return setup;
+}
+
+}  // namespace overbend
