@@ -6,50 +6,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/dynamics.h"
-#include "analysis/recovery.h"
-#include "io/yaml_reader.h"
+#include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
 namespace {
 
+using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
 
-/// The example in a sea that a barge works in, coarse, for a short time.
+/// The example, for a shorter time.
 Description workable() {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
-  d.environment.waves.hs = 1.5;
-  d.environment.waves.tp = 8.0;
-  d.environment.waves.from = 1.75;
-  d.environment.waves.components = 40;
-  d.mesh.overbend_element = 1.0;
-  d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
-  d.dynamics = DynamicSettings{};
+  Description d = testing::workable();
   d.dynamics->duration = 8.0;
-  d.dynamics->build_up = 4.0;
   return d;
 }
-
-struct Case {
-  explicit Case(const Description& d)
-      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(recover_statics(model, start)) {}
-
-  DynamicResults results(
-      DynamicSink& sink, const DynamicCheckpoint* from = nullptr,
-      const std::function<DynamicControl(const DynamicProgress&)>& control = [](const DynamicProgress&) {
-        return DynamicControl::go_on;
-      }) const {
-    const DynamicOutcome outcome = run_dynamics(model, start, statics, dynamic_options(model), sink, from, control);
-    return outcome.results.value_or(DynamicResults{});
-  }
-
-  Model model;
-  StaticSolution start;
-  StaticResults statics;
-};
 
 const CheckRow& row_of(const CheckTable& table, const std::string& id, CheckRegion region) {
   for (const CheckRow& row : table.rows) {
@@ -128,11 +100,10 @@ TEST(design_recorder, a_run_taken_up_again_has_the_same_bits) {
   const Case c(workable());
   MemorySink whole, first, second;
   const DynamicResults expected = c.results(whole);
-  c.results(first, nullptr, [](const DynamicProgress& at) {
-    return at.time < 3.0 ? DynamicControl::checkpoint : DynamicControl::stop;
-  });
+  c.run(first, dynamic_options(c.model), nullptr,
+        [](const DynamicProgress& at) { return at.time < 3.0 ? DynamicControl::checkpoint : DynamicControl::stop; });
   ASSERT_FALSE(first.checkpoints.empty());
-  const DynamicResults resumed = c.results(second, &first.checkpoints.back());
+  const DynamicResults resumed = c.run(second, dynamic_options(c.model), &first.checkpoints.back()).results.value();
   EXPECT_EQ(resumed.design.load, expected.design.load);
   EXPECT_EQ(resumed.design.load_time, expected.design.load_time);
   EXPECT_EQ(resumed.design.moment, expected.design.moment);

@@ -6,50 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/recovery.h"
 #include "io/yaml_reader.h"
 #include "support/allocation_count.h"
+#include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
 namespace {
 
+using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
-
-/// The example in a sea that a barge works in, coarse, for a short time.
-Description workable() {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
-  d.environment.waves.hs = 1.5;
-  d.environment.waves.tp = 8.0;
-  d.environment.waves.from = 1.75;  // nearly from ahead
-  d.environment.waves.components = 40;
-  d.mesh.overbend_element = 1.0;
-  d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
-  d.dynamics = DynamicSettings{};
-  d.dynamics->duration = 12.0;
-  d.dynamics->build_up = 4.0;
-  return d;
-}
-
-struct Case {
-  explicit Case(const Description& d)
-      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(recover_statics(model, start)) {}
-
-  DynamicOutcome run(
-      DynamicSink& sink, const DynamicOptions& options, const DynamicCheckpoint* from = nullptr,
-      const std::function<DynamicControl(const DynamicProgress&)>& control = [](const DynamicProgress&) {
-        return DynamicControl::go_on;
-      }) const {
-    return run_dynamics(model, start, statics, options, sink, from, control);
-  }
-  DynamicResults results(DynamicSink& sink) const { return run(sink, dynamic_options(model)).results.value(); }
-
-  Model model;
-  StaticSolution start;
-  StaticResults statics;
-};
+using testing::workable;
 
 TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
   Description d = workable();
