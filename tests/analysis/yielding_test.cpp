@@ -73,7 +73,7 @@ TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_secti
     choose_levels(elements, q.data());
     std::vector<double> residual(q.size(), 0.0);
     StaticYielding points;
-    add_static_yielding(elements, mesh, {}, q.data(), true, points, {&residual, nullptr});
+    add_static_yielding(elements, mesh, {}, {q.data(), nullptr}, true, points, {&residual, nullptr});
     const Section& section = model.sections.front();
     const double k = 1.0 / radius;
     const double expected = k - bilinear_moment(model.description.pipe.section.steel, k) / section.EI;
@@ -94,7 +94,8 @@ TEST(lay_history, a_line_bent_once_keeps_nothing_elsewhere) {
   choose_levels(elements, q.data());
   std::vector<double> residual(q.size(), 0.0);
   StaticYielding points;
-  add_static_yielding(elements, mesh, {LayHistory::monotonic}, q.data(), false, points, {&residual, nullptr});
+  add_static_yielding(elements, mesh, {LayHistory::monotonic}, {q.data(), nullptr}, false, points,
+                      {&residual, nullptr});
   EXPECT_EQ(points.plastic_moment[40].norm(), 0.0);
   EXPECT_GT(points.plastic_moment[4 * 110].norm(), 1e3);
 }

@@ -122,8 +122,8 @@ void LineSystem::add_yielding(const LineState& state, bool with_tangent, bool ke
     return;
   }
   choose_levels(yielding_, state.q.data());
-  add_static_yielding(yielding_, mesh_, {model_->description.statics.history, yield_share_}, state.q.data(),
-                      keep_memory, yielding_points_, {&residual_, with_tangent ? &tangent_ : nullptr});
+  add_static_yielding(yielding_, mesh_, {model_->description.statics.history, yield_share_}, state.shape(), keep_memory,
+                      yielding_points_, {&residual_, with_tangent ? &tangent_ : nullptr});
 }
 
 std::vector<BendingMemory> LineSystem::bending_memory(const LineState& state) {

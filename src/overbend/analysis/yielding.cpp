@@ -6,8 +6,17 @@
 namespace overbend {
 namespace {
 
-ElementVector dofs(const double* q, std::size_t element) {
-  return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element));
+/// Unknowns of an element as seen from its first node: derivatives need no more, and the difference keeps digits that
+/// positions of hundreds of metres lose.
+ElementVector dofs(const LineShape& shape, std::size_t element) {
+  ElementVector q(Eigen::Map<const ElementVector>(shape.q + 6 * element));
+  q.segment<3>(6) -= q.segment<3>(0).eval();
+  if (shape.low != nullptr) {
+    const double* low = shape.low + 6 * element;
+    q.segment<3>(6) += Vec3(low[6] - low[0], low[7] - low[1], low[8] - low[2]);
+  }
+  q.segment<3>(0).setZero();
+  return q;
 }
 
 void scatter(const ElementVector& force, const ElementMatrix& k, int element, const YieldingTarget& target) {
@@ -96,7 +105,7 @@ void choose_levels(YieldingElements& elements, const double* q) {
 std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q) {
   std::vector<BendingMemory> memories;
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
-    const ElementVector at_nodes = dofs(q, e);
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
     for (int i = 0; i < kGaussPoints; ++i) {
       memories.push_back(fresh_memory(point_at(at_nodes, gauss_shape(i, mesh.length[e])).a.normalized()));
     }
@@ -105,7 +114,7 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
 }
 
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
-                         const double* q, bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
+                         const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
   const std::size_t count = elements.law.size();
   points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
   points.memory.resize(keep_memory ? kGaussPoints * count : 0);
@@ -146,7 +155,7 @@ double add_moving_yielding(const YieldingElements& elements, const LineMesh& mes
   for (std::size_t e = 0; e < elements.law.size(); ++e) {
     const BendingLaw* law = elements.law[e];
     if (law == nullptr) continue;
-    const ElementVector at_nodes = dofs(q, e);
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
     ElementSum sum(target.tangent != nullptr);
     for (int i = 0; i < kGaussPoints; ++i) {
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
@@ -170,7 +179,7 @@ double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh
   double sum = 0.0;
   for (std::size_t e = 0; e < elements.law.size(); ++e) {
     if (elements.law[e] == nullptr) continue;
-    const ElementVector at_nodes = dofs(q, e);
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
     for (int i = 0; i < kGaussPoints; ++i) {
       const BendingMemory& at = memory[kGaussPoints * e + static_cast<std::size_t>(i)];
       const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, gauss_shape(i, mesh.length[e]))));
@@ -180,7 +189,7 @@ double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh
   return sum;
 }
 
-void add_element_yielding(const LineMesh& mesh, int element, const double* q, const Vec3* plastic_moment,
+void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,
                           ElementVector& force) {
   const std::size_t e = static_cast<std::size_t>(element);
   const ElementVector at_nodes = dofs(q, e);

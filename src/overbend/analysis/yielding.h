@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/line_mesh.h"
+#include "mechanics/line_kernel.h"
 #include "mechanics/plastic_bending.h"
 #include "mechanics/quadrature.h"
 #include "model/model.h"
@@ -47,7 +48,7 @@ struct StaticYielding {
 /// the tensioner without twist, through all curvatures in between: the shape stands still while the pipe moves through
 /// it. The tangent takes what happened upstream as given.
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
-                         const double* q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
+                         const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
 /// Adds those of a line in motion: `after` becomes what `before` was, bent on to `q`. Returns the heat made [J].
 double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
@@ -59,7 +60,7 @@ double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh
                           const std::vector<BendingMemory>& memory);
 
 /// Adds the plastic moments found to the internal force of one element.
-void add_element_yielding(const LineMesh& mesh, int element, const double* q, const Vec3* plastic_moment,
+void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,
                           ElementVector& force);
 
 }  // namespace overbend
