@@ -1,5 +1,7 @@
 #include "analysis/newton.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,29 +30,50 @@ double step_limit(const std::vector<double>& dq, double move) {
   return share;
 }
 
-/// Where the tangent leaves out that steel remembers what bent it upstream, steps shrink by one factor after another in
-/// one direction: then the rest of that series is taken at once (Aitken 1926).
-class SeriesAhead {
+/// Where the tangent leaves out that steel remembers what bent it upstream, Newton's steps are those of a fixed-point
+/// iteration. What the last of them changed in the next tells what is left out (Anderson 1965, Walker and Ni 2011).
+class StepMixing {
  public:
-  /// Lengthens a step that continues a series; returns the factor.
-  double lengthen(std::vector<double>& dq) {
-    double same = 0.0, before = 0.0, now = 0.0;
-    for (std::size_t i = 0; i < last_.size(); ++i) {
-      same += dq[i] * last_[i];
-      before += last_[i] * last_[i];
-      now += dq[i] * dq[i];
+  /// Mixes the last steps into this one; `force` is the step of the far force.
+  void mix(std::vector<double>& step, double& force) {
+    Eigen::VectorXd now(static_cast<Eigen::Index>(step.size()) + 1);
+    now << Eigen::Map<const Eigen::VectorXd>(step.data(), static_cast<Eigen::Index>(step.size())), force;
+    if (asked_.size() == now.size() && taken_.size() == now.size()) {
+      if (changes_.size() == kMixed) changes_.erase(changes_.begin());
+      changes_.push_back({now - asked_, taken_});
     }
-    const double ratio = before > 0.0 ? same / before : 0.0;
-    const bool series = std::abs(ratio) > 0.1 && ratio < 0.95 && same * same > 0.98 * before * now;
-    last_ = series ? std::vector<double>(dq.size(), 0.0) : dq;
-    const double factor = series ? 1.0 / (1.0 - ratio) : 1.0;
-    for (double& value : dq) value *= factor;
-    return factor;
+    asked_ = now;
+    taken_.resize(0);
+    if (changes_.empty()) return;
+    Eigen::MatrixXd change(now.size(), static_cast<Eigen::Index>(changes_.size()));
+    for (std::size_t i = 0; i < changes_.size(); ++i) change.col(static_cast<Eigen::Index>(i)) = changes_[i].asked;
+    const Eigen::VectorXd share = change.colPivHouseholderQr().solve(now);
+    if ((now - change * share).norm() > kWorthwhile * now.norm()) return;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      now -= share(static_cast<Eigen::Index>(i)) * (changes_[i].asked + changes_[i].taken);
+    }
+    Eigen::Map<Eigen::VectorXd>(step.data(), now.size() - 1) = now.head(now.size() - 1);
+    force = now(now.size() - 1);
   }
-  void forget() { last_.assign(last_.size(), 0.0); }
+  /// What became of the step mixed last.
+  void took(const std::vector<double>& step, double share, double force) {
+    taken_.resize(static_cast<Eigen::Index>(step.size()) + 1);
+    taken_ << share * Eigen::Map<const Eigen::VectorXd>(step.data(), static_cast<Eigen::Index>(step.size())), force;
+  }
+  void forget() {
+    changes_.clear();
+    asked_.resize(0);
+    taken_.resize(0);
+  }
 
  private:
-  std::vector<double> last_;
+  static constexpr std::size_t kMixed = 6;
+  static constexpr double kWorthwhile = 0.7;
+  struct Change {
+    Eigen::VectorXd asked, taken;
+  };
+  std::vector<Change> changes_;
+  Eigen::VectorXd asked_, taken_;
 };
 
 struct Search {
@@ -96,7 +119,7 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
   NewtonReport report;
   std::vector<double> dq(state.q.size());
   LineState trial = state;
-  SeriesAhead ahead;
+  StepMixing mixing;
   double damping = 0.0;  // viscous resistance to a step, per length [N/m2]
   const double move = largest_move(system);
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
@@ -124,10 +147,11 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       damping = std::max(kDampingStep * damping, 1e2);
       continue;
     }
-    if (settings.remembers && damping == 0.0) {
-      dH *= ahead.lengthen(dq);
+    const bool mixes = settings.remembers && damping == 0.0;
+    if (mixes) {
+      mixing.mix(dq, dH);
     } else {
-      ahead.forget();
+      mixing.forget();
     }
     const double limit = std::min(step_limit(dq, move), system.share_before_entering(dq, settings.entering));
     double force_step = limit * dH;
@@ -144,6 +168,7 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
     }
     Search search{system, state, dq, trial};
     const double share = search_along(search, work_start, limit);
+    if (mixes) mixing.took(dq, share, force_step);
     if (share < 0.05) {
       damping = std::max(kDampingStep * damping, 1.0);
     } else {

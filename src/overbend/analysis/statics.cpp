@@ -16,7 +16,9 @@ namespace {
 
 using Target = LineTargetValue;
 
-constexpr int kMeshPasses = 6;  ///< Times the mesh may follow the touchdown found.
+constexpr int kMeshPasses = 6;          ///< Times the mesh may follow the touchdown found.
+constexpr int kRememberingMore = 3;     ///< Times as many iterations where steel remembers: they converge linearly.
+constexpr double kLeastYield = 0.0025;  ///< Step by which the plastic moments grow when larger ones fail.
 
 /// One case on one mesh.
 struct Case {
@@ -39,8 +41,8 @@ double soft_roller(const Case& at, double tension) {
 }
 
 bool run_newton(Case& at, NewtonSettings settings, const char* stage) {
-  settings.max_iterations = at.model.description.statics.max_iterations;
   settings.remembers = at.system.remembers();
+  settings.max_iterations = at.model.description.statics.max_iterations * (settings.remembers ? kRememberingMore : 1);
   const NewtonReport r = newton(at.system, at.state, at.target, settings);
   at.report.iterations += r.iterations;
   at.report.force_residual = r.residual;
@@ -55,10 +57,23 @@ NewtonSettings loosely() {
   return settings;
 }
 
+NewtonSettings loosely(const Case& at) {
+  NewtonSettings settings = loosely();
+  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
+  return settings;
+}
+
 NewtonSettings finally(const Case& at) {
   NewtonSettings settings;
   settings.tolerance = at.model.description.statics.tolerance;
   settings.entering = 0.25 * at.model.sections.front().outer_diameter;
+  return settings;
+}
+
+/// For one of several steps towards an end.
+NewtonSettings nearly(const Case& at) {
+  NewtonSettings settings = finally(at);
+  settings.tolerance = std::max(settings.tolerance, 1e-6);
   return settings;
 }
 
@@ -88,9 +103,7 @@ bool harden(Case& at) {
   at.system.use_side_rollers(true);
   at.system.scale_current(1.0);
   at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
-  NewtonSettings settings = loosely();
-  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
-  run_newton(at, settings, at.spatial() ? "side rollers and current" : "hard rollers");
+  run_newton(at, loosely(at), at.spatial() ? "side rollers and current" : "hard rollers");
   at.system.limit_roller_stiffness(1e300);
   return run_newton(at, finally(at), "full stiffness") && carried(at);
 }
@@ -158,9 +171,7 @@ bool relax_and_finish(Case& at) {
   if (!std::isfinite(r.residual)) {
     return false;
   }
-  NewtonSettings settings = loosely();
-  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
-  run_newton(at, settings, "Newton after relaxation");
+  run_newton(at, loosely(at), "Newton after relaxation");
   return follow(at, "full stiffness");
 }
 
@@ -197,10 +208,10 @@ bool let_yield(Case& at) {
   }
   at.state = elastic;
   double reached = 0.0, step = 0.25;
-  while (reached < 1.0 && step > 0.01) {
+  while (reached < 1.0 && step > kLeastYield) {
     const LineState before = at.state;
     at.system.let_yield(std::min(1.0, reached + step));
-    if (follow(at, "yielding in steps")) {
+    if (run_newton(at, reached + step < 1.0 ? nearly(at) : finally(at), "yielding in steps")) {
       reached += step;
     } else {
       at.state = before;
