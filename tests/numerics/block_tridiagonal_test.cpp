@@ -13,15 +13,17 @@ struct DenseTwin {
   Eigen::MatrixXd matrix, rhs;
 };
 
-/// A random unsymmetric system, and the same as a dense matrix.
-DenseTwin random_system(int nodes, unsigned seed) {
+enum class Heavy { on_the_diagonal, across_it };
+
+/// A random unsymmetric system, and the same as a dense matrix. Large entries across the diagonal need row exchanges.
+DenseTwin random_system(int nodes, unsigned seed, Heavy heavy = Heavy::across_it) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> normal;
   DenseTwin twin{BlockTridiagonal(nodes), Eigen::MatrixXd::Zero(6 * nodes, 6 * nodes), Eigen::MatrixXd(6 * nodes, 2)};
   for (int n = 0; n < nodes; ++n) {
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) {
-        const double d = normal(generator) + (i == 5 - j ? 9.0 : 0.0);  // far from the diagonal: pivoting is needed
+        const double d = normal(generator) + (i == (heavy == Heavy::across_it ? 5 - j : j) ? 9.0 : 0.0);
         twin.blocks.diag(n)[i * kRowWidth + j] = twin.matrix(6 * n + i, 6 * n + j) = d;
         if (n + 1 < nodes) {
           const double u = normal(generator);
@@ -48,9 +50,16 @@ std::vector<Isa> available_isas() {
   return isas;
 }
 
-TEST(block_tridiagonal, solves_what_a_dense_solver_solves_on_every_instruction_set) {
+class block_tridiagonal_of_any_kind : public testing::TestWithParam<Heavy> {};
+INSTANTIATE_TEST_SUITE_P(block_tridiagonal, block_tridiagonal_of_any_kind,
+                         testing::Values(Heavy::on_the_diagonal, Heavy::across_it), [](const auto& heavy) {
+                           return heavy.param == Heavy::across_it ? "heavy_across_the_diagonal"
+                                                                  : "heavy_on_the_diagonal";
+                         });
+
+TEST_P(block_tridiagonal_of_any_kind, solves_what_a_dense_solver_solves_on_every_instruction_set) {
   for (const Isa isa : available_isas()) {
-    DenseTwin twin = random_system(40, 7);
+    DenseTwin twin = random_system(40, 7, GetParam());
     const Eigen::MatrixXd expected = twin.matrix.fullPivLu().solve(twin.rhs);
     ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
     double worst = 0.0;
@@ -65,9 +74,9 @@ TEST(block_tridiagonal, solves_what_a_dense_solver_solves_on_every_instruction_s
   }
 }
 
-TEST(block_tridiagonal, solves_again_for_another_right_hand_side) {
+TEST_P(block_tridiagonal_of_any_kind, solves_again_for_another_right_hand_side) {
   for (const Isa isa : available_isas()) {
-    DenseTwin twin = random_system(40, 11);
+    DenseTwin twin = random_system(40, 11, GetParam());
     const Eigen::VectorXd other = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
     const Eigen::VectorXd expected = twin.matrix.fullPivLu().solve(other);
     ASSERT_TRUE(solve_on(twin.blocks, isa).solved());

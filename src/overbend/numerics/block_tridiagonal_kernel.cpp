@@ -1,5 +1,7 @@
 #include "numerics/block_tridiagonal_kernel.h"
 
+#include <utility>
+
 #include "base/simd.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
@@ -34,6 +36,74 @@ struct Row {
 
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
 constexpr double kPivotFloor = 1e-14;
+
+/// Rows are exchanged where a pivot is smaller than this share of what stands below it, or of what it was at first.
+constexpr double kPivotShare = 0.02;
+constexpr double kPivotLoss = 1e-10;
+
+/// The twelve rows of a block and its neighbour, all of them in registers.
+struct BlockRows {
+  Row d[kNodeDofs], u[kNodeDofs];
+};
+
+/// Takes out row I by the pivot row K, already scaled.
+template <int K, int I>
+inline __attribute__((always_inline)) void take_out(BlockRows& rows) {
+  if constexpr (I != K) {
+    const double factor = rows.d[I].part[K / kWidth][K % kWidth];
+    rows.d[I].part[K / kWidth][K % kWidth] = 0.0;
+    rows.d[I].subtract(factor, rows.d[K]);
+    rows.u[I].subtract(factor, rows.u[K]);
+  }
+}
+
+/// Whether the pivot of K may stay where it is. I runs over all rows.
+template <int K, int I>
+inline __attribute__((always_inline)) bool outweighs(const BlockRows& rows, double pivot) {
+  return I <= K || kPivotShare * magnitude(rows.d[I].part[K / kWidth][K % kWidth]) <= magnitude(pivot);
+}
+
+template <int K, int... I>
+inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const double* at_first, int& sign, bool& good,
+                                                         std::integer_sequence<int, I...> /*all*/) {
+  const double pivot = rows.d[K].part[K / kWidth][K % kWidth];
+  good = good & (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (outweighs<K, I>(rows, pivot) & ...);
+  sign = pivot < 0.0 ? -sign : sign;
+  const double inverse = 1.0 / pivot;
+  rows.d[K].part[K / kWidth][K % kWidth] = 1.0;
+  rows.d[K].scale(inverse);
+  rows.u[K].scale(inverse);
+  (take_out<K, I>(rows), ...);
+}
+
+template <int... K>
+inline __attribute__((always_inline)) int eliminate_rows(BlockRows& rows, const double* at_first,
+                                                         std::integer_sequence<int, K...> all) {
+  int sign = 1;
+  bool good = true;
+  (eliminate_row<K>(rows, at_first, sign, good, all), ...);
+  return good ? sign : 0;
+}
+
+/// What `eliminate` does, without exchanging rows: most blocks need none, and then nothing has to wait for memory.
+/// Returns 0 and leaves everything as it was where some row should be exchanged.
+inline int eliminate_in_place(Row* d, Row* u) {
+  BlockRows rows;
+  double at_first[kNodeDofs];
+  for (int i = 0; i < kNodeDofs; ++i) {
+    rows.d[i] = d[i];
+    rows.u[i] = u[i];
+    at_first[i] = d[i][i];
+  }
+  const int sign = eliminate_rows(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
+  if (sign != 0) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      d[i] = rows.d[i];
+      u[i] = rows.u[i];
+    }
+  }
+  return sign;
+}
 
 /// Gauss-Jordan on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse, which serves
 /// further right-hand sides. Returns the sign of the determinant, 0 when singular.
@@ -142,7 +212,8 @@ BlockSolveReport solve_blocks(const BlockView& system) {
   for (int i = 0; i < n; ++i) {
     Row* d = rows(system.diag, i);
     Row* u = rows(system.upper, i);
-    const int sign = eliminate(d, u);
+    int sign = eliminate_in_place(d, u);
+    sign = sign != 0 ? sign : eliminate(d, u);
     if (sign == 0) {
       report.singular_node = i;
       return report;
