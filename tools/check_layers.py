@@ -35,7 +35,7 @@ LIBRARIES = [
     ("Eigen/", EVERYTHING),
     ("unsupported/Eigen/", {"numerics"}),
     ("fmt/", EVERYTHING),
-    ("hwy/", {"numerics", "mechanics"}),
+    ("immintrin.h", {"numerics", "mechanics"}),
     ("yaml-cpp/", {"io"}),
     ("hdf5", {"io"}),
     ("nlohmann/", {"io", "report", "serve"}),

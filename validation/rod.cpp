@@ -140,14 +140,7 @@ void Rod::add_rollers(bool with_tangent) {
       continue;
     }
     const ElementMatrix k = rollers[i].stiffness * d.gradient * d.gradient.transpose() - contact.force * d.hessian;
-    for (int row = 0; row < kNodeDofs; ++row) {
-      for (int c = 0; c < kNodeDofs; ++c) {
-        tangent_.diag(node)[row * kRowWidth + c] += k(row, c);
-        tangent_.upper(node)[row * kRowWidth + c] += k(row, 6 + c);
-        tangent_.lower(node)[row * kNodeDofs + c] += k(6 + row, c);
-        tangent_.diag(node + 1)[row * kRowWidth + c] += k(6 + row, 6 + c);
-      }
-    }
+    add_element(tangent_, node, k);
   }
 }
 
@@ -181,7 +174,7 @@ void Rod::settle() {
             tangent_.upper(node)[i * kRowWidth + c] = 0.0;
           }
           if (node > 0) {
-            tangent_.lower(node - 1)[i * kNodeDofs + c] = 0.0;
+            tangent_.lower(node - 1)[i * kRowWidth + c] = 0.0;
           }
         }
         tangent_.rhs(node, i, 0) = 0.0;

@@ -29,7 +29,7 @@ DenseTwin random_system(int nodes, unsigned seed, Heavy heavy = Heavy::across_it
           const double u = normal(generator);
           const double l = normal(generator);
           twin.blocks.upper(n)[i * kRowWidth + j] = twin.matrix(6 * n + i, 6 * n + 6 + j) = u;
-          twin.blocks.lower(n)[i * 6 + j] = twin.matrix(6 * n + 6 + i, 6 * n + j) = l;
+          twin.blocks.lower(n)[i * kRowWidth + j] = twin.matrix(6 * n + 6 + i, 6 * n + j) = l;
         }
       }
       for (int side = 0; side < 2; ++side) {
@@ -91,9 +91,7 @@ TEST(block_tridiagonal, names_the_singular_node) {
   for (int j = 0; j < kRowWidth; ++j) {  // node 6 loses an equation
     twin.blocks.diag(6)[2 * kRowWidth + j] = 0.0;
     twin.blocks.upper(6)[2 * kRowWidth + j] = 0.0;
-  }
-  for (int j = 0; j < 6; ++j) {
-    twin.blocks.lower(5)[2 * 6 + j] = 0.0;
+    twin.blocks.lower(5)[2 * kRowWidth + j] = 0.0;
   }
   EXPECT_EQ(solve(twin.blocks).singular_node, 6);
 }

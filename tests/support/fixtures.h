@@ -69,7 +69,7 @@ inline Eigen::MatrixXd dense(const BlockTridiagonal& blocks) {
         m(6 * node + i, 6 * node + j) = blocks.diag(node)[8 * i + j];
         if (node + 1 < n) {
           m(6 * node + i, 6 * node + 6 + j) = blocks.upper(node)[8 * i + j];
-          m(6 * node + 6 + i, 6 * node + j) = blocks.lower(node)[6 * i + j];
+          m(6 * node + 6 + i, 6 * node + j) = blocks.lower(node)[8 * i + j];
         }
       }
     }

@@ -6,22 +6,22 @@
 namespace overbend {
 namespace {
 
-/// Removes the component along `d` from three consecutive rows of a block of `width` columns.
-void project_rows(double* block, int first_row, int width, const Vec3& d) {
-  for (int c = 0; c < width; ++c) {
+/// Removes the component along `d` from three consecutive rows of a block.
+void project_rows(double* block, int first_row, const Vec3& d) {
+  for (int c = 0; c < kRowWidth; ++c) {
     double part = 0.0;
     for (int r = 0; r < 3; ++r) {
-      part += d(r) * block[(first_row + r) * width + c];
+      part += d(r) * block[(first_row + r) * kRowWidth + c];
     }
     for (int r = 0; r < 3; ++r) {
-      block[(first_row + r) * width + c] -= d(r) * part;
+      block[(first_row + r) * kRowWidth + c] -= d(r) * part;
     }
   }
 }
 
-void project_columns(double* block, int first_column, int width, const Vec3& d) {
+void project_columns(double* block, int first_column, const Vec3& d) {
   for (int r = 0; r < kNodeDofs; ++r) {
-    double* row = block + r * width + first_column;
+    double* row = block + r * kRowWidth + first_column;
     const double part = d(0) * row[0] + d(1) * row[1] + d(2) * row[2];
     for (int c = 0; c < 3; ++c) {
       row[c] -= d(c) * part;
@@ -51,20 +51,20 @@ NodeBlocks blocks_of(BlockTridiagonal& k, int node) {
 
 void hold_direction(const NodeBlocks& at, int first_dof, const Vec3& d) {
   const double scale = largest_diagonal(at.diag);
-  project_rows(at.diag, first_dof, kRowWidth, d);
-  project_columns(at.diag, first_dof, kRowWidth, d);
+  project_rows(at.diag, first_dof, d);
+  project_columns(at.diag, first_dof, d);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
       at.diag[(first_dof + r) * kRowWidth + first_dof + c] += scale * d(r) * d(c);
     }
   }
   if (at.upper != nullptr) {
-    project_rows(at.upper, first_dof, kRowWidth, d);
-    project_columns(at.lower, first_dof, kNodeDofs, d);
+    project_rows(at.upper, first_dof, d);
+    project_columns(at.lower, first_dof, d);
   }
   if (at.upper_before != nullptr) {
-    project_columns(at.upper_before, first_dof, kRowWidth, d);
-    project_rows(at.lower_before, first_dof, kNodeDofs, d);
+    project_columns(at.upper_before, first_dof, d);
+    project_rows(at.lower_before, first_dof, d);
   }
 }
 

@@ -181,14 +181,7 @@ void LineSystem::add_contacts(const LineState& state, bool with_tangent) {
     }
     if (with_tangent) {
       const ElementMatrix k = stiffness * d.gradient * d.gradient.transpose() - contact.force * d.hessian;
-      for (int row = 0; row < kNodeDofs; ++row) {
-        for (int c = 0; c < kNodeDofs; ++c) {
-          tangent_.diag(node)[row * kRowWidth + c] += k(row, c);
-          tangent_.upper(node)[row * kRowWidth + c] += k(row, 6 + c);
-          tangent_.lower(node)[row * kNodeDofs + c] += k(6 + row, c);
-          tangent_.diag(node + 1)[row * kRowWidth + c] += k(6 + row, 6 + c);
-        }
-      }
+      add_element(tangent_, node, k);
     }
   }
 }

@@ -27,17 +27,6 @@ void add_force(const ContactTarget& target, int element, const HermiteValues& n,
   }
 }
 
-void add_tangent(BlockTridiagonal& tangent, int node, const ElementMatrix& k) {
-  for (int row = 0; row < kNodeDofs; ++row) {
-    for (int c = 0; c < kNodeDofs; ++c) {
-      tangent.diag(node)[row * kRowWidth + c] += k(row, c);
-      tangent.upper(node)[row * kRowWidth + c] += k(row, 6 + c);
-      tangent.lower(node)[row * kNodeDofs + c] += k(6 + row, c);
-      tangent.diag(node + 1)[row * kRowWidth + c] += k(6 + row, 6 + c);
-    }
-  }
-}
-
 /// N_i N_j A: the tangent of a force at a point that depends on the motion of that point alone.
 void add_point_stiffness(ElementMatrix& k, const HermiteValues& n, const Mat3& a) {
   for (int i = 0; i < 4; ++i) {
@@ -215,7 +204,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   add_friction(axial, contact.axial_direction);
   add_friction(lateral, contact.lateral_direction);
   add_point_stiffness(k, n, a);
-  add_tangent(*target.tangent, element, k);
+  add_element(*target.tangent, element, k);
 }
 
 }  // namespace overbend

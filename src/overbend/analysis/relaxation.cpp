@@ -19,7 +19,7 @@ void renew_masses(LineSystem& system, const LineState& state, std::vector<double
       for (int j = 0; j < kNodeDofs; ++j) {
         sum += std::abs(k.diag(node)[i * kRowWidth + j]);
         sum += node + 1 < k.nodes() ? std::abs(k.upper(node)[i * kRowWidth + j]) : 0.0;
-        sum += node > 0 ? std::abs(k.lower(node - 1)[i * kNodeDofs + j]) : 0.0;
+        sum += node > 0 ? std::abs(k.lower(node - 1)[i * kRowWidth + j]) : 0.0;
       }
       mass[static_cast<std::size_t>(6 * node + i)] = 0.5 * sum;
     }

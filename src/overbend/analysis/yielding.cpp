@@ -22,15 +22,7 @@ ElementVector dofs(const LineShape& shape, std::size_t element) {
 void scatter(const ElementVector& force, const ElementMatrix& k, int element, const YieldingTarget& target) {
   double* residual = target.residual->data() + 6 * element;
   for (int i = 0; i < 12; ++i) residual[i] += force(i);
-  if (target.tangent == nullptr) return;
-  for (int r = 0; r < kNodeDofs; ++r) {
-    for (int c = 0; c < kNodeDofs; ++c) {
-      target.tangent->diag(element)[r * kRowWidth + c] += k(r, c);
-      target.tangent->upper(element)[r * kRowWidth + c] += k(r, 6 + c);
-      target.tangent->lower(element)[r * kNodeDofs + c] += k(6 + r, c);
-      target.tangent->diag(element + 1)[r * kRowWidth + c] += k(6 + r, 6 + c);
-    }
-  }
+  if (target.tangent != nullptr) add_element(*target.tangent, element, k);
 }
 
 /// Sums up the points of one element.

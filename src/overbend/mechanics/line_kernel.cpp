@@ -174,26 +174,34 @@ inline void scatter_force(Batch& e, const LineTarget& target, int first, int use
   }
 }
 
+/// Adds half a row of the tangent, six columns from `first_column`, to a row of eight of every element's block.
+/// `rows` is that of the first element; blocks follow one another.
+inline void scatter_row(const Batch& e, int row, int first_column, double* rows, int used) {
+  constexpr int kBlock = 48;
+  for (int part = 0; part < 6; part += kWidth) {
+    Lanes columns[kWidth];
+    for (int j = 0; j < kWidth; ++j) {
+      columns[j] = part + j < 6 ? e.k[row][first_column + part + j] : Lanes{};
+    }
+    transpose(columns);
+    for (int l = 0; l < used; ++l) {
+      *reinterpret_cast<Lanes*>(rows + kBlock * l + part) += columns[l];
+    }
+  }
+}
+
 inline void scatter_tangent(Batch& e, const LineTarget& target, int first, int used) {
   for (int i = 0; i < kDofs; ++i) {
     for (int j = 0; j < kDofs; ++j) {
-      Lanes k = e.k[i][j];
-      k = is_tangent_dof(i) ? e.h * k : k;
-      k = is_tangent_dof(j) ? e.h * k : k;
-      double* base = nullptr;
-      int stride = 48;
-      if (i < 6) {
-        base = j < 6 ? target.diag + 48 * first + 8 * i + j : target.upper + 48 * first + 8 * i + (j - 6);
-      } else if (j < 6) {
-        base = target.lower + 36 * first + 6 * (i - 6) + j;
-        stride = 36;
-      } else {
-        base = target.diag + 48 * (first + 1) + 8 * (i - 6) + (j - 6);
-      }
-      for (int l = 0; l < used; ++l) {
-        base[stride * l] += k[l];
-      }
+      e.k[i][j] = is_tangent_dof(i) ? e.h * e.k[i][j] : e.k[i][j];
+      e.k[i][j] = is_tangent_dof(j) ? e.h * e.k[i][j] : e.k[i][j];
     }
+  }
+  for (int i = 0; i < 6; ++i) {
+    scatter_row(e, i, 0, target.diag + 48 * first + 8 * i, used);
+    scatter_row(e, i, 6, target.upper + 48 * first + 8 * i, used);
+    scatter_row(e, 6 + i, 0, target.lower + 48 * first + 8 * i, used);
+    scatter_row(e, 6 + i, 6, target.diag + 48 * (first + 1) + 8 * i, used);
   }
 }
 

@@ -5,6 +5,10 @@
 /// elements of a batch; force and tangent are scaled back at the end.
 #pragma once
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 #include "base/simd.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/quadrature.h"
@@ -46,6 +50,23 @@ inline Lanes dot(const Vec& a, const Vec& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// Whether any lane is above zero.
+inline bool any(const Lanes& x) {
+#if defined(__AVX512F__)
+  return _mm512_cmp_pd_mask(x, _mm512_setzero_pd(), _CMP_GT_OQ) != 0;
+#elif defined(__AVX__)
+  return _mm256_movemask_pd(_mm256_cmp_pd(x, _mm256_setzero_pd(), _CMP_GT_OQ)) != 0;
+#elif defined(__SSE2__)
+  return _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_setzero_pd())) != 0;
+#else
+  bool found = false;
+  for (int l = 0; l < kWidth; ++l) {
+    found = found || x[l] > 0.0;
+  }
+  return found;
+#endif
+}
+
 inline Lanes root(const Lanes& a) {
   Lanes r;
   for (int l = 0; l < kWidth; ++l) {
@@ -81,6 +102,36 @@ struct Batch {
 
 inline Lanes load_lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
+}
+
+using LaneIndices = long long __attribute__((vector_size(8 * kWidth)));
+
+/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart.
+template <int kStep>
+inline void exchange(Lanes (&rows)[kWidth]) {
+  LaneIndices low{}, high{};
+  for (int l = 0; l < kWidth; ++l) {
+    low[l] = (l & kStep) == 0 ? l : kWidth + l - kStep;
+    high[l] = (l & kStep) == 0 ? l + kStep : kWidth + l;
+  }
+  for (int i = 0; i < kWidth; ++i) {
+    if ((i & kStep) == 0) {
+      const Lanes a = rows[i], b = rows[i + kStep];
+      rows[i] = __builtin_shuffle(a, b, low);
+      rows[i + kStep] = __builtin_shuffle(a, b, high);
+    }
+  }
+}
+
+/// Lane l of row j becomes lane j of row l.
+inline void transpose(Lanes (&rows)[kWidth]) {
+  exchange<1>(rows);
+  if constexpr (kWidth > 2) {
+    exchange<2>(rows);
+  }
+  if constexpr (kWidth > 4) {
+    exchange<4>(rows);
+  }
 }
 
 /// Values of six per node at both nodes of every element of a batch; beyond the last element, of the last.

@@ -12,15 +12,15 @@ struct Wetting {
 };
 
 inline Wetting wetting(const Lanes& z, const Lanes& radius) {
-  Wetting wet;
-  for (int l = 0; l < kWidth; ++l) {  // almost every point is wholly under or wholly above the water
-    const double c = z[l] / radius[l];
-    if (c <= -1.0 || c >= 1.0) {
-      wet.share[l] = c < 0.0 ? 1.0 : 0.0;
-      wet.slope[l] = 0.0;
-    } else {
-      const double half_chord = __builtin_sqrt(1.0 - c * c);
-      wet.share[l] = (__builtin_acos(c) - c * half_chord) / kPi;
+  const Lanes c = z / radius;
+  Wetting wet{c < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
+  if (!any(1.0 - c * c)) {  // almost every point is wholly under or wholly above the water
+    return wet;
+  }
+  for (int l = 0; l < kWidth; ++l) {
+    if (c[l] > -1.0 && c[l] < 1.0) {
+      const double half_chord = __builtin_sqrt(1.0 - c[l] * c[l]);
+      wet.share[l] = (__builtin_acos(c[l]) - c[l] * half_chord) / kPi;
       wet.slope[l] = -2.0 * half_chord / (kPi * radius[l]);
     }
   }
@@ -31,29 +31,20 @@ struct Current {
   Vec velocity, slope;  ///< Slope: derivative in z.
 };
 
+/// Linear between the rows of the table, constant beyond: the first row and what every interval adds.
 inline Current current_at(const LineEnvironment& env, const Lanes& z) {
-  Current now{};
-  const int last = env.current_rows - 1;
-  for (int l = 0; l < kWidth; ++l) {
-    if (z[l] <= env.current_z[0] || last == 0) {
-      now.velocity.x[l] = env.current_vx[0];
-      now.velocity.y[l] = env.current_vy[0];
-    } else if (z[l] >= env.current_z[last]) {
-      now.velocity.x[l] = env.current_vx[last];
-      now.velocity.y[l] = env.current_vy[last];
-    } else {
-      int i = 0;
-      while (i + 2 < env.current_rows && z[l] > env.current_z[i + 1]) {
-        ++i;
-      }
-      const double dz = env.current_z[i + 1] - env.current_z[i];
-      const double sx = (env.current_vx[i + 1] - env.current_vx[i]) / dz;
-      const double sy = (env.current_vy[i + 1] - env.current_vy[i]) / dz;
-      now.velocity.x[l] = env.current_vx[i] + sx * (z[l] - env.current_z[i]);
-      now.velocity.y[l] = env.current_vy[i] + sy * (z[l] - env.current_z[i]);
-      now.slope.x[l] = sx;
-      now.slope.y[l] = sy;
-    }
+  Current now{{all(env.current_vx[0]), all(env.current_vy[0]), Lanes{}}, {}};
+  for (int i = 0; i + 1 < env.current_rows; ++i) {
+    const double below = env.current_z[i], above = env.current_z[i + 1], by_dz = 1.0 / (above - below);
+    const double slope_x = (env.current_vx[i + 1] - env.current_vx[i]) * by_dz;
+    const double slope_y = (env.current_vy[i + 1] - env.current_vy[i]) * by_dz;
+    const Lanes from_below = z > below ? z - below : Lanes{};
+    const Lanes part = z < above ? from_below : all(above - below);
+    const Lanes inside = z < above ? (z > below ? all(1.0) : Lanes{}) : Lanes{};
+    now.velocity.x += slope_x * part;
+    now.velocity.y += slope_y * part;
+    now.slope.x += slope_x * inside;
+    now.slope.y += slope_y * inside;
   }
   now.velocity = env.current_scale * now.velocity;
   now.slope = env.current_scale * now.slope;
@@ -73,14 +64,6 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
       m.m[r][c] += s * ac[r] * bc[c];
     }
   }
-}
-
-inline bool any(const Lanes& x) {
-  bool found = false;
-  for (int l = 0; l < kWidth; ++l) {
-    found = found || x[l] > 0.0;
-  }
-  return found;
 }
 
 /// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the

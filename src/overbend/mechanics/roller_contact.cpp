@@ -31,7 +31,7 @@ CubicVector distance_vector(const Projection& projection, const ElementVector& q
 
 /// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton from `xi`; the function changes sign over the element.
 double stationary_xi(const Projection& projection, const ElementVector& q, double h, double xi = 0.5) {
-  constexpr double kClose = 1e-9;  // Newton squares what is left
+  constexpr double kClose = 1e-8;  // Newton squares what is left
   const CubicVector c = distance_vector(projection, q, h);
   double low = 0.0, high = 1.0;
   for (int iteration = 0; iteration < 60; ++iteration) {

@@ -7,9 +7,9 @@ namespace overbend {
 void BlockTridiagonal::resize(int nodes) {
   nodes_ = nodes;
   const std::size_t n = static_cast<std::size_t>(nodes);
-  diag_.assign(n * kDiagSize, 0.0);
-  upper_.assign(n * kDiagSize, 0.0);
-  lower_.assign(n * kLowerSize, 0.0);
+  diag_.assign(n * kBlockSize, 0.0);
+  upper_.assign(n * kBlockSize, 0.0);
+  lower_.assign(n * kBlockSize, 0.0);
 }
 
 void BlockTridiagonal::set_zero() {

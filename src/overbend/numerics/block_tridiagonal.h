@@ -19,8 +19,7 @@ namespace overbend {
 
 inline constexpr int kNodeDofs = 6;
 inline constexpr int kRowWidth = 8;  ///< Six columns and two right-hand sides.
-inline constexpr int kDiagSize = kNodeDofs * kRowWidth;
-inline constexpr int kLowerSize = kNodeDofs * kNodeDofs;
+inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
 
 class BlockTridiagonal {
  public:
@@ -31,14 +30,14 @@ class BlockTridiagonal {
   int nodes() const { return nodes_; }
 
   /// Row-major 6 x 8: columns 0-5 the block, column 6 the first right-hand side, column 7 the second.
-  double* diag(int node) { return diag_.data() + static_cast<std::size_t>(node) * kDiagSize; }
-  const double* diag(int node) const { return diag_.data() + static_cast<std::size_t>(node) * kDiagSize; }
-  /// Row-major 6 x 8, columns 0-5 couple `node` to `node + 1`; columns 6-7 stay zero.
-  double* upper(int node) { return upper_.data() + static_cast<std::size_t>(node) * kDiagSize; }
-  const double* upper(int node) const { return upper_.data() + static_cast<std::size_t>(node) * kDiagSize; }
-  /// Row-major 6 x 6, couples `node + 1` (rows) to `node` (columns).
-  double* lower(int node) { return lower_.data() + static_cast<std::size_t>(node) * kLowerSize; }
-  const double* lower(int node) const { return lower_.data() + static_cast<std::size_t>(node) * kLowerSize; }
+  double* diag(int node) { return diag_.data() + static_cast<std::size_t>(node) * kBlockSize; }
+  const double* diag(int node) const { return diag_.data() + static_cast<std::size_t>(node) * kBlockSize; }
+  /// Row-major 6 x 8, columns 0-5 couple `node` (rows) to `node + 1`; columns 6-7 stay zero.
+  double* upper(int node) { return upper_.data() + static_cast<std::size_t>(node) * kBlockSize; }
+  const double* upper(int node) const { return upper_.data() + static_cast<std::size_t>(node) * kBlockSize; }
+  /// Row-major 6 x 8, columns 0-5 couple `node + 1` (rows) to `node`; columns 6-7 stay zero.
+  double* lower(int node) { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
+  const double* lower(int node) const { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
 
   double rhs(int node, int dof, int side) const { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
   double& rhs(int node, int dof, int side) { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
@@ -47,6 +46,19 @@ class BlockTridiagonal {
   int nodes_ = 0;
   AlignedDoubles diag_, upper_, lower_;
 };
+
+/// Adds a 12x12 matrix of the unknowns of `node` and `node + 1`.
+template <class Matrix>
+void add_element(BlockTridiagonal& system, int node, const Matrix& k) {
+  for (int row = 0; row < kNodeDofs; ++row) {
+    for (int c = 0; c < kNodeDofs; ++c) {
+      system.diag(node)[row * kRowWidth + c] += k(row, c);
+      system.upper(node)[row * kRowWidth + c] += k(row, kNodeDofs + c);
+      system.lower(node)[row * kRowWidth + c] += k(kNodeDofs + row, c);
+      system.diag(node + 1)[row * kRowWidth + c] += k(kNodeDofs + row, kNodeDofs + c);
+    }
+  }
+}
 
 /// Solves in place by block elimination with row pivoting inside each block; the solutions stand in the columns of the
 /// right-hand sides. The blocks are overwritten by what `resolve` needs.

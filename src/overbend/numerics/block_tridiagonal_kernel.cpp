@@ -12,8 +12,7 @@ inline double magnitude(double x) {
 }
 
 constexpr int kNodeDofs = 6;
-constexpr int kLowerSize = kNodeDofs * kNodeDofs;
-constexpr int kDiagSize = kNodeDofs * kLanes;
+constexpr int kBlockSize = kNodeDofs * kLanes;
 constexpr int kParts = kLanes / kWidth;
 
 /// A row of eight in as many registers as it takes.
@@ -169,7 +168,7 @@ inline void update_next(Row* d_next, const double* lower, const Row* d, Row* u) 
   for (int i = 0; i < kNodeDofs; ++i) {
     Row row = d_next[i];
     for (int k = 0; k < kNodeDofs; ++k) {
-      row.subtract(lower[i * kNodeDofs + k], u[k]);
+      row.subtract(lower[i * kLanes + k], u[k]);
     }
     d_next[i] = row;
   }
@@ -188,20 +187,19 @@ inline void substitute_back(Row* d, const Row* u, const Row* d_next) {
   }
 }
 
-/// y = A x for the first six columns of rows `stride` apart.
-template <int kStride>
+/// y = A x for the first six columns.
 inline void multiply(const double* a, const double* x, double* y) {
   for (int i = 0; i < kNodeDofs; ++i) {
-    double sum = a[i * kStride] * x[0];
+    double sum = a[i * kLanes] * x[0];
     for (int k = 1; k < kNodeDofs; ++k) {
-      sum += a[i * kStride + k] * x[k];
+      sum += a[i * kLanes + k] * x[k];
     }
     y[i] = sum;
   }
 }
 
 inline Row* rows(double* blocks, int node) {
-  return reinterpret_cast<Row*>(blocks + node * kDiagSize);
+  return reinterpret_cast<Row*>(blocks + node * kBlockSize);
 }
 
 }  // namespace
@@ -220,7 +218,7 @@ BlockSolveReport solve_blocks(const BlockView& system) {
     }
     report.negative_blocks += sign < 0 ? 1 : 0;
     if (i + 1 < n) {
-      update_next(rows(system.diag, i + 1), system.lower + i * kLowerSize, d, u);
+      update_next(rows(system.diag, i + 1), system.lower + i * kBlockSize, d, u);
     }
   }
   for (int i = n - 2; i >= 0; --i) {
@@ -235,19 +233,19 @@ void resolve_blocks(const BlockView& system, double* x) {
   for (int i = 0; i < n; ++i) {
     double* at = x + i * kNodeDofs;
     if (i > 0) {
-      multiply<kNodeDofs>(system.lower + (i - 1) * kLowerSize, at - kNodeDofs, product);
+      multiply(system.lower + (i - 1) * kBlockSize, at - kNodeDofs, product);
       for (int k = 0; k < kNodeDofs; ++k) {
         at[k] -= product[k];
       }
     }
-    multiply<kLanes>(system.diag + i * kDiagSize, at, product);
+    multiply(system.diag + i * kBlockSize, at, product);
     for (int k = 0; k < kNodeDofs; ++k) {
       at[k] = product[k];
     }
   }
   for (int i = n - 2; i >= 0; --i) {
     double* at = x + i * kNodeDofs;
-    multiply<kLanes>(system.upper + i * kDiagSize, at + kNodeDofs, product);
+    multiply(system.upper + i * kBlockSize, at + kNodeDofs, product);
     for (int k = 0; k < kNodeDofs; ++k) {
       at[k] -= product[k];
     }
