@@ -10,28 +10,14 @@ if [[ ! -f build/release/compile_commands.json ]]; then
   echo "tools/tidy.sh: no build/release; run 'cmake --preset release' first" >&2
   exit 2
 fi
-patterns=("$@")
-if ((${#patterns[@]} == 0)); then
-  patterns=('.*')
-fi
-expressions=()
-for pattern in "${patterns[@]}"; do
-  expressions+=("^$PWD/src/.*($pattern)")
-done
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
-# Kernels are compiled once per instruction set: one look at each is enough.
-/usr/bin/python3 - build/release/compile_commands.json "$work/compile_commands.json" <<'PYTHON'
-import json
-import sys
-
-commands = json.load(open(sys.argv[1]))
-json.dump(list({command["file"]: command for command in commands}.values()), open(sys.argv[2], "w"))
-PYTHON
-# Called through Debian's own Python: the one first on the PATH may be another. The compile commands are g++'s, whose
-# warning options clang need not know.
+# Called through Debian's own Python: the one first on the PATH may be another.
+cp .clang-tidy "$work"
+/usr/bin/python3 tools/tidy_units.py build/release/compile_commands.json "$work" "$@"
+# The compile commands are g++'s, whose warning options clang need not know.
 if ! /usr/bin/python3 "$(command -v run-clang-tidy)" -quiet -p "$work" -j "$(nproc)" \
-    -extra-arg=-Wno-unknown-warning-option "${expressions[@]}" >"$work/log" 2>&1; then
+    -extra-arg=-Wno-unknown-warning-option >"$work/log" 2>&1; then
   grep -E -A 4 '(warning|error):' "$work/log" || tail -n 40 "$work/log"
   exit 1
 fi

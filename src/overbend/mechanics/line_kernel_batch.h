@@ -9,6 +9,8 @@
 #include <immintrin.h>
 #endif
 
+#include <utility>
+
 #include "base/simd.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/quadrature.h"
@@ -104,33 +106,28 @@ inline Lanes load_lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
 }
 
-using LaneIndices = long long __attribute__((vector_size(8 * kWidth)));
-
-/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart.
-template <int kStep>
-inline void exchange(Lanes (&rows)[kWidth]) {
-  LaneIndices low{}, high{};
-  for (int l = 0; l < kWidth; ++l) {
-    low[l] = (l & kStep) == 0 ? l : kWidth + l - kStep;
-    high[l] = (l & kStep) == 0 ? l + kStep : kWidth + l;
-  }
+/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart. L runs over the
+/// lanes.
+template <int kStep, int... L>
+inline void exchange(Lanes (&rows)[kWidth], std::integer_sequence<int, L...> /*all*/) {
   for (int i = 0; i < kWidth; ++i) {
     if ((i & kStep) == 0) {
       const Lanes a = rows[i], b = rows[i + kStep];
-      rows[i] = __builtin_shuffle(a, b, low);
-      rows[i + kStep] = __builtin_shuffle(a, b, high);
+      rows[i] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L : kWidth + L - kStep)...);
+      rows[i + kStep] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L + kStep : kWidth + L)...);
     }
   }
 }
 
 /// Lane l of row j becomes lane j of row l.
 inline void transpose(Lanes (&rows)[kWidth]) {
-  exchange<1>(rows);
+  constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
+  exchange<1>(rows, lanes);
   if constexpr (kWidth > 2) {
-    exchange<2>(rows);
+    exchange<2>(rows, lanes);
   }
   if constexpr (kWidth > 4) {
-    exchange<4>(rows);
+    exchange<4>(rows, lanes);
   }
 }
 

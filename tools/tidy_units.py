@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""Writes the compile commands that the linter reads: sources of one layer together in units.
+
+    tools/tidy_units.py COMPILE_COMMANDS DIRECTORY [EXPRESSION ...]
+
+Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources.
+A unit that does not compile, because two sources have helpers of one name, is halved until it does. Kernels, which are
+compiled once per instruction set, are looked at once each. With expressions, only sources whose path matches one.
+"""
+
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+
+LARGEST_UNIT = 8
+
+
+def sources(commands, expressions):
+    """The command of every source below src/ that is asked for, by path."""
+    root = pathlib.Path.cwd() / "src"
+    chosen = {}
+    for command in commands:
+        path = pathlib.Path(command["file"])
+        asked = not expressions or any(re.search(expression, str(path)) for expression in expressions)
+        if root in path.parents and asked:
+            chosen[path] = command
+    return chosen
+
+
+def groups(chosen):
+    """Sources that may share a unit: of one folder, compiled with the same options."""
+    together = {}
+    for path, command in sorted(chosen.items()):
+        options = re.sub(r"\S+\.(cpp|o)\b", "", command["command"])
+        together.setdefault((path.parent, options), []).append(path)
+    for paths in together.values():
+        count = -(-len(paths) // LARGEST_UNIT)
+        yield from (paths[i::count] for i in range(count))
+
+
+def unit_command(paths, chosen, directory):
+    """The command for a file that includes `paths`, which it writes; for one source the command it has."""
+    command = dict(chosen[paths[0]])
+    if len(paths) > 1:
+        unit = directory / f"{paths[0].parent.name}_{paths[0].stem}_and_{len(paths) - 1}_more.cpp"
+        lines = [f'#include "{path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths]
+        unit.write_text("".join(lines))
+        command["command"] = command["command"].replace(str(paths[0]), str(unit))
+        command["file"] = str(unit)
+    return command
+
+
+def compiles(command):
+    arguments = shlex.split(command["command"])
+    arguments[arguments.index("-o") + 1] = os.devnull
+    return subprocess.run(arguments + ["-fsyntax-only", "-w"], cwd=command["directory"], capture_output=True,
+                          check=False).returncode == 0
+
+
+def units(paths, chosen, directory):
+    """Commands for `paths` in units that compile."""
+    command = unit_command(paths, chosen, directory)
+    if len(paths) == 1 or compiles(command):
+        return [command]
+    half = len(paths) // 2
+    return units(paths[:half], chosen, directory) + units(paths[half:], chosen, directory)
+
+
+def main():
+    commands = json.loads(pathlib.Path(sys.argv[1]).read_text())
+    directory = pathlib.Path(sys.argv[2])
+    chosen = sources(commands, sys.argv[3:])
+    if not chosen:
+        sys.exit("tools/tidy_units.py: no source matches")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = pool.map(lambda paths: units(paths, chosen, directory), groups(chosen))
+        result = [command for part in found for command in part]
+    (directory / "compile_commands.json").write_text(json.dumps(result))
+    print(f"linting {len(chosen)} sources in {len(result)} units")
+
+
+main()
