@@ -246,7 +246,7 @@ TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
     const std::vector<double> q = moved(moved(deck.q_V, lag, offset), vessel.pose.R_WV, vessel.pose.p_WV);
     contacts.place(vessel, q.data(), 0.0);
     std::vector<ContactMemory> after = fresh;
-    contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, {&residual, nullptr});
+    contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, residual);
     for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
       const MovingRoller& roller = deck.rollers[i];
       const PlacedRoller placed{vessel.pose.p_WV + vessel.pose.R_WV * roller.center_V,

@@ -86,6 +86,27 @@ TEST_P(block_tridiagonal_of_any_kind, solves_again_for_another_right_hand_side) 
   }
 }
 
+TEST_P(block_tridiagonal_of_any_kind, factors_anew_from_the_node_where_blocks_have_changed) {
+  constexpr int kChanged = 25;
+  for (const Isa isa : available_isas()) {
+    DenseTwin twin = random_system(40, 7, GetParam());
+    const DenseTwin other = random_system(40, 8, GetParam());
+    for (int n = kChanged; n < 40; ++n) {
+      const int from = 6 * n, width = n + 1 < 40 ? 12 : 6;
+      twin.matrix.block(from, from, 6, width) = other.matrix.block(from, from, 6, width);
+      twin.matrix.block(from, from, width, 6) = other.matrix.block(from, from, width, 6);
+    }
+    ASSERT_TRUE(solve_on(twin.blocks, isa).solved());
+    twin.blocks.copy_from(other.blocks, kChanged);
+    ASSERT_TRUE(refactor_on(twin.blocks, kChanged, isa).solved());
+    const Eigen::VectorXd rhs = Eigen::VectorXd::LinSpaced(240, -1.0, 2.0);
+    Eigen::VectorXd x = rhs;
+    resolve_on(twin.blocks, x.data(), isa);
+    const Eigen::VectorXd expected = twin.matrix.fullPivLu().solve(rhs);
+    EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.cwiseAbs().maxCoeff());  // rounding
+  }
+}
+
 TEST(block_tridiagonal, names_the_singular_node) {
   DenseTwin twin = random_system(10, 3);
   for (int j = 0; j < kRowWidth; ++j) {  // node 6 loses an equation

@@ -55,7 +55,8 @@ DynamicSystem::DynamicSystem(const DynamicLine& line)
       contacts_(line.rollers, line.cells, line.shoe_V, line.mesh.length, line.elements.radius),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
-      tangent_(line.mesh.nodes()) {}
+      tangent_(line.mesh.nodes()),
+      line_tangent_(line.mesh.nodes()) {}
 
 HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motion, bool free_along) const {
   HeldDirections held;
@@ -82,13 +83,13 @@ void DynamicSystem::set_drive(TensionerDrive drive) {
 }
 
 /// The force of the governor along the guide: it grows with the speed of paying out, which the top's place makes.
-void DynamicSystem::add_governor(const DynamicState& state, const StepShares& shares, bool with_tangent) {
-  const Vec3& d = surroundings_.top.direction;
+void DynamicSystem::add_governor(const DynamicState& state) {
   const std::size_t first = residual_.size() - 6;
-  Vec3Map(residual_.data() + first) -= governed_tension(line_->tensioner, state.travel.v) * d;
-  if (!with_tangent) {
-    return;
-  }
+  Vec3Map(residual_.data() + first) -= governed_tension(line_->tensioner, state.travel.v) * surroundings_.top.direction;
+}
+
+void DynamicSystem::add_governor_tangent(const DynamicState& state, const StepShares& shares) {
+  const Vec3& d = surroundings_.top.direction;
   const double rate = governor_slope(line_->tensioner, state.travel.v) * shares.velocity;
   double* block = tangent_.diag(line_->mesh.nodes() - 1);
   for (int r = 0; r < 3; ++r) {
@@ -132,13 +133,35 @@ void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, co
                                                                    before.bending, state.bending, plastic_moment_,
                                                                    {&residual_, with_tangent ? &tangent_ : nullptr});
   }
-  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts,
-                     {&residual_, with_tangent ? &tangent_ : nullptr});
+  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts, residual_);
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
   std::copy_n(residual_.end() - 6, 6, top_residual_.begin());
   if (governed()) {
-    add_governor(state, shares, with_tangent);
+    add_governor(state);
   }
+  if (with_tangent) {
+    kept_from_ = contacts_.first_within_reach(line_->mesh.nodes());
+    line_tangent_.copy_from(tangent_, kept_from_);
+    add_contact_tangents(state, shares);
+  }
+}
+
+void DynamicSystem::add_contact_tangents(const DynamicState& state, const StepShares& shares) {
+  contacts_.add_tangent(state.q.data(), shares, tangent_);
+  if (governed()) {
+    add_governor_tangent(state, shares);
+  }
+}
+
+bool DynamicSystem::renew_contacts(const DynamicState& state, const StepShares& shares) {
+  const int nodes = line_->mesh.nodes();
+  if (contacts_.first_carrying(nodes) < kept_from_ || kept_from_ == 0 || kept_from_ >= nodes) {
+    return false;
+  }
+  tangent_.copy_from(line_tangent_, kept_from_);
+  add_contact_tangents(state, shares);
+  hold_node(nodes - 1, held_top_, residual_, &tangent_);
+  return refactor(tangent_, kept_from_).solved();
 }
 
 void DynamicSystem::hold(bool with_tangent) {

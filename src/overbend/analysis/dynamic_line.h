@@ -107,6 +107,9 @@ class DynamicSystem {
   /// after the step.
   void evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares, bool with_tangent,
                 ContactMode contacts = ContactMode::free);
+  /// Brings the factors up to the contacts of the last evaluation, which had no tangent: the line's part is that of the
+  /// last factors, and those before the first roller stand. False where a full tangent is needed.
+  bool renew_contacts(const DynamicState& state, const StepShares& shares);
   /// Before a correction that the last evaluation led to; see MovingContacts.
   void end_iteration(const DynamicState& state) { contacts_.end_iteration(state.contacts); }
   /// Removes held directions from residual and, where asked, blocks.
@@ -132,7 +135,9 @@ class DynamicSystem {
 
  private:
   bool governed() const { return line_->top.hold_place && drive_ == TensionerDrive::governor; }
-  void add_governor(const DynamicState& state, const StepShares& shares, bool with_tangent);
+  void add_governor(const DynamicState& state);
+  void add_governor_tangent(const DynamicState& state, const StepShares& shares);
+  void add_contact_tangents(const DynamicState& state, const StepShares& shares);
   LineMotion motion_of(const DynamicState& state, const DynamicState& before, const StepShares& shares,
                        double* next_slip) const;
   HeldDirections held_by(const LineEnd& end, const EndMotion& motion, bool free_along) const;
@@ -144,6 +149,8 @@ class DynamicSystem {
   std::vector<Vec3> plastic_moment_;
   std::array<double, 6> anchor_residual_{}, top_residual_{};  ///< Before hold().
   BlockTridiagonal tangent_;
+  BlockTridiagonal line_tangent_;  ///< Without contacts, from node `kept_from_` on.
+  int kept_from_ = 0;
   HeldDirections held_anchor_, held_top_;
   TensionerDrive drive_ = TensionerDrive::brake;
   mutable int worst_node_ = 0;

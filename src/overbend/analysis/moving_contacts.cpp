@@ -18,8 +18,7 @@ Vec3 at_point(const HermiteValues& n, const ElementVector& nodes) {
          n.value(3) * nodes.segment<3>(9);
 }
 
-void add_force(const ContactTarget& target, int element, const HermiteValues& n, const Vec3& force) {
-  double* residual = target.residual->data() + 6 * element;
+void add_force(double* residual, const HermiteValues& n, const Vec3& force) {
   for (int j = 0; j < 4; ++j) {
     for (int i = 0; i < 3; ++i) {
       residual[3 * j + i] -= n.value(j) * force(i);
@@ -68,6 +67,7 @@ MovingContacts::MovingContacts(std::vector<MovingRoller> rollers, ContactCells c
       bounds_(length.size()),
       ranges_(cells_.boxes.size()),
       contacts_(rollers_.size()),
+      carrying_(rollers_.size()),
       iterate_(rollers_.size()) {}
 
 void MovingContacts::place(const RigidMotion& vessel, const double* q, double reach) {
@@ -108,21 +108,22 @@ void MovingContacts::end_iteration(const std::vector<ContactMemory>& now) {
 
 void MovingContacts::evaluate(const double* q, const double* v, const StepShares& shares,
                               const std::vector<ContactMemory>& before, std::vector<ContactMemory>& after,
-                              ContactMode mode, const ContactTarget& target) {
+                              ContactMode mode, std::vector<double>& residual) {
   signature_ = 0xcbf29ce484222325ull;
   settled_ = mode == ContactMode::free;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    evaluate_one(i, q, v, shares, before[i], after[i], mode, target);
+    evaluate_one(i, q, v, shares, before[i], after[i], mode, residual);
   }
 }
 
 void MovingContacts::evaluate_one(std::size_t index, const double* q, const double* v, const StepShares& shares,
                                   const ContactMemory& before, ContactMemory& after, ContactMode mode,
-                                  const ContactTarget& target) {
+                                  std::vector<double>& residual) {
   const MovingRoller& roller = rollers_[index];
   const PlacedRoller& placed = placed_[index];
   MovingContact& contact = contacts_[index];
   contact = MovingContact{};
+  carrying_[index].carries = false;
   const ElementRange reachable = ranges_[static_cast<std::size_t>(roller.box)];
   const bool in_reach = reachable.first < reachable.last;
   const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length_->size())};
@@ -187,13 +188,44 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
-  add_force(target, element, n, contact.force());
-  if (target.tangent == nullptr) {
-    return;
+  add_force(residual.data() + 6 * element, n, contact.force());
+  carrying_[index] = {true, distance, normal, axial, lateral};
+}
+
+int MovingContacts::first_within_reach(int beyond) const {
+  int first = beyond;
+  for (const ElementRange& range : ranges_) {
+    first = range.first < range.last ? std::min(first, range.first) : first;
   }
+  return first;
+}
+
+int MovingContacts::first_carrying(int beyond) const {
+  int first = beyond;
+  for (std::size_t i = 0; i < carrying_.size(); ++i) {
+    first = carrying_[i].carries ? std::min(first, contacts_[i].at.element) : first;
+  }
+  return first;
+}
+
+void MovingContacts::add_tangent(const double* q, const StepShares& shares, BlockTridiagonal& tangent) const {
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    if (carrying_[i].carries) {
+      add_tangent_of(i, q, shares, tangent);
+    }
+  }
+}
+
+void MovingContacts::add_tangent_of(std::size_t index, const double* q, const StepShares& shares,
+                                    BlockTridiagonal& tangent) const {
+  const auto& [carries, distance, normal, axial, lateral] = carrying_[index];
+  const MovingContact& contact = contacts_[index];
+  const double h = (*length_)[static_cast<std::size_t>(contact.at.element)];
+  const HermiteValues n = hermite(contact.at.xi, h);
   // Forces act at the point of the pipe: -d f / d q = N_i N_j (outer products of the directions). What the turning of
   // the directions adds beyond the Hessian of the distance is smaller by force over stiffness and distance, 1e-4.
-  const RollerDistanceDerivatives d = roller_distance_derivatives(placed, contact.at, distance, dofs, h);
+  const RollerDistanceDerivatives d =
+      roller_distance_derivatives(placed_[index], contact.at, distance, dofs_of(q, contact.at.element), h);
   const double by_normal_motion = normal.by_penetration + normal.by_rate * shares.velocity;
   ElementMatrix k = -normal.force * d.hessian;
   Mat3 a = by_normal_motion * distance.direction * distance.direction.transpose();
@@ -204,7 +236,7 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   add_friction(axial, contact.axial_direction);
   add_friction(lateral, contact.lateral_direction);
   add_point_stiffness(k, n, a);
-  add_element(*target.tangent, element, k);
+  add_element(tangent, contact.at.element, k);
 }
 
 }  // namespace overbend

@@ -53,12 +53,6 @@ struct StepShares {
 /// iteration of a step keeps them: a predictor knows nothing of stiff springs, and would open contacts that carry.
 enum class ContactMode { free, kept };
 
-/// Where contact forces go: residual (six per node) and, unless null, blocks.
-struct ContactTarget {
-  std::vector<double>* residual = nullptr;
-  BlockTridiagonal* tangent = nullptr;
-};
-
 class MovingContacts {
  public:
   MovingContacts() = default;
@@ -74,10 +68,18 @@ class MovingContacts {
   /// where `q` has them, grown by `reach` for what they may still move.
   void place(const RigidMotion& vessel, const double* q, double reach);
 
-  /// Forces of all rollers that the line may meet, added to `target`. `before` is the memory at the start of the step,
-  /// `after` receives that at its end.
+  /// Forces of all rollers that the line may meet, added to `residual`, six per node. `before` is the memory at the
+  /// start of the step, `after` receives that at its end.
   void evaluate(const double* q, const double* v, const StepShares& shares, const std::vector<ContactMemory>& before,
-                std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
+                std::vector<ContactMemory>& after, ContactMode mode, std::vector<double>& residual);
+
+  /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
+  void add_tangent(const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
+
+  /// The first element that a roller may meet before the rollers are placed again; `beyond` where there is none.
+  int first_within_reach(int beyond) const;
+  /// The first element that met one at the last evaluation; `beyond` where none did.
+  int first_carrying(int beyond) const;
 
   /// Tells which states the correction that now follows was made with: a contact that slid one way may not slide the
   /// other way at the next evaluation, it sticks in between.
@@ -90,7 +92,8 @@ class MovingContacts {
 
  private:
   void evaluate_one(std::size_t roller, const double* q, const double* v, const StepShares& shares,
-                    const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
+                    const ContactMemory& before, ContactMemory& after, ContactMode mode, std::vector<double>& residual);
+  void add_tangent_of(std::size_t roller, const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
 
   std::vector<MovingRoller> rollers_;
   ContactCells cells_;
@@ -102,6 +105,14 @@ class MovingContacts {
   std::vector<ElementBounds> bounds_;
   std::vector<ElementRange> ranges_;
   std::vector<MovingContact> contacts_;
+  /// What the tangent needs of a contact.
+  struct CarryingContact {
+    bool carries = false;
+    RollerDistance distance;
+    NormalForce normal;
+    FrictionForce axial, lateral;
+  };
+  std::vector<CarryingContact> carrying_;
   struct SlipStates {
     Slip axial = Slip::stick, lateral = Slip::stick;
   };

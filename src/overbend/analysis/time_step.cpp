@@ -165,8 +165,10 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
       break;
     }
     const bool contacts_changed = system_->contact_signature() != factored_contacts_;
-    const bool slow = report.iterations >= kSlowStep || report.residual > kPoorContraction * before;
-    if (!factor && (contacts_changed || slow)) {
+    const bool late = report.iterations >= kSlowStep;
+    const bool renewed = !factor && contacts_changed && !late && system_->renew_contacts(next, shares);
+    const bool slow = late || report.residual > kPoorContraction * before;
+    if (!factor && !renewed && (contacts_changed || slow)) {
       factor = true;
       continue;
     }
@@ -178,12 +180,12 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
         report.end = StepEnd::singular;
         break;
       }
-      factored_contacts_ = system_->contact_signature();
       factors_age_ = 0;
     } else {
       system_->solve_again(dq_);
     }
     factored_ = true;
+    factored_contacts_ = system_->contact_signature();
     factored_step_ = h;
     factor = false;
     system_->end_iteration(next);

@@ -101,6 +101,9 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
     return;
   }
   if (model.description.supports.contact == SupportContact::rollers) {
+    list.push_back(
+        "Hard impacts make the smallest differences grow: the largest force of a single impact, and what it does to "
+        "tension and stress, are those of this one run. Means hold; several seeds show the scatter.");
     bool textbook = false, tenth = false;
     for (const Roller& roller : model.supports.rollers) {
       textbook = textbook || roller.damping == RollerDamping::textbook;

@@ -18,6 +18,13 @@ void BlockTridiagonal::set_zero() {
   std::fill(lower_.begin(), lower_.end(), 0.0);
 }
 
+void BlockTridiagonal::copy_from(const BlockTridiagonal& other, int first) {
+  const auto from = static_cast<std::ptrdiff_t>(first) * kBlockSize;
+  std::copy(other.diag_.begin() + from, other.diag_.end(), diag_.begin() + from);
+  std::copy(other.upper_.begin() + from, other.upper_.end(), upper_.begin() + from);
+  std::copy(other.lower_.begin() + from, other.lower_.end(), lower_.begin() + from);
+}
+
 namespace {
 
 BlockView view_of(BlockTridiagonal& system) {
@@ -52,6 +59,24 @@ void resolve_on(BlockTridiagonal& solved, double* x, Isa isa) {
 #endif
   (void)isa;
   isa_baseline::resolve_blocks(view, x);
+}
+
+BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa) {
+  const BlockView view = view_of(solved);
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) {
+    return isa_avx512::factor_blocks(view, first);
+  }
+  if (isa == Isa::avx2) {
+    return isa_avx2::factor_blocks(view, first);
+  }
+#endif
+  (void)isa;
+  return isa_baseline::factor_blocks(view, first);
+}
+
+BlockSolveReport refactor(BlockTridiagonal& solved, int first) {
+  return refactor_on(solved, first, best_isa());
 }
 
 void resolve(BlockTridiagonal& solved, double* x) {

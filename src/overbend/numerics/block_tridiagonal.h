@@ -39,6 +39,10 @@ class BlockTridiagonal {
   double* lower(int node) { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
   const double* lower(int node) const { return lower_.data() + static_cast<std::size_t>(node) * kBlockSize; }
 
+  /// Takes over the blocks of `other`, which has as many nodes, from node `first` on: their rows, and the columns that
+  /// couple them among themselves.
+  void copy_from(const BlockTridiagonal& other, int first);
+
   double rhs(int node, int dof, int side) const { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
   double& rhs(int node, int dof, int side) { return diag(node)[dof * kRowWidth + kNodeDofs + side]; }
 
@@ -68,8 +72,13 @@ BlockSolveReport solve(BlockTridiagonal& system);
 /// the solution. About a fifth of the work of `solve`.
 void resolve(BlockTridiagonal& solved, double* x);
 
+/// Factors anew from node `first` on, where blocks have been put in afresh; the factors of the nodes before it stand.
+/// Right-hand sides are left to `resolve`.
+BlockSolveReport refactor(BlockTridiagonal& solved, int first);
+
 /// The same on a chosen instruction set, to compare them.
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa);
 void resolve_on(BlockTridiagonal& solved, double* x, Isa isa);
+BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa);
 
 }  // namespace overbend

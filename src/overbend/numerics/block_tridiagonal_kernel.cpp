@@ -204,10 +204,14 @@ inline Row* rows(double* blocks, int node) {
 
 }  // namespace
 
-BlockSolveReport solve_blocks(const BlockView& system) {
+BlockSolveReport factor_blocks(const BlockView& system, int first) {
   BlockSolveReport report;
   const int n = system.nodes;
-  for (int i = 0; i < n; ++i) {
+  if (first > 0) {
+    update_next(rows(system.diag, first), system.lower + (first - 1) * kBlockSize, rows(system.diag, first - 1),
+                rows(system.upper, first - 1));
+  }
+  for (int i = first; i < n; ++i) {
     Row* d = rows(system.diag, i);
     Row* u = rows(system.upper, i);
     int sign = eliminate_in_place(d, u);
@@ -221,7 +225,15 @@ BlockSolveReport solve_blocks(const BlockView& system) {
       update_next(rows(system.diag, i + 1), system.lower + i * kBlockSize, d, u);
     }
   }
-  for (int i = n - 2; i >= 0; --i) {
+  return report;
+}
+
+BlockSolveReport solve_blocks(const BlockView& system) {
+  const BlockSolveReport report = factor_blocks(system, 0);
+  if (!report.solved()) {
+    return report;
+  }
+  for (int i = system.nodes - 2; i >= 0; --i) {
     substitute_back(rows(system.diag, i), rows(system.upper, i), rows(system.diag, i + 1));
   }
   return report;

@@ -18,14 +18,17 @@ struct BlockView {
 
 namespace isa_baseline {
 BlockSolveReport solve_blocks(const BlockView& system);
+BlockSolveReport factor_blocks(const BlockView& system, int first);
 void resolve_blocks(const BlockView& system, double* x);
 }  // namespace isa_baseline
 namespace isa_avx2 {
 BlockSolveReport solve_blocks(const BlockView& system);
+BlockSolveReport factor_blocks(const BlockView& system, int first);
 void resolve_blocks(const BlockView& system, double* x);
 }  // namespace isa_avx2
 namespace isa_avx512 {
 BlockSolveReport solve_blocks(const BlockView& system);
+BlockSolveReport factor_blocks(const BlockView& system, int first);
 void resolve_blocks(const BlockView& system, double* x);
 }  // namespace isa_avx512
 
