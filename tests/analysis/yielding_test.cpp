@@ -65,7 +65,7 @@ double bilinear_moment(const SteelDescription& steel, double k) {
 }
 
 TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_section) {
-  for (const double radius : {60.0, 85.0, 150.0}) {
+  for (const double radius : {45.0, 60.0, 85.0}) {
     const Model model = pipe_of(bilinear(4e9));
     LineMesh mesh;
     const std::vector<double> q = over_an_arc(radius, mesh);
@@ -76,10 +76,12 @@ TEST(lay_history, residual_curvature_behind_an_arc_is_that_of_the_bilinear_secti
     add_static_yielding(elements, mesh, {}, {q.data(), nullptr}, true, points, {&residual, nullptr});
     const Section& section = model.sections.front();
     const double k = 1.0 / radius;
-    const double expected = k - bilinear_moment(model.description.pipe.section.steel, k) / section.EI;
+    EXPECT_NEAR(points.memory[40].largest, k, 1e-4 * k);  // the cubics are no circles
+    // Straightened, the section carries M(k) - 2 M(k/2) (Masing), which lets go elastically.
+    const SteelDescription& steel = model.description.pipe.section.steel;
+    const double expected = (2.0 * bilinear_moment(steel, 0.5 * k) - bilinear_moment(steel, k)) / section.EI;
     const double found = residual_curvature(*section.bending, elements.mix[10], section.EI, points.memory[40]).norm();
-    // Where the arc begins the cubic swings beyond 1/R by some per cent within one element.
-    EXPECT_NEAR(found, expected, 0.02 * k) << radius;
+    EXPECT_NEAR(found, expected, 0.002 * k) << radius;  // the springs fit the moment curve that well
     const double before =
         residual_curvature(*section.bending, elements.mix[190], section.EI, points.memory[760]).norm();
     EXPECT_LT(before, 1e-9);  // straight from the tensioner
