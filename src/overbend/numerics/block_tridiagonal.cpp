@@ -31,60 +31,50 @@ BlockView view_of(BlockTridiagonal& system) {
   return {system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
 }
 
+/// The elimination for one instruction set.
+struct BlockKernels {
+  BlockSolveReport (*solve)(const BlockView& system);
+  void (*resolve)(const BlockView& system, double* x);
+  BlockSolveReport (*factor)(const BlockView& system, int first);
+};
+
+BlockKernels kernels_for(Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) {
+    return {isa_avx512::solve_blocks, isa_avx512::resolve_blocks, isa_avx512::factor_blocks};
+  }
+  if (isa == Isa::avx2) {
+    return {isa_avx2::solve_blocks, isa_avx2::resolve_blocks, isa_avx2::factor_blocks};
+  }
+#endif
+  (void)isa;
+  return {isa_baseline::solve_blocks, isa_baseline::resolve_blocks, isa_baseline::factor_blocks};
+}
+
 }  // namespace
 
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa) {
-  const BlockView view = view_of(system);
-#if defined(OVERBEND_X86_KERNELS)
-  if (isa == Isa::avx512) {
-    return isa_avx512::solve_blocks(view);
-  }
-  if (isa == Isa::avx2) {
-    return isa_avx2::solve_blocks(view);
-  }
-#endif
-  (void)isa;
-  return isa_baseline::solve_blocks(view);
+  return kernels_for(isa).solve(view_of(system));
 }
 
 void resolve_on(BlockTridiagonal& solved, double* x, Isa isa) {
-  const BlockView view = view_of(solved);
-#if defined(OVERBEND_X86_KERNELS)
-  if (isa == Isa::avx512) {
-    return isa_avx512::resolve_blocks(view, x);
-  }
-  if (isa == Isa::avx2) {
-    return isa_avx2::resolve_blocks(view, x);
-  }
-#endif
-  (void)isa;
-  isa_baseline::resolve_blocks(view, x);
+  kernels_for(isa).resolve(view_of(solved), x);
 }
 
 BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa) {
-  const BlockView view = view_of(solved);
-#if defined(OVERBEND_X86_KERNELS)
-  if (isa == Isa::avx512) {
-    return isa_avx512::factor_blocks(view, first);
-  }
-  if (isa == Isa::avx2) {
-    return isa_avx2::factor_blocks(view, first);
-  }
-#endif
-  (void)isa;
-  return isa_baseline::factor_blocks(view, first);
+  return kernels_for(isa).factor(view_of(solved), first);
 }
 
-BlockSolveReport refactor(BlockTridiagonal& solved, int first) {
-  return refactor_on(solved, first, best_isa());
+BlockSolveReport solve(BlockTridiagonal& system) {
+  return solve_on(system, best_isa());
 }
 
 void resolve(BlockTridiagonal& solved, double* x) {
   resolve_on(solved, x, best_isa());
 }
 
-BlockSolveReport solve(BlockTridiagonal& system) {
-  return solve_on(system, best_isa());
+BlockSolveReport refactor(BlockTridiagonal& solved, int first) {
+  return refactor_on(solved, first, best_isa());
 }
 
 }  // namespace overbend
