@@ -113,6 +113,18 @@ bool TimeStepper::must_factor(double h) const {
   return !factored_ || factored_step_ != h || factors_age_ >= kOldestFactors;
 }
 
+/// Whether another correction may be made with the factors there are, brought up to the contacts.
+bool TimeStepper::factors_serve(const StepReport& report, double residual_before, const DynamicState& next,
+                                const StepShares& shares) {
+  if (report.iterations >= kSlowStep) {
+    return false;
+  }
+  if (system_->contact_signature() != factored_contacts_) {
+    return system_->renew_contacts(next, shares);
+  }
+  return report.residual <= kPoorContraction * residual_before;
+}
+
 StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& next) {
   constexpr int kMostDrives = 4;  // two that each ask for the other differ by nothing
   const TensionerLaw& law = system_->line().tensioner;
@@ -164,11 +176,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
       report.end = StepEnd::converged;
       break;
     }
-    const bool contacts_changed = system_->contact_signature() != factored_contacts_;
-    const bool late = report.iterations >= kSlowStep;
-    const bool renewed = !factor && contacts_changed && !late && system_->renew_contacts(next, shares);
-    const bool slow = late || report.residual > kPoorContraction * before;
-    if (!factor && !renewed && (contacts_changed || slow)) {
+    if (!factor && !factors_serve(report, before, next, shares)) {
       factor = true;
       continue;
     }

@@ -46,6 +46,8 @@ class TimeStepper {
                        DynamicState& next);
   void correct(DynamicState& next, double h) const;
   bool must_factor(double h) const;
+  bool factors_serve(const StepReport& report, double residual_before, const DynamicState& next,
+                     const StepShares& shares);
 
   DynamicSystem* system_;
   StepSettings settings_;

@@ -86,7 +86,7 @@ void visit_dynamic_run(Row& r, Visit& visit) {
   visit(ResultField{"steps", "1", "Time steps"}, r.steps);
   visit(ResultField{"rejected_steps", "1", "Steps that were tried again with a smaller one"}, r.rejected_steps);
   visit(ResultField{"newton_iterations", "1", "Newton iterations"}, r.newton_iterations);
-  visit(ResultField{"factorisations", "1", "Factorisations of the tangent"}, r.factorisations);
+  visit(ResultField{"factorisations", "1", "Factorisations of the whole tangent"}, r.factorisations);
   visit(ResultField{"smallest_step", "s", "Smallest time step"}, r.smallest_step);
   visit(ResultField{"largest_step", "s", "Largest time step"}, r.largest_step);
   visit(ResultField{"wall_time", "s", "Time spent in the loop over time, all sittings together"}, r.wall_time);

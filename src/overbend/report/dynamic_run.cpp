@@ -62,7 +62,7 @@ std::string run_table(const DynamicResults& r) {
       .row({"Largest step", fmt::format("{:.4g}", run.largest_step), "s"})
       .row({"Newton iterations", std::to_string(run.newton_iterations), ""})
       .row({"Newton iterations per step", fixed(static_cast<double>(run.newton_iterations) / steps, 2), ""})
-      .row({"Factorisations", std::to_string(run.factorisations), ""})
+      .row({"Factorisations of the whole tangent", std::to_string(run.factorisations), ""})
       .row({"Rows of histories every", fmt::format("{:.4g}", r.output_step), "s"})
       .row({"Time in the loop", fixed(run.wall_time, 1), "s"})
       .row({"Simulated over elapsed time", fmt::format("{:.3g}", run.real_time_ratio), ""});
