@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "io/yaml_reader.h"
+#include "numerics/running_quantiles.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
@@ -47,6 +48,24 @@ TEST(dynamics, the_recovery_in_time_agrees_with_that_of_statics) {
   for (std::size_t i = 0; i < r.supports.size(); ++i) {
     EXPECT_NEAR(r.supports[i].static_reaction, c.statics.supports[i].reaction, 1.0);  // [N], where they are 50 kN
   }
+}
+
+TEST(dynamics, percentiles_of_reactions_agree_with_the_share_of_time_in_contact) {
+  const Case c(workable());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  int lifting = 0;
+  for (const SupportDynamics& box : r.supports) {
+    const Percentiles& p = box.reaction_over_time;
+    EXPECT_EQ(p.p50 > 0.0, box.contact_share > 0.5) << box.name;
+    EXPECT_EQ(p.p90 > 0.0, box.contact_share > 0.1) << box.name;
+    EXPECT_EQ(p.p99 > 0.0, box.contact_share > 0.01) << box.name;
+    EXPECT_LE(p.p50, p.p90);
+    EXPECT_LE(p.p90, p.p99);
+    EXPECT_LE(p.p99, box.reaction.max * (1.0 + 2.0 / RunningQuantiles::kBins) + 1.0);  // a bin
+    lifting += box.contact_share > 0.0 && box.contact_share < 1.0 ? 1 : 0;
+  }
+  EXPECT_GT(lifting, 0);
 }
 
 TEST(dynamics, energy_in_is_energy_stored_and_lost) {

@@ -65,6 +65,7 @@ TEST(dynamic_summary, has_every_key_of_the_contract_in_s_lay) {
   for (const Json& support : dynamic["supports"]) {
     expect_spreads(support, {"reaction", "vertical", "longitudinal", "lateral", "separation"}, "support");
     expect_numbers(support, {"contact_share", "impacts"}, "support");
+    expect_numbers(support["reaction_percentiles"], {"p50", "p90", "p99"}, "support");
     ASSERT_EQ(support["rows"].size(), 1U);
     expect_spreads(support["rows"][0]["bottom"], {"reaction", "separation"}, "bottom");
   }

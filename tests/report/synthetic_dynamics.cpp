@@ -163,10 +163,15 @@ void fill_supports(DynamicResults& r, const StaticResults& statics, bool calm) {
   int index = 0;
   for (std::size_t b = 0; b < statics.supports.size(); ++b) {
     const SupportResult& before = statics.supports[b];
-    SupportDynamics box{before.name, before.stinger, before.s, {}, {}, {}, {}, {}, 0.0, 0.0, 0.0, 0, {}};
+    SupportDynamics box;
+    box.name = before.name;
+    box.stinger = before.stinger;
+    box.s = before.s;
     box.static_reaction = before.reaction;
     box.static_separation = before.separation;
     box.reaction = around(before.reaction, 0.15 * before.reaction);
+    box.reaction_over_time = {box.reaction.mean, box.reaction.mean + box.reaction.std,
+                              box.reaction.mean + 2.3 * box.reaction.std};
     box.vertical = around(before.vertical, 0.15 * before.vertical);
     box.longitudinal = around(before.longitudinal, 500.0);
     box.lateral = around(before.lateral, 2e3);

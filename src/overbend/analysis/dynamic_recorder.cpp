@@ -50,6 +50,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
   node_statistics_ = RunningStatistics(node_sample_.size());
   support_statistics_ = RunningStatistics(support_sample_.size());
   key_statistics_ = RunningStatistics(key_sample_.size());
+  reaction_sample_.resize(boxes_);
+  reaction_quantiles_ = RunningQuantiles(boxes_);
   row_.resize(columns().size());
   snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
@@ -233,6 +235,7 @@ void DynamicRecorder::find_support_values(const RecordedInstant& at) {
     const double values[kBoxQuantities] = {
         size, force.z(), force.dot(along), force.dot(port), separation, size > 0.0 ? 1.0 : 0.0};
     std::copy_n(values, kBoxQuantities, out);
+    reaction_sample_[box] = size;
     largest_reaction_[box] = std::max(largest_reaction_[box], size);
     least_separation_[box] = std::min(least_separation_[box], separation);
   }
@@ -252,6 +255,7 @@ void DynamicRecorder::step(const RecordedInstant& at) {
   }
   node_statistics_.add(node_sample_, at.step);
   support_statistics_.add(support_sample_, at.step);
+  reaction_quantiles_.add(reaction_sample_, at.step);
   key_statistics_.add(key_sample_, at.step);
 }
 

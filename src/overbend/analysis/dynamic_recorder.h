@@ -8,6 +8,7 @@
 #include "analysis/dynamic_stations.h"
 #include "analysis/dynamics.h"
 #include "analysis/tensioner_account.h"
+#include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
 
 namespace overbend {
@@ -83,6 +84,8 @@ class DynamicRecorder {
 
   std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;
   RunningStatistics node_statistics_, support_statistics_, key_statistics_;
+  std::vector<double> reaction_sample_;  ///< Of the boxes.
+  RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
   std::vector<double> row_, snapshot_;
   std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.

@@ -15,6 +15,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   };
   put("record/nodes", node_statistics_.save());
   put("record/supports", support_statistics_.save());
+  put("record/reactions", reaction_quantiles_.save());
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
   put("record/design", design_.save());
@@ -46,6 +47,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   forget_interval();  // checkpoints stand right after a row
   node_statistics_.restore(get("record/nodes"));
   support_statistics_.restore(get("record/supports"));
+  reaction_quantiles_.restore(get("record/reactions"));
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
   design_.restore(get("record/design"));

@@ -37,6 +37,8 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
     out.name = support.name;
     out.stinger = support.structure == Structure::stinger;
     out.reaction = spread(at);
+    out.reaction_over_time = {reaction_quantiles_.at(box, 0.5), reaction_quantiles_.at(box, 0.9),
+                              reaction_quantiles_.at(box, 0.99)};
     out.vertical = spread(at + 1);
     out.longitudinal = spread(at + 2);
     out.lateral = spread(at + 3);

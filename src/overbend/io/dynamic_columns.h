@@ -35,6 +35,9 @@ void visit_dynamic_support(Row& r, Visit& visit) {
   visit(ResultField{"stinger", "1", "1 on the stinger, 0 on the ramp"}, r.stinger);
   visit(ResultField{"s", "m", "Arc length of the pipe at the middle of the box in the static state"}, r.s);
   visit_spread(ResultField{"reaction", "N", "Resultant of all rollers on the pipe, magnitude"}, r.reaction, visit);
+  visit(ResultField{"reaction_p50", "N", "Reaction not passed for 50 % of the time"}, r.reaction_over_time.p50);
+  visit(ResultField{"reaction_p90", "N", "Reaction not passed for 90 % of the time"}, r.reaction_over_time.p90);
+  visit(ResultField{"reaction_p99", "N", "Reaction not passed for 99 % of the time"}, r.reaction_over_time.p99);
   visit_spread(ResultField{"vertical", "N", "Vertical part of the resultant", kWorldFrame}, r.vertical, visit);
   visit_spread(ResultField{"longitudinal", "N", "Part of the resultant along the box axis, astern positive", kBoxFrame},
                r.longitudinal, visit);

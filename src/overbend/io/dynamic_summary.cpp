@@ -48,6 +48,8 @@ Json support(const SupportDynamics& s) {
           {"structure", s.stinger ? "stinger" : "ramp"},
           {"s", s.s},
           {"reaction", spread(s.reaction)},
+          {"reaction_percentiles",
+           {{"p50", s.reaction_over_time.p50}, {"p90", s.reaction_over_time.p90}, {"p99", s.reaction_over_time.p99}}},
           {"vertical", spread(s.vertical)},
           {"longitudinal", spread(s.longitudinal)},
           {"lateral", spread(s.lateral)},

@@ -60,11 +60,17 @@ struct RollerDynamics {
   double line_load = 0.0;   ///< Under the largest force [N/m].
 };
 
+/// What a quantity stays at or below for 50, 90 and 99 % of the time.
+struct Percentiles {
+  double p50 = 0.0, p90 = 0.0, p99 = 0.0;
+};
+
 struct SupportDynamics {
   std::string name;
   bool stinger = false;
   double s = 0.0;                                    ///< Arc length of the pipe at mid-box in the static state [m].
   Spread reaction, vertical, longitudinal, lateral;  ///< As in SupportResult [N].
+  Percentiles reaction_over_time;                    ///< Of `reaction`, to 0.2 % of its largest value [N].
   Spread separation;                                 ///< Smallest over its bottom rollers [m].
   double static_reaction = 0.0, static_separation = 0.0;
   double contact_share = 0.0;  ///< Share of time in which any of its rollers carries.
