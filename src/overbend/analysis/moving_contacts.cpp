@@ -218,23 +218,25 @@ void MovingContacts::add_tangent(const double* q, const StepShares& shares, Bloc
 
 void MovingContacts::add_tangent_of(std::size_t index, const double* q, const StepShares& shares,
                                     BlockTridiagonal& tangent) const {
-  const auto& [carries, distance, normal, axial, lateral] = carrying_[index];
+  const CarryingContact& carrying = carrying_[index];
+  const NormalForce& normal = carrying.normal;
+  const Vec3& away = carrying.distance.direction;
   const MovingContact& contact = contacts_[index];
   const double h = (*length_)[static_cast<std::size_t>(contact.at.element)];
   const HermiteValues n = hermite(contact.at.xi, h);
   // Forces act at the point of the pipe: -d f / d q = N_i N_j (outer products of the directions). What the turning of
   // the directions adds beyond the Hessian of the distance is smaller by force over stiffness and distance, 1e-4.
   const RollerDistanceDerivatives d =
-      roller_distance_derivatives(placed_[index], contact.at, distance, dofs_of(q, contact.at.element), h);
+      roller_distance_derivatives(placed_[index], contact.at, carrying.distance, dofs_of(q, contact.at.element), h);
   const double by_normal_motion = normal.by_penetration + normal.by_rate * shares.velocity;
   ElementMatrix k = -normal.force * d.hessian;
-  Mat3 a = by_normal_motion * distance.direction * distance.direction.transpose();
+  Mat3 a = by_normal_motion * away * away.transpose();
   const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
     a -= force.by_rate * shares.velocity * direction * direction.transpose();
-    a += force.by_normal * by_normal_motion * direction * distance.direction.transpose();
+    a += force.by_normal * by_normal_motion * direction * away.transpose();
   };
-  add_friction(axial, contact.axial_direction);
-  add_friction(lateral, contact.lateral_direction);
+  add_friction(carrying.axial, contact.axial_direction);
+  add_friction(carrying.lateral, contact.lateral_direction);
   add_point_stiffness(k, n, a);
   add_element(tangent, contact.at.element, k);
 }
