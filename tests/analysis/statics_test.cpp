@@ -206,6 +206,25 @@ TEST(statics, too_little_tension_is_refused_with_the_least_that_would_do) {
   EXPECT_NE(f.why.find("44.5 kN"), std::string::npos);  // 2.2559 x 5.222 + 0.36849 x 88.756 kN
 }
 
+TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_them) {
+  for (const double factor : {1.3, 1.5}) {  // the example's current just lets it climb the last side roller
+    Description d = bgl1();
+    for (CurrentPoint& point : d.environment.current) {
+      point.speed *= factor;
+    }
+    const Model model = build_model(d);
+    const StaticOutcome outcome = solve_statics(model);
+    if (outcome.failure) {
+      EXPECT_NE(outcome.failure->why.find("the pipe lay beside '"), std::string::npos) << outcome.failure->why;
+      continue;
+    }
+    const std::vector<std::string> warnings = recover_statics(model, *outcome.solution).warnings;
+    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+      return warning.find("the pipe has left '") != std::string::npos && warning.find("to port") != std::string::npos;
+    })) << factor;
+  }
+}
+
 TEST(statics, a_floating_pipe_is_refused) {
   Description d = reference_bgl1();
   d.pipe.section.coatings.pop_back();

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -72,6 +74,7 @@ struct RowTotals {
   Vec3 force = Vec3::Zero();
   bool contact = false;
   double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
+  double beside = 0.0;        ///< How far the pipe lies beyond the end of the bottom roller, port positive [m].
 };
 
 RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state,
@@ -96,6 +99,9 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
     // point.
     const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));
     roller.separation = (p_W - roller.p_W).dot(roller.normal_W) - pipe_radius;
+    if (roller.position == RollerPosition::bottom && roller.off_end > pipe_radius) {
+      totals.beside = std::copysign(roller.off_end, (p_W - roller.p_W).dot(axes.port));
+    }
     if (contact.force > 0.0) {
       const std::size_t e = static_cast<std::size_t>(contact.at.element);
       totals.force += contact.force * contact.direction;
@@ -146,6 +152,28 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
   }
 }
 
+/// Boxes that the pipe lies beside.
+struct BoxesLeft {
+  std::string first;    ///< Seen from the tensioner.
+  int more = 0;         ///< After it.
+  double beside = 0.0;  ///< The furthest, port positive [m].
+
+  void add(const std::string& box, double distance) {
+    if (distance == 0.0) return;
+    more += first.empty() ? 0 : 1;
+    first = first.empty() ? box : first;
+    beside = std::abs(distance) > std::abs(beside) ? distance : beside;
+  }
+  void note(StaticResults& results) const {
+    if (first.empty()) return;
+    results.warnings.push_back(fmt::format(
+        "the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the bottom rollers, "
+        "which no longer hold it",
+        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "",
+        beside > 0.0 ? "port" : "starboard", std::abs(beside)));
+  }
+};
+
 void note_extremes(StaticResults& results, const LineSystem& system) {
   results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
   for (const SupportResult& box : results.supports) {
@@ -171,6 +199,7 @@ Departure recover_supports(StaticResults& results, const LineSystem& system, con
   const Model& model = system.model();
   Departure departure;
   departure.s = kInfinity;
+  BoxesLeft left;
   for (const SupportBox& box : model.supports.boxes) {
     const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
                     direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
@@ -182,10 +211,12 @@ Departure recover_supports(StaticResults& results, const LineSystem& system, con
     result.inclination = box.inclination;
     result.length = box.length;
     Vec3 force = Vec3::Zero();
+    double beside = 0.0;
     for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
       RowResult row;
       const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
       force += totals.force;
+      beside = std::abs(totals.beside) > std::abs(beside) ? totals.beside : beside;
       if (totals.contact && totals.last_s < departure.s) {
         departure = {true, totals.last_s, box.name};
       }
@@ -199,12 +230,14 @@ Departure recover_supports(StaticResults& results, const LineSystem& system, con
     smallest_separations(result);
     pipe_over_box(result, results.stations);
     note_runoff(results, result);
+    left.add(box.name, beside);
     if (result.stinger) {
       const auto& last = result.rows.back().rollers;
       results.stinger_tip_clearance = last.front().separation;
     }
     results.supports.push_back(std::move(result));
   }
+  left.note(results);
   note_extremes(results, system);
   return departure;
 }

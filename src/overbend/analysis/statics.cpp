@@ -255,6 +255,21 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
+/// Words on the first box, seen from the tensioner, that the pipe lay beside at the last try; empty where it lay on
+/// all.
+std::string left_at_last(const Case& at) {
+  const std::vector<Roller>& rollers = at.model.supports.rollers;
+  for (std::size_t i = 0; i < rollers.size(); ++i) {
+    const ClosestPoint& closest = at.system.roller_states()[i].at;
+    if (rollers[i].position == RollerPosition::bottom && closest.beyond_face &&
+        closest.off_end > at.model.sections.front().outer_radius()) {
+      return fmt::format(". At the last try the pipe lay beside '{}', {:.2f} m off the end of its roller",
+                         at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
+    }
+  }
+  return "";
+}
+
 StaticOutcome give_up(const Case& at, double least_tension) {
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
@@ -265,8 +280,8 @@ StaticOutcome give_up(const Case& at, double least_tension) {
                            "dynamic relaxation settled (last residual {:.1e} of the line's weight). The tension is "
                            "{:.2f} times the weight that hangs from it; near 1 the pipe goes into compression at the "
                            "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
-                           "strong for so light a pipe",
-                           at.report.force_residual, at.target.value / least_tension)});
+                           "strong for so light a pipe{}",
+                           at.report.force_residual, at.target.value / least_tension, left_at_last(at))});
 }
 
 }  // namespace
