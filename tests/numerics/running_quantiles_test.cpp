@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -71,8 +72,9 @@ TEST(running_quantiles, come_back_from_a_checkpoint_bit_for_bit) {
   EXPECT_THROW(second.restore(std::vector<double>(7)), std::invalid_argument);
 }
 
-TEST(running_quantiles, refuse_what_is_negative_or_not_a_number) {
+TEST(running_quantiles, refuse_what_is_negative_or_not_a_finite_number) {
   RunningQuantiles quantiles(1);
+  EXPECT_THROW(quantiles.add(std::vector<double>{std::numeric_limits<double>::infinity()}, 1.0), std::invalid_argument);
   EXPECT_THROW(quantiles.add(std::vector<double>{-1.0}, 1.0), std::invalid_argument);
   EXPECT_THROW(quantiles.add(std::vector<double>{std::numeric_limits<double>::quiet_NaN()}, 1.0),
                std::invalid_argument);

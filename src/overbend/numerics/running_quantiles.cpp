@@ -1,6 +1,7 @@
 #include "numerics/running_quantiles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -10,9 +11,10 @@ RunningQuantiles::RunningQuantiles(std::size_t size, double first_width)
     : width_(size, first_width), zero_(size, 0.0), bins_(size * kBins, 0.0) {}
 
 void RunningQuantiles::add(std::span<const double> values, double weight) {
-  const bool good = std::all_of(values.begin(), values.end(), [](double value) { return value >= 0.0; });
+  const bool good =
+      std::all_of(values.begin(), values.end(), [](double value) { return value >= 0.0 && std::isfinite(value); });
   if (values.size() != size() || !good || !(weight >= 0.0)) {
-    throw std::invalid_argument("running quantiles: values and weights are not negative, a value for every quantity");
+    throw std::invalid_argument("running quantiles: a finite value for every quantity, values and weight not negative");
   }
   weight_ += weight;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -18,8 +18,8 @@ class RunningQuantiles {
   /// `first_width` is the width of the bins to begin with, in the quantities' unit.
   explicit RunningQuantiles(std::size_t size = 0, double first_width = 1.0);
 
-  /// Takes a sample of all quantities. `values` has size() entries, none negative; `weight` >= 0. Allocates nothing.
-  /// Throws std::invalid_argument where either is not so.
+  /// Takes a sample of all quantities. `values` has size() entries, finite, none negative; `weight` >= 0. Allocates
+  /// nothing. Throws std::invalid_argument where either is not so.
   void add(std::span<const double> values, double weight);
 
   std::size_t size() const { return width_.size(); }
