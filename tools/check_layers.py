@@ -35,7 +35,7 @@ LIBRARIES = [
     ("Eigen/", EVERYTHING),
     ("unsupported/Eigen/", {"numerics"}),
     ("fmt/", EVERYTHING),
-    ("immintrin.h", {"numerics", "mechanics"}),
+    ("immintrin.h", {"mechanics"}),
     ("yaml-cpp/", {"io"}),
     ("hdf5", {"io"}),
     ("nlohmann/", {"io", "report", "serve"}),

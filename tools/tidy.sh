@@ -12,8 +12,8 @@ if [[ ! -f build/release/compile_commands.json ]]; then
 fi
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
+cp .clang-tidy "$work"  # the linter looks for it above the unit
 # Called through Debian's own Python: the one first on the PATH may be another.
-cp .clang-tidy "$work"
 /usr/bin/python3 tools/tidy_units.py build/release/compile_commands.json "$work" "$@"
 # The compile commands are g++'s, whose warning options clang need not know.
 if ! /usr/bin/python3 "$(command -v run-clang-tidy)" -quiet -p "$work" -j "$(nproc)" \

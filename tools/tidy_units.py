@@ -26,8 +26,10 @@ def sources(commands, expressions):
     chosen = {}
     for command in commands:
         path = pathlib.Path(command["file"])
-        asked = not expressions or any(re.search(expression, str(path)) for expression in expressions)
-        if root in path.parents and asked:
+        if root not in path.parents:
+            continue
+        inside = str(path.relative_to(root))
+        if not expressions or any(re.search(expression, inside) for expression in expressions):
             chosen[path] = command
     return chosen
 
