@@ -201,7 +201,7 @@ void DynamicRecorder::find_passed(const RecordedInstant& at) {
     const Roller& roller = model_->supports.rollers[i];
     BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
     const double radius = model_->sections.front().outer_radius();
-    if (box.time == kNever && roller.position == RollerPosition::bottom && contact.at.off_end > radius) {
+    if (box.time == kNever && lies_beside(roller.position, contact.at, radius)) {
       const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
       box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
     }

@@ -67,8 +67,9 @@ class StepMixing {
   }
 
  private:
-  static constexpr std::size_t kMixed = 6;
-  static constexpr double kWorthwhile = 0.7;
+  static constexpr std::size_t kMixed = 6;  ///< Steps that are remembered; 3 to 10 solve about as many random lays.
+  static constexpr double kWorthwhile =
+      0.7;  ///< Share of a step that may stand against those before and still be mixed.
   struct Change {
     Eigen::VectorXd asked, taken;
   };

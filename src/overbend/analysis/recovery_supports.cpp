@@ -99,7 +99,7 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
     // point.
     const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));
     roller.separation = (p_W - roller.p_W).dot(roller.normal_W) - pipe_radius;
-    if (roller.position == RollerPosition::bottom && roller.off_end > pipe_radius) {
+    if (lies_beside(roller.position, contact.at, pipe_radius)) {
       totals.beside = std::copysign(roller.off_end, (p_W - roller.p_W).dot(axes.port));
     }
     if (contact.force > 0.0) {

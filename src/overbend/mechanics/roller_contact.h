@@ -14,6 +14,7 @@
 #pragma once
 
 #include "mechanics/rod_element.h"
+#include "model/supports.h"
 
 namespace overbend {
 
@@ -34,6 +35,12 @@ struct ClosestPoint {
   bool beyond_face = false;
   double off_end = 0.0;  ///< How far beyond the face, else 0 [m].
 };
+
+/// Whether the pipe has left the box that a roller belongs to over its side: it lies more than its own radius beyond
+/// the end of a bottom roller.
+inline bool lies_beside(RollerPosition position, const ClosestPoint& at, double pipe_radius) {
+  return position == RollerPosition::bottom && at.off_end > pipe_radius;
+}
 
 /// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the
 /// closest point is the one over which (r - C).t, projected, passes zero upwards, so each roller has one contact and
