@@ -231,7 +231,7 @@ TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
   };
   const std::vector<double> v(deck.q_V.size(), 0.0);
   const std::vector<ContactMemory> fresh(deck.rollers.size());
-  std::vector<double> residual(deck.q_V.size());
+  std::vector<double> residual(deck.q_V.size()), cuts(deck.q_V.size());
   int touching = 0, apart = 0;
   for (int pose = 0; pose < 200; ++pose) {
     RigidMotion vessel;
@@ -246,7 +246,7 @@ TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
     const std::vector<double> q = moved(moved(deck.q_V, lag, offset), vessel.pose.R_WV, vessel.pose.p_WV);
     contacts.place(vessel, q.data(), 0.0);
     std::vector<ContactMemory> after = fresh;
-    contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, residual);
+    contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, {residual, cuts});
     for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
       const MovingRoller& roller = deck.rollers[i];
       const PlacedRoller placed{vessel.pose.p_WV + vessel.pose.R_WV * roller.center_V,

@@ -198,6 +198,7 @@ WaterState plain_sum(const Sea& sea, double t, const Vec3& point) {
     const double rise = c.amplitude * c.omega * (down - up) / scale;
     const Vec3 ahead(c.kx / k, c.ky / k, 0.0);
     out.velocity += across * std::cos(phase) * ahead + rise * std::sin(phase) * Vec3::UnitZ();
+    out.pressure_head += c.omega / (k * kGravity) * across * std::cos(phase);
     out.acceleration += c.omega * (across * std::sin(phase) * ahead - rise * std::cos(phase) * Vec3::UnitZ());
   }
   return out;
@@ -215,8 +216,25 @@ TEST(sea, the_fast_sum_is_the_plain_sum_where_all_components_reach) {
       EXPECT_NEAR(fast.elevation, plain.elevation, 1e-10);
       EXPECT_LT((fast.velocity - plain.velocity).norm(), 1e-10);
       EXPECT_LT((fast.acceleration - plain.acceleration).norm(), 1e-10);
+      EXPECT_NEAR(fast.pressure_head, plain.pressure_head, 1e-10);
     }
   }
+}
+
+TEST(sea, its_pressure_is_the_weight_of_the_surface_there_and_what_accelerates_the_water_below) {
+  WavesDescription waves = jonswap(0.02, 8.0);  // so low that stretching moves nothing
+  waves.spreading = 4.0;
+  const Sea sea = make_sea(waves, 60.0, 0.0, 4);
+  const double t = 33.0, h = 0.01;
+  const Vec3 surface(12.0, -7.0, elevation(sea, t, {}, 12.0, -7.0));
+  EXPECT_NEAR(state(sea, t, surface).pressure_head, surface.z(), 1e-12);
+  const Vec3 point(12.0, -7.0, -9.0);
+  const auto slope = [&](const Vec3& d) {
+    return (state(sea, t, point + h * d).pressure_head - state(sea, t, point - h * d).pressure_head) / (2.0 * h);
+  };
+  const Vec3 pushed = -kGravity * Vec3(slope(Vec3::UnitX()), slope(Vec3::UnitY()), slope(Vec3::UnitZ()));
+  // Stretching and the finite difference leave a thousandth.
+  EXPECT_LT((state(sea, t, point).acceleration - pushed).norm(), 1e-3 * pushed.norm());
 }
 
 TEST(sea, what_is_left_out_at_depth_is_less_than_a_thousandth_of_the_surface_motion) {

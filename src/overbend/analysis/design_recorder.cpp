@@ -27,10 +27,10 @@ DesignRecorder::DesignRecorder(const Model& model, const std::vector<int>& secti
       roller_(section_of_node.size(), 0.0),
       peaks_(section_of_node.size()) {}
 
-double DesignRecorder::overpressure(std::size_t node, double z) const {
+double DesignRecorder::overpressure(const DesignInstant& at, std::size_t node) const {
   const Section& section = model_->sections[section_[node]];
-  const double internal = section.internal_pressure - section.contents_weight_density * z;
-  return model_->water_weight_density * std::max(-z, 0.0) - std::max(internal, 0.0);
+  const double internal = section.internal_pressure - section.contents_weight_density * at.nodes.z[node];
+  return at.nodes.external_pressure[node] - std::max(internal, 0.0);
 }
 
 void DesignRecorder::start(const DesignInstant& at) {
@@ -62,7 +62,7 @@ void DesignRecorder::step_load(const DesignInstant& at, std::size_t node) {
   Peak& peak = peaks_[node];
   const Vec3 still = carried(functional.moment, functional.tangent, at.tangents[node]);
   const double added_force = at.nodes.effective_tension[node] - functional.force;
-  const double pressure = overpressure(node, at.nodes.z[node]);
+  const double pressure = overpressure(at, node);
   const double share = roller_[node] > 0.0 && model_->description.checks.point_load
                            ? point_load_factor(section.wall, section.fy, roller_[node])
                            : 1.0;
@@ -89,7 +89,7 @@ void DesignRecorder::step_strain(const DesignInstant& at, std::size_t node) {
   Peak& peak = peaks_[node];
   const Vec3 still = carried(functional.strain, functional.tangent, at.tangents[node]);
   const Vec3 added = strain_vector(at.nodes.strain[node], at.moments[node]) - still;
-  const double pressure = overpressure(node, at.nodes.z[node]);
+  const double pressure = overpressure(at, node);
   for (const LoadFactors& factors : combinations_) {
     const double strain = section.strain_factor * design_size(factors, still, added);
     const double used = strain_terms(section.strain, strain, pressure, 0.0).utilisation();

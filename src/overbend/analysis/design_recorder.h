@@ -37,7 +37,7 @@ class DesignRecorder {
   void step_load(const DesignInstant& at, std::size_t node);
   void step_strain(const DesignInstant& at, std::size_t node);
   void step_times(const DesignInstant& at, std::size_t node);
-  double overpressure(std::size_t node, double z) const;
+  double overpressure(const DesignInstant& at, std::size_t node) const;
 
   const Model* model_;
   std::vector<CheckSection> sections_;

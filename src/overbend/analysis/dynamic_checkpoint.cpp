@@ -8,7 +8,7 @@ namespace overbend {
 namespace {
 
 constexpr std::size_t kContactNumbers = 7;
-constexpr std::size_t kWaterNumbers = 7;
+constexpr std::size_t kWaterNumbers = 8;
 constexpr std::size_t kBendingNumbers = 17 + kSliders * kDirections;
 
 void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
@@ -116,7 +116,7 @@ void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& memory) {
   for (const std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
     for (const WaterState& w : *moment) {
       out.insert(out.end(), {w.velocity.x(), w.velocity.y(), w.velocity.z(), w.acceleration.x(), w.acceleration.y(),
-                             w.acceleration.z(), w.elevation});
+                             w.acceleration.z(), w.elevation, w.pressure_head});
     }
   }
   put(checkpoint, "water", std::move(out));
@@ -131,7 +131,7 @@ void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& memory) {
     moment->resize(stations);
     for (WaterState& w : *moment) {
       const double* v = &in.at(i);
-      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6]};
+      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6], v[7]};
       i += kWaterNumbers;
     }
   }

@@ -40,6 +40,20 @@ EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
   return motion;
 }
 
+/// A guide that lets the pipe turn leads it where it points: a machine there measures and moves along the pipe.
+void turn_with_pipe(EndMotion& guide, const DynamicState& state, std::size_t node) {
+  const auto tangent = [&](const std::vector<double>& values) {
+    return Vec3(Eigen::Map<const Vec3>(values.data() + 6 * node + 3));
+  };
+  const Vec3 t = tangent(state.q), v = tangent(state.v), a = tangent(state.acc);
+  const double size = t.norm();
+  const Vec3 d = t / size;
+  guide.direction = d;
+  guide.direction_rate = (v - d.dot(v) * d) / size;
+  guide.direction_acceleration =
+      (a - d.dot(a) * d - 2.0 * d.dot(v) * guide.direction_rate) / size - guide.direction_rate.squaredNorm() * d;
+}
+
 /// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
 double normal_loss(const ContactLaw& law, const MovingContact& contact) {
   if (contact.penetration <= 0.0) {
@@ -54,6 +68,7 @@ DynamicSystem::DynamicSystem(const DynamicLine& line)
     : line_(&line),
       contacts_(line.rollers, line.cells, line.shoe_V, line.mesh.length, line.elements.radius),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
+      cuts_(residual_.size()),
       plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
       tangent_(line.mesh.nodes()),
       line_tangent_(line.mesh.nodes()) {}
@@ -72,6 +87,9 @@ HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motio
 void DynamicSystem::set_time(double time, const DynamicState& near) {
   constexpr double kReach = 0.5;  // further than any node moves in a step [m]
   line_->surroundings(time, surroundings_);
+  if (!line_->top.hold_direction) {
+    turn_with_pipe(surroundings_.top, near, static_cast<std::size_t>(line_->mesh.nodes() - 1));
+  }
   contacts_.place(surroundings_.vessel, near.q.data(), kReach);
   held_anchor_ = held_by(line_->anchor, surroundings_.anchor, false);
   held_top_ = held_by(line_->top, surroundings_.top, governed());
@@ -121,19 +139,21 @@ LineMotion DynamicSystem::motion_of(const DynamicState& state, const DynamicStat
 void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, const StepShares& shares,
                              bool with_tangent, ContactMode contacts) {
   std::fill(residual_.begin(), residual_.end(), 0.0);
-  LineTarget target{residual_.data(), nullptr, nullptr, nullptr};
+  LineTarget target{residual_.data(), nullptr, nullptr, nullptr, cuts_.data()};
   if (with_tangent) {
     tangent_.set_zero();
-    target = {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0)};
+    target = {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0), cuts_.data()};
   }
   const LineMotion motion = motion_of(state, before, shares, state.bed_slip.data());
   add_line_forces(line_->elements, line_->environment, {state.q.data(), nullptr}, motion, target, best_isa());
   if (line_->yielding.any) {
-    state.bending_heat = before.bending_heat + add_moving_yielding(line_->yielding, line_->mesh, state.q.data(),
-                                                                   before.bending, state.bending, plastic_moment_,
-                                                                   {&residual_, with_tangent ? &tangent_ : nullptr});
+    state.bending_heat =
+        before.bending_heat + add_moving_yielding(line_->yielding, line_->mesh, state.q.data(), before.bending,
+                                                  state.bending, plastic_moment_,
+                                                  {&residual_, with_tangent ? &tangent_ : nullptr, &cuts_});
   }
-  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts, residual_);
+  contacts_.evaluate(state.q.data(), state.v.data(), shares, before.contacts, state.contacts, contacts,
+                     {residual_, cuts_});
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
   std::copy_n(residual_.end() - 6, 6, top_residual_.begin());
   if (governed()) {

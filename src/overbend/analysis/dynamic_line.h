@@ -15,7 +15,8 @@
 
 namespace overbend {
 
-/// Prescribed motion of an end: place and direction of the guide with their rates, W.
+/// Prescribed motion of an end: place and direction of the guide with their rates, W. Where a guide lets the pipe turn,
+/// the direction is the pipe's own.
 struct EndMotion {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   Vec3 direction = Vec3::UnitX(), direction_rate = Vec3::Zero(), direction_acceleration = Vec3::Zero();
@@ -92,11 +93,13 @@ class DynamicSystem {
   std::uint64_t contact_signature() const { return contacts_.signature(); }
   bool contacts_settled() const { return contacts_.settled(); }
   const std::vector<double>& residual() const { return residual_; }
-  /// What yielding takes off the elastic moment EI k, per Gauss point; empty where no steel yields.
-  const std::vector<Vec3>& plastic_moment() const { return plastic_moment_; }
+  /// What the line above a cut at each node exerts on what is below it, as LineTarget::cuts, rollers and yielding
+  /// included.
+  const std::vector<double>& cuts() const { return cuts_; }
   BlockTridiagonal& tangent() { return tangent_; }
 
-  /// Brings the surroundings to a time, and the rollers to the line as it is in `near`.
+  /// Brings the surroundings to a time, and the rollers and a guide that lets the pipe turn to the line as it is in
+  /// `near`.
   void set_time(double time, const DynamicState& near);
   /// What decides the speed of the tensioner at the instants to come.
   void set_drive(TensionerDrive drive);
@@ -145,8 +148,8 @@ class DynamicSystem {
   const DynamicLine* line_;
   Surroundings surroundings_;
   MovingContacts contacts_;
-  std::vector<double> residual_;
-  std::vector<Vec3> plastic_moment_;
+  std::vector<double> residual_, cuts_;
+  std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
   std::array<double, 6> anchor_residual_{}, top_residual_{};  ///< Before hold().
   BlockTridiagonal tangent_;
   BlockTridiagonal line_tangent_;  ///< Without contacts, from node `kept_from_` on.

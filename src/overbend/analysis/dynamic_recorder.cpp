@@ -116,7 +116,7 @@ DesignInstant DynamicRecorder::design_instant(const RecordedInstant& at) const {
 }
 
 void DynamicRecorder::recover(const RecordedInstant& at) {
-  recovery_.recover(*at.state, at.system->contacts(), at.system->plastic_moment(), nodes_);
+  recovery_.recover(*at.state, *at.system, nodes_);
   find_key_values(at);
   find_support_values(at);
   find_passed(at);

@@ -18,10 +18,11 @@ Vec3 at_point(const HermiteValues& n, const ElementVector& nodes) {
          n.value(3) * nodes.segment<3>(9);
 }
 
-void add_force(double* residual, const HermiteValues& n, const Vec3& force) {
-  for (int j = 0; j < 4; ++j) {
+/// From place or tangent number `from` of an element on: 0 is all of it, 2 its upper node.
+void add_force(double* element, const HermiteValues& n, int from, const Vec3& force) {
+  for (int j = from; j < 4; ++j) {
     for (int i = 0; i < 3; ++i) {
-      residual[3 * j + i] -= n.value(j) * force(i);
+      element[3 * j + i] -= n.value(j) * force(i);
     }
   }
 }
@@ -108,17 +109,17 @@ void MovingContacts::end_iteration(const std::vector<ContactMemory>& now) {
 
 void MovingContacts::evaluate(const double* q, const double* v, const StepShares& shares,
                               const std::vector<ContactMemory>& before, std::vector<ContactMemory>& after,
-                              ContactMode mode, std::vector<double>& residual) {
+                              ContactMode mode, const ContactTarget& target) {
   signature_ = 0xcbf29ce484222325ull;
   settled_ = mode == ContactMode::free;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    evaluate_one(i, q, v, shares, before[i], after[i], mode, residual);
+    evaluate_one(i, q, v, shares, before[i], after[i], mode, target);
   }
 }
 
 void MovingContacts::evaluate_one(std::size_t index, const double* q, const double* v, const StepShares& shares,
                                   const ContactMemory& before, ContactMemory& after, ContactMode mode,
-                                  std::vector<double>& residual) {
+                                  const ContactTarget& target) {
   const MovingRoller& roller = rollers_[index];
   const PlacedRoller& placed = placed_[index];
   MovingContact& contact = contacts_[index];
@@ -188,7 +189,8 @@ void MovingContacts::evaluate_one(std::size_t index, const double* q, const doub
   after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
-  add_force(residual.data() + 6 * element, n, contact.force());
+  add_force(target.residual.data() + 6 * element, n, 0, contact.force());
+  add_force(target.cuts.data() + 6 * element, n, 2, contact.force());
   carrying_[index] = {true, distance, normal, axial, lateral};
 }
 

@@ -53,6 +53,12 @@ struct StepShares {
 /// iteration of a step keeps them: a predictor knows nothing of stiff springs, and would open contacts that carry.
 enum class ContactMode { free, kept };
 
+/// Where the forces of contacts are added: six per node, both as in LineTarget.
+struct ContactTarget {
+  std::vector<double>& residual;
+  std::vector<double>& cuts;
+};
+
 class MovingContacts {
  public:
   MovingContacts() = default;
@@ -68,10 +74,10 @@ class MovingContacts {
   /// where `q` has them, grown by `reach` for what they may still move.
   void place(const RigidMotion& vessel, const double* q, double reach);
 
-  /// Forces of all rollers that the line may meet, added to `residual`, six per node. `before` is the memory at the
-  /// start of the step, `after` receives that at its end.
+  /// Forces of all rollers that the line may meet, added to the line's. `before` is the memory at the start of the
+  /// step, `after` receives that at its end.
   void evaluate(const double* q, const double* v, const StepShares& shares, const std::vector<ContactMemory>& before,
-                std::vector<ContactMemory>& after, ContactMode mode, std::vector<double>& residual);
+                std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
 
   /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
   void add_tangent(const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
@@ -92,7 +98,7 @@ class MovingContacts {
 
  private:
   void evaluate_one(std::size_t roller, const double* q, const double* v, const StepShares& shares,
-                    const ContactMemory& before, ContactMemory& after, ContactMode mode, std::vector<double>& residual);
+                    const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
   void add_tangent_of(std::size_t roller, const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
 
   std::vector<MovingRoller> rollers_;

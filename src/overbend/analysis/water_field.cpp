@@ -96,6 +96,7 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
     now_[i].velocity = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
     now_[i].acceleration = (1.0 - x) * a.acceleration + x * b.acceleration;
     now_[i].elevation = (1.0 - x) * a.elevation + x * b.elevation;
+    now_[i].pressure_head = (1.0 - x) * a.pressure_head + x * b.pressure_head;
   }
   for (std::size_t node = 0; node < share_.size(); ++node) {
     const std::size_t below = static_cast<std::size_t>(station_below_[node]);
@@ -109,6 +110,7 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
       out[3 + i] = acceleration(i);
     }
     out[6] = (1.0 - f) * a.elevation + f * b.elevation;
+    out[7] = (1.0 - f) * a.pressure_head + f * b.pressure_head;
   }
 }
 

@@ -30,6 +30,7 @@ std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q)
 struct YieldingTarget {
   std::vector<double>* residual = nullptr;
   BlockTridiagonal* tangent = nullptr;
+  std::vector<double>* cuts = nullptr;  ///< As LineTarget::cuts.
 };
 
 /// How steel yields in statics.

@@ -63,9 +63,16 @@ struct PressureTension {
   Lanes constant, slope, external;
 };
 
-/// Membrane with the effective tension of pressure. `lower` receives the unsymmetric part (tension varies with depth).
+/// Height of water over z: that of the hydrostatic pressure with the head of the dynamic one.
+inline Lanes water_over(const Lanes& z, const Lanes& head) {
+  const Lanes depth = head - z;
+  return depth > 0.0 ? depth : Lanes{};
+}
+
+/// Membrane with the effective tension of pressure, which varies with depth: the tangent is unsymmetric. `head` of the
+/// dynamic pressure at both ends.
 template <bool kTangent>
-inline void add_membrane(Batch& e, const Lanes& EA, const PressureTension& pressure) {
+inline void add_membrane(Batch& e, const Lanes& EA, const PressureTension& pressure, const Lanes (&head)[2]) {
   Lanes strain[3], tension_p[3], slope_p[3], inv_norm[3];
   Vec u[3];
   for (int k = 0; k < 3; ++k) {
@@ -75,9 +82,9 @@ inline void add_membrane(Batch& e, const Lanes& EA, const PressureTension& press
     u[k] = inv_norm[k] * a;
     strain[k] = norm - 1.0;
     const Lanes z = combine(e, kStrainShape[k].n).z;
-    const Lanes depth = z < 0.0 ? -z : Lanes{};
+    const Lanes depth = water_over(z, mixed(head, 0.5 * k));
     tension_p[k] = pressure.constant + pressure.slope * z + pressure.external * depth;
-    slope_p[k] = pressure.slope - (z < 0.0 ? pressure.external : Lanes{});
+    slope_p[k] = pressure.slope - (depth > 0.0 ? pressure.external : Lanes{});
   }
   Lanes force[3];
   for (int k = 0; k < 3; ++k) {
@@ -165,11 +172,25 @@ inline bool is_tangent_dof(int dof) {
   return dof / 3 % 2 == 1;
 }
 
+/// Unknown i of the elements' forces where cuts at their upper nodes, and at the line's first node, need it.
+inline void write_cuts(double* cuts, const Lanes& f, int first, int i, int used) {
+  if (i >= 6) {
+    for (int l = 0; l < used; ++l) {
+      cuts[6 * (first + l) + i] = f[l];
+    }
+  } else if (first == 0) {
+    cuts[i] = -f[0];
+  }
+}
+
 inline void scatter_force(Batch& e, const LineTarget& target, int first, int used) {
   for (int i = 0; i < kDofs; ++i) {
     const Lanes f = is_tangent_dof(i) ? e.h * e.f[i] : e.f[i];
     for (int l = 0; l < used; ++l) {
       target.residual[6 * (first + l) + i] += f[l];
+    }
+    if (target.cuts != nullptr) {
+      write_cuts(target.cuts, f, first, i, used);
     }
   }
 }
@@ -241,10 +262,12 @@ void add_batch(const LineView& line, const LineEnvironment& env, const LineShape
   if constexpr (kTangent) {
     mirror(e);
   }
-  add_membrane<kTangent>(e, load_lanes(line.EA + first), pressure_tension(line, first));
+  BatchMotion m;
   if constexpr (kMoving) {
-    BatchMotion m;
     gather_motion(m, e.h, *motion, first, line.count);
+  }
+  add_membrane<kTangent>(e, load_lanes(line.EA + first), pressure_tension(line, first), m.head);
+  if constexpr (kMoving) {
     add_moving_loads<kTangent>(e, env, *motion, m, load_constants(line, first), inertia_constants(line, first), first,
                                padded_count(line));
   } else {
@@ -279,7 +302,7 @@ inline void add_membrane_energy(LineEnergy& sum, const Batch& e, const BatchMoti
     strain[k] = norm - 1.0;
     rate[k] = dot(a, e.inv_h * combine_nodes(m.v, kStrainShape[k].c)) / norm;
     const Lanes z = combine(e, kStrainShape[k].n).z;
-    tension_p[k] = pressure.constant + pressure.slope * z + pressure.external * (z < 0.0 ? -z : Lanes{});
+    tension_p[k] = pressure.constant + pressure.slope * z + pressure.external * water_over(z, mixed(m.head, 0.5 * k));
   }
   for (int k = 0; k < 3; ++k) {
     for (int l = 0; l < 3; ++l) {

@@ -39,7 +39,8 @@ struct LineShape {
   const double* low = nullptr;
 };
 
-/// Doubles per node that describe the water: velocity, acceleration, elevation of the surface, one unused.
+/// Doubles per node that describe the water: velocity, acceleration, elevation of the surface, head of the dynamic
+/// pressure.
 inline constexpr int kWaterValues = 8;
 /// Directions in which the bed holds by friction: across the route, along it.
 inline constexpr int kBedDirections = 2;
@@ -70,6 +71,10 @@ struct LineEnergy {
 struct LineTarget {
   double* residual = nullptr;
   double *diag = nullptr, *upper = nullptr, *lower = nullptr;  ///< As stored by BlockTridiagonal.
+  /// Unless null, six per node, written: what the element below a node adds to the node's residual; at the first node
+  /// minus what the first element adds. In balance that is what the line above a cut at the node exerts on what is
+  /// below.
+  double* cuts = nullptr;
 };
 
 namespace isa_baseline {

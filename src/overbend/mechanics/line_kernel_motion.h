@@ -14,6 +14,7 @@ struct BatchMotion {
   Vec v[4] = {}, acc[4] = {};
   Vec water_v[2] = {}, water_a[2] = {};
   Lanes surface[2] = {};
+  Lanes head[2] = {};
 };
 
 inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& motion, int first, int count) {
@@ -25,7 +26,7 @@ inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& moti
   }
   for (int end = 0; end < 2; ++end) {
     m.water_v[end] = m.water_a[end] = Vec{};
-    m.surface[end] = Lanes{};
+    m.surface[end] = m.head[end] = Lanes{};
     if (motion.water == nullptr) {
       continue;
     }
@@ -38,6 +39,7 @@ inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& moti
       m.water_a[end].y[l] = w[4];
       m.water_a[end].z[l] = w[5];
       m.surface[end][l] = w[6];
+      m.head[end][l] = w[7];
     }
   }
 }
@@ -58,6 +60,11 @@ struct MovingPoint {
   Lanes surface;         ///< Elevation of the water [m].
 };
 
+/// Linear between the values at both ends.
+inline Lanes mixed(const Lanes (&ends)[2], double xi) {
+  return (1.0 - xi) * ends[0] + xi * ends[1];
+}
+
 inline MovingPoint moving_point(const Batch& e, const BatchMotion& m, const Shape& s, double xi) {
   MovingPoint at;
   at.r = combine(e, s.n);
@@ -66,7 +73,7 @@ inline MovingPoint moving_point(const Batch& e, const BatchMotion& m, const Shap
   at.acc = combine_nodes(m.acc, s.n);
   at.water_v = (1.0 - xi) * m.water_v[0] + xi * m.water_v[1];
   at.water_a = (1.0 - xi) * m.water_a[0] + xi * m.water_a[1];
-  at.surface = (1.0 - xi) * m.surface[0] + xi * m.surface[1];
+  at.surface = mixed(m.surface, xi);
   return at;
 }
 
@@ -83,9 +90,10 @@ inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
   }
 }
 
-/// Morison's force of moving water on the moving pipe, normal and tangential parts, on the relative velocity; inertia
-/// (1 + Ca) rho A a_water,n - Ca rho A a_pipe,n across the pipe and, along it, Ct_a rho A of the relative acceleration
-/// (Morison et al. 1950; DNV-RP-C205 section 6). Times the wetted share.
+/// Morison's force of moving water on the moving pipe: drag on the relative velocity and added mass on the relative
+/// acceleration, each with its normal and tangential part, and the force rho A a_water of the pressure field that
+/// accelerates the displaced water (Morison et al. 1950; DNV-RP-C205 section 6). The last acts in all directions: along
+/// the pipe it is the gradient of the dynamic pressure that the effective tension contains. Times the wetted share.
 template <bool kTangent>
 inline void add_morison(PointLoad& load, const LineEnvironment& env, const LineMotion& motion, const MovingPoint& at,
                         const Wetting& wet, const LoadConstants& c, const InertiaConstants& i) {
@@ -103,11 +111,11 @@ inline void add_morison(PointLoad& load, const LineEnvironment& env, const LineM
   const Vec un = u - ut * t;
   const Lanes size = root(dot(un, un)) + 1e-30;  // water along the pipe has no normal drag, not 0/0
   const Lanes along = ut > 0.0 ? ut : -ut;
-  const Vec b = (i.displaced + i.added_normal) * at.water_a - i.added_normal * at.acc;
-  const Lanes b_t = dot(b, t);
   const Vec slip_a = at.water_a - at.acc;
-  const Lanes axial = i.added_axial * dot(slip_a, t);
-  const Vec f = (c.drag_normal * size) * un + (c.drag_axial * along * ut) * t + (b - b_t * t) + axial * t;
+  const Lanes more_along = i.added_axial - i.added_normal;
+  const Lanes slip_t = dot(slip_a, t);
+  const Vec f = (c.drag_normal * size) * un + (c.drag_axial * along * ut + more_along * slip_t) * t +
+                i.displaced * at.water_a + i.added_normal * slip_a;
   load.f = load.f + wet.share * f;
   if constexpr (kTangent) {
     const Vec e = (1.0 / size) * un;
@@ -131,9 +139,8 @@ inline void add_morison(PointLoad& load, const LineEnvironment& env, const LineM
       const Vec dt = axes[k] - dot(axes[k], t) * t;  // times inv_norm: change of t with a_k
       const Lanes dut = dot(u, dt);
       const Vec dun = (-1.0 * dut) * t - ut * dt;
-      const Vec df = jacobian_n(dun) +
-                     (2.0 * c.drag_axial * along * dut - dot(b, dt) + i.added_axial * dot(slip_a, dt)) * t +
-                     (c.drag_axial * along * ut - b_t + axial) * dt;
+      const Vec df = jacobian_n(dun) + (2.0 * c.drag_axial * along * dut + more_along * dot(slip_a, dt)) * t +
+                     (c.drag_axial * along * ut + more_along * slip_t) * dt;
       load.in_a.m[0][k] += scale * df.x;
       load.in_a.m[1][k] += scale * df.y;
       load.in_a.m[2][k] += scale * df.z;

@@ -9,15 +9,16 @@
 
 #include "base/random.h"
 #include "mechanics/wave_spreading.h"
+#include "model/section.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr std::size_t kColumns = 10;  // of the kernel's table
+constexpr std::size_t kColumns = 11;  // of the kernel's table
 
-static_assert(sizeof(WaterState) == 7 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),
+static_assert(sizeof(WaterState) == 8 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),
               "the kernel writes states and reads points as plain doubles");
 
 bool is_regular(WaveType type) {
@@ -42,7 +43,8 @@ WaveView view_of(const Sea& sea) {
           .speed = column(6),
           .echo = column(7),
           .ex = column(8),
-          .ey = column(9)};
+          .ey = column(9),
+          .head = column(10)};
 }
 
 void fill_table(Sea& sea) {
@@ -52,9 +54,17 @@ void fill_table(Sea& sea) {
     const WaveComponent& c = sea.components[i];
     const double echo = std::exp(-2.0 * c.wave_number * sea.depth);
     const double speed = c.amplitude * c.omega / -std::expm1(-2.0 * c.wave_number * sea.depth);
-    const double columns[kColumns] = {
-        c.amplitude,         c.omega, c.wave_number, c.kx, c.ky, c.phase, speed, echo, c.kx / c.wave_number,
-        c.ky / c.wave_number};
+    const double columns[kColumns] = {c.amplitude,
+                                      c.omega,
+                                      c.wave_number,
+                                      c.kx,
+                                      c.ky,
+                                      c.phase,
+                                      speed,
+                                      echo,
+                                      c.kx / c.wave_number,
+                                      c.ky / c.wave_number,
+                                      c.omega / (c.wave_number * kGravity)};
     for (std::size_t column = 0; column < kColumns; ++column) sea.table[column * rows + i] = columns[column];
   }
   // The padding keeps the order by wave number.
@@ -138,6 +148,7 @@ void stokes_state(const StokesWave& wave, double t, const BuildUp& build_up, con
   const WaveKinematics k = kinematics(wave, t, point.x(), point.y(), z);
   out.velocity = build_up.value * k.velocity;
   out.acceleration = build_up.value * k.acceleration + build_up.rate * k.velocity;
+  out.pressure_head = build_up.value * k.pressure_head;
 }
 
 WaveSums sums_of(Isa isa) {

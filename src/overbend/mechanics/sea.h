@@ -54,6 +54,9 @@ struct WaterState {
   Vec3 velocity = Vec3::Zero();      ///< [m/s]
   Vec3 acceleration = Vec3::Zero();  ///< Derivative of the velocity in time at the point [m/s2].
   double elevation = 0.0;            ///< Of the surface over the point [m].
+  /// Dynamic pressure over the water's weight density: the pressure is that weight density times (head - z) [m]. Phase
+  /// speed times horizontal velocity over gravity, which balances the acceleration above: rho a = -grad p.
+  double pressure_head = 0.0;
 };
 
 /// Motion of the water at points of W at time t [s]. Elevation and velocity carry the build-up's value, the

@@ -55,7 +55,7 @@ WaveKinematics kinematics(const StokesWave& wave, double t, double x, double y, 
     w_t -= j * wave.omega * up * cosine;
   }
   const double ex = wave.kx / wave.wave_number, ey = wave.ky / wave.wave_number;
-  return {Vec3(u * ex, u * ey, w), Vec3(u_t * ex, u_t * ey, w_t)};
+  return {Vec3(u * ex, u * ey, w), Vec3(u_t * ex, u_t * ey, w_t), wave.omega / wave.wave_number * u / kGravity};
 }
 
 }  // namespace overbend

@@ -26,8 +26,10 @@ double elevation(const StokesWave& wave, double t, double x, double y);
 
 struct WaveKinematics {
   Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
+  double pressure_head = 0.0;  ///< Of the dynamic pressure, without the square of the velocity [m].
 };
-/// Velocity and its derivative in time at a fixed point; z between the bed and the surface, which is not checked.
+/// Velocity, its derivative in time at a fixed point and the pressure that goes with it; z between the bed and the
+/// surface, which is not checked.
 WaveKinematics kinematics(const StokesWave& wave, double t, double x, double y, double z);
 
 }  // namespace overbend

@@ -65,9 +65,9 @@ int reaching(const WaveView& waves, double z) {
   return whole < waves.count ? whole : waves.count;
 }
 
-/// Velocity and acceleration at the height z of the linear theory: -depth to 0.
+/// Velocity, acceleration and pressure head at the height z of the linear theory: -depth to 0.
 void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases, double* out) {
-  Lanes u{}, v{}, w{}, u_t{}, v_t{}, w_t{};
+  Lanes u{}, v{}, w{}, u_t{}, v_t{}, w_t{}, head{};
   const int count = reaching(waves, at.z);
   for (int i = 0; i < count; i += kWidth) {
     Lanes sine, cosine;
@@ -89,6 +89,7 @@ void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases
     u_t += lanes(waves.ex, i) * forward_rate;
     v_t += lanes(waves.ey, i) * forward_rate;
     w_t -= up * cosine * omega;
+    head += lanes(waves.head, i) * forward;
   }
   out[0] = total(u);
   out[1] = total(v);
@@ -96,6 +97,7 @@ void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases
   out[3] = total(u_t);
   out[4] = total(v_t);
   out[5] = total(w_t);
+  out[7] = total(head);
 }
 
 /// Wheeler's stretching: what linear theory has between bed and still water is spread between bed and surface.
@@ -110,7 +112,7 @@ double stretched(double z, double elevation, double depth) {
 
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out) {
   Phases phases;
-  for (int point = 0; point < count; ++point, points += 3, out += 7) {
+  for (int point = 0; point < count; ++point, points += 3, out += 8) {
     Place place{at.t, points[0], points[1], 0.0};
     const double elevation = at.factor * surface(waves, place, phases);
     place.z = stretched(points[2], elevation, waves.depth);
@@ -120,6 +122,7 @@ void sum_waves(const WaveView& waves, const WaveInstant& at, const double* point
       out[i] *= at.factor;
     }
     out[6] = elevation;
+    out[7] *= at.factor;
   }
 }
 

@@ -13,6 +13,7 @@ struct WaveView {
   const double* speed;    ///< a omega / (1 - exp(-2 k d)) [m/s]
   const double* echo;     ///< exp(-2 k d)
   const double *ex, *ey;  ///< Direction of travel.
+  const double* head;     ///< Phase speed over gravity: head of the dynamic pressure per horizontal velocity [s].
 };
 
 /// Time and build-up.
@@ -23,7 +24,8 @@ struct WaveInstant {
 /// Components for which k |z| is larger are left out at depth: at 9 each has lost all but e^-9 = 1.2e-4 of its motion.
 inline constexpr double kWaveReach = 9.0;
 
-/// `out` gets seven doubles a point: velocity, acceleration, elevation; `points` has x, y, z of each.
+/// `out` gets eight doubles a point: velocity, acceleration, elevation, head of the dynamic pressure; `points` has x,
+/// y, z of each.
 using WaveSums = void (*)(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
 /// Elevation at one place without build-up.
 using WaveElevation = double (*)(const WaveView& waves, double t, double x, double y);
