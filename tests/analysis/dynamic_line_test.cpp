@@ -14,7 +14,7 @@ class StandingLine {
   StandingLine()
       : at_(testing::workable()),
         setup_(make_setup(at_.model, at_.start, at_.statics.top_tension, dynamic_options(at_.model))),
-        tensioner_(tensioner_place(at_.model)) {
+        tensioner_(tensioner_place(at_.model, at_.start)) {
     setup_.line.surroundings = [this](double /*time*/, Surroundings& now) {
       now.vessel.pose = at_.model.mean_pose;
       now.vessel.pose.p_WV.z() -= sunk;

@@ -40,20 +40,6 @@ EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
   return motion;
 }
 
-/// A guide that lets the pipe turn leads it where it points: a machine there measures and moves along the pipe.
-void turn_with_pipe(EndMotion& guide, const DynamicState& state, std::size_t node) {
-  const auto tangent = [&](const std::vector<double>& values) {
-    return Vec3(Eigen::Map<const Vec3>(values.data() + 6 * node + 3));
-  };
-  const Vec3 t = tangent(state.q), v = tangent(state.v), a = tangent(state.acc);
-  const double size = t.norm();
-  const Vec3 d = t / size;
-  guide.direction = d;
-  guide.direction_rate = (v - d.dot(v) * d) / size;
-  guide.direction_acceleration =
-      (a - d.dot(a) * d - 2.0 * d.dot(v) * guide.direction_rate) / size - guide.direction_rate.squaredNorm() * d;
-}
-
 /// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
 double normal_loss(const ContactLaw& law, const MovingContact& contact) {
   if (contact.penetration <= 0.0) {
@@ -87,9 +73,6 @@ HeldDirections DynamicSystem::held_by(const LineEnd& end, const EndMotion& motio
 void DynamicSystem::set_time(double time, const DynamicState& near) {
   constexpr double kReach = 0.5;  // further than any node moves in a step [m]
   line_->surroundings(time, surroundings_);
-  if (!line_->top.hold_direction) {
-    turn_with_pipe(surroundings_.top, near, static_cast<std::size_t>(line_->mesh.nodes() - 1));
-  }
   contacts_.place(surroundings_.vessel, near.q.data(), kReach);
   held_anchor_ = held_by(line_->anchor, surroundings_.anchor, false);
   held_top_ = held_by(line_->top, surroundings_.top, governed());
@@ -100,15 +83,17 @@ void DynamicSystem::set_drive(TensionerDrive drive) {
   held_top_ = held_by(line_->top, surroundings_.top, governed());
 }
 
-/// The force of the governor along the guide: it grows with the speed of paying out, which the top's place makes.
+/// The force of the governor along the pipe: it grows with the speed of paying out, which the top's place makes. Of its
+/// parts that along the guide alone is free.
 void DynamicSystem::add_governor(const DynamicState& state) {
   const std::size_t first = residual_.size() - 6;
-  Vec3Map(residual_.data() + first) -= governed_tension(line_->tensioner, state.travel.v) * surroundings_.top.direction;
+  const Vec3& d = surroundings_.top.direction;
+  Vec3Map(residual_.data() + first) -= governed_tension(line_->tensioner, state.travel.v) * machine_axis_.dot(d) * d;
 }
 
 void DynamicSystem::add_governor_tangent(const DynamicState& state, const StepShares& shares) {
   const Vec3& d = surroundings_.top.direction;
-  const double rate = governor_slope(line_->tensioner, state.travel.v) * shares.velocity;
+  const double rate = governor_slope(line_->tensioner, state.travel.v) * shares.velocity * machine_axis_.dot(d);
   double* block = tangent_.diag(line_->mesh.nodes() - 1);
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
@@ -156,6 +141,9 @@ void DynamicSystem::evaluate(DynamicState& state, const DynamicState& before, co
                      {residual_, cuts_});
   std::copy_n(residual_.begin(), 6, anchor_residual_.begin());
   std::copy_n(residual_.end() - 6, 6, top_residual_.begin());
+  machine_axis_ = line_->top.hold_direction
+                      ? surroundings_.top.direction
+                      : Vec3(Eigen::Map<const Vec3>(state.q.data() + state.q.size() - 3)).normalized();
   if (governed()) {
     add_governor(state);
   }

@@ -15,8 +15,8 @@
 
 namespace overbend {
 
-/// Prescribed motion of an end: place and direction of the guide with their rates, W. Where a guide lets the pipe turn,
-/// the direction is the pipe's own.
+/// Prescribed motion of an end: place and direction of the guide with their rates, W. The direction is that in which a
+/// machine moves the pipe, whether the guide holds the pipe's direction or lets it turn.
 struct EndMotion {
   Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   Vec3 direction = Vec3::UnitX(), direction_rate = Vec3::Zero(), direction_acceleration = Vec3::Zero();
@@ -98,8 +98,7 @@ class DynamicSystem {
   const std::vector<double>& cuts() const { return cuts_; }
   BlockTridiagonal& tangent() { return tangent_; }
 
-  /// Brings the surroundings to a time, and the rollers and a guide that lets the pipe turn to the line as it is in
-  /// `near`.
+  /// Brings the surroundings to a time, and the rollers to the line as it is in `near`.
   void set_time(double time, const DynamicState& near);
   /// What decides the speed of the tensioner at the instants to come.
   void set_drive(TensionerDrive drive);
@@ -130,8 +129,8 @@ class DynamicSystem {
   InstantEnergy energy(const DynamicState& state) const;
   /// Force on the line by what holds its top, at the state evaluated last [N].
   Vec3 top_force() const;
-  /// What the tensioner measures: its force along the guide [N].
-  double machine_tension() const { return top_force().dot(surroundings_.top.direction); }
+  /// What the tensioner measures: its force along the pipe, which is the effective tension there [N].
+  double machine_tension() const { return top_force().dot(machine_axis_); }
 
   /// True accelerations from the balance of forces at rest or in motion; false where the mass is singular.
   bool find_accelerations(DynamicState& state);
@@ -156,6 +155,7 @@ class DynamicSystem {
   int kept_from_ = 0;
   HeldDirections held_anchor_, held_top_;
   TensionerDrive drive_ = TensionerDrive::brake;
+  Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its top, at the state evaluated last.
   mutable int worst_node_ = 0;
 };
 

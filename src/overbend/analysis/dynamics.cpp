@@ -40,7 +40,7 @@ class Run {
         options_(options),
         setup_(make_setup(model, start, static_tension, options)),
         anchor_(anchor_motion(start)),
-        tensioner_(tensioner_place(model)),
+        tensioner_(tensioner_place(model, start)),
         clock_(make_clock(options, setup_.interval)),
         water_(setup_.sea, start.mesh, start.state.q, options.build_up, setup_.interval),
         shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {

@@ -6,11 +6,16 @@
 
 namespace overbend {
 
-TensionerPlace tensioner_place(const Model& model) {
+TensionerPlace tensioner_place(const Model& model, const StaticSolution& start) {
   const TensionerDescription& t = model.description.tensioner;
   const VesselDescription& v = model.description.vessel;
   // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
-  return {Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z), Vec3(std::cos(t.incline), 0.0, std::sin(t.incline))};
+  const Vec3 place(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z);
+  if (t.guide == Guide::pinned) {
+    const Vec3 tangent(Eigen::Map<const Vec3>(start.state.q.data() + start.state.q.size() - 3));
+    return {place, model.mean_pose.R_WV.transpose() * tangent.normalized()};
+  }
+  return {place, Vec3(std::cos(t.incline), 0.0, std::sin(t.incline))};
 }
 
 EndMotion anchor_motion(const StaticSolution& start) {

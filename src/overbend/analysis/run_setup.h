@@ -19,12 +19,13 @@ struct RunSetup {
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
                     const DynamicOptions& options);
 
-/// Place and direction of the tensioner in the vessel's frame.
+/// Place and direction of the tensioner in the vessel's frame. Behind a guide that lets the pipe turn the machine stands
+/// in line with the pipe at rest.
 struct TensionerPlace {
   Vec3 place_V, direction_V;
 };
 
-TensionerPlace tensioner_place(const Model& model);
+TensionerPlace tensioner_place(const Model& model, const StaticSolution& start);
 
 /// The anchor stays where statics put it.
 EndMotion anchor_motion(const StaticSolution& start);
