@@ -10,8 +10,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kTributary = 0.5;
-
 /// One box of one row in the air.
 Description one_row() {
   Description d = testing::plain_description();
@@ -33,16 +31,16 @@ MovingRoller only_roller(const Description& d) {
                             0.5 * roller.face,
                             roller.radius,
                             roller.stiffness};
-  return moving_rollers(model, {placed}, kTributary).at(0);
+  return moving_rollers(model, {placed}).at(0);
 }
 
-/// Damping for a share of critical damping and the mass of half a metre of the pipe in air.
+/// Damping for a share of critical damping and the mass of the pipe in air that an impact moves.
 double damping(double zeta, double stiffness) {
   const Section pipe = derive_section("pipe", testing::sixteen_inch_pipe(), 10.05e3);
-  return 2.0 * zeta * std::sqrt(pipe.mass() * kTributary * stiffness);
+  return 2.0 * zeta * std::sqrt(pipe.mass() * std::cbrt(16.0 * pipe.EI / stiffness) * stiffness);
 }
 
-TEST(moving_rollers, damp_so_that_the_tributary_mass_leaves_with_the_restitution_given) {
+TEST(moving_rollers, damp_so_that_the_mass_an_impact_moves_leaves_with_the_restitution_given) {
   const ContactLaw law = only_roller(one_row()).law;
   EXPECT_DOUBLE_EQ(law.stiffness, 4e6);
   EXPECT_NEAR(law.damping, damping(0.355, 4e6), 0.002 * law.damping);  // printed table: zeta to three digits

@@ -124,10 +124,10 @@ void DesignRecorder::step(const DesignInstant& at) {
   }
 }
 
-void DesignRecorder::fill(StationDesign& design) const {
+void DesignRecorder::fill(StationDesign& design, std::size_t first) const {
   const auto column = [&](std::vector<double>& out, double Peak::*member) {
     out.clear();
-    for (const Peak& peak : peaks_) out.push_back(peak.*member);
+    for (std::size_t node = first; node < peaks_.size(); ++node) out.push_back(peaks_[node].*member);
   };
   column(design.load, &Peak::load);
   column(design.load_time, &Peak::load_time);

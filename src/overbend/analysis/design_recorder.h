@@ -28,7 +28,8 @@ class DesignRecorder {
   /// An accepted step after t = 0. Nothing is allocated.
   void step(const DesignInstant& at);
 
-  void fill(StationDesign& design) const;
+  /// From node `first` on.
+  void fill(StationDesign& design, std::size_t first) const;
   std::vector<double> save() const;
   void restore(std::span<const double> saved);
 

@@ -6,7 +6,12 @@
 namespace overbend {
 namespace {
 
-constexpr double kLeastGrowth = 1.15;  ///< Of the step: less is not worth new factors.
+/// Of a swing of frequency w, h^2 T'' is (w h)^2/2 of its range: w h = 0.1, 63 steps a period, leaves 0.2 % of the
+/// range as error of the scheme.
+constexpr double kBendOfRange = 5e-3;
+constexpr double kBendOfTension = 1e-4;       ///< Where hardly anything swings.
+constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tension is not followed further [s].
+constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
 
 }  // namespace
 
@@ -19,6 +24,21 @@ Clock make_clock(const DynamicOptions& options, double interval) {
   clock.tick = -rows_before * clock.ticks_per_row;
   clock.last_tick = rows_after * clock.ticks_per_row;
   return clock;
+}
+
+void TensionWatch::start(double tension) {
+  *this = {tension, 0.0, tension, tension};
+}
+
+double TensionWatch::longest_step(double tension, double h) {
+  const double now = (tension - last) / h;
+  const double bend = std::abs(now - slope) * h;  // h^2 T''
+  least = std::min(least, tension);
+  most = std::max(most, tension);
+  last = tension;
+  slope = now;
+  const double allowed = std::max(kBendOfRange * (most - least), kBendOfTension * std::abs(tension));
+  return std::max(h * std::sqrt(allowed / std::max(bend, 1e-9 * allowed)), kShortestForTension);
 }
 
 double StepChooser::choose(double remaining, double longest) {

@@ -18,6 +18,17 @@ struct Clock {
 
 Clock make_clock(const DynamicOptions& options, double interval);
 
+/// Watches how the tension at the top bends from step to step. Steps that follow its swings to a fraction of their
+/// period follow everything else that swings with them.
+struct TensionWatch {
+  double last = 0.0, slope = 0.0;       ///< After the last step [N], over it [N/s].
+  double least = 1e300, most = -1e300;  ///< So far [N].
+
+  void start(double tension);
+  /// Longest step that the tension after one of `h` allows [s].
+  double longest_step(double tension, double h);
+};
+
 /// Chooses steps between ticks.
 struct StepChooser {
   double wanted = 0.02;  ///< By error and impacts [s].

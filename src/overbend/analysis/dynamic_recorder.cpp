@@ -42,8 +42,10 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
       tensioner_(line.tensioner) {
-  const std::size_t n = static_cast<std::size_t>(line.mesh.nodes());
-  nodes_.resize(n);
+  const std::vector<double>& s = line.mesh.s;
+  first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
+  nodes_.resize(s.size());
+  const std::size_t n = s.size() - first_;
   node_sample_.resize(kNodeQuantities * n);
   support_sample_.resize(kBoxQuantities * boxes_ + kRollerQuantities * rollers_);
   key_sample_.resize(kKeyQuantities);
@@ -200,7 +202,7 @@ void DynamicRecorder::find_passed(const RecordedInstant& at) {
     const MovingContact& contact = at.system->contacts()[i];
     const Roller& roller = model_->supports.rollers[i];
     BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
-    const double radius = model_->sections.front().outer_radius();
+    const double radius = model_->section_over(roller).outer_radius();
     if (box.time == kNever && lies_beside(roller.position, contact.at, radius)) {
       const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
       box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
@@ -251,7 +253,7 @@ void DynamicRecorder::step(const RecordedInstant& at) {
   double* out = node_sample_.data();
   for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
                                             &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {
-    out = std::copy(values->begin(), values->end(), out);
+    out = std::copy(values->begin() + static_cast<std::ptrdiff_t>(first_), values->end(), out);
   }
   node_statistics_.add(node_sample_, at.step);
   support_statistics_.add(support_sample_, at.step);
@@ -298,7 +300,7 @@ void DynamicRecorder::forget_interval() {
 
 std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
   double* out = snapshot_.data();
-  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+  for (std::size_t node = first_; node < nodes_.x.size(); ++node) {
     const double values[5] = {nodes_.x[node], nodes_.y[node], nodes_.z[node], nodes_.effective_tension[node],
                               nodes_.von_mises[node]};
     out = std::copy_n(values, 5, out);
@@ -317,7 +319,7 @@ std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
 
 void DynamicRecorder::count(Impact& impact) {
   const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
-  const Section& pipe = model_->sections.front();
+  const Section& pipe = model_->section_over(roller);
   impact.dent_depth = dent_depth(impact.peak_force, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
   impact.line_load =
       line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));

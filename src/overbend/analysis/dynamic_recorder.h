@@ -41,7 +41,8 @@ class DynamicRecorder {
   DynamicRecorder(const Model& model, const DynamicLine& line);
 
   std::vector<HistoryColumn> columns() const;
-  int stations() const { return line_->mesh.nodes(); }
+  /// Nodes of the static line: the laid tail behind it is not recorded.
+  int stations() const { return line_->mesh.nodes() - static_cast<int>(first_); }
 
   /// The static state, by the same recovery.
   void start(const RecordedInstant& at);
@@ -68,6 +69,7 @@ class DynamicRecorder {
   void find_region_peaks(int last_contact_node, int touchdown_node, double time);
   void find_support_values(const RecordedInstant& at);
   void find_passed(const RecordedInstant& at);
+  void fill_assumptions(DynamicResults& results) const;
   void fill_warnings(DynamicResults& results) const;
   void fill_tensioner_warnings(DynamicResults& results) const;
   void fill_supports(DynamicResults& results) const;
@@ -79,7 +81,8 @@ class DynamicRecorder {
   DesignRecorder design_;
   NodeValues nodes_, static_nodes_;
   KeyValues key_;
-  int tip_roller_ = -1;  ///< Bottom roller of the stinger's last row.
+  std::size_t first_ = 0;  ///< Node that is recorded.
+  int tip_roller_ = -1;    ///< Bottom roller of the stinger's last row.
   std::size_t rollers_, boxes_;
 
   std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;

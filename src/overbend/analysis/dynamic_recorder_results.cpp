@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/dynamic_recorder.h"
 #include "analysis/dynamic_recorder_layout.h"
@@ -26,7 +27,6 @@ Envelope envelope_of(const RunningStatistics& statistics, const std::vector<doub
 }  // namespace
 
 void DynamicRecorder::fill_supports(DynamicResults& results) const {
-  const Section& pipe = model_->sections.front();
   const std::vector<double> deviation = support_statistics_.standard_deviation();
   std::size_t roller = 0;
   for (std::size_t box = 0; box < boxes_; ++box) {
@@ -48,6 +48,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
     out.static_separation = static_supports_[at + 4];
     for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
       const Roller& placed = model_->supports.rollers[roller];
+      const Section& pipe = model_->section_over(placed);
       const std::size_t i = kBoxQuantities * boxes_ + kRollerQuantities * roller;
       RollerDynamics r;
       r.roller = static_cast<int>(roller);
@@ -122,10 +123,12 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
                                              left_[box].side > 0.0 ? "port" : "starboard"));
     }
   }
-  const Section& pipe = model_->sections.front();
-  const double yield = pipe.yield_stress;
-  const double worst = std::max(results.overbend.von_mises.over_time.max, results.sagbend.von_mises.over_time.max);
-  if (yield > 0.0 && worst > yield && !pipe.bending) {
+  bool yields = false;
+  for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
+    const Section& pipe = model_->sections[static_cast<std::size_t>(recovery_.sections()[first_ + node])];
+    yields = yields || (pipe.yield_stress > 0.0 && results.von_mises.max[node] > pipe.yield_stress && !pipe.bending);
+  }
+  if (yields) {
     results.warnings.emplace_back(
         "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
         "beyond "
@@ -137,8 +140,19 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   fill_tensioner_warnings(results);
 }
 
+/// Impact forces hang on a stiffness that is known to a factor: says how much.
+void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
+  if (hardest_.empty()) return;
+  const double force = 1e-3 * hardest_.front().peak_force;
+  const double stiffness = 1e-6 * line_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
+  results.assumptions.push_back(
+      fmt::format("The hardest impact, {:.1f} kN, met a contact of {:.3g} MN/m; with half that stiffness it would be "
+                  "{:.1f} kN, with twice {:.1f} kN (the force goes with its cube root at the same approach velocity).",
+                  force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
+}
+
 void DynamicRecorder::fill(DynamicResults& results) const {
-  const std::size_t n = nodes_.x.size();
+  const std::size_t n = nodes_.x.size() - first_;
   const std::vector<double> deviation = node_statistics_.standard_deviation();
   Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
                                                 &results.bending_moment,
@@ -151,21 +165,25 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   for (std::size_t i = 0; i < kNodeQuantities; ++i) {
     *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
   }
-  results.station_s = line_->mesh.s;
-  results.static_tension = static_nodes_.effective_tension;
-  results.static_moment = static_nodes_.bending_moment;
-  results.static_bending_stress = static_nodes_.bending_stress;
-  results.static_von_mises = static_nodes_.von_mises;
-  results.static_strain = static_nodes_.strain;
-  for (std::size_t i = 0; i < n; ++i) {
+  const auto recorded = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first_), all.end());
+  };
+  results.station_s = recorded(line_->mesh.s);
+  results.static_tension = recorded(static_nodes_.effective_tension);
+  results.static_moment = recorded(static_nodes_.bending_moment);
+  results.static_bending_stress = recorded(static_nodes_.bending_stress);
+  results.static_von_mises = recorded(static_nodes_.von_mises);
+  results.static_strain = recorded(static_nodes_.strain);
+  for (std::size_t i = first_; i < nodes_.x.size(); ++i) {
     results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
   }
-  design_.fill(results.design);
+  design_.fill(results.design, first_);
   fill_regions(results);
   fill_supports(results);
   results.hardest_impacts = hardest_;
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
+  fill_assumptions(results);
   fill_warnings(results);
 }
 

@@ -4,22 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/impact_mass.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
 namespace {
-
-double shortest_element(const LineMesh& mesh) {
-  return *std::min_element(mesh.length.begin(), mesh.length.end());
-}
 
 RestitutionForm restitution_form(RollerDamping damping) {
   return damping == RollerDamping::textbook ? RestitutionForm::textbook : RestitutionForm::clipped;
 }
 
 /// Effective mass per length of the pipe at a roller [kg/m].
-double moved_mass(const Model& model, const Vec3& roller_W) {
-  const Section& pipe = model.sections.front();
+double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W) {
   const double added = pipe.added_mass_normal * model.water_density * pipe.external_area;
   return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
 }
@@ -45,8 +41,7 @@ StaticStretch static_stretch(const LineEnvironment& env, const Vec3& r, double r
 
 }  // namespace
 
-std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed,
-                                         double tributary) {
+std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed) {
   const VesselPose& mean = model.mean_pose;
   const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
   std::vector<MovingRoller> rollers;
@@ -59,7 +54,8 @@ std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<P
     moving.half_face = placed[i].half_face;
     moving.radius = placed[i].radius;
     moving.box = roller.box;
-    const double mass = moved_mass(model, placed[i].center) * tributary;
+    const Section& pipe = model.section_over(roller);
+    const double mass = impact_mass(moved_mass(model, pipe, placed[i].center), pipe.EI, placed[i].stiffness);
     const double zeta = damping_ratio(roller.restitution, restitution_form(roller.damping));
     ContactLaw& law = moving.law;
     law.stiffness = placed[i].stiffness;
@@ -102,7 +98,7 @@ DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
   choose_levels(line.yielding, solution.state.q.data());
   line.anchor = {true, true};
   line.top = {true, model.description.tensioner.guide == Guide::clamped};
-  line.rollers = moving_rollers(model, system.rollers(), shortest_element(solution.mesh));
+  line.rollers = moving_rollers(model, system.rollers());
   double radius = 0.0;
   for (int e = 0; e < line.elements.count; ++e) {
     radius = std::max(radius, line.elements.radius[static_cast<std::size_t>(e)]);

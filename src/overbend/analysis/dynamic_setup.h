@@ -7,14 +7,13 @@
 
 namespace overbend {
 
-/// Rollers of the supports in the vessel's frame with their laws. `tributary` is the length of pipe that a contact
-/// moves [m]: that of the elements over the supports.
+/// Rollers of the supports in the vessel's frame with their laws.
 ///
-/// Damping follows from the coefficient of restitution and the mass of the tributary length, with added mass under
-/// water, against a rigid roller ([silva2009] equations 16 to 18; Schwager & Poeschel 2007 for contacts that never
-/// pull, or the textbook's formula, as the roller asks). Tangential stiffness, where the roller has none of its own, is
-/// a tenth of the normal one.
-std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed, double tributary);
+/// Damping follows from the coefficient of restitution and the mass that an impact moves (impact_mass.h), with added
+/// mass under water, against a rigid roller ([silva2009] equations 16 to 18; Schwager & Poeschel 2007 for contacts that
+/// never pull, or the textbook's formula, as the roller asks). Tangential stiffness, where the roller has none of its
+/// own, is a tenth of the normal one.
+std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed);
 
 /// The machine as the model sets it. Without a tension of its own it wants that of the equilibrium; without an
 /// acceleration it gathers speed in half a second, for a speed at once would strike the pipe with a wave of

@@ -9,6 +9,7 @@
 #include "analysis/dynamic_clock.h"
 #include "analysis/dynamic_recorder.h"
 #include "analysis/energy_account.h"
+#include "analysis/laid_tail.h"
 #include "analysis/run_setup.h"
 #include "analysis/water_field.h"
 #include "checks/run_checks.h"
@@ -90,6 +91,7 @@ class Run {
   EnergyAccount energy_;
   DynamicState state_, next_;
   StepChooser chooser_;
+  TensionWatch watch_;
   std::vector<Impact> ended_;
   DynamicRunReport report_;
 };
@@ -129,6 +131,7 @@ bool Run::begin() {
   const DynamicState before = state_;
   system_->evaluate(state_, before, {}, false);
   observe_tension(state_, 0.0);
+  watch_.start(system_->machine_tension());
   energy_.start(system_->energy(state_), kLeastMotion * setup_.line.force_scale);
   ended_.clear();
   tracker_->accept(system_->contacts(), state_.time, 1.0, ended_);
@@ -145,7 +148,8 @@ void Run::adapt(double h) {
   const double error = stepper_->local_error(state_, next_);
   const double growth =
       std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
-  chooser_.wanted = std::clamp(h * growth, kSmallestStep, options_.max_step);
+  const double longest = std::min(options_.max_step, watch_.longest_step(system_->machine_tension(), h));
+  chooser_.wanted = std::clamp(h * growth, kSmallestStep, longest);
 }
 
 void Run::accept(DynamicSink& sink, double h) {
@@ -252,7 +256,9 @@ DynamicCheckpoint Run::checkpoint() const {
   save_water(c, water_memory_);
   c.arrays.push_back({"impacts", tracker_->save()});
   c.arrays.push_back({"energy", energy_.save()});
-  c.arrays.push_back({"control", {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick)}});
+  c.arrays.push_back({"control",
+                      {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick), watch_.last, watch_.slope,
+                       watch_.least, watch_.most}});
   save_report(c, report_);
   recorder_->save(c);
   return c;
@@ -265,6 +271,7 @@ void Run::resume(const DynamicCheckpoint& checkpoint) {
   energy_.restore(checkpoint_array(checkpoint, "energy"));
   const std::vector<double>& control = checkpoint_array(checkpoint, "control");
   chooser_ = {control.at(0), control.at(1)};
+  watch_ = {control.at(3), control.at(4), control.at(5), control.at(6)};
   clock_.tick = std::llround(control.at(2));
   restore_report(checkpoint, report_);
   recorder_->restore(checkpoint);
@@ -355,7 +362,7 @@ DynamicOptions dynamic_options(const Model& model) {
 DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
                             const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
                             const std::function<DynamicControl(const DynamicProgress&)>& control) {
-  Run run(model, start, statics.top_tension, options);
+  Run run(model, with_laid_tail(model, start, statics.top_tension, options.tail_reach), statics.top_tension, options);
   return run.go(sink, from, statics, control);
 }
 

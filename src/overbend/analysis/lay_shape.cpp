@@ -24,8 +24,8 @@ double weight_at(const Model& model, double z) {
 /// Pipe axis over every row of rollers, from the tensioner astern.
 std::vector<Guide2> support_points(const Model& model, const LayPlane& plane, const VesselPose& pose) {
   std::vector<Guide2> points{{0.0, plane.tensioner_W.z(), plane.guide_dip}};
-  const double radius = model.sections.front().outer_radius();
   for (const SupportRow& row : model.supports.rows) {
+    const double radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
     const SupportBox& box = model.supports.boxes[static_cast<std::size_t>(row.box)];
     const Vec3 p_W = point_from_ramp(model, pose, row.point_S + radius * box.normal_S);
     const Vec3 d_W = direction_from_ramp(pose, box.direction_S);

@@ -19,6 +19,17 @@ double row_spacing(const Supports& supports) {
   return least;
 }
 
+const Section& section_of(const Model& model, double from_top) {
+  return model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+}
+
+/// Least EI of the pipe at the tensioner and over the rows of rollers.
+double softest_over_supports(const Model& model) {
+  double EI = section_of(model, 0.0).EI;
+  for (const SupportRow& row : model.supports.rows) EI = std::min(EI, section_of(model, row.from_top).EI);
+  return EI;
+}
+
 /// A stretch with a wanted element length, in distance from the tensioner.
 struct Zone {
   double from, to, size;
@@ -55,11 +66,12 @@ void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest
 }  // namespace
 
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
-  const Section& pipe = model.sections.front();
   const MeshDescription& given = model.description.mesh;
-  const double top_bending = std::sqrt(pipe.EI / zones.top_tension);
-  const double bottom_bending = std::sqrt(pipe.EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
-  const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
+  const double top_EI = softest_over_supports(model);
+  const double bottom_EI = section_of(model, zones.touchdown).EI;
+  const double top_bending = std::sqrt(top_EI / zones.top_tension);
+  const double bottom_bending = std::sqrt(bottom_EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
+  const double soil = std::pow(4.0 * bottom_EI / model.seabed.stiffness, 0.25);
 
   MeshSizes sizes;
   sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.4 * row_spacing(model.supports)));
@@ -81,7 +93,7 @@ LineMesh build_mesh(const Model& model, const MeshZones& zones) {
       {0.0, zones.last_support, sizes.overbend},
       {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
   if (zones.waterline > zones.last_support) {
-    const double diameter = model.sections.front().outer_diameter;
+    const double diameter = section_of(model, zones.waterline).outer_diameter;
     fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
   }
   std::vector<double> fixed;

@@ -30,7 +30,7 @@ ElementBounds element_bounds(const Vec3& r1_S, const Vec3& t1_S, const Vec3& r2_
 
 }  // namespace
 
-double default_roller_stiffness(const Section& pipe, double element_length) {
+double penalty_stiffness(const Section& pipe, double element_length) {
   return pipe.EI / std::pow(std::max(element_length, pipe.steel_diameter), 3);
 }
 
@@ -69,11 +69,7 @@ LineSystem::LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh
 }
 
 void LineSystem::place_rollers(const VesselPose& pose) {
-  double over_supports = mesh_.length.back();
-  for (const double h : mesh_.length) {
-    over_supports = std::min(over_supports, h);
-  }
-  const double penalty = default_roller_stiffness(model_->sections.front(), over_supports);
+  const double over_supports = *std::min_element(mesh_.length.begin(), mesh_.length.end());
   for (const Roller& roller : model_->supports.rollers) {
     PlacedRoller placed;
     placed.center = point_from_ramp(*model_, pose, roller.center_S);
@@ -81,7 +77,8 @@ void LineSystem::place_rollers(const VesselPose& pose) {
     placed.normal = direction_from_ramp(pose, roller.normal_S);
     placed.half_face = 0.5 * roller.face;
     placed.radius = roller.radius;
-    placed.stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty;
+    placed.stiffness =
+        roller.stiffness > 0.0 ? roller.stiffness : penalty_stiffness(model_->section_over(roller), over_supports);
     rollers_.push_back(placed);
     roller_box_.push_back(roller.box);
   }

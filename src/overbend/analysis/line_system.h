@@ -134,8 +134,8 @@ class LineSystem {
   std::vector<RollerState> roller_states_;
 };
 
-/// Normal penalty where the user gives no roller stiffness: EI / h^3, h the length of the elements over the supports
+/// Normal penalty of `default_stiffness: penalty`: EI / h^3, h the length of the elements over the supports
 /// but not less than the diameter: the order of an element's own stiffness across the pipe [N/m].
-double default_roller_stiffness(const Section& pipe, double element_length);
+double penalty_stiffness(const Section& pipe, double element_length);
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "analysis/recovery_parts.h"
+#include "mechanics/contact_damage.h"
 
 namespace overbend {
 namespace {
@@ -52,8 +53,8 @@ std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& s
   return nearest;
 }
 
-RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, const RollerState& state,
-                            const Axes& axes) {
+RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
+                            const RollerState& state, const Axes& axes) {
   RollerResult result;
   result.position = roller.position;
   result.reaction = state.force;
@@ -67,6 +68,7 @@ RollerResult recover_roller(const Roller& roller, const PlacedRoller& placed, co
   result.axis_W = placed.axis;
   result.radius = roller.radius;
   result.face = roller.face;
+  result.line_load = line_load(state.force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
   return result;
 }
 
@@ -85,7 +87,7 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
   const std::optional<Crossing> crossing = cross_plane(system, state, result.p_W, axes.along);
   const LineMesh& mesh = system.mesh();
   result.s = -1.0;
-  double pipe_radius = model.sections.front().outer_radius();
+  double pipe_radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
   if (crossing) {
     const std::size_t e = static_cast<std::size_t>(crossing->element);
     result.s = mesh.s[e] + crossing->xi * mesh.length[e];
@@ -94,7 +96,8 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
   for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const RollerState& contact = system.roller_states()[k];
-    RollerResult roller = recover_roller(model.supports.rollers[k], system.rollers()[k], contact, axes);
+    RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
+                                         system.rollers()[k], contact, axes);
     // D_i = (P - R_i) . n_i - r_pipe; a pipe that ends before the row is reported at the clearance of its closest
     // point.
     const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));

@@ -19,8 +19,8 @@ struct RunSetup {
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
                     const DynamicOptions& options);
 
-/// Place and direction of the tensioner in the vessel's frame. Behind a guide that lets the pipe turn the machine stands
-/// in line with the pipe at rest.
+/// Place and direction of the tensioner in the vessel's frame. Behind a guide that lets the pipe turn the machine
+/// stands in line with the pipe at rest.
 struct TensionerPlace {
   Vec3 place_V, direction_V;
 };

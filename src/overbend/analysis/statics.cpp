@@ -261,7 +261,7 @@ std::string left_at_last(const Case& at) {
   const std::vector<Roller>& rollers = at.model.supports.rollers;
   for (std::size_t i = 0; i < rollers.size(); ++i) {
     const ClosestPoint& closest = at.system.roller_states()[i].at;
-    if (lies_beside(rollers[i].position, closest, at.model.sections.front().outer_radius())) {
+    if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
       return fmt::format(". At the last try the pipe lay beside '{}', {:.2f} m off the end of its roller",
                          at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
     }

@@ -1,6 +1,5 @@
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
-#include "mechanics/contact_damage.h"
 
 namespace overbend {
 namespace {
@@ -66,12 +65,9 @@ void add_rollers(std::vector<CheckRow>& rows, const Model& model, const StaticRe
     rows.push_back(roller_row(kForce, worst, *limits.roller_load, statics));
   }
   if (limits.coating_line_load) {
-    const Section& pipe = model.sections.front();
-    const auto of_state = [&](const RollerResult& r) {
-      return line_load(r.reaction, contact_length(r.face, pipe.outer_diameter, pipe.steel_diameter));
-    };
-    const WorstRoller worst =
-        worst_roller(statics, dynamics, of_state, [](const RollerDynamics& r) { return r.line_load; });
+    const WorstRoller worst = worst_roller(
+        statics, dynamics, [](const RollerResult& r) { return r.line_load; },
+        [](const RollerDynamics& r) { return r.line_load; });
     rows.push_back(roller_row(kLine, worst, *limits.coating_line_load, statics));
   }
 }

@@ -75,6 +75,7 @@ std::vector<CoatingDescription> bind_coatings(const FieldValue& group) {
     take(item, "name", coating.name);
     take(item, "thickness", coating.thickness);
     take(item, "weight_density", coating.weight_density);
+    take(item, "youngs_modulus", coating.youngs_modulus);
     coatings.push_back(coating);
   }
   return coatings;
@@ -225,6 +226,8 @@ RollerKindDescription bind_roller_kind(const FieldValue& group) {
     take(*sides, "clearance", kind.sides->clearance);
   }
   take(group, "stiffness", kind.stiffness);
+  take_choice(group, "default_stiffness", std::array{"physical", "penalty"}, kind.default_stiffness);
+  take(group, "structure_stiffness", kind.structure_stiffness);
   take_friction(group, kind.friction_axial, kind.friction_lateral);
   take(group, "restitution", kind.restitution);
   take_choice(group, "damping", std::array{"clipped", "textbook"}, kind.damping);

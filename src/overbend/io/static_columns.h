@@ -79,6 +79,7 @@ void visit_roller(Row& r, Visit& visit) {
   visit(ResultField{"separation", "m", "Clear distance from pipe to roller: daylight positive, penetration negative"},
         r.separation);
   visit(ResultField{"off_end", "m", "How far the closest point lies beyond the face; 0 when on it"}, r.off_end);
+  visit(ResultField{"line_load", "N/m", "Of the reaction on the coating; 0 without one"}, r.line_load);
   visit(ResultField{"", "m", "Reference point: middle of the face", kWorldFrame}, r.p_W);
   visit(ResultField{"normal", "1", "Unit normal of the face towards the pipe", kWorldFrame}, r.normal_W);
   visit(ResultField{"axis", "1", "Unit vector along the axis of the roller", kWorldFrame}, r.axis_W);

@@ -15,11 +15,6 @@ double dent_depth(double force, double steel_diameter, double wall_thickness, do
   return steel_diameter * share * share;
 }
 
-double contact_length(double roller_face, double outer_diameter, double steel_diameter) {
-  const double squared = (outer_diameter - steel_diameter) * (outer_diameter + steel_diameter);
-  return std::min(roller_face, std::sqrt(std::max(squared, 0.0)));
-}
-
 double line_load(double force, double contact_length) {
   return contact_length > 0.0 ? std::max(force, 0.0) / contact_length : 0.0;
 }

@@ -70,16 +70,33 @@ void assume_motion(std::vector<std::string>& list, const Model& model) {
   list.insert(list.end(), vessel.raos->assumptions.begin(), vessel.raos->assumptions.end());
 }
 
-void assume_penalty(std::vector<std::string>& list, const Model& model) {
+std::string part_words(double stiffness) {
+  return stiffness > 0.0 ? fmt::format("{:.3g} MN/m", 1e-6 * stiffness) : std::string("rigid");
+}
+
+/// One sentence for every stiffness that the program chose.
+void assume_contact_stiffness(std::vector<std::string>& list, const Model& model) {
+  std::vector<double> told;
   bool penalty = false;
   for (const Roller& roller : model.supports.rollers) {
     penalty = penalty || roller.stiffness == 0.0;
+    if (roller.own_stiffness || roller.stiffness == 0.0 ||
+        std::find(told.begin(), told.end(), roller.stiffness) != told.end()) {
+      continue;
+    }
+    told.push_back(roller.stiffness);
+    const ContactStiffness parts = model.contact_parts(roller);
+    list.push_back(fmt::format(
+        "Contact of '{}' with a roller of {:.3g} m face that gives no stiffness: {:.3g} MN/m, from pipe shell {} "
+        "(Morley's equation, load on a line across the pipe), coating {} and roller structure {} in series. Forces of "
+        "impacts go with about its cube root.",
+        model.section_over(roller).name, roller.face, 1e-6 * parts.total(), part_words(parts.shell),
+        part_words(parts.coating), part_words(parts.structure)));
   }
   if (penalty) {
     list.push_back(
-        "Where no roller stiffness is given, contact is a penalty of the order of the pipe element's own stiffness; "
-        "the largest "
-        "penetration is reported.");
+        "Contact with rollers of default_stiffness: penalty is as stiff as a short element of the pipe across, EI/h^3; "
+        "the largest penetration is reported.");
   }
 }
 
@@ -93,7 +110,7 @@ void assume_gap_springs(std::vector<std::string>& list, const Model& model) {
     list.push_back(
         "To either side a gap spring acts across the box once the pipe has used up the clearance of the side rollers.");
   }
-  assume_penalty(list, model);
+  assume_contact_stiffness(list, model);
 }
 
 void assume_supports(std::vector<std::string>& list, const Model& model) {
@@ -115,7 +132,7 @@ void assume_supports(std::vector<std::string>& list, const Model& model) {
       "Rollers are rigid finite cylinders; in statics they are frictionless: the pipe moves over them as it is laid "
       "and friction has no "
       "lasting direction.");
-  assume_penalty(list, model);
+  assume_contact_stiffness(list, model);
 }
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {

@@ -51,8 +51,9 @@ struct SteelDescription {
 
 struct CoatingDescription {
   std::string name;
-  double thickness = 0.0;       ///< [m]
-  double weight_density = 0.0;  ///< [N/m3]
+  double thickness = 0.0;                     ///< [m]
+  double weight_density = 0.0;                ///< [N/m3]
+  std::optional<double> youngs_modulus = {};  ///< Against rollers; rigid if not given [Pa].
 };
 
 /// Pipe joint with a bare length at its ends where infill takes the place of the outermost coating.
@@ -207,18 +208,26 @@ enum class RollerDamping {
   textbook,  ///< -ln e / sqrt(pi^2 + ln^2 e), for comparison with programs that take it.
 };
 
+/// What stands for the stiffness of a roller that gives none.
+enum class RollerStiffness {
+  physical,  ///< Springs in series of pipe shell, coating and roller structure.
+  penalty,   ///< EI/h^3 of the pipe's elements: as good as rigid in statics.
+};
+
 /// A kind of roller row, used by name in the supports.
 struct RollerKindDescription {
   std::string name;
   BottomRollerDescription bottom;
   std::optional<SideRollerDescription> sides;
-  std::optional<double> stiffness;  ///< Physical roller stiffness [N/m]; the engine chooses a penalty where not given.
+  std::optional<double> stiffness;  ///< Of the contact as a whole [N/m]; where not given, as default_stiffness says.
   double friction_axial = 0.0;
   double friction_lateral = 0.0;
   double restitution = 0.5;
   RollerDamping damping = RollerDamping::clipped;
   /// Of sticking friction [N/m]; a tenth of the normal one if not given.
   std::optional<double> tangential_stiffness = {};
+  RollerStiffness default_stiffness = RollerStiffness::physical;
+  std::optional<double> structure_stiffness = {};  ///< Of roller, bearings and box [N/m]; kRollerStructure if absent.
 };
 
 enum class Structure { ramp, stinger };

@@ -110,8 +110,8 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
       tenth = tenth || roller.tangential_stiffness <= 0.0;
     }
     list.push_back(
-        "The damping of a roller gives its coefficient of restitution to the mass of one element of the pipe, with "
-        "added mass under water.");
+        "The damping of a roller gives its coefficient of restitution to the mass of pipe that bending waves reach "
+        "within the contact, 2.5 (EI/k)^(1/3) of its length, with added mass under water.");
     if (textbook) {
       list.push_back(
           "Where a roller's damping is by the textbook, its rebounds are faster than the coefficient of restitution "

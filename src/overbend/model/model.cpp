@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace overbend {
 namespace {
@@ -102,6 +104,19 @@ void resolve_bending(Model& model) {
   }
 }
 
+/// Rollers of one kind under one section have one stiffness: found once.
+void resolve_contact_stiffness(Model& model) {
+  std::map<std::tuple<int, double, double>, double> found;
+  for (Roller& roller : model.supports.rollers) {
+    if (roller.own_stiffness || roller.default_stiffness == RollerStiffness::penalty) continue;
+    const SupportRow& row = model.supports.rows[static_cast<std::size_t>(roller.row)];
+    const std::tuple key(model.section_at(row.from_top), roller.face, roller.structure_stiffness);
+    const auto [entry, fresh] = found.try_emplace(key, 0.0);
+    if (fresh) entry->second = model.contact_parts(roller).total();
+    roller.stiffness = entry->second;
+  }
+}
+
 }  // namespace
 
 Mat3 vessel_axes(double heading, double trim, double heel) {
@@ -138,6 +153,17 @@ int Model::section_at(double distance_from_top) const {
   return span == spans.end() ? 0 : span->section;
 }
 
+const Section& Model::section_over(const Roller& roller) const {
+  const SupportRow& row = supports.rows[static_cast<std::size_t>(roller.row)];
+  return sections[static_cast<std::size_t>(section_at(row.from_top))];
+}
+
+ContactStiffness Model::contact_parts(const Roller& roller) const {
+  const SupportRow& row = supports.rows[static_cast<std::size_t>(roller.row)];
+  const std::size_t section = static_cast<std::size_t>(section_at(row.from_top));
+  return contact_stiffness(sections[section], description_of(section), roller.face, roller.structure_stiffness);
+}
+
 const SectionDescription& Model::description_of(std::size_t section) const {
   const PipeDescription& pipe = description.pipe;
   return section == 0 || section > pipe.segments.size() ? pipe.section : pipe.segments[section - 1].section;
@@ -151,7 +177,10 @@ Model build_model(const Description& description) {
   resolve_sections(model);
   resolve_bending(model);
   resolve_joints(model);
-  model.supports = place_supports(description, model.sections.front().outer_radius());
+  model.supports = place_supports(description, [&](double from_top) {
+    return model.sections[static_cast<std::size_t>(model.section_at(from_top))].outer_radius();
+  });
+  resolve_contact_stiffness(model);
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
   model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));
   model.current = resolve_current(description.environment.current);

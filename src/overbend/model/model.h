@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "model/contact_stiffness.h"
 #include "model/description.h"
 #include "model/section.h"
 #include "model/supports.h"
@@ -56,6 +57,10 @@ struct Model {
   double water_density = 0.0;         ///< [kg/m3]
 
   int section_at(double distance_from_top) const;
+  /// The pipe that lies over a roller as it is laid.
+  const Section& section_over(const Roller& roller) const;
+  /// Stiffness of the contact with a roller that gives none, by its parts.
+  ContactStiffness contact_parts(const Roller& roller) const;
   /// What a section was made from: coated pipe between field joints comes from the line's own.
   const SectionDescription& description_of(std::size_t section) const;
 };

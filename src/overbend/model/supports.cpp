@@ -1,5 +1,7 @@
 #include "model/supports.h"
 
+#include "model/contact_stiffness.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -61,10 +63,11 @@ Roller side_roller(const SideRollerDescription& side, const RowFrame& row, doubl
   return roller;
 }
 
-void add_row(Supports& supports, const RollerKindDescription& kind, const RowFrame& frame, double pipe_radius,
-             int box) {
+void add_row(Supports& supports, const RollerKindDescription& kind, const RowFrame& frame, double pipe_radius, int box,
+             double from_top) {
   SupportRow row;
   row.box = box;
+  row.from_top = from_top;
   row.point_S = frame.point_S;
   row.first_roller = static_cast<int>(supports.rollers.size());
   std::vector<Roller> rollers{bottom_roller(kind, frame)};
@@ -77,6 +80,9 @@ void add_row(Supports& supports, const RollerKindDescription& kind, const RowFra
     roller.box = box;
     roller.row = static_cast<int>(supports.rows.size());
     roller.stiffness = kind.stiffness.value_or(0.0);
+    roller.own_stiffness = kind.stiffness.has_value();
+    roller.default_stiffness = kind.default_stiffness;
+    roller.structure_stiffness = kind.structure_stiffness.value_or(kRollerStructure);
     roller.friction_axial = kind.friction_axial;
     roller.friction_lateral = kind.friction_lateral;
     roller.restitution = kind.restitution;
@@ -119,6 +125,10 @@ RollerKindDescription gap_spring(const RollerKindDescription& kind) {
 }
 
 Supports place_supports(const Description& description, double pipe_radius) {
+  return place_supports(description, [=](double /*from_top*/) { return pipe_radius; });
+}
+
+Supports place_supports(const Description& description, const std::function<double(double)>& pipe_radius) {
   const std::vector<BoxDescription>& boxes = description.supports.boxes;
   std::vector<Vec2> points;
   for (const BoxDescription& box : boxes) {
@@ -127,6 +137,8 @@ Supports place_supports(const Description& description, double pipe_radius) {
   const std::vector<double> curve = curve_inclinations(points, description.tensioner.incline);
 
   Supports supports;
+  double from_top = 0.0;
+  Vec3 last_S(description.tensioner.x, 0.0, description.tensioner.z);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const BoxDescription& given = boxes[i];
     SupportBox box;
@@ -145,8 +157,11 @@ Supports place_supports(const Description& description, double pipe_radius) {
                                    [&](const RollerKindDescription& k) { return k.name == given.roller; });
     for (int row = 0; row < box.row_count && kind != description.rollers.end(); ++row) {
       const double along = ((row + 0.5) / box.row_count - 0.5) * given.length;
-      add_row(supports, springs ? gap_spring(*kind) : *kind, {box.point_S + along * box.direction_S, box.normal_S},
-              pipe_radius, static_cast<int>(i));
+      const RowFrame frame{box.point_S + along * box.direction_S, box.normal_S};
+      from_top += (frame.point_S - last_S).norm();
+      last_S = frame.point_S;
+      add_row(supports, springs ? gap_spring(*kind) : *kind, frame, pipe_radius(from_top), static_cast<int>(i),
+              from_top);
     }
     supports.boxes.push_back(box);
   }

@@ -1,6 +1,7 @@
 /// Roller boxes, rows and rollers in the ramp/stinger frame S (origin on the stern shoe, X astern, Y starboard, Z up).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,11 @@ struct Roller {
   Vec3 normal_S = Vec3::UnitZ();  ///< Unit normal of the face towards the pipe.
   double radius = 0.0;            ///< [m]
   double face = 0.0;              ///< Length [m].
-  double stiffness = 0.0;         ///< Physical stiffness [N/m]; 0 = the engine's penalty.
+  double stiffness = 0.0;         ///< Of the contact [N/m]; 0 = the engine's penalty.
   double friction_axial = 0.0, friction_lateral = 0.0, restitution = 0.0;
+  bool own_stiffness = false;  ///< Given in the file.
+  RollerStiffness default_stiffness = RollerStiffness::physical;
+  double structure_stiffness = 0.0;  ///< [N/m]
   RollerDamping damping = RollerDamping::clipped;
   double tangential_stiffness = 0.0;  ///< [N/m]; 0 = a share of the normal one.
 
@@ -44,6 +48,7 @@ struct Roller {
 struct SupportRow {
   int box = 0;
   Vec3 point_S = Vec3::Zero();  ///< Where the underside of a centred pipe rests [m].
+  double from_top = 0.0;        ///< Length of pipe from the tensioner to the row, by chords from row to row [m].
   int first_roller = 0, roller_count = 0;
 };
 
@@ -82,7 +87,10 @@ inline constexpr double kGapSpringReach = 20.0;
 RollerKindDescription gap_spring(const RollerKindDescription& kind);
 
 /// Places every roller; with SupportContact::gap_springs one gap spring in the middle of each box instead.
-/// `pipe_radius` is that of the coated pipe [m]: side rollers stand off a centred pipe by their clearance.
+/// `pipe_radius` is that of the coated pipe [m] at a length from the tensioner: side rollers stand off a centred pipe
+/// by their clearance.
+Supports place_supports(const Description& description, const std::function<double(double)>& pipe_radius);
+/// The same for a pipe of one radius.
 Supports place_supports(const Description& description, double pipe_radius);
 
 }  // namespace overbend

@@ -53,6 +53,7 @@ struct RollerResult {
   Vec3 axis_W = Vec3::UnitY();    ///< Unit vector along the roller's axis.
   double radius = 0.0;            ///< [m]
   double face = 0.0;              ///< [m]
+  double line_load = 0.0;         ///< Of the reaction on the coating, 0 without one [N/m].
 };
 
 /// The rollers of one row of a box: bottom first, then port and starboard where the kind has sides.
