@@ -49,7 +49,7 @@ TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_f
   std::vector<double> dq(state.q.size());
   ASSERT_TRUE(system.solve_factored(dq));
 
-  standing.sunk = 0.0002;
+  standing.sunk = 0.004;  // rollers give a millimetre under the pipe
   system.set_time(0.0, state);
   const auto step = [&](bool with_tangent, const auto& solve) {
     system.evaluate(state, before, shares, with_tangent);

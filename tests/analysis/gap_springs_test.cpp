@@ -50,7 +50,7 @@ TEST(gap_springs, hold_a_pipe_that_the_current_pushes_aside_as_rollers_do_on_the
     lateral[1] += rollers.supports[i].lateral;
     for (const RollerResult& spring : springs.supports[i].rows[0].rollers) {
       if (spring.position == RollerPosition::bottom) continue;
-      EXPECT_GT(spring.separation, -1e-4);  // the clearance is used up and no more
+      EXPECT_GT(spring.separation, -1e-3);  // the clearance is used up and no more than the contact gives
       beside = beside || spring.reaction > 1e3;
     }
   }

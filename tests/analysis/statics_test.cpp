@@ -187,7 +187,7 @@ TEST(statics, strain_gathers_at_bare_field_joints) {
   };
   int joints = 0;
   for (double middle = 6.0; middle < 60.0; middle += 12.0) {
-    const Station joint = at(middle), coated = at(middle + 0.6);
+    const Station joint = at(middle + 0.1), coated = at(middle + 1.2);
     if (joint.bending_moment < 100e3) continue;
     ++joints;
     const double ratio = (joint.curvature / joint.bending_moment) / (coated.curvature / coated.bending_moment);

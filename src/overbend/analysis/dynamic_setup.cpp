@@ -20,6 +20,16 @@ double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W)
   return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
 }
 
+/// Weight in air without the laid tail that is carried on behind the static line [N]: how well forces are balanced does
+/// not hang on its length.
+double weight_from_static_end(const DynamicLine& line) {
+  double weight = 0.0;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    if (line.mesh.s[e] >= 0.0) weight += line.elements.weight[e] * line.mesh.length[e];
+  }
+  return weight;
+}
+
 /// Stretch of the bed's friction at a point that statics holds with these forces: across the route, along it.
 struct StaticStretch {
   double across, along;
@@ -105,7 +115,7 @@ DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
   }
   line.cells = contact_cells(model.supports, radius);
   line.shoe_V = Vec3(model.description.vessel.stern_shoe_x, 0.0, model.description.vessel.stern_shoe_z);
-  line.force_scale = system.total_weight();
+  line.force_scale = weight_from_static_end(line);
   return line;
 }
 
