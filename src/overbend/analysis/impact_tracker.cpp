@@ -8,7 +8,7 @@ namespace overbend {
 namespace {
 
 constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
-constexpr double kLongestTimes = 20.0;  ///< Contact times after which a pipe that stays counts as resting.
+constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
 constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
 constexpr int kSaved = 8;               ///< Numbers per roller.
 

@@ -10,7 +10,7 @@ namespace overbend {
 
 /// How impacts are resolved.
 struct ImpactSettings {
-  double steps = 8.0;          ///< Steps in the undamped contact time pi sqrt(m / k).
+  double steps = 16.0;         ///< Steps in the undamped contact time pi sqrt(m / k).
   double least_force = 1.0e3;  ///< Impacts with v sqrt(k m) below this are not resolved nor recorded [N].
 };
 

@@ -155,7 +155,7 @@ std::vector<Field> analysis() {
       {.path = d + ".impact_steps",
        .kind = FieldKind::number,
        .text = "Time steps in the undamped contact time of an impact on a roller.",
-       .fallback = "8",
+       .fallback = "16",
        .range = {.low = 2.0, .high = 1000.0}},
       {.path = d + ".impact_force",
        .kind = FieldKind::quantity,
