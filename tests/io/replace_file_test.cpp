@@ -2,12 +2,10 @@
 #include "io/replace_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
-
+#include "support/size_limit.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -104,18 +102,13 @@ TEST(replace_file, leaves_all_as_it_was_when_the_last_look_objects) {
   EXPECT_EQ(entries(folder.path()), 1u);
 }
 
-// No file may grow beyond a kilobyte: what a full disk looks like to who writes.
 TEST(replace_file, leaves_the_old_content_when_the_disk_is_full) {
   const TemporaryFolder folder;
   write_file(folder / "model.yaml", "old");
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-  const rlimit small{1024, before.rlim_max};
-  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-  const std::string fault = fault_of(folder / "model.yaml", std::string(5000, 'x'));
-  ::setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, handler);
+  const std::string fault = [&] {
+    const testing::SizeLimit limit(1024);
+    return fault_of(folder / "model.yaml", std::string(5000, 'x'));
+  }();
   EXPECT_NE(fault.find("model.yaml"), std::string::npos);
   EXPECT_NE(fault.find("File too large"), std::string::npos) << fault;
   EXPECT_EQ(file_text(folder / "model.yaml"), "old");

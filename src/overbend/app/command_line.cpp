@@ -7,6 +7,7 @@
 
 #include "app/commands.h"
 #include "base/version.h"
+#include "io/append_file.h"
 #include "runs/exit_code.h"
 
 namespace overbend {
@@ -139,10 +140,12 @@ int run_command_line(int count, const char* const* words) {
   add_schema(program, code);
   try {
     program.parse(count, words);
-    if (!std::cout.flush()) throw std::runtime_error("the output can not be written");
+    if (!std::cout.flush()) throw FileFault("the output can not be written");
     return code;
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;
+  } catch (const FileFault& fault) {
+    std::cerr << "overbend: " << fault.what() << "\n";
   } catch (const std::exception& fault) {
     std::cerr << "overbend: internal fault: " << fault.what() << "\n";
   }
