@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "base/simd.h"
 #include "base/version.h"
 #include "io/append_file.h"
 #include "runs/exit_code.h"
@@ -138,6 +139,12 @@ int run_command_line(int count, const char* const* words) {
   add_new(program, code);
   add_serve(program, code);
   add_schema(program, code);
+  try {
+    best_isa();
+  } catch (const std::invalid_argument& fault) {  // before anything is computed
+    std::cerr << "overbend: " << fault.what() << "\n";
+    return kWrongInput;
+  }
   try {
     program.parse(count, words);
     if (!std::cout.flush()) throw FileFault("the output can not be written");
