@@ -99,6 +99,12 @@ void add_schema(CLI::App& program, int& code) {
   command->callback([reference, &code] { code = run_schema(*reference); });
 }
 
+void add_licences(CLI::App& program, int& code) {
+  CLI::App* command =
+      program.add_subcommand("licences", "Print the licences of the program and of what page and report bring along.");
+  command->callback([&code] { code = run_licences(); });
+}
+
 void add_new(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("new", "Write a ready-to-run model from a few flags (or questions).");
   auto options = std::make_shared<NewOptions>();
@@ -139,6 +145,7 @@ int run_command_line(int count, const char* const* words) {
   add_new(program, code);
   add_serve(program, code);
   add_schema(program, code);
+  add_licences(program, code);
   try {
     best_isa();
   } catch (const std::invalid_argument& fault) {  // before anything is computed

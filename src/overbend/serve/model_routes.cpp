@@ -85,6 +85,9 @@ void add_model_routes(std::vector<HttpRoute>& routes, OpenModel& model) {
   routes.push_back({"GET", "/api/schema", [](const HttpRequest&) {
                       return HttpAnswer{200, "application/json; charset=utf-8", json_schema(), ""};
                     }});
+  routes.push_back({"GET", "/api/licences", [](const HttpRequest&) {
+                      return HttpAnswer{200, "text/plain; charset=utf-8", licence_texts(), ""};
+                    }});
   routes.push_back({"GET", "/api/model", [&](const HttpRequest&) { return json_answer(model_json(model.now())); }});
   routes.push_back({"PUT", "/api/model", [&](const HttpRequest& r) { return put_model(model, r); }});
   routes.push_back({"POST", "/api/model/set", [&](const HttpRequest& r) { return set_keys(model, r); }});
