@@ -44,9 +44,9 @@ LIBRARIES = [
     ("CLI/", {"app"}),
 ]
 
-# Headers of the operating system, for files, terminals and signals.
-SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|fcntl|signal|termios|csignal)\.h$")
-SYSTEM_LAYERS = {"base", "io", "app"}
+# Headers of the operating system, for files, terminals, signals and sockets.
+SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
+SYSTEM_LAYERS = {"base", "io", "serve", "app"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')
 

@@ -33,6 +33,16 @@ TEST(command_line, wrong_usage_is_wrong_input) {
   }
 }
 
+TEST(command_line, an_instruction_set_that_nobody_knows_is_wrong_input) {
+  const ProgramRun run = run_program("check " + example("bgl1.yaml"), "OVERBEND_ISA=nonsense ");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(run.out, "");
+  EXPECT_NE(run.err.find("found 'nonsense', expected baseline, avx2 or avx512"), std::string::npos) << run.err;
+  for (const char* known : {"OVERBEND_ISA=baseline ", "OVERBEND_ISA=avx2 ", "OVERBEND_ISA=avx512 ", "OVERBEND_ISA= "}) {
+    EXPECT_EQ(run_program("--version", known).code, 0) << known;
+  }
+}
+
 TEST(command_line, check_prints_the_published_section_digits) {
   // [silva2009] table 4: EA, EI, weight in air and submerged.
   const ProgramRun run = run_program("check " + example("bgl1.yaml"));

@@ -6,7 +6,9 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "base/simd.h"
 #include "base/version.h"
+#include "io/append_file.h"
 #include "runs/exit_code.h"
 
 namespace overbend {
@@ -97,6 +99,12 @@ void add_schema(CLI::App& program, int& code) {
   command->callback([reference, &code] { code = run_schema(*reference); });
 }
 
+void add_licences(CLI::App& program, int& code) {
+  CLI::App* command =
+      program.add_subcommand("licences", "Print the licences of the program and of what page and report bring along.");
+  command->callback([&code] { code = run_licences(); });
+}
+
 void add_new(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("new", "Write a ready-to-run model from a few flags (or questions).");
   auto options = std::make_shared<NewOptions>();
@@ -137,12 +145,21 @@ int run_command_line(int count, const char* const* words) {
   add_new(program, code);
   add_serve(program, code);
   add_schema(program, code);
+  add_licences(program, code);
+  try {
+    best_isa();
+  } catch (const std::invalid_argument& fault) {  // before anything is computed
+    std::cerr << "overbend: " << fault.what() << "\n";
+    return kWrongInput;
+  }
   try {
     program.parse(count, words);
-    if (!std::cout.flush()) throw std::runtime_error("the output can not be written");
+    if (!std::cout.flush()) throw FileFault("the output can not be written");
     return code;
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;
+  } catch (const FileFault& fault) {
+    std::cerr << "overbend: " << fault.what() << "\n";
   } catch (const std::exception& fault) {
     std::cerr << "overbend: internal fault: " << fault.what() << "\n";
   }

@@ -59,6 +59,8 @@ struct ServeArguments {
 int run_serve(const ServeArguments& arguments);
 
 int run_schema(bool reference);
+/// Prints the licences of the program and of all that it brings along.
+int run_licences();
 int run_new(const NewOptions& options);
 
 }  // namespace overbend

@@ -57,9 +57,9 @@ int run_serve(const ServeArguments& arguments) {
   }
   try {
     const Interruption interruption;
-    const Server server(options);
+    Server server(options);
     std::cout << "Overbend is at " << server.url() << "\nCtrl-C ends it." << std::endl;
-    if (arguments.browser) open_browser(server.url());
+    if (arguments.browser) open_browser(server.one_time_url());
     while (!Interruption::wanted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
     std::cout << "\nEnding; a run that is running leaves a checkpoint." << std::endl;
   } catch (const HttpFault& fault) {

@@ -1,7 +1,8 @@
 #include "base/simd.h"
 
 #include <cstdlib>
-#include <string_view>
+#include <stdexcept>
+#include <string>
 
 namespace overbend {
 namespace {
@@ -20,14 +21,12 @@ Isa detect() {
 
 Isa narrow(Isa found) {
   const char* wanted = std::getenv("OVERBEND_ISA");
-  if (wanted == nullptr) {
-    return found;
-  }
-  const std::string_view name(wanted);
-  if (name == "baseline") {
-    return Isa::baseline;
-  }
-  return name == "avx2" && found == Isa::avx512 ? Isa::avx2 : found;
+  const std::string name = wanted == nullptr ? "" : wanted;
+  if (name.empty() || name == "avx512") return found;
+  if (name == "avx2") return found == Isa::avx512 ? Isa::avx2 : found;
+  if (name == "baseline") return Isa::baseline;
+  throw std::invalid_argument("the environment variable OVERBEND_ISA: found '" + name +
+                              "', expected baseline, avx2 or avx512");
 }
 
 }  // namespace

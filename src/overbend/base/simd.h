@@ -13,7 +13,7 @@ inline constexpr int kLanes = 8;  ///< Elements in a batch of data.
 enum class Isa { baseline, avx2, avx512 };
 
 /// The widest instruction set that this processor and this build have. The environment variable OVERBEND_ISA
-/// (baseline, avx2, avx512) narrows it, to compare results between sets.
+/// (baseline, avx2, avx512) narrows it, to compare results between sets; another value is std::invalid_argument.
 Isa best_isa();
 
 }  // namespace overbend

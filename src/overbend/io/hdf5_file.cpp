@@ -6,7 +6,11 @@
 #include <functional>
 #include <numeric>
 #include <stdexcept>
+#include <system_error>
 #include <type_traits>
+
+#include "io/append_file.h"
+#include "io/hdf5_driver.h"
 
 namespace overbend {
 namespace {
@@ -69,8 +73,14 @@ bool Hdf5Handle::reset() noexcept {
 
 Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) {
   silence_library();
-  file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                     "the file " + file.filename().string() + " can not be created");
+  const std::string what = "the file " + file.filename().string() + " can not be created";
+  const Hdf5Handle access(forgiving_access(fault_.get()), H5Pclose, what);
+  file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, what);
+}
+
+void Hdf5Writer::require_disk() const {
+  if (*fault_ == 0) return;
+  throw FileFault("the file results.h5 can not be written: " + std::generic_category().message(*fault_));
 }
 
 Hdf5Handle Hdf5Writer::dataset(const std::string& path) const {
@@ -113,6 +123,7 @@ void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
   attribute(path, "units", field.units);
   attribute(path, "frame", field.frame);
   attribute(path, "description", field.description);
+  require_disk();
 }
 
 template <class Number>
@@ -148,6 +159,7 @@ void Hdf5Writer::write_rows(const std::string& path, hsize_t first, const std::v
   require(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr), what);
   const Hdf5Handle memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose, what);
   require(H5Dwrite(set, memory_type<Number>(), memory, space, H5P_DEFAULT, values.data()), what);
+  require_disk();
 }
 
 template void Hdf5Writer::create<double>(const std::string&, const ResultField&, const std::vector<hsize_t>&, hsize_t);
@@ -197,8 +209,9 @@ void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale,
 }
 
 void Hdf5Writer::close() {
-  const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
-  if (!file_.reset() || !flushed) throw std::runtime_error("results.h5 can not be written to the end");
+  const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, closed = file_.reset();
+  require_disk();
+  if (!closed || !flushed) throw std::runtime_error("results.h5 can not be written to the end");
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,8 @@ class Hdf5Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// A file being written. Datasets carry the attributes units, frame and description.
+/// A file being written. Datasets carry the attributes units, frame and description. All functions throw FileFault when
+/// the disk refuses.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const std::filesystem::path& file);
@@ -68,7 +70,7 @@ class Hdf5Writer {
   void make_scale(const std::string& path, const std::string& name);
   void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0);
 
-  /// Closes the file; throws when it could not be written to the end (disk full).
+  /// Closes the file; throws FileFault when it could not be written to the end (disk full).
   void close();
 
  private:
@@ -76,7 +78,9 @@ class Hdf5Writer {
   void write_raw(const std::string& path, const ResultField& field, hid_t memory_type, hid_t file_type,
                  const std::vector<hsize_t>& shape, const void* values);
   void describe(const std::string& path, const ResultField& field);
+  void require_disk() const;
 
+  std::unique_ptr<int> fault_ = std::make_unique<int>(0);  ///< See forgiving_access().
   Hdf5Handle file_;
 };
 

@@ -1,8 +1,8 @@
 #include "io/results_writer.h"
 
-#include <fstream>
-#include <stdexcept>
+#include <span>
 
+#include "io/append_file.h"
 #include "io/check_tables.h"
 #include "io/finite_check.h"
 #include "io/staged_folder.h"
@@ -10,10 +10,7 @@
 namespace overbend {
 
 void write_text(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error("the file " + file.filename().string() + " can not be written");
+  write_file(file, std::as_bytes(std::span(text)));
 }
 
 void write_static_files(const StaticResults& results, const Description& description,

@@ -1,6 +1,7 @@
 #include "io/staged_folder.h"
 
-#include <cstdlib>
+#include <cerrno>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <vector>
@@ -36,13 +37,14 @@ StagedFolder::StagedFolder(const fs::path& folder) : folder_(fs::absolute(folder
     remove_traces();
     refuse(folder, fault ? fault.message() : "it is not a folder");
   }
-  std::string pattern = (folder_ / ".overbend-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
+  remove_abandoned_staging(folder_);
+  std::optional<StagingPlace> place = make_staging(folder_);
+  if (!place) {
     fault.assign(errno, std::generic_category());
     remove_traces();
     refuse(folder, fault.message());
   }
-  staging_ = pattern;
+  staging_ = std::move(*place);
 }
 
 StagedFolder::~StagedFolder() {
@@ -51,19 +53,19 @@ StagedFolder::~StagedFolder() {
 
 void StagedFolder::commit(const std::string& last) {
   std::vector<fs::path> names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(staging_)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(path())) {
     const fs::path name = entry.path().filename();
     if (fs::is_directory(folder_ / name)) refuse(folder_, "'" + name.string() + "' in it is a folder");
     if (name != last) names.push_back(name);
   }
-  if (fs::exists(staging_ / last)) names.emplace_back(last);
-  for (const fs::path& name : names) fs::rename(staging_ / name, folder_ / name);
+  if (fs::exists(path() / last)) names.emplace_back(last);
+  for (const fs::path& name : names) fs::rename(path() / name, folder_ / name);
   made_.clear();
 }
 
 void StagedFolder::remove_traces() noexcept {
   std::error_code ignored;  // nothing can be done about it, and the first fault is the one to tell
-  if (!staging_.empty()) fs::remove_all(staging_, ignored);
+  if (!path().empty()) fs::remove_all(path(), ignored);
   if (!made_.empty()) {
     // Folders of ours only, from the innermost out: remove() leaves alone what somebody else has filled meanwhile.
     for (fs::path part = folder_; part != made_.parent_path(); part = part.parent_path()) fs::remove(part, ignored);

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <ctime>
-#include <fstream>
-#include <stdexcept>
-#include <system_error>
 
+#include "io/replace_file.h"
 #include "report/assets.h"
 #include "report/html.h"
 
@@ -42,20 +40,7 @@ std::string whole_page(const std::string& title, const std::string& body, const 
 }
 
 void write_page(const std::string& page, const std::filesystem::path& file) {
-  const std::filesystem::path beside = file.parent_path() / ("." + file.filename().string() + ".part");
-  std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-  out << page;
-  out.close();
-  std::error_code error;
-  if (out) {
-    std::filesystem::rename(beside, file, error);
-  }
-  if (!out || error) {
-    std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
-    throw std::runtime_error(file.string() + ": the report can not be written" +
-                             (error ? ": " + error.message() : std::string()));
-  }
+  replace_file(file, page);
 }
 
 std::string written_now() {

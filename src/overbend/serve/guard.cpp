@@ -1,6 +1,7 @@
 #include "serve/guard.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <random>
 
@@ -29,6 +30,20 @@ bool own_host(const std::string& host, int port) {
 bool own_origin(const std::string& origin, int port) {
   return origin.empty() || origin == fmt::format("http://127.0.0.1:{}", port) ||
          origin == fmt::format("http://localhost:{}", port);
+}
+
+std::string OneTimeCode::make() {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  code_ = random_token();
+  until_ = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  return code_;
+}
+
+bool OneTimeCode::take(const std::string& given, std::optional<unsigned> owner) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  if (code_.empty() || !same_token(given, code_) || owner != ::geteuid()) return false;
+  code_.clear();
+  return std::chrono::steady_clock::now() < until_;
 }
 
 }  // namespace overbend

@@ -1,6 +1,9 @@
 /// Who may talk to the server: the page that this start has opened, and nobody else.
 #pragma once
 
+#include <chrono>
+#include <mutex>
+#include <optional>
 #include <string>
 
 namespace overbend {
@@ -16,5 +19,20 @@ bool own_host(const std::string& host, int port);
 
 /// Whether an Origin is the server's own page. None at all (empty) is no other page's.
 bool own_origin(const std::string& origin, int port);
+
+/// A word that opens the page once, within a minute, for a program of the same user. The address of a browser is seen
+/// by all users of the machine in the list of processes, so the token does not stand there.
+class OneTimeCode {
+ public:
+  /// A new one; an earlier one opens nothing any more. May be called from any thread, as take().
+  std::string make();
+  /// Whether `given` is the word, asked for over a connection of user `owner`. It is spent then.
+  bool take(const std::string& given, std::optional<unsigned> owner);
+
+ private:
+  std::mutex mutex_;
+  std::string code_;
+  std::chrono::steady_clock::time_point until_;
+};
 
 }  // namespace overbend

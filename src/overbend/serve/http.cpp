@@ -4,9 +4,13 @@
 #include <string_view>
 
 #include "base/units.h"
+#include "io/append_file.h"
 
 namespace overbend {
 namespace {
+
+/// Levels of a body of JSON. Whoever goes through it goes down level by level.
+constexpr int kDeepest = 64;
 
 std::vector<std::string_view> split(std::string_view path) {
   std::vector<std::string_view> parts;
@@ -44,6 +48,8 @@ HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
     return json_answer(answer, fault.status);
   } catch (const nlohmann::json::exception&) {
     return error_answer(400, "the request is not laid out as it should be", "docs/api.md says how");
+  } catch (const FileFault& fault) {
+    return error_answer(507, fault.what(), "the disk may be full");
   } catch (const std::exception& fault) {
     return error_answer(500, fault.what(), "this is a fault of the program");
   }
@@ -65,7 +71,12 @@ double HttpRequest::number(const std::string& name, double fallback) const {
 }
 
 Json HttpRequest::json() const {
-  Json read = Json::parse(body.empty() ? "{}" : body, nullptr, false);
+  const auto shallow = [](int depth, Json::parse_event_t event, const Json&) {
+    const bool opens = event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
+    if (opens && depth >= kDeepest) throw HttpFault(400, "the body of the request is nested too deeply");
+    return true;
+  };
+  Json read = Json::parse(body.empty() ? "{}" : body, shallow, false);
   if (!read.is_object()) throw HttpFault(400, "the body of the request is no JSON object");
   return read;
 }

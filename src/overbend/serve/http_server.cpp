@@ -1,16 +1,15 @@
 #include "serve/http_server.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
 
-#include "serve/guard.h"
+#include "serve/door_server.h"
 #include "serve/page_files.h"
+#include "serve/peer.h"
 
 namespace overbend {
 namespace {
 
-/// As many pages and events as one user has open; each holds a thread.
-constexpr std::size_t kThreads = 32;
+constexpr std::size_t kLongestPath = 1000;  ///< The library's pattern matching goes deeper with every letter.
 
 HttpRequest request_of(const httplib::Request& from) {
   return {from.method, from.path, {from.params.begin(), from.params.end()}, from.body, {}};
@@ -33,17 +32,6 @@ void fill(httplib::Response& to, HttpAnswer answer) {
                           });
 }
 
-HttpAnswer refusal(const httplib::Request& request, int port, const std::string& token) {
-  if (!own_host(request.get_header_value("Host"), port) || !own_origin(request.get_header_value("Origin"), port)) {
-    return error_answer(403, "this server answers its own page only", "open the address that the program printed");
-  }
-  if (!request.path.starts_with("/api")) return {};
-  const std::string header = request.get_header_value("X-Overbend-Token");
-  if (same_token(header.empty() ? request.get_param_value("token") : header, token)) return {};
-  return error_answer(401, "the token of the address is missing or of an earlier start",
-                      "open the address that the program printed");
-}
-
 const char* words(int status) {
   switch (status) {
     case 413:
@@ -55,16 +43,58 @@ const char* words(int status) {
   }
 }
 
+bool bears_token(const httplib::Request& request, const std::string& token) {
+  const std::string header = request.get_header_value("X-Overbend-Token");
+  return same_token(header.empty() ? request.get_param_value("token") : header, token);
+}
+
+/// Why the body, announced by the head, is not read; nothing where it is or where there is none. Only what is counted
+/// beforehand and comes as it is can be kept within the limit.
+HttpAnswer body_refusal(const httplib::Request& request) {
+  if (request.has_header("Transfer-Encoding")) {
+    return error_answer(411, "the request does not say how long its body is", "send it with Content-Length");
+  }
+  if (request.has_header("Content-Encoding")) {
+    return error_answer(415, "the body of the request is packed", "send it without Content-Encoding");
+  }
+  if (!request.has_header("Content-Length")) return {};
+  const std::string length = request.get_header_value("Content-Length");
+  const bool number = !length.empty() && length.find_first_not_of("0123456789") == std::string::npos;
+  if (!number || request.get_header_value_count("Content-Length") > 1) {
+    return error_answer(400, "the request does not say clearly how long its body is");
+  }
+  if (length.size() > 12 || std::stoull(length) > HttpServer::kLargestBody) return error_answer(413, words(413));
+  const bool takes_body = request.method == "PUT" || request.method == "POST";
+  if (takes_body || length.find_first_not_of('0') == std::string::npos) return {};
+  return error_answer(400, "a request of this kind has no body");
+}
+
+HttpAnswer refusal(const httplib::Request& request, int port, const std::string& token) {
+  if (!own_host(request.get_header_value("Host"), port) || !own_origin(request.get_header_value("Origin"), port)) {
+    return error_answer(403, "this server answers its own page only", "open the address that the program printed");
+  }
+  if (request.path.size() > kLongestPath) return error_answer(414, "the address is too long");
+  if (HttpAnswer answer = body_refusal(request); !answer.type.empty()) return answer;
+  if (!request.path.starts_with("/api") || bears_token(request, token)) return {};
+  return error_answer(401, "the token of the address is missing or of an earlier start",
+                      "open the address that the program printed");
+}
+
+DoorServer::Standing standing(const httplib::Request& request, int port, const std::string& token) {
+  if (!refusal(request, port, token).type.empty()) return DoorServer::Standing::refused;
+  return bears_token(request, token) ? DoorServer::Standing::known : DoorServer::Standing::stranger;
+}
+
 }  // namespace
 
 struct HttpServer::Library {
-  httplib::Server server;
+  DoorServer server;
 };
 
 HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port)
-    : routes_(std::move(routes)), events_(events), token_(random_token()), library_(std::make_unique<Library>()) {
-  httplib::Server& server = library_->server;
-  server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    : routes_(std::move(routes)), events_(events), token_(random_token()) {
+  library_.reset(new Library{DoorServer([this](const httplib::Request& r) { return standing(r, port_, token_); })});
+  DoorServer& server = library_->server;
   server.set_payload_max_length(kLargestBody);
   // Without the library's SO_REUSEPORT, under which two programs would share a port.
   server.set_socket_options([](socket_t socket) {
@@ -72,12 +102,14 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(1U << 20U);  // a slider asks thousands of times
+  server.set_keep_alive_max_count(1U << 20U);  // told to the other side: a slider asks thousands of times
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (port_ <= 0) {
     throw PortFault(fmt::format("the port {} on 127.0.0.1 can not be had; another program may use it", port));
   }
+  server.widen();
   guard();
+  serve_opening();
   serve_events();
   serve_routes();
   thread_ = std::thread([&server] { server.listen_after_bind(); });
@@ -87,11 +119,29 @@ HttpServer::~HttpServer() {
   events_.close();
   while (!library_->server.is_running()) std::this_thread::yield();  // stop() before the start would be lost
   library_->server.stop();
+  library_->server.close();
   thread_.join();
 }
 
 std::string HttpServer::url() const {
   return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
+}
+
+std::string HttpServer::one_time_url() {
+  return fmt::format("http://127.0.0.1:{}/open/{}", port_, code_.make());
+}
+
+/// The token goes on in the page's address: a cookie would reach the servers of others at other ports of this machine.
+void HttpServer::serve_opening() {
+  library_->server.Get("/open/.*", [this](const httplib::Request& request, httplib::Response& response) {
+    const std::string code = request.path.substr(std::string("/open/").size());
+    if (request.method == "GET" && code_.take(code, owner_of_connection(request.remote_port, port_))) {
+      response.set_redirect("/?token=" + token_);
+    } else {
+      fill(response, error_answer(403, "this address has been used, or is not yours",
+                                  "open the address that the program printed"));
+    }
+  });
 }
 
 void HttpServer::guard() {

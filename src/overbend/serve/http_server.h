@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "serve/events.h"
+#include "serve/guard.h"
 #include "serve/http.h"
 
 namespace overbend {
@@ -32,17 +33,21 @@ class HttpServer {
   const std::string& token() const { return token_; }
   /// Where the page opens, with the token.
   std::string url() const;
+  /// The same for a command line, which others can read: it opens the page once (OneTimeCode).
+  std::string one_time_url();
 
  private:
   struct Library;
 
   void guard();
+  void serve_opening();
   void serve_routes();
   void serve_events();
 
   std::vector<HttpRoute> routes_;
   EventHub& events_;
   std::string token_;
+  OneTimeCode code_;
   int port_ = 0;
   std::unique_ptr<Library> library_;
   std::thread thread_;

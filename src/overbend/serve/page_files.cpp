@@ -58,6 +58,13 @@ std::string_view embedded_text(const std::string& path) {
   return {};
 }
 
+std::string licence_texts() {
+  const std::string line = "\n" + std::string(78, '-') + "\n\n";
+  return "Overbend\n\n" + std::string(embedded_text("LICENSE")) + line +
+         "The page of overbend serve and the HTML report hold these packages, whole or in parts.\n" + line +
+         std::string(embedded_text("licences.txt"));
+}
+
 HttpAnswer page_file(const std::string& path) {
   const std::string name = path == "/" ? "/index.html" : path;
   const std::string_view bytes = embedded_text("page" + name);

@@ -28,4 +28,7 @@ const std::vector<Example>& examples();
 /// An embedded file by its path in the repository; empty when it is not there.
 std::string_view embedded_text(const std::string& path);
 
+/// The program's own licence and those of the packages that its page and report bring along.
+std::string licence_texts();
+
 }  // namespace overbend

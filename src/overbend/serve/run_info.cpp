@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/results_writer.h"
+#include "io/staging_lock.h"
 #include "report/json_number.h"
 
 namespace overbend {
@@ -94,6 +95,7 @@ std::vector<RunInfo> find_runs(const fs::path& folder) {
   std::error_code fault;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
     if (!entry.is_directory(fault)) continue;
+    remove_abandoned_staging(entry.path());  // of a program that was killed: nobody writes into an old run again
     try {
       if (std::optional<RunInfo> run = find_run(entry.path())) runs.push_back(std::move(*run));
     } catch (const std::exception&) {

@@ -25,6 +25,7 @@ class Server {
   int port() const { return http_->port(); }
   const std::string& token() const { return http_->token(); }
   std::string url() const { return http_->url(); }
+  std::string one_time_url() { return http_->one_time_url(); }
 
  private:
   EventHub events_;

@@ -1,4 +1,4 @@
-# Writes a C++ source that takes files into the program: cmake -DOUT=x.cpp -DPAGE=dir -DROOT=dir -P embed_files.cmake
+# Writes a C++ source that takes files into the program: cmake -DOUT=x.cpp -DPAGE=dir -DLICENCES=file -DROOT=dir -P embed_files.cmake
 # By the assembler's incbin: a page of megabytes written as numbers would take the compiler minutes.
 set(symbols "")
 set(table "")
@@ -21,6 +21,8 @@ file(GLOB examples RELATIVE ${ROOT} ${ROOT}/examples/*.yaml ${ROOT}/data/bgl1/ra
 foreach(name IN LISTS examples)
   embed("${name}" "${ROOT}/${name}")
 endforeach()
+embed("licences.txt" "${LICENCES}")
+embed("LICENSE" "${ROOT}/LICENSE")
 
 file(WRITE "${OUT}" "// Made by serve/embedded/embed_files.cmake; do not edit.\n#include \"serve/embedded_files.h\"\n\n${symbols}
 namespace overbend {

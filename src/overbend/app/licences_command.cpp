@@ -1,0 +1,14 @@
+#include <iostream>
+
+#include "app/commands.h"
+#include "runs/exit_code.h"
+#include "serve/page_files.h"
+
+namespace overbend {
+
+int run_licences() {
+  std::cout << licence_texts();
+  return kDone;
+}
+
+}  // namespace overbend
