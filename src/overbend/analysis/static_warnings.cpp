@@ -81,10 +81,16 @@ Proud proud_of(const SupportBox& before, const SupportBox& box, const SupportBox
   return {&box, twice_area / chord, 2.0 * twice_area / (chord * first * second)};
 }
 
+/// Whether no stinger that a pipe is meant to follow is set so: a bend that yields it over a height beyond what is set
+/// out by eye, or one of many times that.
+bool out_of_line(const Proud& proud, double yields_at) {
+  const double bend = std::abs(proud.curvature) / yields_at, height = std::abs(proud.height);
+  return (bend > 2.0 && height > 0.2) || (bend > 5.0 && height > 0.05);
+}
+
 /// The box that stands furthest out of line. One out of line bends the circles through its neighbours too, each half as
 /// much the other way: of these it is the one that bends most.
 void warn_of_proud_box(Warnings& list, const Model& model) {
-  constexpr double kFarBeyond = 2.0, kWorthSaying = 0.05;  // [-], [m]
   const SectionDescription& pipe = model.description_of(static_cast<std::size_t>(model.section_at(0.0)));
   const double yields_at = 2.0 * pipe.steel.yield_stress / (pipe.steel.youngs_modulus * pipe.steel.outside_diameter);
   const std::vector<SupportBox>& boxes = model.supports.boxes;
@@ -93,10 +99,7 @@ void warn_of_proud_box(Warnings& list, const Model& model) {
     const Proud proud = proud_of(boxes[i - 1], boxes[i], boxes[i + 1]);
     if (std::abs(proud.curvature) > std::abs(worst.curvature)) worst = proud;
   }
-  if (worst.box == nullptr || yields_at <= 0.0 || std::abs(worst.curvature) < kFarBeyond * yields_at ||
-      std::abs(worst.height) < kWorthSaying) {
-    return;
-  }
+  if (worst.box == nullptr || yields_at <= 0.0 || !out_of_line(worst, yields_at)) return;
   list.push_back(
       fmt::format("the box '{}' stands {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} "
                   "times that at "
