@@ -3,6 +3,7 @@
 #include "io/dynamic_scalars.h"
 #include "io/dynamic_writer.h"
 #include "io/hdf5_visitors.h"
+#include "io/static_scalars.h"
 
 namespace overbend {
 namespace {
