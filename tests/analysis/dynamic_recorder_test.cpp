@@ -15,17 +15,6 @@ namespace {
 using testing::Case;
 using testing::MemorySink;
 
-/// Values of a column of the histories.
-std::vector<double> column(const MemorySink& sink, const std::string& name) {
-  const auto at =
-      std::find_if(sink.columns.begin(), sink.columns.end(), [&](const HistoryColumn& c) { return c.name == name; });
-  std::vector<double> values;
-  for (const std::vector<double>& row : sink.rows) {
-    values.push_back(row.at(static_cast<std::size_t>(at - sink.columns.begin())));
-  }
-  return values;
-}
-
 /// The example with a box behind the tensioner, which no pipe passes.
 Description with_a_box_out_of_the_way() {
   Description d = testing::workable();
@@ -47,10 +36,10 @@ TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
   EXPECT_TRUE(std::isnan(r.supports.front().separation.min));
   EXPECT_TRUE(std::isnan(r.supports.front().rollers.front().separation.mean));
   const auto finite = [](double value) { return std::isfinite(value); };
-  const std::vector<double> behind = column(sink, "support/behind/separation");
+  const std::vector<double> behind = sink.column("support/behind/separation");
   EXPECT_TRUE(std::none_of(behind.begin(), behind.end(), finite));
   for (std::size_t box = 1; box < r.supports.size(); ++box) {
-    const std::vector<double> others = column(sink, "support/" + r.supports[box].name + "/separation");
+    const std::vector<double> others = sink.column("support/" + r.supports[box].name + "/separation");
     EXPECT_TRUE(std::all_of(others.begin(), others.end(), finite)) << r.supports[box].name;
     EXPECT_TRUE(std::isfinite(r.supports[box].separation.mean));
   }
@@ -66,8 +55,8 @@ TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time)
   ASSERT_NE(at, r.station_s.end());
   EXPECT_DOUBLE_EQ(r.effective_tension.min[static_cast<std::size_t>(at - r.station_s.begin())], least);
   EXPECT_GT(r.smallest_tension.time, 0.0);
-  const std::vector<double> line = column(sink, "smallest_tension"), top = column(sink, "top_tension_low"),
-                            now = column(sink, "top_tension");
+  const std::vector<double> line = sink.column("smallest_tension"), top = sink.column("top_tension_low"),
+                            now = sink.column("top_tension");
   EXPECT_LE(*std::min_element(line.begin(), line.end()), least);
   for (std::size_t i = 0; i < top.size(); ++i) {
     EXPECT_LE(line[i], top[i]);
