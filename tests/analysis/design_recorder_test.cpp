@@ -43,7 +43,7 @@ TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_and_those_o
   const DynamicResults r = c.results(sink), of_current = apart.results(sink);
   double most = 0.0;
   for (std::size_t i = 0; i < r.station_s.size(); ++i) {  // what the current adds has 1.3 then, and 1.1 lies between
-    EXPECT_GE(of_current.design.load[i], r.design.load[i] * (1.0 - 1e-9)) << i;
+    EXPECT_GE(of_current.design.load[i], r.design.load[i] * (1.0 - 1e-4)) << i;  // the step's own error, as below
     most = std::max(most, of_current.design.load[i] / r.design.load[i]);
   }
   EXPECT_GT(most, 1.02);

@@ -107,7 +107,7 @@ TEST(dynamic_writer, marks_where_a_history_is_absent) {
   const TemporaryFolder folder;
   RunStore store = RunStore::create(folder.path(), "", 0);
   store.begin({{"time", "s", "Time", false, false}, {"support/a/separation", "m", "Separation", false, false}}, 0);
-  for (const double value : {0.5, NAN, 0.25}) store.row(std::array{0.0, value});
+  for (const double value : {0.5, std::numeric_limits<double>::quiet_NaN(), 0.25}) store.row(std::array{0.0, value});
   write_dynamic_hdf5(statics, filled_dynamics(statics), store, description, folder / "results.h5");
   const std::string command =
       "/usr/bin/python3 -c \"import h5py, numpy; d = h5py.File('" + (folder / "results.h5").string() +
