@@ -46,7 +46,7 @@ TEST(run_warnings, a_sound_run_has_none) {
 TEST(run_warnings, three_hours_from_minutes_say_how_many) {
   DynamicResults r = sound();
   r.duration = 300.0;
-  EXPECT_TRUE(only(warnings_of(r), "from a run of 5 minutes"));
+  EXPECT_TRUE(only(warnings_of(r), "from a run of 5 min"));
 }
 
 TEST(run_warnings, a_vessel_that_stands_still_in_a_sea_is_told) {

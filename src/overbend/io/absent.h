@@ -10,7 +10,7 @@ namespace overbend {
 /// of. `name` as in ResultField or HistoryColumn.
 inline bool may_be_absent(std::string_view name) {
   const std::string_view last = name.substr(name.rfind('/') + 1);
-  return last.starts_with("separation") || last.starts_with("stinger_tip_clearance");
+  return last.find("separation") != std::string_view::npos || last.starts_with("stinger_tip_clearance");
 }
 
 }  // namespace overbend

@@ -50,18 +50,39 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   if (t.wanted <= 0.0) return;
   const double off = t.tension.mean / t.wanted - 1.0;
   if (std::abs(off) > kOffMean) {
-    results.warnings.push_back(
-        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
-                    1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
-  }
-  const double change = trend(tension);
-  if (std::abs(change) > kDrift * t.wanted) {
     results.warnings.push_back(fmt::format(
-        "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
-        "wanted; statistics are those of a record that is not steady",
-        change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
+        "the extremes of three hours are extrapolated from a run of {0:.3g} min, and the largest values of the run "
+        "are those of {0:.3g} min alone",
+        results.duration / 60.0));
   }
-}
+
+  void warn_of_still_vessel(DynamicResults & results) {
+    if (deviation(results, "elevation") <= kStandsStill) return;
+    for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
+      if (deviation(results, freedom) > kStandsStill) return;
+    }
+    results.warnings.emplace_back(
+        "the vessel does not move in this sea: vessel.motion gives it none, and all that acts on the pipe is the "
+        "water");
+  }
+
+  void warn_of_tension(DynamicResults & results, std::span<const double> tension) {
+    const TensionerDynamics& t = results.tensioner;
+    if (t.wanted <= 0.0) return;
+    const double off = t.tension.mean / t.wanted - 1.0;
+    if (std::abs(off) > kOffMean) {
+      results.warnings.push_back(
+          fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
+                      1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
+    }
+    const double change = trend(tension);
+    if (std::abs(change) > kDrift * t.wanted) {
+      results.warnings.push_back(fmt::format(
+          "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
+          "wanted; statistics are those of a record that is not steady",
+          change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
+    }
+  }
 
 }  // namespace
 
