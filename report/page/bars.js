@@ -75,7 +75,7 @@
   };
 
   // Past the end of a roller and behind it: the pipe is no longer between the rollers, and a distance would mislead.
-  const passed = (roller) => roller.off_end > 0 && roller.reaction <= 0 && roller.separation < 0;
+  const passed = (roller) => roller.passed;
 
   // In words: among so many bars a label would find no room.
   function smallest_of(shown) {

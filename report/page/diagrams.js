@@ -25,7 +25,7 @@
       Report.mark(frame, data.touchdown.s, value, `${Report.fixed(value, 1)} kN at touchdown`, colours.pipe);
     }
     // The tension of the sagbend is largest where it begins, which tells nothing.
-    for (const region of tension && data.overbend ? ['overbend'] : ['overbend', 'sagbend']) {
+    for (const region of tension && data.overbend ? ['overbend'] : ['overbend', 'tower', 'sagbend']) {
       const extreme = data[region] && data[region][kind.extreme];
       if (!extreme || extreme.s > end) continue;
       const value = extreme.value * kind.factor;

@@ -16,7 +16,7 @@
   };
 
   function marks(frame, kind, end) {
-    for (const region of ['overbend', 'sagbend']) {
+    for (const region of ['overbend', 'tower', 'sagbend']) {
       const extreme = dynamic[region] && kind.extreme && dynamic[region][kind.extreme];
       if (!extreme || extreme.s > end || extreme.value <= 0) continue;
       const value = extreme.value * kind.factor;

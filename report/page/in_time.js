@@ -15,7 +15,7 @@
         .x((k) => frame.x(time(k))).y0((k) => frame.y(value(history.low[k]))).y1((k) => frame.y(value(history.high[k])));
       // Where each stretch is hardly more than a point the band is a line, and is drawn as one.
       const all = d3.range(count);
-      const line = d3.median(all, (k) => history.high[k] - history.low[k]) < 60;
+      const line = d3.median(all.filter((k) => history.low[k] !== null), (k) => history.high[k] - history.low[k]) < 60;
       const colour = line ? colours.line : colours.area;
       frame.plot.append('path').attr('d', area(all)).attr('fill', colour).attr('stroke', colour).attr('stroke-width', line ? 1.4 : 0.9).attr('stroke-linejoin', 'round');
       return line;

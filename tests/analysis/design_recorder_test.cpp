@@ -30,13 +30,23 @@ const CheckRow& row_of(const CheckTable& table, const std::string& id, CheckRegi
   throw std::runtime_error("no row " + id);
 }
 
-TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_alone) {
+TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_and_those_of_the_current) {
   Description d = workable();
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
+  d.checks.system_effects = false;
+  d.dynamics->duration = 4.0;
+  const Case apart(d);
+  d.checks.current_load = CurrentLoad::functional;
   const Case c(d);
   EmptySink sink;
-  const DynamicResults r = c.results(sink);
+  const DynamicResults r = c.results(sink), of_current = apart.results(sink);
+  double most = 0.0;
+  for (std::size_t i = 0; i < r.station_s.size(); ++i) {  // what the current adds has 1.3 then, and 1.1 lies between
+    EXPECT_GE(of_current.design.load[i], r.design.load[i] * (1.0 - 1e-4)) << i;  // the step's own error, as below
+    most = std::max(most, of_current.design.load[i] / r.design.load[i]);
+  }
+  EXPECT_GT(most, 1.02);
   for (std::size_t i = 0; i < r.station_s.size(); ++i) {
     // A step is solved to 1e-6 of the line's weight of 1.2 MN: what is left shows as environmental part.
     EXPECT_NEAR(r.design.moment[i], 1.1 * r.static_moment[i], 20.0 + 1e-4 * r.static_moment[i]) << i;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -223,6 +224,43 @@ TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_
       return warning.find("the pipe has left '") != std::string::npos && warning.find("to port") != std::string::npos;
     })) << factor;
   }
+}
+
+/// Least clear distance from a roller of the places of all stations [m].
+double least_of_stations(const StaticResults& r, const RollerResult& roller) {
+  const Vec3 center = roller.p_W - roller.radius * roller.normal_W;
+  double least = 1e9;
+  for (const Station& at : r.stations) {
+    const Vec3 from = at.p_W - center;
+    const double along = std::clamp(from.dot(roller.axis_W), -0.5 * roller.face, 0.5 * roller.face);
+    least = std::min(least, (from - along * roller.axis_W).norm() - roller.radius - 0.5 * r.pipe_outer_diameter);
+  }
+  return least;
+}
+
+TEST(statics, a_roller_that_carries_has_its_penetration_as_separation_however_steep_its_box) {
+  Description d = read("/examples/bgl1-as-printed.yaml");
+  d.environment.current.clear();
+  for (BoxDescription& box : d.supports.boxes) box.rows = 4;
+  const StaticResults r = solve_results(d);
+  int carrying = 0, clear = 0;
+  for (const SupportResult& box : r.supports) {
+    for (const RowResult& row : box.rows) {
+      for (const RollerResult& roller : row.rollers) {
+        if (roller.reaction > 0.0) {
+          ++carrying;
+          EXPECT_LT(roller.separation, 0.0) << box.name;
+          EXPECT_GE(roller.separation, -r.largest_penetration * (1.0 + 1e-9)) << box.name;
+        } else {
+          ++clear;
+          EXPECT_GE(roller.separation, 0.0) << box.name;
+          EXPECT_LE(roller.separation, least_of_stations(r, roller) + 1e-6) << box.name;  // no place is closer
+        }
+      }
+    }
+  }
+  EXPECT_GE(carrying, 6);
+  EXPECT_GT(clear, 20);
 }
 
 TEST(statics, a_floating_pipe_is_refused) {

@@ -90,15 +90,77 @@ TEST(run_checks, load_over_the_supports_is_told_but_does_not_decide) {
   EXPECT_FALSE(row_of(table, "dnv_propagation", CheckRegion::line).governing);
 }
 
+/// Only combination b, and the current as a part of the functional load effects.
+CheckTable plain_combination() {
+  return checks_with([](Description& d) {
+    d.checks.system_effects = false;
+    d.checks.current_load = CurrentLoad::functional;
+  });
+}
+
 TEST(run_checks, static_load_effects_carry_the_functional_factor) {
-  const CheckRow& row = row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend);
+  const CheckTable table = plain_combination();
+  const CheckRow& row = row_of(table, "dnv_load_controlled", CheckRegion::sagbend);
   EXPECT_NEAR(input(row, "M_Sd"), 1.1 * input(row, "M_F"), 1e-9 * input(row, "M_F"));
   EXPECT_NEAR(input(row, "S_Sd"), 1.1 * input(row, "S_F"), 1e-9 * input(row, "S_F"));
   EXPECT_NEAR(input(row, "gamma_m gamma_SC"), 1.15 * 1.04, 1e-12);
 }
 
+TEST(run_checks, what_the_current_adds_counts_as_environmental_and_is_never_less_than_as_functional) {
+  const CheckTable functional = plain_combination();
+  const CheckTable apart = checks_with([](Description& d) { d.checks.system_effects = false; });
+  double most = 0.0;
+  for (std::size_t i = 0; i < apart.along.load.size(); ++i) {
+    EXPECT_GE(apart.along.load[i], functional.along.load[i] * (1.0 - 1e-12));
+    most = std::max(most, apart.along.load[i] / functional.along.load[i]);
+  }
+  EXPECT_GT(most, 1.02);  // the example's current blows across
+  EXPECT_TRUE(any_contains(apart.assumptions, "what the steady current adds as environmental one (factor 1.3)"));
+  EXPECT_TRUE(any_contains(functional.assumptions, "with its current"));
+}
+
+TEST(run_checks, a_still_lay_without_its_current_is_the_functional_part) {
+  Description d = bgl1().description;
+  d.environment.current.clear();
+  const Model model = build_model(d);
+  const StaticResults still = recover_statics(model, solve_statics(model).solution.value());
+  for (const Station& at : still.stations) EXPECT_EQ(at.current_vertical_moment, 0.0);
+  const Station& with = bgl1().statics.stations.front();  // laid on the bed, far from everything
+  EXPECT_NEAR(with.effective_tension - with.current_tension, still.stations.front().effective_tension, 5.0);
+}
+
+TEST(run_checks, a_short_run_says_from_how_many_minutes_its_values_are) {
+  DynamicResults run;
+  run.duration = 300.0;
+  const Station& at = bgl1().statics.stations.back();
+  run.station_s = {at.s};
+  run.static_place = {at.p_W};
+  for (std::vector<double>* list : {&run.static_moment,         &run.static_tension,
+                                    &run.static_strain,         &run.static_von_mises,
+                                    &run.von_mises.max,         &run.strain.max,
+                                    &run.effective_tension.max, &run.design.load,
+                                    &run.design.load_time,      &run.design.moment,
+                                    &run.design.force,          &run.design.load_pressure,
+                                    &run.design.share,          &run.design.largest_force,
+                                    &run.design.strain,         &run.design.strain_time,
+                                    &run.design.design_strain,  &run.design.strain_pressure,
+                                    &run.design.von_mises_time, &run.design.fibre_strain_time,
+                                    &run.design.tension_time}) {
+    list->assign(1, 0.1);
+  }
+  const Model model = build_model(bgl1().description);
+  const CheckTable five = check_dynamics(model, bgl1().statics, run);
+  const CheckRow& row = row_of(five, "dnv_displacement_controlled", CheckRegion::overbend);
+  EXPECT_NE(row.remark.find("from 5 min of a run"), std::string::npos) << row.remark;
+  EXPECT_EQ(row_of(five, "dnv_collapse", CheckRegion::line).remark.find("min of a run"), std::string::npos);
+  run.duration = 10800.0;
+  const CheckTable long_run = check_dynamics(model, bgl1().statics, run);
+  EXPECT_EQ(row_of(long_run, "dnv_displacement_controlled", CheckRegion::overbend).remark, "");
+}
+
 TEST(run_checks, the_table_agrees_with_a_calculation_by_hand_at_the_worst_station_of_the_sagbend) {
-  const CheckRow& row = row_of(bgl1().statics.checks, "dnv_load_controlled", CheckRegion::sagbend);
+  const CheckTable table = plain_combination();
+  const CheckRow& row = row_of(table, "dnv_load_controlled", CheckRegion::sagbend);
   const Station* at = nullptr;
   for (const Station& station : bgl1().statics.stations) {
     if (station.s == row.s) at = &station;
@@ -187,7 +249,7 @@ TEST(run_checks, settings_reach_the_checks) {
   EXPECT_GT(load([](CheckSettings& s) { s.safety_class = SafetyClass::high; }), plain);
   EXPECT_LT(load([](CheckSettings& s) { s.alpha_u = 1.0; }), plain);
   EXPECT_LT(load([](CheckSettings& s) { s.manufacture = Manufacture::seamless; }), plain);
-  EXPECT_GT(load([](CheckSettings& s) { s.system_effects = true; }), plain);
+  EXPECT_LT(load([](CheckSettings& s) { s.system_effects = false; }), plain);
   EXPECT_LT(load([](CheckSettings& s) { s.condition_factor = 0.82; }), plain);
   const auto collapse = [](const std::function<void(CheckSettings&)>& change) {
     const CheckTable table = checks_with([&](Description& d) { change(d.checks); });
@@ -199,10 +261,10 @@ TEST(run_checks, settings_reach_the_checks) {
 }
 
 TEST(run_checks, the_basis_of_yield_moves_the_stress_limit) {
-  const double smys = row_of(bgl1().statics.checks, "dnv_equivalent_stress", CheckRegion::sagbend).capacity;
-  EXPECT_DOUBLE_EQ(smys, 0.87 * 414e6);
-  const CheckTable fy = checks_with([](Description& d) { d.checks.yield_basis = YieldBasis::fy; });
-  EXPECT_DOUBLE_EQ(row_of(fy, "dnv_equivalent_stress", CheckRegion::sagbend).capacity, 0.87 * 0.96 * 414e6);
+  const double fy = row_of(bgl1().statics.checks, "dnv_equivalent_stress", CheckRegion::sagbend).capacity;
+  EXPECT_DOUBLE_EQ(fy, 0.87 * 0.96 * 414e6);
+  const CheckTable smys = checks_with([](Description& d) { d.checks.yield_basis = YieldBasis::smys; });
+  EXPECT_DOUBLE_EQ(row_of(smys, "dnv_equivalent_stress", CheckRegion::sagbend).capacity, 0.87 * 414e6);
 }
 
 TEST(run_checks, the_strain_factor_of_field_joints_counts_for_the_design_strain_and_api) {
@@ -260,7 +322,12 @@ TEST(run_checks, the_api_edition_changes_the_factor_on_collapse) {
   const CheckRow& row = row_of(third, "api_bending_pressure", CheckRegion::sagbend);
   EXPECT_EQ(input(row, "f_c"), 1.0);
   EXPECT_NE(row.code.find("1999"), std::string::npos);
-  const CheckRow& fourth = row_of(bgl1().statics.checks, "api_bending_pressure", CheckRegion::sagbend);
+  const CheckTable of_fourth = checks_with([](Description& d) { d.checks.api.edition = ApiEdition::fourth; });
+  const CheckRow& fourth = row_of(of_fourth, "api_bending_pressure", CheckRegion::sagbend);
+  EXPECT_NE(fourth.code.find("2009"), std::string::npos);
+  const CheckRow& fifth = row_of(bgl1().statics.checks, "api_bending_pressure", CheckRegion::sagbend);
+  EXPECT_NE(fifth.code.find("2015"), std::string::npos);
+  EXPECT_DOUBLE_EQ(fifth.utilisation, fourth.utilisation);
   EXPECT_NEAR(input(fourth, "delta"), 0.0025, 1e-15);  // half of O_0
   EXPECT_NEAR(input(fourth, "f_c"), 0.6 * (1.0 + 20.0 * 0.0025), 1e-12);
 }

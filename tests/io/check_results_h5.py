@@ -39,7 +39,7 @@ with h5py.File(sys.argv[1]) as results:
     s = stations["s"][:]
     if len(s) < 50 or (numpy.diff(s) <= 0).any():
         offences.append("stations do not run along the pipe")
-    if not set(stations["region"].asstr()[:]) <= {"overbend", "sagbend", "seabed"}:
+    if not set(stations["region"].asstr()[:]) <= {"tower", "overbend", "sagbend", "seabed"}:
         offences.append("a region without a name")
     extremes = [results[f"static/{region}/bending_moment/value"][()] for region in ("overbend", "sagbend")
                 if f"static/{region}" in results]

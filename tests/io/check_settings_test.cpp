@@ -23,7 +23,11 @@ TEST(check_settings, without_the_section_the_defaults_stand) {
   EXPECT_FALSE(checks.manufacture);
   EXPECT_EQ(checks.alpha_u, 0.96);
   EXPECT_EQ(checks.ovality, 0.005);
-  EXPECT_EQ(checks.api.edition, ApiEdition::fourth);
+  EXPECT_EQ(checks.api.edition, ApiEdition::fifth);
+  // On the safe side.
+  EXPECT_TRUE(checks.system_effects);
+  EXPECT_EQ(checks.yield_basis, YieldBasis::fy);
+  EXPECT_EQ(checks.current_load, CurrentLoad::environmental);
   EXPECT_FALSE(checks.limits.roller_load);
 }
 
@@ -39,8 +43,9 @@ TEST(check_settings, every_key_arrives) {
   alpha_h: 0.9
   grade: X65
   condition_factor: 1.07
-  system_effects: "yes"
-  yield_basis: fy
+  system_effects: "no"
+  yield_basis: smys
+  current_load: functional
   point_load: yes
   arrestor: {propagation_pressure: 8 MPa, length: 0.5 m}
   api: {edition: third, collapse_factor: 0.65, bending_factor: 2, ovality: 0.003}
@@ -59,8 +64,9 @@ TEST(check_settings, every_key_arrives) {
   EXPECT_EQ(checks.alpha_h, 0.9);
   EXPECT_EQ(checks.grade, "X65");
   EXPECT_EQ(checks.condition_factor, 1.07);
-  EXPECT_TRUE(checks.system_effects);
-  EXPECT_EQ(checks.yield_basis, YieldBasis::fy);
+  EXPECT_FALSE(checks.system_effects);
+  EXPECT_EQ(checks.yield_basis, YieldBasis::smys);
+  EXPECT_EQ(checks.current_load, CurrentLoad::functional);
   EXPECT_TRUE(checks.point_load);
   EXPECT_DOUBLE_EQ(checks.arrestor.value().propagation_pressure, 8e6);
   EXPECT_DOUBLE_EQ(checks.arrestor->length, 0.5);

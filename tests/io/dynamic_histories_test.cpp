@@ -67,6 +67,19 @@ TEST(history_summary, keeps_every_peak_in_2000_stretches_at_most) {
   }
 }
 
+TEST(history_summary, passes_over_what_is_absent_and_keeps_it_as_a_gap) {
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+  const HistorySummary summary =
+      summarise_history(kHeave, clock(5, 0.0, 0.1), std::vector<double>{5.0, kAbsent, kAbsent, kAbsent, 4.0});
+  EXPECT_EQ(summary.over_time.min, 4.0);
+  EXPECT_EQ(summary.over_time.max, 5.0);
+  EXPECT_DOUBLE_EQ(summary.over_time.mean, 4.5);
+  EXPECT_TRUE(std::isnan(summary.low[2]) && std::isnan(summary.high[2]));
+  EXPECT_EQ(summary.low[4], 4.0);
+  const HistorySummary never = summarise_history(kHeave, clock(2, 0.0, 0.1), std::vector<double>{kAbsent, kAbsent});
+  EXPECT_TRUE(std::isnan(never.over_time.mean));
+}
+
 TEST(history_summary, is_all_zero_where_there_is_nothing_to_count) {
   const HistorySummary before = summarise_history(kHeave, clock(3, -5.0, 0.1), std::vector<double>{1.0, 2.0, 3.0});
   EXPECT_EQ(before.over_time.max, 0.0);

@@ -89,5 +89,15 @@ TEST(impacts_table, has_its_head_alone_in_j_lay) {
   EXPECT_EQ(lines_of(impacts_table(filled_dynamics(solved_case("J12-D400-T560").results))).size(), 1U);
 }
 
+TEST(dynamic_supports_table, leaves_the_cells_of_an_absent_separation_empty) {
+  const StaticResults& statics = solved_case("BGL1-T250").results;
+  DynamicResults dynamics = filled_dynamics(statics);
+  const double absent = std::numeric_limits<double>::quiet_NaN();
+  dynamics.supports[0].rollers[0].separation = {absent, absent, absent, absent};
+  const std::string table = dynamic_supports_table(statics, dynamics);
+  EXPECT_NE(table.find(",,,,"), std::string::npos);
+  EXPECT_EQ(table.find("nan"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace overbend

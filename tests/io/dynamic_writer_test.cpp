@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -86,6 +87,33 @@ TEST(dynamic_finite_check, finds_what_is_not_finite_wherever_it_is) {
   EXPECT_EQ(named([&](DynamicResults& r) { r.histories[0].high[1] = none; }), "dynamic.histories.heave[1].high");
   EXPECT_EQ(named([&](DynamicResults& r) { r.spectra[0].density[1] = none; }),
             "dynamic.spectra.top_tension[1].density");
+}
+
+TEST(dynamic_finite_check, lets_a_separation_be_absent_but_not_infinite) {
+  const double absent = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(named([&](DynamicResults& r) {
+              r.supports[3].separation = r.supports[3].rollers[0].separation = {absent, absent, absent, absent};
+              r.supports[3].static_separation = absent;
+              r.stinger_tip_clearance = {absent, absent, absent, absent};
+              r.histories = {{"support/b 8/separation", "m", "", {absent, absent, absent, absent}, {absent}, {absent}}};
+            }),
+            "");
+  EXPECT_EQ(named([&](DynamicResults& r) { r.supports[3].separation.min = INFINITY; }),
+            "dynamic.supports[3].separation_min");
+}
+
+TEST(dynamic_writer, marks_where_a_history_is_absent) {
+  const auto& [description, statics] = solved_case("J12-D400-T560");
+  const TemporaryFolder folder;
+  RunStore store = RunStore::create(folder.path(), "", 0);
+  store.begin({{"time", "s", "Time", false, false}, {"support/a/separation", "m", "Separation", false, false}}, 0);
+  for (const double value : {0.5, std::numeric_limits<double>::quiet_NaN(), 0.25}) store.row(std::array{0.0, value});
+  write_dynamic_hdf5(statics, filled_dynamics(statics), store, description, folder / "results.h5");
+  const std::string command =
+      "/usr/bin/python3 -c \"import h5py, numpy; d = h5py.File('" + (folder / "results.h5").string() +
+      "')['dynamic/histories/support/a/separation']; assert numpy.isnan(d.attrs['_FillValue']); "
+      "assert list(numpy.isnan(d[:])) == [False, True, False]\"";
+  EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
 TEST(dynamic_writer, refuses_stored_numbers_that_are_none_and_names_them) {

@@ -56,7 +56,8 @@ TEST(field_lists, hold_every_single_value) {
   int extremes = 0;
   visit_region(results.sagbend, [&](const char*, const char*, const char*, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
-                sizeof(results.sagbend) + kListBytes + kListBytes + kListBytes + sizeof(results.checks),
+                sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
+                kListBytes + kListBytes + sizeof(results.checks),
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));
@@ -75,6 +76,8 @@ std::string bits_of(const StaticResults& results) {
     visit_extreme_fields("", "", e, bits);
   };
   if (results.overbend) visit_region(*results.overbend, extreme);
+  if (results.tower) visit_region(*results.tower, extreme);
+  visit_extreme_fields("", "", results.smallest_tension, bits);
   visit_region(results.sagbend, extreme);
   for (const DerivedSection& section : results.sections) visit_section(section, bits);
   for (const Station& station : results.stations) visit_station(station, bits);
@@ -110,6 +113,15 @@ TEST(results_reader, gives_back_a_j_lay_without_supports_and_overbend) {
   EXPECT_FALSE(stored.results.overbend);
   EXPECT_FALSE(stored.results.stinger_tip_clearance);
   EXPECT_TRUE(stored.results.supports.empty());
+}
+
+TEST(results_reader, gives_back_the_tower_of_a_j_lay_and_the_part_of_the_current) {
+  auto [description, results] = solved_case("J12-D400-T560");
+  results.tower = results.sagbend;
+  results.tower->von_mises.value = 1.5e9;
+  results.stations.back().region = Region::tower;
+  results.stations.back().current_lateral_moment = -7.0;
+  EXPECT_EQ(bits_of(through_file(results, description).results), bits_of(results));
 }
 
 TEST(results_reader, keeps_rollers_with_their_rows_and_boxes) {

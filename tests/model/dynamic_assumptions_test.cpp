@@ -51,6 +51,19 @@ TEST(dynamic_assumptions, are_told_once_each_in_whole_sentences) {
   EXPECT_EQ(std::adjacent_find(list.begin(), list.end()), list.end());
 }
 
+TEST(dynamic_assumptions, call_steel_linear_only_where_it_is) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "The steel stays linear in time as well"), 1);
+  d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
+  d.pipe.section.steel.material.hardening_exponent = 20.0;
+  EXPECT_EQ(mentions(d, "linear in time"), 0);
+  EXPECT_EQ(mentions(d, "Steel that yields does so in time as in statics"), 1);
+  SegmentDescription linear{"linear", 60.0, d.pipe.section};
+  linear.section.steel.material = {};
+  d.pipe.segments.push_back(linear);
+  EXPECT_EQ(mentions(d, "Sections of linear steel stay linear in time"), 1);
+}
+
 TEST(dynamic_assumptions, name_the_peak_of_the_sea_and_where_it_is_from) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 2.37 by the rule of DNV-RP-C205"), 1);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -98,6 +100,21 @@ TEST(running_statistics, a_sample_without_weight_counts_for_least_and_greatest_a
   EXPECT_EQ(statistics.min()[0], 2.0);
   EXPECT_EQ(statistics.mean()[0], 2.0);
   EXPECT_EQ(statistics.standard_deviation()[0], 0.0);
+}
+
+TEST(running_statistics, a_value_that_is_not_a_number_is_absent) {
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+  RunningStatistics statistics(3);
+  for (const auto& [sample, weight] :
+       {std::pair{std::array{1.0, kAbsent, kAbsent}, 1.0}, std::pair{std::array{2.0, 5.0, kAbsent}, 1.0},
+        std::pair{std::array{3.0, 9.0, kAbsent}, 3.0}}) {
+    statistics.add(sample, weight);
+  }
+  EXPECT_DOUBLE_EQ(statistics.mean()[0], 12.0 / 5.0);
+  EXPECT_DOUBLE_EQ(statistics.mean()[1], 8.0);  // of the four seconds in which it was there
+  EXPECT_DOUBLE_EQ(statistics.standard_deviation()[1], std::sqrt(3.0));
+  EXPECT_EQ(statistics.min()[1], 5.0);
+  EXPECT_GT(statistics.min()[2], statistics.max()[2]);  // never there
 }
 
 TEST(running_statistics, taken_up_again_from_what_was_saved_end_with_the_same_bits) {

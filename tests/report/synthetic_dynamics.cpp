@@ -244,7 +244,7 @@ void fill_extremes(DynamicResults& r, bool calm) {
       continue;
     }
     const double most = history.over_time.max;
-    ExtremeEstimate e{history.name, history.units, 281, most};
+    ExtremeEstimate e{history.name, history.units, false, 281, most};
     e.enough = !calm && history.over_time.std > 0.0;
     e.weibull = e.gumbel = e.weibull_low = e.weibull_high = e.gumbel_low = e.gumbel_high = most;
     if (e.enough) {

@@ -102,6 +102,8 @@ inline DynamicResults filled_dynamics(const StaticResults& statics) {
   visit_dynamic_run(results.run, fill);
   if (statics.overbend) fill_region(results.overbend, fill);
   fill_region(results.sagbend, fill);
+  if (statics.tower) fill_region(results.tower, fill);
+  visit_dynamic_extreme("", "", results.smallest_tension, fill);
   fill_stations(results, statics, fill);
   fill_supports(results, statics, fill);
   results.hardest_impacts.resize(statics.supports.empty() ? 0 : 5);

@@ -38,6 +38,13 @@ void DesignRecorder::start(const DesignInstant& at) {
     functional_[node] = {at.moments[node], strain_vector(at.nodes.strain[node], at.moments[node]), at.tangents[node],
                          at.nodes.effective_tension[node]};
   }
+  for (std::size_t node = 0; node < current_.size(); ++node) {
+    const Vec3 moment = current_[node].moment(at.tangents[node]);
+    const Section& section = model_->sections[section_[node]];
+    functional_[node].moment -= moment;
+    functional_[node].strain -= 0.5 * section.steel_diameter / section.EI * moment;
+    functional_[node].force -= current_[node].tension;
+  }
   for (const MovingContact& contact : at.contacts) {
     if (contact.normal > 0.0) {
       first_supported_ = std::min(first_supported_, static_cast<std::size_t>(contact.at.element));

@@ -6,6 +6,7 @@
 
 #include "analysis/dynamic_stations.h"
 #include "checks/check_section.h"
+#include "checks/current_part.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
@@ -23,6 +24,9 @@ class DesignRecorder {
  public:
   DesignRecorder(const Model& model, const std::vector<int>& section_of_node);
 
+  /// What the current adds to the static state, at every node: it is taken off the functional load effects. Before
+  /// start(); none where it is not told.
+  void set_current(std::vector<CurrentPart> parts) { current_ = std::move(parts); }
   /// The static state: the functional load effects.
   void start(const DesignInstant& at);
   /// An accepted step after t = 0. Nothing is allocated.
@@ -51,6 +55,7 @@ class DesignRecorder {
     double force = 0.0;
   };
   std::vector<Functional> functional_;
+  std::vector<CurrentPart> current_;
   std::vector<double> roller_;  ///< Largest roller force at the node now [N].
 
   /// Numbers only, in the order of save().

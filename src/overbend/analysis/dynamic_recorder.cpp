@@ -22,6 +22,31 @@ double inclination(const Vec3& t) {
   return std::atan2(t.z(), std::hypot(t.x(), t.y()));
 }
 
+/// Node at the lower end of the element that holds `s`.
+int node_below(const LineMesh& mesh, double s) {
+  const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
+  return std::max(0, static_cast<int>(after - mesh.s.begin()) - 1);
+}
+
+/// Clear distance of pipe and roller; not a number where the pipe does not pass it [m].
+double separation(const MovingContact& contact) {
+  return contact.at.found ? -contact.penetration : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Of a least value that nothing was compared with: no value.
+double or_absent(double least) {
+  return std::isinf(least) ? std::numeric_limits<double>::quiet_NaN() : least;
+}
+
+void keep_peak(RegionPeak& peak, double value, double s, double time) {
+  peak.now = std::max(peak.now, value);
+  if (time > 0.0 && value > peak.largest) {
+    peak.largest = value;
+    peak.s = s;
+    peak.time = time;
+  }
+}
+
 int last_stinger_roller(const Supports& supports) {
   for (std::size_t row = supports.rows.size(); row-- > 0;) {
     if (supports.boxes[static_cast<std::size_t>(supports.rows[row].box)].structure == Structure::stinger) {
@@ -61,6 +86,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
   largest_reaction_.assign(boxes_, 0.0);
   least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
   largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
+  least_key_.assign(kKeyQuantities, std::numeric_limits<double>::infinity());
+  key_.slack.largest = -kNever;
   hardest_.reserve(kHardestImpacts + 1);
 }
 
@@ -89,9 +116,13 @@ std::vector<HistoryColumn> DynamicRecorder::columns() const {
     columns.push_back({name + "_von_mises_peak", "Pa",
                        "Largest von Mises stress of the " + name + " since the row before", true, false});
   };
-  region("overbend");
+  region(model_->supports.boxes.empty() ? "tower" : "overbend");
   region("sagbend");
   columns.push_back({"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false});
+  columns.push_back(
+      {"top_tension_low", "N", "Smallest tension at the tensioner since the row before", false, false, true});
+  columns.push_back({"smallest_tension", "N", "Smallest effective tension anywhere along the line since the row before",
+                     false, false, true});
   columns.push_back({"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false});
   columns.push_back({"tensioner/travel", "m", "Paid out by the tensioner, hauled in negative", false, false});
   columns.push_back({"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false});
@@ -106,7 +137,15 @@ std::vector<HistoryColumn> DynamicRecorder::columns() const {
   return columns;
 }
 
+void DynamicRecorder::tell_current(const StaticResults& statics) {
+  if (!tells_current(statics)) return;
+  std::vector<CurrentPart> parts;
+  for (const double s : line_->mesh.s) parts.push_back(current_part(statics, s));
+  design_.set_current(std::move(parts));
+}
+
 void DynamicRecorder::start(const RecordedInstant& at) {
+  static_departure_ = departure(at);
   recover(at);
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
@@ -124,6 +163,7 @@ void DynamicRecorder::recover(const RecordedInstant& at) {
   find_passed(at);
   for (std::size_t i = 0; i < kKeyQuantities; ++i) {
     largest_key_[i] = std::max(largest_key_[i], key_sample_[i]);
+    least_key_[i] = std::min(least_key_[i], key_sample_[i]);
   }
 }
 
@@ -142,57 +182,67 @@ void DynamicRecorder::find_key_values(const RecordedInstant& at) {
     }
   }
   Vec3 landing = node_place(state, touchdown);
+  double landing_s = line_->mesh.s[static_cast<std::size_t>(touchdown)];
   if (touchdown > 0 && touchdown < top) {
     const double below = clearance(touchdown), above = clearance(touchdown + 1);
     landing += below / (below - above) * (node_place(state, touchdown + 1) - landing);
+    landing_s += below / (below - above) * line_->mesh.length[static_cast<std::size_t>(touchdown)];
   }
   const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero());
   key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
   key_.bottom_tension = nodes_.effective_tension[static_cast<std::size_t>(touchdown)] *
                         std::cos(inclination(node_tangent(state, touchdown)));
-  int last_contact = top + 1;
-  for (const MovingContact& contact : at.system->contacts()) {
-    if (contact.normal > 0.0) {
-      last_contact = std::min(last_contact, contact.at.element);
-    }
-  }
-  key_.departure_angle = inclination(node_tangent(state, std::min(last_contact, top)));
-  key_.tip_clearance =
-      tip_roller_ < 0 ? 0.0 : -at.system->contacts()[static_cast<std::size_t>(tip_roller_)].penetration;
-  find_region_peaks(last_contact, touchdown, state.time);
+  const std::optional<double> leaving = departure(at);
+  key_.departure_angle =
+      inclination(node_tangent(state, node_below(line_->mesh, leaving.value_or(line_->mesh.s.back()))));
+  key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.system->contacts()[static_cast<std::size_t>(tip_roller_)]);
+  const bool clamped = model_->description.tensioner.guide == Guide::clamped;
+  find_region_peaks(
+      find_regions({line_->mesh.s, nodes_.bending_moment, nodes_.vertical_moment}, landing_s, leaving, clamped),
+      state.time);
+  find_slack(state.time);
+  key_sample_ = {key_.top_tension,    key_.bottom_tension, key_.lay_back,       key_.departure_angle,
+                 key_.tip_clearance,  key_.upper[0].now,   key_.upper[1].now,   key_.upper[2].now,
+                 key_.upper[3].now,   key_.sagbend[0].now, key_.sagbend[1].now, key_.sagbend[2].now,
+                 key_.sagbend[3].now, -key_.slack.now};
 }
 
-void DynamicRecorder::find_region_peaks(int last_contact_node, int touchdown_node, double time) {
-  const int top = line_->mesh.nodes() - 1;
-  int inflection = top;  // the highest node of the sagbend
-  if (last_contact_node <= top) {
-    inflection = last_contact_node;
-    while (inflection > touchdown_node && nodes_.vertical_moment[static_cast<std::size_t>(inflection)] <= 0.0) {
-      --inflection;
-    }
+/// Arc length of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
+/// state; none where no support carries in either.
+std::optional<double> DynamicRecorder::departure(const RecordedInstant& at) const {
+  std::optional<double> last;
+  for (const MovingContact& contact : at.system->contacts()) {
+    if (contact.normal <= 0.0) continue;
+    const std::size_t e = static_cast<std::size_t>(contact.at.element);
+    const double s = line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e];
+    last = last ? std::min(*last, s) : s;
   }
+  return last ? last : static_departure_;
+}
+
+void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
   const std::vector<double>* quantity[kRegionQuantities] = {&nodes_.bending_moment, &nodes_.bending_stress,
                                                             &nodes_.von_mises, &nodes_.strain};
-  const auto find = [&](RegionPeak& peak, const std::vector<double>& values, int from, int to) {
-    peak.now = 0.0;
-    for (int node = from; node <= to; ++node) {
-      const double value = values[static_cast<std::size_t>(node)];
-      peak.now = std::max(peak.now, value);
-      if (time > 0.0 && value > peak.largest) {
-        peak.largest = value;
-        peak.s = line_->mesh.s[static_cast<std::size_t>(node)];
-        peak.time = time;
-      }
-    }
-  };
   for (std::size_t i = 0; i < kRegionQuantities; ++i) {
-    find(key_.sagbend[i], *quantity[i], touchdown_node, inflection);
-    find(key_.overbend[i], *quantity[i], inflection + 1, top);
+    key_.upper[i].now = key_.sagbend[i].now = 0.0;
   }
-  key_sample_ = {key_.top_tension,     key_.bottom_tension,  key_.lay_back,        key_.departure_angle,
-                 key_.tip_clearance,   key_.overbend[0].now, key_.overbend[1].now, key_.overbend[2].now,
-                 key_.overbend[3].now, key_.sagbend[0].now,  key_.sagbend[1].now,  key_.sagbend[2].now,
-                 key_.sagbend[3].now};
+  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+    const double s = line_->mesh.s[node];
+    const Region region = regions.of(s);
+    if (region == Region::seabed) continue;
+    RegionPeak* peaks = region == Region::sagbend ? key_.sagbend : key_.upper;
+    for (std::size_t i = 0; i < kRegionQuantities; ++i) {
+      keep_peak(peaks[i], (*quantity[i])[node], s, time);
+    }
+  }
+}
+
+/// Where the effective tension is least.
+void DynamicRecorder::find_slack(double time) {
+  key_.slack.now = -std::numeric_limits<double>::infinity();
+  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+    keep_peak(key_.slack, -nodes_.effective_tension[node], line_->mesh.s[node], time);
+  }
 }
 
 /// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
@@ -220,32 +270,33 @@ void DynamicRecorder::find_support_values(const RecordedInstant& at) {
     const SupportBox& support = model_->supports.boxes[box];
     const Vec3 along = direction_from_ramp(at.system->surroundings().vessel.pose, support.direction_S);
     Vec3 force = Vec3::Zero();
-    double separation = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     for (; roller < rollers_ && rollers[roller].box == static_cast<int>(box); ++roller) {
       const MovingContact& contact = at.system->contacts()[roller];
       double* out = of_rollers + kRollerQuantities * roller;
       out[0] = contact.normal;
-      out[1] = -contact.penetration;
+      out[1] = separation(contact);
       out[2] = contact.normal > 0.0 ? 1.0 : 0.0;
       force += contact.force();
       if (rollers[roller].position == RollerPosition::bottom) {
-        separation = std::min(separation, -contact.penetration);
+        nearest = std::min(nearest, out[1]);
       }
     }
+    least_separation_[box] = std::min(least_separation_[box], nearest);
     double* out = support_sample_.data() + kBoxQuantities * box;
     const double size = force.norm();
     const double values[kBoxQuantities] = {
-        size, force.z(), force.dot(along), force.dot(port), separation, size > 0.0 ? 1.0 : 0.0};
+        size, force.z(), force.dot(along), force.dot(port), or_absent(nearest), size > 0.0 ? 1.0 : 0.0};
     std::copy_n(values, kBoxQuantities, out);
     reaction_sample_[box] = size;
     largest_reaction_[box] = std::max(largest_reaction_[box], size);
-    least_separation_[box] = std::min(least_separation_[box], separation);
   }
 }
 
 void DynamicRecorder::step(const RecordedInstant& at) {
   recover(at);
   tensioner_.add(*at.state, at.step);
+  crossing_.add(*at.state, at.system->surroundings(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;
   }
@@ -279,6 +330,8 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
     put(largest_key_[first + 2]);
   }
   put(largest_key_[0]);
+  put(least_key_[0]);
+  put(least_key_[kKeyQuantities - 1]);
   put(at.state->machine.tension);
   put(at.state->travel.q);
   put(static_cast<double>(at.state->machine.state));
@@ -286,7 +339,7 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
   put(at.drift);
   for (std::size_t box = 0; box < boxes_; ++box) {
     put(largest_reaction_[box]);
-    put(least_separation_[box]);
+    put(or_absent(least_separation_[box]));
   }
   forget_interval();
   return row_;
@@ -296,6 +349,7 @@ void DynamicRecorder::forget_interval() {
   std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
   std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
   std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
+  std::fill(least_key_.begin(), least_key_.end(), std::numeric_limits<double>::infinity());
 }
 
 std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {

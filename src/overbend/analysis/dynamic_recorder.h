@@ -7,6 +7,8 @@
 #include "analysis/design_recorder.h"
 #include "analysis/dynamic_stations.h"
 #include "analysis/dynamics.h"
+#include "analysis/find_regions.h"
+#include "analysis/surface_crossing.h"
 #include "analysis/tensioner_account.h"
 #include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
@@ -22,7 +24,10 @@ struct RegionPeak {
 /// Key figures at one instant.
 struct KeyValues {
   double top_tension = 0.0, bottom_tension = 0.0, lay_back = 0.0, departure_angle = 0.0, tip_clearance = 0.0;
-  RegionPeak overbend[4], sagbend[4];  ///< Bending moment, bending stress, von Mises stress, strain.
+  /// Bending moment, bending stress, von Mises stress, strain. `upper`: of the overbend, or of the tower where no
+  /// support carries in the static state.
+  RegionPeak upper[4], sagbend[4];
+  RegionPeak slack;  ///< Of the least effective tension along the line, with its sign turned.
 };
 
 inline constexpr double kNever = 1e300;
@@ -44,6 +49,8 @@ class DynamicRecorder {
   /// Nodes of the static line: the laid tail behind it is not recorded.
   int stations() const { return line_->mesh.nodes() - static_cast<int>(first_); }
 
+  /// Tells the checks what the current adds to the static state; before start().
+  void tell_current(const StaticResults& statics);
   /// The static state, by the same recovery.
   void start(const RecordedInstant& at);
   /// Every accepted step; statistics count from t > 0.
@@ -66,14 +73,18 @@ class DynamicRecorder {
   DesignInstant design_instant(const RecordedInstant& at) const;
   void forget_interval();
   void find_key_values(const RecordedInstant& at);
-  void find_region_peaks(int last_contact_node, int touchdown_node, double time);
+  void find_region_peaks(const Regions& regions, double time);
+  void find_slack(double time);
+  std::optional<double> departure(const RecordedInstant& at) const;
   void find_support_values(const RecordedInstant& at);
   void find_passed(const RecordedInstant& at);
   void fill_assumptions(DynamicResults& results) const;
   void fill_warnings(DynamicResults& results) const;
+  void fill_slamming(DynamicResults& results) const;
   void fill_tensioner_warnings(DynamicResults& results) const;
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;
+  DynamicExtreme extreme_of(const RegionPeak& peak, const Spread& over_time) const;
 
   const Model* model_;
   const DynamicLine* line_;
@@ -81,8 +92,9 @@ class DynamicRecorder {
   DesignRecorder design_;
   NodeValues nodes_, static_nodes_;
   KeyValues key_;
-  std::size_t first_ = 0;  ///< Node that is recorded.
-  int tip_roller_ = -1;    ///< Bottom roller of the stinger's last row.
+  std::size_t first_ = 0;                   ///< Node that is recorded.
+  int tip_roller_ = -1;                     ///< Bottom roller of the stinger's last row.
+  std::optional<double> static_departure_;  ///< Arc length of the last contact in the static state [m].
   std::size_t rollers_, boxes_;
 
   std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;
@@ -90,8 +102,9 @@ class DynamicRecorder {
   std::vector<double> reaction_sample_;  ///< Of the boxes.
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
+  SurfaceCrossing crossing_;
   std::vector<double> row_, snapshot_;
-  std::vector<double> largest_reaction_, least_separation_, largest_key_;  ///< Since the last row.
+  std::vector<double> largest_reaction_, least_separation_, largest_key_, least_key_;  ///< Since the last row.
   struct RollerImpacts {
     double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
   };

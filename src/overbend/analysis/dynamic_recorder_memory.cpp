@@ -1,4 +1,7 @@
 /// The recorder into a checkpoint and out of it.
+#include <algorithm>
+#include <iterator>
+
 #include "analysis/dynamic_checkpoint.h"
 #include "analysis/dynamic_recorder.h"
 
@@ -20,11 +23,11 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/tensioner", tensioner_.save());
   put("record/design", design_.save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
-  for (const auto* region : {&key_.overbend, &key_.sagbend}) {
-    for (const RegionPeak& peak : *region) {
-      peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time});
-    }
+  const auto put_peak = [&](const RegionPeak& peak) { peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time}); };
+  for (const auto* region : {&key_.upper, &key_.sagbend}) {
+    std::for_each(std::begin(*region), std::end(*region), put_peak);
   }
+  put_peak(key_.slack);
   for (const RollerImpacts& i : impacts_) {
     impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
   }
@@ -37,6 +40,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
     left.insert(left.end(), {box.time, box.side});
   }
   put("record/left", std::move(left));
+  put("record/crossing", crossing_.save());
   put("record/peaks", std::move(peaks));
   put("record/impacts", std::move(impacts));
   put("record/hardest", std::move(hardest));
@@ -50,16 +54,19 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   reaction_quantiles_.restore(get("record/reactions"));
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
+  crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));
   std::size_t i = 0;
   const std::vector<double>& peaks = get("record/peaks");
-  for (auto* region : {&key_.overbend, &key_.sagbend}) {
-    for (RegionPeak& peak : *region) {
-      peak.largest = peaks.at(i++);
-      peak.s = peaks.at(i++);
-      peak.time = peaks.at(i++);
-    }
+  const auto get_peak = [&](RegionPeak& peak) {
+    peak.largest = peaks.at(i++);
+    peak.s = peaks.at(i++);
+    peak.time = peaks.at(i++);
+  };
+  for (auto* region : {&key_.upper, &key_.sagbend}) {
+    std::for_each(std::begin(*region), std::end(*region), get_peak);
   }
+  get_peak(key_.slack);
   const std::vector<double>& impacts = get("record/impacts");
   impact_count_ = impacts.at(0);
   for (std::size_t r = 0; r < impacts_.size(); ++r) {

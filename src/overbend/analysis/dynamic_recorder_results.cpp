@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/dynamic_recorder.h"
 #include "analysis/dynamic_recorder_layout.h"
@@ -11,7 +12,12 @@
 namespace overbend {
 namespace {
 
+/// Of the times at which the quantity had a value; not a number where it never had one.
 Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
+  if (statistics.min()[i] > statistics.max()[i]) {
+    constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+    return {kAbsent, kAbsent, kAbsent, kAbsent};
+  }
   return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
 }
 
@@ -73,24 +79,29 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
   }
 }
 
+DynamicExtreme DynamicRecorder::extreme_of(const RegionPeak& peak, const Spread& over_time) const {
+  DynamicExtreme out;
+  out.over_time = over_time;
+  out.s = peak.s;
+  out.time = peak.time;
+  const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
+  const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
+  out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
+  return out;
+}
+
 void DynamicRecorder::fill_regions(DynamicResults& results) const {
   const std::vector<double> deviation = key_statistics_.standard_deviation();
   const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
-    DynamicExtreme out;
-    out.over_time = spread_of(key_statistics_, deviation, i);
-    out.s = peak.s;
-    out.time = peak.time;
-    const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
-    const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
-    out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
-    return out;
+    return extreme_of(peak, spread_of(key_statistics_, deviation, i));
   };
   const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
     return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
                          extreme(peaks[3], first + 3)};
   };
-  results.overbend = region(key_.overbend, 5);
+  (static_departure_ ? results.overbend : results.tower) = region(key_.upper, 5);
   results.sagbend = region(key_.sagbend, 9);
+  results.smallest_tension = extreme(key_.slack, kKeyQuantities - 1);
   Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
                               &results.departure_angle, &results.stinger_tip_clearance};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -134,9 +145,6 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
         "beyond "
         "it are those of a pipe that does not yield (pipe.steel.material lets it)");
   }
-  if (results.top_tension.min < 0.0) {
-    results.warnings.emplace_back("the tension at the tensioner falls below zero");
-  }
   fill_tensioner_warnings(results);
 }
 
@@ -149,6 +157,21 @@ void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
       fmt::format("The hardest impact, {:.1f} kN, met a contact of {:.3g} MN/m; with half that stiffness it would be "
                   "{:.1f} kN, with twice {:.1f} kN (the force goes with its cube root at the same approach velocity).",
                   force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
+}
+
+/// What slamming, which the equations leave out, would have been at the fastest entry.
+void DynamicRecorder::fill_slamming(DynamicResults& results) const {
+  if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
+  const double from_top = line_->mesh.total_length() - crossing_.s();
+  const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
+  const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());
+  const std::string size = fmt::format(
+      "the fastest entry into the water, {:.2f} m/s across the pipe {:.1f} m from the tensioner at t = {:.1f} s, would "
+      "slam with {:.2f} kN/m at first touch (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {:.2f} kN/m at 1 m/s)",
+      crossing_.speed(), from_top, crossing_.time(), 1e-3 * force,
+      1e-3 * slamming_force(model_->water_density, pipe.outer_diameter, 1.0));
+  results.assumptions.push_back("Slamming and the rate of change of added mass at the surface are left out; " + size +
+                                ".");
 }
 
 void DynamicRecorder::fill(DynamicResults& results) const {
@@ -184,6 +207,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
   fill_assumptions(results);
+  fill_slamming(results);
   fill_warnings(results);
 }
 

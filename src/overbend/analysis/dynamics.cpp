@@ -8,6 +8,7 @@
 #include "analysis/dynamic_checkpoint.h"
 #include "analysis/dynamic_clock.h"
 #include "analysis/dynamic_recorder.h"
+#include "analysis/dynamic_warnings.h"
 #include "analysis/energy_account.h"
 #include "analysis/laid_tail.h"
 #include "analysis/run_setup.h"
@@ -281,6 +282,7 @@ DynamicOutcome Run::go(DynamicSink& sink, const DynamicCheckpoint* from, const S
                        const std::function<DynamicControl(const DynamicProgress&)>& control) {
   DynamicOutcome outcome;
   const double end = static_cast<double>(clock_.last_tick) * clock_.interval;
+  recorder_->tell_current(statics);
   const bool balanced = begin();  // also when resumed: the recorder keeps the static state from here
   if (!balanced) {
     outcome.failure = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
@@ -335,6 +337,7 @@ DynamicResults Run::results(const StaticResults& statics) const {
   r.run.integrator = "generalized-alpha, spectral radius " +
                      std::to_string(options_.step.spectral_radius).substr(0, 4) +
                      (options_.fixed_step ? ", fixed step" : ", adaptive step");
+  warn_of_slack(statics, r);
   r.checks = check_dynamics(model_, statics, r);
   r.assumptions.insert(r.assumptions.end(), r.checks.assumptions.begin(), r.checks.assumptions.end());
   return r;

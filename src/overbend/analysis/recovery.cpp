@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "analysis/current_effect.h"
+#include "analysis/find_regions.h"
 #include "analysis/recovery_parts.h"
+#include "analysis/static_warnings.h"
 #include "analysis/touchdown.h"
 #include "base/version.h"
 #include "checks/run_checks.h"
@@ -200,32 +203,38 @@ void keep_larger(RegionResult& region, const Station& at) {
   keep_larger(region.effective_tension, at.effective_tension, at);
 }
 
-/// Arc length of the first sagging station below the last support.
-double inflection(const std::vector<Station>& stations, double departure_s) {
-  const auto sags = [&](const Station& at) { return at.s < departure_s && at.vertical_moment > 0.0; };
-  const auto first = std::find_if(stations.rbegin(), stations.rend(), sags);
-  return first == stations.rend() ? departure_s : first->s;
+Regions regions_of(const std::vector<Station>& stations, double touchdown, std::optional<double> departure,
+                   bool clamped) {
+  std::vector<double> s, moment, vertical;
+  for (const Station& at : stations) {
+    s.push_back(at.s);
+    moment.push_back(at.bending_moment);
+    vertical.push_back(at.vertical_moment);
+  }
+  return find_regions({s, moment, vertical}, touchdown, departure, clamped);
 }
 
-void find_extremes(StaticResults& results, double departure_s, bool carried) {
-  RegionResult overbend;
-  const double inflection_s = inflection(results.stations, departure_s);
-  results.largest_tension = results.stations.front().effective_tension;
-  for (Station& station : results.stations) {
-    station.region = station.s < results.touchdown.s       ? Region::seabed
-                     : carried && station.s >= departure_s ? Region::overbend
-                                                           : Region::sagbend;
-    // Below the last support the pipe still hogs up to its inflection: that stretch counts to the overbend's extremes.
-    const bool hogs = carried && station.s > results.touchdown.s && station.s > inflection_s;
-    if (hogs) {
-      keep_larger(overbend, station);
-    } else if (station.region == Region::sagbend) {
-      keep_larger(results.sagbend, station);
-    }
-    results.largest_tension = std::max(results.largest_tension, station.effective_tension);
+void keep_smaller(Extreme& extreme, const Station& at) {
+  if (at.effective_tension < extreme.value) {
+    extreme = {at.effective_tension, at.s, at.p_W, at.astern};
   }
-  if (carried) {
-    results.overbend = overbend;
+}
+
+/// Regions of the stations and what is largest in each.
+void find_extremes(StaticResults& results, const Regions& regions) {
+  results.departure_s = regions.departure;
+  results.inflection_s = regions.inflection;
+  if (regions.carried) results.overbend.emplace();
+  results.largest_tension = results.stations.front().effective_tension;
+  results.smallest_tension.value = std::numeric_limits<double>::infinity();
+  for (Station& station : results.stations) {
+    station.region = regions.of(station.s);
+    if (station.region == Region::tower && !results.tower) results.tower.emplace();
+    if (station.region == Region::tower) keep_larger(*results.tower, station);
+    if (station.region == Region::overbend) keep_larger(*results.overbend, station);
+    if (station.region == Region::sagbend) keep_larger(results.sagbend, station);
+    results.largest_tension = std::max(results.largest_tension, station.effective_tension);
+    keep_smaller(results.smallest_tension, station);
   }
 }
 
@@ -332,11 +341,15 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   results.departure_angle = leaving.inclination;
   results.last_support = departure.support;
   results.suspended_length = leaving.s - landing.s;
-  find_extremes(results, departure.s, departure.carried);
+  find_extremes(results,
+                regions_of(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
+                           model.description.tensioner.guide == Guide::clamped));
   sum_forces(results, system, state);
   warn_of_roll(results);
+  warn_statics(model, results);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
+  find_current_effect(model, solution, results);
   results.checks = check_statics(model, results);
   results.assumptions.insert(results.assumptions.end(), results.checks.assumptions.begin(),
                              results.checks.assumptions.end());

@@ -72,6 +72,45 @@ RollerResult recover_roller(const Roller& roller, const Section& pipe, const Pla
   return result;
 }
 
+/// The pipe as a roller sees it.
+struct Nearest {
+  Vec3 p_W = Vec3::Zero();  ///< Point of the centreline.
+  double gap = 0.0;         ///< Clear distance, negative for penetration [m].
+};
+
+ElementVector dofs_of(const LineState& state, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
+}
+
+/// A pipe that does not pass the roller is nearest with one of its ends.
+Nearest nearest_end(const LineSystem& system, const LineState& state, const PlacedRoller& placed) {
+  Nearest nearest;
+  nearest.gap = kInfinity;
+  for (const int node : {0, system.mesh().elements()}) {
+    const Vec3 end = Eigen::Map<const Vec3>(state.q.data() + 6 * node);
+    const Vec3 from = end - placed.center;
+    const double along = std::clamp(from.dot(placed.axis), -placed.half_face, placed.half_face);
+    const std::size_t e = static_cast<std::size_t>(std::min(node, system.mesh().elements() - 1));
+    const double gap = (from - along * placed.axis).norm() - placed.radius - system.elements().radius[e];
+    if (gap < nearest.gap) nearest = {end, gap};
+  }
+  return nearest;
+}
+
+/// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
+/// penetration.
+Nearest nearest_to(const LineSystem& system, const LineState& state, const PlacedRoller& placed,
+                   const ClosestPoint& met) {
+  const LineMesh& mesh = system.mesh();
+  const ClosestPoint at =
+      met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
+  if (!at.found) return nearest_end(system, state, placed);
+  const std::size_t e = static_cast<std::size_t>(at.element);
+  const ElementVector q = dofs_of(state, at.element);
+  const double distance = roller_distance(placed, at, q, mesh.length[e]).value;
+  return {centreline(q, at.xi, mesh.length[e]).r, distance - placed.radius - system.elements().radius[e]};
+}
+
 struct RowTotals {
   Vec3 force = Vec3::Zero();
   bool contact = false;
@@ -98,12 +137,10 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
     const RollerState& contact = system.roller_states()[k];
     RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
                                          system.rollers()[k], contact, axes);
-    // D_i = (P - R_i) . n_i - r_pipe; a pipe that ends before the row is reported at the clearance of its closest
-    // point.
-    const Vec3 p_W = crossing ? crossing->p_W : Vec3(Eigen::Map<const Vec3>(state.q.data()));
-    roller.separation = (p_W - roller.p_W).dot(roller.normal_W) - pipe_radius;
+    const Nearest nearest = nearest_to(system, state, system.rollers()[k], contact.at);
+    roller.separation = nearest.gap;
     if (lies_beside(roller.position, contact.at, pipe_radius)) {
-      totals.beside = std::copysign(roller.off_end, (p_W - roller.p_W).dot(axes.port));
+      totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
     }
     if (contact.force > 0.0) {
       const std::size_t e = static_cast<std::size_t>(contact.at.element);

@@ -33,8 +33,8 @@ std::string title_of(const CheckRow& row) {
 
 std::string check_lines(const CheckTable& table) {
   std::string text;
-  for (const CheckRegion region :
-       {CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed, CheckRegion::line}) {
+  for (const CheckRegion region : {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend,
+                                   CheckRegion::seabed, CheckRegion::line}) {
     const CheckRow* row = worst_of(table, region);
     if (row == nullptr) continue;
     const std::string name = region == CheckRegion::line ? "check, whole line" : fmt::format("check, {}", word(region));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 
 #include "app/check_lines.h"
@@ -23,6 +24,10 @@ void number(const std::string& name, double value, const char* unit, int digits 
 }
 
 void range(const std::string& name, const Spread& spread, double scale, const char* unit, int digits = 2) {
+  if (std::isnan(spread.min)) {
+    std::cout << fmt::format("  {:<28}{:>12}\n", name, "none");
+    return;
+  }
   std::cout << fmt::format("  {:<28}{:>12.{}f} to {:.{}f} {}\n", name, spread.min * scale, digits, spread.max * scale,
                            digits, unit);
 }
@@ -31,7 +36,9 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << statics.title << "\n";
   range("top tension", r.top_tension, 1e-3, "kN");
   if (statics.overbend) number("overbend von Mises, largest", r.overbend.von_mises.over_time.max / 1e6, "MPa");
+  if (statics.tower) number("tower von Mises, largest", r.tower.von_mises.over_time.max / 1e6, "MPa");
   number("sagbend von Mises, largest", r.sagbend.von_mises.over_time.max / 1e6, "MPa");
+  number("smallest tension of all", r.smallest_tension.over_time.min / 1e3, "kN");
   if (statics.stinger_tip_clearance) range("stinger tip clearance", r.stinger_tip_clearance, 1.0, "m", 3);
   if (!r.supports.empty()) {
     std::cout << fmt::format("  {:<28}{:>12}", "impacts", r.impact_count);

@@ -116,7 +116,10 @@ void fill_statistics(SeedsResults& results) {
   std::vector<double> values;
   for (std::size_t i = 0; i < results.quantities.size(); ++i) {
     values.clear();
-    for (const SeedRun& run : results.runs) values.push_back(run.values.at(i));
+    for (const SeedRun& run : results.runs) {
+      if (!std::isnan(run.values.at(i))) values.push_back(run.values[i]);  // absent: counts for nothing
+    }
+    if (values.empty()) values.push_back(results.runs.front().values.at(i));
     results.statistics.push_back(seed_statistics(values, results.quantities[i].extreme, results.duration));
   }
 }

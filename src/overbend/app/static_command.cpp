@@ -42,6 +42,7 @@ void print_results(const StaticResults& r) {
   number("suspended length", r.suspended_length, "m");
   number("departure angle", r.departure_angle * kDegrees, "deg");
   if (r.overbend) print_region("overbend", *r.overbend);
+  if (r.tower) print_region("tower", *r.tower);
   print_region("sagbend", r.sagbend);
   if (r.residual_curvature > 0.0) number("residual curvature", r.residual_curvature, "1/m, at touchdown", 5);
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);

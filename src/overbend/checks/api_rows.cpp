@@ -7,7 +7,8 @@ namespace overbend {
 namespace {
 
 const char* edition(const CheckSettings& settings) {
-  return settings.api.edition == ApiEdition::third ? "API RP 1111 (3rd, 1999)" : "API RP 1111 (4th, 2009)";
+  constexpr std::array kEditions = {"API RP 1111 (3rd, 1999)", "API RP 1111 (4th, 2009)", "API RP 1111 (5th, 2015)"};
+  return kEditions[static_cast<std::size_t>(settings.api.edition)];
 }
 
 CheckRow row_of_api(const char* id, const char* name, const char* clause, const char* quantity, const char* units,

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace overbend {
 namespace {
 
@@ -39,14 +41,29 @@ void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const 
       "Code checks: over the supports the pipe takes the shape of the stinger and is checked as displacement "
       "controlled; the load-controlled criterion is told there for information. Below the last support in contact, in "
       "the sagbend and on the seabed it is checked as load controlled. Regions are those of the static state.");
+  const char* current = !all.current_separate ? "with its current" : "without its current";
   list.push_back(
       all.in_time
-          ? "Code checks over a run: the static state, with its current, is the functional load effect; what is added "
-            "in time is "
-            "the environmental one. Factors 1.1 and 1.3, or 1/1.1 and 1/1.3 where a part relieves, whichever is worse; "
-            "the largest of the run is reported, without extrapolation to three hours."
-          : "Code checks: a static state by itself, with its current, counts as functional load effect alone (factor "
-            "1.1); environmental load effects need a run in time.");
+          ? fmt::format(
+                "Code checks over a run: the static state, {}, is the functional load effect; what is added in time{} "
+                "is the environmental one. Factors 1.1 and 1.3, or 1/1.1 and 1/1.3 where a part relieves, whichever is "
+                "worse; the largest of the run is reported, without extrapolation to three hours.",
+                current, all.current_separate ? ", and what the steady current adds to the static state," : "")
+          : fmt::format(
+                "Code checks: a static state by itself, {}, counts as functional load effect (factor 1.1){}; "
+                "those of waves and motion need a run in time.",
+                current,
+                all.current_separate ? ", what the steady current adds as environmental one (factor 1.3)" : ""));
+  list.emplace_back(
+      settings.system_effects
+          ? "Code checks: system effects are present in installation, as a rule: load combination a (1.2 functional, "
+            "0.7 "
+            "environmental) is checked beside b (checks.system_effects)."
+          : "Code checks: load combination a is left out, as checks.system_effects says: no system effects.");
+  list.push_back(fmt::format("Code checks: the limit 0.87 f_y of the equivalent stress has {} (checks.yield_basis).",
+                             settings.yield_basis == YieldBasis::fy
+                                 ? fmt::format("f_y = alpha_U SMYS with alpha_U {:.4g}", settings.alpha_u)
+                                 : "f_y = SMYS, without alpha_U"));
   list.emplace_back(
       "Code checks: the equivalent stress is the von Mises stress of this report (Lame at both walls), without load "
       "factors.");
@@ -79,7 +96,7 @@ void assume_api(std::vector<std::string>& list, const CheckStations& all, const 
   list.push_back(fmt::format(
       "Code checks: API RP 1111 in its {} edition with f_o {:.4g}, f_c {:.4g}, f_1 {:.4g} and delta {:.4g}; the strain "
       "of installation is the largest longitudinal one, its axial part included.",
-      settings.api.edition == ApiEdition::third ? "3rd" : "4th", section.api_collapse_share,
+      std::array{"3rd", "4th", "5th"}[static_cast<std::size_t>(settings.api.edition)], section.api_collapse_share,
       section.api_pressure_factor, settings.api.bending_factor, section.api_delta));
 }
 

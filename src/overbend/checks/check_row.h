@@ -84,7 +84,7 @@ const CheckStation* most_used(const CheckStations& all, CheckRegion region, Used
   return worst;
 }
 
-inline constexpr std::array<CheckRegion, 4> kPipeRegions = {CheckRegion::overbend, CheckRegion::tip,
+inline constexpr std::array<CheckRegion, 5> kPipeRegions = {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip,
                                                             CheckRegion::sagbend, CheckRegion::seabed};
 
 }  // namespace overbend

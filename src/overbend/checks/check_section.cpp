@@ -61,7 +61,7 @@ CheckSection make_check_section(const SectionDescription& section, const CheckSe
   out.thinnest = steel.wall_thickness - settings.wall_tolerance;
   out.alpha_fab = settings.alpha_fab.value_or(fabrication_factor(manufacture));
   out.factor = kMaterialResistance * safety_class_factor(settings.safety_class);
-  out.strain_factor = section.joint && !section.coatings.empty() ? section.joint->strain_factor : 1.0;
+  out.strain_factor = section.joint && !section.coatings.empty() ? section.joint->strain_factor.value_or(1.0) : 1.0;
   find_strength(out, steel, settings);
   find_laying_limits(out, settings);
   find_dnv_capacities(out, settings);

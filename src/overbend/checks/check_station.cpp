@@ -2,49 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "checks/current_part.h"
+#include "results/regions.h"
 
 namespace overbend {
 namespace {
-
-/// Where the regions of the static state meet, by arc length from the anchor.
-struct RegionLimits {
-  double touchdown = 0.0;
-  double inflection = std::numeric_limits<double>::infinity();  ///< Above it the pipe hogs.
-  double departure = std::numeric_limits<double>::infinity();   ///< Last support in contact.
-
-  CheckRegion of(double s) const {
-    if (s < touchdown) return CheckRegion::seabed;
-    if (s >= departure) return CheckRegion::overbend;
-    return s > inflection ? CheckRegion::tip : CheckRegion::sagbend;
-  }
-};
-
-RegionLimits region_limits(const StaticResults& statics) {
-  const std::vector<Station>& all = statics.stations;
-  RegionLimits limits;
-  limits.touchdown = statics.touchdown.s;
-  const auto first =
-      std::find_if(all.begin(), all.end(), [](const Station& at) { return at.region == Region::overbend; });
-  if (first == all.end()) return limits;
-  limits.departure = first->s;
-  auto at = first;
-  while (at != all.begin() && at->s > limits.touchdown && at->vertical_moment <= 0.0) --at;
-  limits.inflection = at->s;
-  return limits;
-}
 
 double overpressure_at(const Model& model, const Section& section, double z) {
   const double internal = section.internal_pressure - section.contents_weight_density * z;
   return model.water_weight_density * std::max(-z, 0.0) - std::max(internal, 0.0);
 }
 
-CheckStation station_of(const Model& model, const RegionLimits& limits, double total, double s, const Vec3& p_W) {
+CheckStation station_of(const Model& model, const Regions& limits, double total, double s, const Vec3& p_W) {
   CheckStation station;
   station.s = s;
   station.from_top = total - s;
   station.p_W = p_W;
-  station.region = limits.of(s);
+  station.region = limits.check_of(s);
   station.section = static_cast<std::size_t>(model.section_at(station.from_top));
   station.overpressure = overpressure_at(model, model.sections[station.section], p_W.z());
   station.load_pressure = station.bend_pressure = station.overpressure;
@@ -67,13 +42,38 @@ std::vector<double> roller_forces(const StaticResults& statics) {
   return forces;
 }
 
+/// Load effects of the static state in the pipe's vertical plane and out of it; what is not the current's is
+/// functional.
+struct StillEffects {
+  Vec3 functional = Vec3::Zero(), current = Vec3::Zero();                ///< Bending moment [N m].
+  Vec3 functional_strain = Vec3::Zero(), current_strain = Vec3::Zero();  ///< Along the moments [-].
+  double tension = 0.0;                                                  ///< The current's [N].
+};
+
+StillEffects still_effects(const Station& at, const Section& section, bool current_apart) {
+  StillEffects e;
+  const Vec3 moment(at.vertical_moment, at.lateral_moment, 0.0);
+  if (current_apart) {
+    e.current = Vec3(at.current_vertical_moment, at.current_lateral_moment, 0.0);
+    e.tension = at.current_tension;
+  }
+  e.functional = moment - e.current;
+  e.current_strain = 0.5 * section.steel_diameter / section.EI * e.current;
+  const double size = moment.norm();
+  const Vec3 strain = size > 0.0 ? Vec3(at.strain / size * moment) : Vec3(at.strain * Vec3::UnitX());
+  e.functional_strain = strain - e.current_strain;
+  return e;
+}
+
 /// Design load effects of a state that does not move.
-void factor_static(CheckStation& station, const CheckSection& section, const std::vector<LoadFactors>& combinations) {
+void factor_static(CheckStation& station, const StillEffects& still, const CheckSection& section,
+                   const std::vector<LoadFactors>& combinations) {
   for (const LoadFactors& f : combinations) {
-    const double moment = f.functional * station.moment;
-    const double force = design_value(f, station.force, 0.0);
+    const double moment = design_size(f, still.functional, still.current);
+    const double force = design_value(f, station.force, still.tension);
+    const double strain = design_size(f, still.functional_strain, still.current_strain);
     station.largest_force = std::max(station.largest_force, std::abs(force));
-    station.design_strain = std::max(station.design_strain, section.strain_factor * f.functional * station.strain);
+    station.design_strain = std::max(station.design_strain, section.strain_factor * strain);
     const double used = load_terms(section.load, moment, force, station.overpressure, 0.0, station.share).utilisation();
     if (used >= station.load.value) {
       station.load.value = used;
@@ -86,27 +86,44 @@ void factor_static(CheckStation& station, const CheckSection& section, const std
   }
 }
 
+/// Whether the current's part of the static state counts as environmental load effect.
+bool current_apart(const Model& model, const StaticResults& statics) {
+  return model.description.checks.current_load == CurrentLoad::environmental && tells_current(statics);
+}
+
+/// Functional moment and force of the nearest station [N m], [N].
+std::pair<double, double> functional_at(const StaticResults& statics, double s) {
+  const std::vector<Station>& all = statics.stations;
+  const auto above = std::lower_bound(all.begin(), all.end(), s, [](const Station& at, double v) { return at.s < v; });
+  const Station& at =
+      above == all.end() || (above != all.begin() && s - (above - 1)->s < above->s - s) ? *(above - 1) : *above;
+  return {std::hypot(at.vertical_moment - at.current_vertical_moment, at.lateral_moment - at.current_lateral_moment),
+          at.effective_tension - at.current_tension};
+}
+
 }  // namespace
 
 CheckStations static_stations(const Model& model, const StaticResults& statics) {
   CheckStations out;
+  out.current_separate = current_apart(model, statics);
   out.sections = check_sections(model);
   const std::vector<LoadFactors> combinations = load_combinations(model.description.checks);
-  const RegionLimits limits = region_limits(statics);
+  const Regions limits = regions(statics);
   const std::vector<double> rollers = roller_forces(statics);
   for (std::size_t i = 0; i < statics.stations.size(); ++i) {
     const Station& at = statics.stations[i];
     CheckStation station = station_of(model, limits, statics.stations.back().s, at.s, at.p_W);
     const CheckSection& section = out.section_of(station);
-    station.moment = at.bending_moment;
-    station.force = at.effective_tension;
+    const StillEffects still = still_effects(at, model.sections[station.section], out.current_separate);
+    station.moment = still.functional.norm();
+    station.force = at.effective_tension - still.tension;
     station.strain = at.strain;
     station.von_mises = at.von_mises;
     station.largest_von_mises.value = at.von_mises;
     station.largest_strain.value = at.strain;
     station.largest_tension.value = at.effective_tension;
     if (model.description.checks.point_load) station.share = point_load_factor(section.wall, section.fy, rollers[i]);
-    factor_static(station, section, combinations);
+    factor_static(station, still, section, combinations);
     out.stations.push_back(station);
   }
   return out;
@@ -115,14 +132,21 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
 CheckStations dynamic_stations(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
   CheckStations out;
   out.in_time = true;
+  out.duration = dynamics.duration;
+  out.current_separate = current_apart(model, statics);
   out.sections = check_sections(model);
-  const RegionLimits limits = region_limits(statics);
+  const Regions limits = regions(statics);
   const StationDesign& design = dynamics.design;
   for (std::size_t i = 0; i < dynamics.station_s.size(); ++i) {
     CheckStation station =
         station_of(model, limits, dynamics.station_s.back(), dynamics.station_s[i], dynamics.static_place[i]);
     station.moment = dynamics.static_moment[i];
     station.force = dynamics.static_tension[i];
+    if (out.current_separate) {
+      const auto [moment, force] = functional_at(statics, station.s);
+      station.moment = moment;
+      station.force = force;
+    }
     station.strain = dynamics.static_strain[i];
     station.von_mises = dynamics.static_von_mises[i];
     station.load = {design.load[i], design.load_time[i]};

@@ -22,7 +22,7 @@ struct CheckStation {
   double s = 0.0, from_top = 0.0;
   Vec3 p_W = Vec3::Zero();
   double overpressure = 0.0;  ///< External over internal pressure at the static place [Pa].
-  // Functional load effects: the static state.
+  // The static state. Functional load effects are moment and force: without what is the current's where that is apart.
   double moment = 0.0, force = 0.0, strain = 0.0, von_mises = 0.0;
   // Load controlled, where it is used most.
   Timed load;
@@ -38,6 +38,8 @@ struct CheckStations {
   std::vector<CheckSection> sections;
   std::vector<CheckStation> stations;
   bool in_time = false;
+  double duration = 0.0;          ///< Of the run [s].
+  bool current_separate = false;  ///< The current's part of the static state counts as environmental.
 
   const CheckSection& section_of(const CheckStation& station) const { return sections[station.section]; }
 };

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
 
@@ -90,6 +92,10 @@ void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& sta
   if (!statics.stinger_tip_clearance || statics.supports.empty()) return;
   const double there = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
   CheckRow row = row_of(kTitle, CheckRegion::line);
+  if (std::isnan(there)) {
+    rows.push_back(not_done(row, "the pipe never passed the stinger's last roller"));
+    return;
+  }
   row.s = statics.supports.back().s;
   row.from_top = statics.stations.back().s - row.s;
   row.p_W = statics.supports.back().p_W;

@@ -104,7 +104,7 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
     rows.push_back(static_strain_row(all));
     rows.push_back(combined_strain_row(all));
   }
-  for (const CheckRegion region : {CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
+  for (const CheckRegion region : {CheckRegion::tower, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
     if (settings.codes == CheckCodes::api || !has(all, region)) continue;
     rows.push_back(stress_row(kStress, all, region, [](const CheckSection& s) { return s.stress_limit; }));
   }

@@ -1,5 +1,7 @@
 #include "checks/run_checks.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "checks/check_assumptions.h"
@@ -44,6 +46,15 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
   return along;
 }
 
+constexpr double kThreeHours = 10800.0;  ///< Of which the criteria ask for the largest value [s].
+
+/// A value of a shorter run is not the one that the criterion asks for.
+void say_duration(CheckRow& row, double duration) {
+  if (!row.judged()) return;
+  row.remark += fmt::format("{}from {:.3g} min of a run, not the largest of three hours",
+                            row.remark.empty() ? "" : "; ", duration / 60.0);
+}
+
 CheckTable table_of(const Model& model, const StaticResults& statics, const DynamicResults* dynamics,
                     const CheckStations& all) {
   const CheckSettings& settings = model.description.checks;
@@ -51,7 +62,13 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   if (settings.codes != CheckCodes::api) append(table.rows, dnv_rows(all, settings));
   append(table.rows, laying_rows(all, settings));
   if (settings.codes != CheckCodes::dnv) append(table.rows, api_rows(all, settings));
+  const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
+  if (dynamics != nullptr && dynamics->duration < kThreeHours) {
+    for (auto row = table.rows.begin(); row != table.rows.end(); ++row) {
+      if (row->in_time || row - table.rows.begin() >= pipe_rows) say_duration(*row, dynamics->duration);
+    }
+  }
   table.along = utilisations_along(all, settings);
   table.assumptions = check_assumptions(all, settings);
   return table;

@@ -10,7 +10,7 @@ void take_flag(const FieldValue& group, const std::string& key, bool& target) {
 }
 
 void bind_api(const FieldValue& group, ApiSettings& api) {
-  take_choice(group, "api.edition", std::array{"third", "fourth"}, api.edition);
+  take_choice(group, "api.edition", std::array{"third", "fourth", "fifth"}, api.edition);
   take(group, "api.collapse_factor", api.collapse_factor);
   take(group, "api.bending_factor", api.bending_factor);
   take(group, "api.ovality", api.ovality);
@@ -48,6 +48,7 @@ CheckSettings bind_checks(const FieldValue& root) {
   take(*group, "condition_factor", checks.condition_factor);
   take_flag(*group, "system_effects", checks.system_effects);
   take_choice(*group, "yield_basis", std::array{"smys", "fy"}, checks.yield_basis);
+  take_choice(*group, "current_load", std::array{"environmental", "functional"}, checks.current_load);
   take(*group, "grade", checks.grade);
   take_flag(*group, "point_load", checks.point_load);
   if (const FieldValue* arrestor = group->find("arrestor")) {

@@ -13,8 +13,9 @@ void visit_check(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the check"}, r.name);
   visit(ResultField{"code", "1", "Code with its edition"}, r.code);
   visit(ResultField{"clause", "1", "Clause of the code"}, r.clause);
-  visit(ResultField{"region", "1", "Part of the line: line (all of it), overbend, stinger tip, sagbend or seabed"},
-        r.region);
+  visit(
+      ResultField{"region", "1", "Part of the line: line (all of it), tower, overbend, stinger tip, sagbend or seabed"},
+      r.region);
   visit(ResultField{"status", "1", "passed, exceeded, outside validity or not done"}, r.status);
   visit(ResultField{"governing", "1", "1 where it decides, 0 for information"}, r.governing);
   visit(ResultField{"quantity", "1", "What demand and capacity are"}, r.quantity);

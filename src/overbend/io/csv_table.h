@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -32,7 +33,10 @@ class CsvTable {
     text_ += '"';
     return *this;
   }
-  CsvTable& cell(double value) { return cell(fmt::format("{:.12g}", value == 0.0 ? 0.0 : value)); }
+  /// A value that is not a number is absent: an empty cell.
+  CsvTable& cell(double value) {
+    return cell(std::isnan(value) ? std::string() : fmt::format("{:.12g}", value == 0.0 ? 0.0 : value));
+  }
   void end_row() {
     text_ += "\r\n";
     row_start_ = true;

@@ -15,15 +15,16 @@ constexpr std::int64_t kImpactBlock = 16384, kSnapshotBlock = 16;
 // A scale keeps a list of its datasets in an attribute, which HDF5 limits to 64 kB.
 constexpr std::size_t kMostScaled = 2000;
 
-void require_finite(const std::string& place, const std::vector<double>& values) {
+void require_finite(const std::string& place, const std::string& name, const std::vector<double>& values) {
   const FiniteVisitor visit{place};
-  for (const double value : values) visit(ResultField{}, value);
+  const ResultField field{name};
+  for (const double value : values) visit(field, value);
 }
 
 void write_history(Hdf5Writer& file, const RunStore& store, std::size_t index) {
   const HistoryColumn& column = store.columns()[index];
   const std::vector<double> values = store.column(index);
-  require_finite("dynamic.histories." + column.name, values);
+  require_finite("dynamic.histories.", column.name, values);
   const std::string path = "/dynamic/histories/" + dataset_path(column.name);
   make_groups_above(file, path, "Histories");
   file.create<double>(path, ResultField{"", column.units, column.description}, {values.size()}, kHistoryChunk);
@@ -159,7 +160,7 @@ void write_snapshots(Hdf5Writer& file, const RunStore& store) {
   const auto size = static_cast<std::size_t>(store.snapshot_size());
   for (std::int64_t first = 0; first < store.snapshots(); first += kSnapshotBlock) {
     const std::vector<double> block = store.snapshot_block(first, std::min(kSnapshotBlock, store.snapshots() - first));
-    require_finite("dynamic.snapshots", block);
+    require_finite("dynamic.snapshots", "", block);
     for (const SnapshotPart& part : parts) {
       file.write_rows(part.path(), static_cast<hsize_t>(first), numbers_of(part, block, size));
     }

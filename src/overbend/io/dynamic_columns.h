@@ -79,12 +79,15 @@ void visit_estimate(Row& r, Visit& visit) {
   const char* varies = "see column units";
   visit(ResultField{"name", "1", "Name of the history"}, r.name);
   visit(ResultField{"units", "1", "Units of its values"}, r.units);
+  visit(ResultField{"smallest", "1", "1: of the smallest value, the columns then are of that"}, r.smallest);
   visit(ResultField{"peaks", "1", "Number of peaks between mean up-crossings, from t = 0"}, r.peaks);
-  visit(ResultField{"observed", varies, "Largest value of the run"}, r.observed);
-  visit(ResultField{"weibull", varies, "Most probable largest value in three hours by a Weibull fit"}, r.weibull);
+  visit(ResultField{"observed", varies, "Largest (smallest) value of the run"}, r.observed);
+  visit(ResultField{"weibull", varies, "Most probable largest (smallest) value in three hours by a Weibull fit"},
+        r.weibull);
   visit(ResultField{"weibull_low", varies, "Lower bound of it at 95 % confidence"}, r.weibull_low);
   visit(ResultField{"weibull_high", varies, "Upper bound of it at 95 % confidence"}, r.weibull_high);
-  visit(ResultField{"gumbel", varies, "Most probable largest value in three hours by a Gumbel fit"}, r.gumbel);
+  visit(ResultField{"gumbel", varies, "Most probable largest (smallest) value in three hours by a Gumbel fit"},
+        r.gumbel);
   visit(ResultField{"gumbel_low", varies, "Lower bound of it at 95 % confidence"}, r.gumbel_low);
   visit(ResultField{"gumbel_high", varies, "Upper bound of it at 95 % confidence"}, r.gumbel_high);
   visit(ResultField{"enough", "1", "0: too few peaks to fit, the estimates are the observed value"}, r.enough);

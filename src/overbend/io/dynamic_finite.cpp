@@ -6,12 +6,22 @@
 namespace overbend {
 namespace {
 
+bool is_absent(double value) {
+  return std::isnan(value);
+}
+template <class Other>
+bool is_absent(const Other&) {
+  return false;
+}
+
 /// Lists, each value by its index.
 struct FiniteLists {
   std::string place;
+  bool gaps = false;  ///< Values may be absent.
   template <class Value>
   void operator()(const ResultField& field, const std::vector<Value>& values) const {
     for (std::size_t i = 0; i < values.size(); ++i) {
+      if (gaps && is_absent(values[i])) continue;
       FiniteVisitor{place + "[" + std::to_string(i) + "]."}(field, values[i]);
     }
   }
@@ -34,9 +44,10 @@ void check_region(const std::string& name, const DynamicRegion& region) {
 
 void check_histories(const DynamicResults& results) {
   for (const HistorySummary& history : results.histories) {
+    const bool gaps = may_be_absent(history.name);
     FiniteVisitor visit{"dynamic.histories." + history.name + "."};
-    visit_spread(ResultField{}, history.over_time, visit);
-    const FiniteLists lists{"dynamic.histories." + history.name};
+    if (!gaps || !std::isnan(history.over_time.mean)) visit_spread(ResultField{}, history.over_time, visit);
+    const FiniteLists lists{"dynamic.histories." + history.name, gaps};
     lists(ResultField{"low"}, history.low);
     lists(ResultField{"high"}, history.high);
   }
@@ -58,7 +69,10 @@ void require_finite(const DynamicResults& results) {
   visit_tensioner(results.tensioner, visit);
   visit.place = "dynamic.run.";
   visit_dynamic_run(results.run, visit);
+  visit.place = "dynamic.smallest_tension.";
+  visit_dynamic_extreme("N", "", results.smallest_tension, visit);
   check_region("overbend", results.overbend);
+  check_region("tower", results.tower);
   check_region("sagbend", results.sagbend);
   const FiniteLists stations{"dynamic.stations"};
   visit_dynamic_stations(results, stations);

@@ -3,6 +3,7 @@
 #include "io/dynamic_scalars.h"
 #include "io/dynamic_writer.h"
 #include "io/hdf5_visitors.h"
+#include "io/static_scalars.h"
 
 namespace overbend {
 namespace {
@@ -140,6 +141,13 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
     write_region(file, "/dynamic/overbend", "Extremes from the tensioner to the inflection below the last support",
                  dynamics.overbend);
   }
+  const auto smallest = [](const auto& part, auto& visit) {
+    visit_dynamic_extreme("N", kSmallestTension, part, visit);
+  };
+  write_part(file, "/dynamic/smallest_tension", kSmallestTension, smallest, dynamics.smallest_tension);
+  if (statics.tower) {
+    write_region(file, "/dynamic/tower", "Extremes where the clamped guide bends the pipe", dynamics.tower);
+  }
   write_region(file, "/dynamic/sagbend", "Extremes from there to touchdown", dynamics.sagbend);
   file.group("/dynamic/stations", "Stations of the line: static state and envelopes over time");
   ColumnWriter stations{file};
@@ -147,7 +155,8 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_supports(file, dynamics.supports);
   write_rows(file, "/dynamic/hardest_impacts", "The impacts with the largest peak force, hardest first",
              dynamics.hardest_impacts, impacts);
-  write_rows(file, "/dynamic/extremes", "Most probable largest values in three hours", dynamics.extremes, extremes);
+  write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
+             extremes);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);

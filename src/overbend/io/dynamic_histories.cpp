@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <stdexcept>
 
 namespace overbend {
 namespace {
+
+constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 /// The first row from t = 0 on; rounding of the clock does not drop it.
 std::size_t start_of_statistics(std::span<const double> time) {
@@ -14,8 +18,11 @@ std::size_t start_of_statistics(std::span<const double> time) {
 }
 
 /// Two passes, so that a small spread about a large mean keeps its digits.
-Spread spread_of(std::span<const double> values) {
-  if (values.empty()) return {};
+Spread spread_of(std::span<const double> all) {
+  if (all.empty()) return {};
+  std::vector<double> values;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(values), [](double value) { return !std::isnan(value); });
+  if (values.empty()) return {kAbsent, kAbsent, kAbsent, kAbsent};
   const auto count = static_cast<double>(values.size());
   Spread spread{values[0], values[0], 0.0, 0.0};
   for (const double value : values) {
@@ -30,6 +37,16 @@ Spread spread_of(std::span<const double> values) {
   return spread;
 }
 
+/// Least and greatest of those that are there.
+std::pair<double, double> range_of(std::span<const double> values) {
+  double low = kAbsent, high = kAbsent;
+  for (const double value : values) {
+    low = std::fmin(low, value);
+    high = std::fmax(high, value);
+  }
+  return {low, high};
+}
+
 }  // namespace
 
 HistorySummary summarise_history(const HistoryColumn& column, std::span<const double> time,
@@ -40,7 +57,7 @@ HistorySummary summarise_history(const HistoryColumn& column, std::span<const do
   const std::size_t stretches = std::min(kMostStretches, values.size());
   for (std::size_t i = 0; i < stretches; ++i) {
     const std::size_t begin = i * values.size() / stretches, end = (i + 1) * values.size() / stretches;
-    const auto [low, high] = std::ranges::minmax(values.subspan(begin, end - begin));
+    const auto [low, high] = range_of(values.subspan(begin, end - begin));
     summary.low.push_back(low);
     summary.high.push_back(high);
   }

@@ -96,6 +96,9 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   visit.group = "/dynamic/run";
   visit_dynamic_run(results.run, visit);
   if (file.has("/dynamic/overbend")) read_region(file, "/dynamic/overbend", results.overbend);
+  visit.group = "/dynamic/smallest_tension";
+  visit_dynamic_extreme("N", "", results.smallest_tension, visit);
+  if (file.has("/dynamic/tower")) read_region(file, "/dynamic/tower", results.tower);
   read_region(file, "/dynamic/sagbend", results.sagbend);
   const ColumnReader stations{file};
   visit_dynamic_stations(results, stations);

@@ -106,6 +106,7 @@ Json tensioner(const TensionerDynamics& t) {
 Json estimate(const ExtremeEstimate& e) {
   return {{"name", e.name},
           {"units", e.units},
+          {"smallest", e.smallest},
           {"peaks", e.peaks},
           {"observed", e.observed},
           {"weibull", {{"estimate", e.weibull}, {"low", e.weibull_low}, {"high", e.weibull_high}}},
@@ -139,9 +140,11 @@ std::string dynamic_summary(const StaticResults& statics, const DynamicResults& 
                    {"bottom_tension", spread(r.bottom_tension)},
                    {"lay_back", spread(r.lay_back)},
                    {"departure_angle", spread(r.departure_angle)}};
+  dynamics["smallest_tension"] = extreme(r.smallest_tension);
   const Json tip = spread(r.stinger_tip_clearance);
   dynamics["stinger_tip_clearance"] = statics.stinger_tip_clearance ? tip : Json(nullptr);
   dynamics["overbend"] = statics.overbend ? region(r.overbend) : Json(nullptr);
+  dynamics["tower"] = statics.tower ? region(r.tower) : Json(nullptr);
   dynamics["sagbend"] = region(r.sagbend);
   dynamics["supports"] = list(r.supports, support);
   dynamics["impacts"] = list(r.supports, impacts);

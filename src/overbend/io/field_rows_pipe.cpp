@@ -207,7 +207,7 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".joint.strain_factor",
        .kind = FieldKind::number,
        .text = "Strain at a field joint over that of the coated pipe beside it, for the strain checks.",
-       .fallback = "1",
+       .fallback_text = "1, with a warning where concrete stiffens the pipe beside it",
        .range = {.low = 1.0, .high = 10.0}},
       {.path = p + ".hydrodynamics", .text = "Morison coefficients, on the outermost diameter."},
       {.path = p + ".hydrodynamics.drag_normal",

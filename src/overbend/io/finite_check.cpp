@@ -51,7 +51,10 @@ void require_finite(const StaticResults& results) {
   visit_sums(results, visit);
   visit.place = "solve.";
   visit_solve(results.solve, visit);
+  visit.place = "smallest_tension.";
+  visit_extreme_fields("N", kSmallestTension, results.smallest_tension, visit);
   if (results.overbend) check_region("overbend", *results.overbend);
+  if (results.tower) check_region("tower", *results.tower);
   check_region("sagbend", results.sagbend);
   for (std::size_t i = 0; i < results.sections.size(); ++i) {
     visit.place = indexed("sections", i);

@@ -1,4 +1,4 @@
-/// Refuses numbers that are none as results are visited; see static_columns.h.
+/// Refuses numbers that are none as results are visited, but for those that may be absent; see static_columns.h.
 #pragma once
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "io/absent.h"
 #include "io/result_field.h"
 
 namespace overbend {
@@ -16,6 +17,7 @@ struct FiniteVisitor {
   std::string place;
 
   void operator()(const ResultField& field, double value) const {
+    if (std::isnan(value) && may_be_absent(field.name)) return;
     if (!std::isfinite(value)) {
       throw std::runtime_error(place + field.name + " is not a finite number; nothing is written");
     }

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <system_error>
 #include <type_traits>
 
+#include "io/absent.h"
 #include "io/append_file.h"
 #include "io/hdf5_driver.h"
 
@@ -49,6 +51,17 @@ std::size_t count_of(hid_t dataset) {
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   require(count < 0 ? -1 : 0, "HDF5 dataspace without a size");
   return static_cast<std::size_t>(count);
+}
+
+/// Says what stands where there is no value.
+void mark_absent(hid_t file, const std::string& path) {
+  const std::string what = "attribute _FillValue of " + path + " can not be written to results.h5";
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, what);
+  const Hdf5Handle attribute(
+      H5Acreate_by_name(file, path.c_str(), "_FillValue", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Aclose, what);
+  const double absent = std::numeric_limits<double>::quiet_NaN();
+  require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &absent), what);
 }
 
 }  // namespace
@@ -124,6 +137,7 @@ void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
   attribute(path, "frame", field.frame);
   attribute(path, "description", field.description);
   require_disk();
+  if (may_be_absent(path)) mark_absent(file_, path);
 }
 
 template <class Number>

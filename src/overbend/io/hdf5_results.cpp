@@ -97,6 +97,11 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
     write_region(file, "/static/overbend", "Extremes from the tensioner to the inflection below the last support",
                  *results.overbend);
   }
+  const auto smallest = [](const auto& part, auto& visit) { visit_extreme_fields("N", kSmallestTension, part, visit); };
+  write_part(file, "/static/smallest_tension", kSmallestTension, smallest, results.smallest_tension);
+  if (results.tower) {
+    write_region(file, "/static/tower", "Extremes where the clamped guide bends the pipe", *results.tower);
+  }
   write_region(file, "/static/sagbend", "Extremes from there to touchdown", results.sagbend);
   write_tables(file, "/static", results);
   write_supports(file, "/static", results);

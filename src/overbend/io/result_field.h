@@ -28,6 +28,8 @@ inline std::string component_name(const ResultField& field, int axis) {
 
 inline const char* word(Region region) {
   switch (region) {
+    case Region::tower:
+      return "tower";
     case Region::overbend:
       return "overbend";
     case Region::sagbend:
@@ -44,13 +46,13 @@ inline const char* word(CheckStatus status) {
 }
 
 inline const char* word(CheckRegion region) {
-  constexpr const char* kWords[] = {"line", "overbend", "stinger tip", "sagbend", "seabed"};
+  constexpr const char* kWords[] = {"line", "overbend", "stinger tip", "sagbend", "seabed", "tower"};
   return kWords[static_cast<int>(region)];
 }
 
 /// Back from the word; false where there is no such word.
 inline bool from_word(const std::string& text, Region& region) {
-  for (const Region candidate : {Region::overbend, Region::sagbend, Region::seabed}) {
+  for (const Region candidate : {Region::tower, Region::overbend, Region::sagbend, Region::seabed}) {
     if (text == word(candidate)) {
       region = candidate;
       return true;
@@ -81,8 +83,8 @@ inline bool from_word(const std::string& text, CheckStatus& status) {
 }
 
 inline bool from_word(const std::string& text, CheckRegion& region) {
-  for (const CheckRegion candidate :
-       {CheckRegion::line, CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend, CheckRegion::seabed}) {
+  for (const CheckRegion candidate : {CheckRegion::line, CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend,
+                                      CheckRegion::seabed, CheckRegion::tower}) {
     if (text == word(candidate)) {
       region = candidate;
       return true;

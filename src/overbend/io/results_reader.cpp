@@ -75,6 +75,9 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   visit.group = "/static/scene";
   visit_scene(results, visit);
   if (file.has("/static/overbend")) read_region(file, "/static/overbend", results.overbend.emplace());
+  visit.group = "/static/smallest_tension";
+  visit_extreme_fields("N", kSmallestTension, results.smallest_tension, visit);
+  if (file.has("/static/tower")) read_region(file, "/static/tower", results.tower.emplace());
   read_region(file, "/static/sagbend", results.sagbend);
   read_tables(file, results);
   read_supports(file, results);

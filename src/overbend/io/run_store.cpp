@@ -36,7 +36,8 @@ FileDescriptor lock(const fs::path& folder) {
 
 bool same_columns(const std::vector<HistoryColumn>& a, const std::vector<HistoryColumn>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const HistoryColumn& p, const HistoryColumn& q) {
-    return p.name == q.name && p.units == q.units && p.extreme == q.extreme && p.spectrum == q.spectrum;
+    return p.name == q.name && p.units == q.units && p.extreme == q.extreme && p.spectrum == q.spectrum &&
+           p.smallest == q.smallest;
   });
 }
 

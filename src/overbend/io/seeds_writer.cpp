@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "io/absent.h"
 #include "io/csv_table.h"
 #include "io/results_writer.h"
 #include "io/summary_json.h"
@@ -13,6 +14,7 @@ namespace {
 void require_finite_values(const SeedsResults& results) {
   for (const SeedRun& run : results.runs) {
     for (std::size_t i = 0; i < results.quantities.size(); ++i) {
+      if (std::isnan(run.values.at(i)) && may_be_absent(results.quantities[i].name)) continue;
       if (!std::isfinite(run.values.at(i))) {
         throw std::runtime_error(run.folder + ": " + results.quantities[i].name + " is not finite");
       }

@@ -32,7 +32,14 @@ void visit_station(Row& r, Visit& visit) {
   visit(ResultField{"seabed_reaction", "N/m", "Seabed reaction per length"}, r.seabed_reaction);
   visit(ResultField{"penetration", "m", "Penetration into the seabed"}, r.penetration);
   visit(ResultField{"yield_stress", "Pa", "Yield stress of the section at the station"}, r.yield_stress);
-  visit(ResultField{"region", "1", "Part of the line: overbend, sagbend or seabed"}, r.region);
+  visit(
+      ResultField{"current_vertical_moment", "N m", "What the current adds to vertical_moment; 0 where not separated"},
+      r.current_vertical_moment);
+  visit(ResultField{"current_lateral_moment", "N m", "What the current adds to lateral_moment; 0 where not separated"},
+        r.current_lateral_moment);
+  visit(ResultField{"current_tension", "N", "What the current adds to effective_tension; 0 where not separated"},
+        r.current_tension);
+  visit(ResultField{"region", "1", "Part of the line: tower, overbend, sagbend or seabed"}, r.region);
 }
 
 template <class Row, class Visit>

@@ -17,6 +17,10 @@ void visit_key_results(Results& r, Visit& visit) {
   visit(ResultField{"residual_curvature", "1/m", "Of the pipe at touchdown, from yielding over the supports"},
         r.residual_curvature);
   visit(ResultField{"largest_tension", "N", "Largest effective tension"}, r.largest_tension);
+  visit(ResultField{"departure_s", "m", "Arc length of the last support in contact; total length where none carries"},
+        r.departure_s);
+  visit(ResultField{"inflection_s", "m", "Arc length where the sagbend ends and overbend or tower begin"},
+        r.inflection_s);
   visit(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}, r.lay_back);
   visit(ResultField{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}, r.top_to_touchdown);
   visit(ResultField{"length_top_to_touchdown", "m", "Unstressed length from tensioner to touchdown"},
@@ -100,6 +104,8 @@ void visit_region(RegionType& r, VisitExtreme&& visit_extreme) {
   visit_extreme("strain", "1", "Largest strain", r.strain);
   visit_extreme("effective_tension", "N", "Largest effective tension", r.effective_tension);
 }
+
+inline constexpr const char* kSmallestTension = "Least effective tension along the line; below zero is compression";
 
 template <class Row, class Visit>
 void visit_extreme_fields(const char* units, const char* description, Row& r, Visit& visit) {

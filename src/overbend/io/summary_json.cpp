@@ -77,6 +77,13 @@ Json lay(const StaticResults& r) {
           {"bottom_tension", r.bottom_tension},
           {"residual_curvature", r.residual_curvature},
           {"largest_tension", r.largest_tension},
+          {"smallest_tension",
+           {{"value", r.smallest_tension.value},
+            {"at",
+             {{"s", r.smallest_tension.s},
+              {"x", r.smallest_tension.p_W.x()},
+              {"y", r.smallest_tension.p_W.y()},
+              {"z", r.smallest_tension.p_W.z()}}}}},
           {"wanted_tension", r.wanted_tension},
           {"lay_back", r.lay_back},
           {"suspended_length", r.suspended_length},
@@ -120,6 +127,7 @@ Json place(const Vec3& p_W) {
 Json static_summary_json(const StaticResults& r) {
   Json statics = lay(r);
   statics["overbend"] = r.overbend ? region(*r.overbend) : Json(nullptr);
+  statics["tower"] = r.tower ? region(*r.tower) : Json(nullptr);
   statics["sagbend"] = region(r.sagbend);
   statics.update(contact(r));
   statics.update(solution(r));

@@ -11,7 +11,8 @@ enum class CheckCodes { both, dnv, api };
 enum class SafetyClass { low, medium, high };
 enum class Manufacture { seamless, erw, hfw, trb, uo, uoe };
 enum class YieldBasis { smys, fy };
-enum class ApiEdition { third, fourth };
+enum class ApiEdition { third, fourth, fifth };
+enum class CurrentLoad { environmental, functional };
 
 /// A buckle arrestor as the propagation check knows it.
 struct ArrestorSettings {
@@ -21,7 +22,7 @@ struct ArrestorSettings {
 
 /// API RP 1111.
 struct ApiSettings {
-  ApiEdition edition = ApiEdition::fourth;
+  ApiEdition edition = ApiEdition::fifth;
   std::optional<double> collapse_factor;  ///< f_o; from the manufacture where not given [-].
   double bending_factor = 3.33;           ///< f_1 on the strain of installation [-].
   std::optional<double> ovality;          ///< delta = (D_max - D_min)/(D_max + D_min); half of O_0 where not given [-].
@@ -43,17 +44,18 @@ struct EquipmentLimits {
 struct CheckSettings {
   CheckCodes codes = CheckCodes::both;
   SafetyClass safety_class = SafetyClass::low;
-  std::optional<Manufacture> manufacture;     ///< UOE, the weakest, is taken where not given.
-  double alpha_u = 0.96;                      ///< Material strength factor [-].
-  std::optional<double> alpha_fab;            ///< Fabrication factor instead of the manufacture's [-].
-  double wall_tolerance = 0.0;                ///< t_fab [m].
-  double ovality = 0.005;                     ///< O_0 = (D_max - D_min)/D [-].
-  double alpha_h = 0.93;                      ///< Largest yield over tensile strength the steel may have [-].
-  double condition_factor = 1.0;              ///< gamma_C [-].
-  bool system_effects = false;                ///< Load combination a as well.
-  YieldBasis yield_basis = YieldBasis::smys;  ///< Of f_y in 0.87 f_y.
-  std::string grade;                          ///< Row of the laying criteria; empty: from SMYS.
-  bool point_load = false;                    ///< Roller force reduces the plastic moment.
+  std::optional<Manufacture> manufacture;   ///< UOE, the weakest, is taken where not given.
+  double alpha_u = 0.96;                    ///< Material strength factor [-].
+  std::optional<double> alpha_fab;          ///< Fabrication factor instead of the manufacture's [-].
+  double wall_tolerance = 0.0;              ///< t_fab [m].
+  double ovality = 0.005;                   ///< O_0 = (D_max - D_min)/D [-].
+  double alpha_h = 0.93;                    ///< Largest yield over tensile strength the steel may have [-].
+  double condition_factor = 1.0;            ///< gamma_C [-].
+  bool system_effects = true;               ///< Load combination a as well.
+  YieldBasis yield_basis = YieldBasis::fy;  ///< Of f_y in 0.87 f_y.
+  CurrentLoad current_load = CurrentLoad::environmental;  ///< What the steady current's load effects count as.
+  std::string grade;                                      ///< Row of the laying criteria; empty: from SMYS.
+  bool point_load = false;                                ///< Roller force reduces the plastic moment.
   std::optional<ArrestorSettings> arrestor;
   ApiSettings api;
   YieldShares yield_share;

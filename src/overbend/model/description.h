@@ -63,7 +63,8 @@ struct JointDescription {
   double infill_weight_density = 0.0;  ///< [N/m3]
   double coated_stiffness = 1.0;       ///< EI between the field joints over that of the steel [-].
   std::optional<double> first = {};  ///< Tensioner to the middle of the first field joint; half a joint if absent [m].
-  double strain_factor = 1.0;        ///< Strain at a field joint over that of the pipe beside it [-].
+  /// Strain at a field joint over that of the pipe beside it [-]; 1 with a warning where not given.
+  std::optional<double> strain_factor = {};
 };
 
 struct HydrodynamicsDescription {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "model/wave_theory.h"
@@ -166,6 +167,22 @@ void assume_held_top(Sentences& list, const TensionerDescription& tensioner) {
       "its own.");
 }
 
+/// Each section has its own law.
+void assume_steel(Sentences& list, const Model& model) {
+  const auto yields = [](const Section& section) { return section.bending.has_value(); };
+  const bool any = std::any_of(model.sections.begin(), model.sections.end(), yields);
+  if (any) {
+    list.push_back(
+        "Steel that yields does so in time as in statics: it goes on from what statics left in it, and what it "
+        "dissipates is part of the energy balance.");
+  }
+  if (!std::all_of(model.sections.begin(), model.sections.end(), yields)) {
+    list.push_back(
+        any ? "Sections of linear steel stay linear in time: their stress beyond yield is reported, not limited."
+            : "The steel stays linear in time as well: stress beyond yield is reported, not limited.");
+  }
+}
+
 }  // namespace
 
 void assume_dynamics(Sentences& list, const Model& model) {
@@ -176,7 +193,7 @@ void assume_dynamics(Sentences& list, const Model& model) {
   assume_water_forces(list, model);
   assume_held_top(list, model.description.tensioner);
   assume_rollers(list, model, settings);
-  list.push_back("The steel stays linear in time as well: stress beyond yield is reported, not limited.");
+  assume_steel(list, model);
 }
 
 }  // namespace overbend

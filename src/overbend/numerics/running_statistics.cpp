@@ -12,7 +12,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 RunningStatistics::RunningStatistics(std::size_t size)
-    : min_(size, kInfinity), max_(size, -kInfinity), mean_(size, 0.0), squares_(size, 0.0) {}
+    : min_(size, kInfinity), max_(size, -kInfinity), mean_(size, 0.0), squares_(size, 0.0), weights_(size, 0.0) {}
 
 void RunningStatistics::add(std::span<const double> values, double weight) {
   if (values.size() != size() || !(weight >= 0.0)) {
@@ -21,7 +21,6 @@ void RunningStatistics::add(std::span<const double> values, double weight) {
         "that is not negative");
   }
   weight_ += weight;
-  const double share = weight_ > 0.0 ? weight / weight_ : 0.0;
   const std::size_t n = values.size();
   // Plain pointers that do not overlap, and no branches: the compiler makes vectors of it.
   const double* __restrict v = values.data();
@@ -29,40 +28,45 @@ void RunningStatistics::add(std::span<const double> values, double weight) {
   double* __restrict high = max_.data();
   double* __restrict mean = mean_.data();
   double* __restrict squares = squares_.data();
+  double* __restrict weights = weights_.data();
   for (std::size_t i = 0; i < n; ++i) {
+    const bool there = v[i] == v[i];
+    const double value = there ? v[i] : mean[i];
     low[i] = v[i] < low[i] ? v[i] : low[i];
     high[i] = v[i] > high[i] ? v[i] : high[i];
-    const double from_old = v[i] - mean[i];
+    weights[i] += there ? weight : 0.0;
+    const double share = weights[i] > 0.0 ? weight / weights[i] : 0.0;
+    const double from_old = value - mean[i];
     mean[i] += share * from_old;
-    squares[i] += weight * from_old * (v[i] - mean[i]);
+    squares[i] += weight * from_old * (value - mean[i]);
   }
 }
 
 std::vector<double> RunningStatistics::standard_deviation() const {
   std::vector<double> deviation(size(), 0.0);
-  for (std::size_t i = 0; i < size() && weight_ > 0.0; ++i) {
-    deviation[i] = std::sqrt(squares_[i] / weight_);
+  for (std::size_t i = 0; i < size(); ++i) {
+    if (weights_[i] > 0.0) deviation[i] = std::sqrt(squares_[i] / weights_[i]);
   }
   return deviation;
 }
 
 std::vector<double> RunningStatistics::save() const {
   std::vector<double> saved{weight_};
-  saved.reserve(1 + 4 * size());
-  for (const std::vector<double>* part : {&min_, &max_, &mean_, &squares_}) {
+  saved.reserve(1 + 5 * size());
+  for (const std::vector<double>* part : {&min_, &max_, &mean_, &squares_, &weights_}) {
     saved.insert(saved.end(), part->begin(), part->end());
   }
   return saved;
 }
 
 void RunningStatistics::restore(std::span<const double> saved) {
-  if (saved.size() % 4 != 1) {
+  if (saved.size() % 5 != 1) {
     throw std::invalid_argument("running statistics: not a saved state");
   }
   weight_ = saved[0];
-  const std::size_t n = saved.size() / 4;
+  const std::size_t n = saved.size() / 5;
   std::size_t from = 1;
-  for (std::vector<double>* part : {&min_, &max_, &mean_, &squares_}) {
+  for (std::vector<double>* part : {&min_, &max_, &mean_, &squares_, &weights_}) {
     part->assign(saved.begin() + static_cast<std::ptrdiff_t>(from),
                  saved.begin() + static_cast<std::ptrdiff_t>(from + n));
     from += n;

@@ -9,7 +9,7 @@ namespace overbend {
 
 /// Statistics of `size` quantities that are sampled together, each sample weighted by the time it stands for. Welford's
 /// recurrence with weights [west1979]: no differences of large sums, so that a small spread about a large mean keeps
-/// its digits.
+/// its digits. A value that is not a number is absent: the quantity is passed over in that sample.
 class RunningStatistics {
  public:
   explicit RunningStatistics(std::size_t size = 0);
@@ -35,6 +35,7 @@ class RunningStatistics {
  private:
   double weight_ = 0.0;
   std::vector<double> min_, max_, mean_, squares_;  ///< `squares_`: weighted squared distances from the mean.
+  std::vector<double> weights_;                     ///< Of the samples in which the quantity was there.
 };
 
 }  // namespace overbend

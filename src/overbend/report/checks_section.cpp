@@ -39,12 +39,13 @@ std::string number(double value) {
 }
 
 std::string region_title(CheckRegion region) {
-  constexpr std::array<const char*, 5> kTitles = {"Line and equipment", "Overbend", "Stinger tip", "Sagbend", "Seabed"};
+  constexpr std::array<const char*, 6> kTitles = {
+      "Line and equipment", "Overbend", "Stinger tip", "Sagbend", "Seabed", "Tower"};
   return kTitles[static_cast<std::size_t>(region)];
 }
 
-constexpr std::array<CheckRegion, 5> kOrder = {CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend,
-                                               CheckRegion::seabed, CheckRegion::line};
+constexpr std::array<CheckRegion, 6> kOrder = {CheckRegion::tower,   CheckRegion::overbend, CheckRegion::tip,
+                                               CheckRegion::sagbend, CheckRegion::seabed,   CheckRegion::line};
 
 std::string code_of(const CheckRow& row) {
   return row.clause.empty() ? row.code : row.code + ", " + row.clause;

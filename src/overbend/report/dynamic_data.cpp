@@ -125,6 +125,7 @@ json dynamic_figure_data(const StaticResults& statics, const DynamicResults& res
           {"build_up", json_number(results.build_up)},
           {"envelopes", envelope_data(statics, results)},
           {"overbend", statics.overbend ? region_data(statics, results.overbend) : json(nullptr)},
+          {"tower", statics.tower ? region_data(statics, results.tower) : json(nullptr)},
           {"sagbend", region_data(statics, results.sagbend)},
           {"histories", history_data(statics, results)},
           {"spectra", spectrum_data(results)},

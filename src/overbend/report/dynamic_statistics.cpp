@@ -101,8 +101,8 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
   for (const ExtremeEstimate& e : r.extremes) {
     const Quantity q = quantity(e.name, e.units);
     const std::optional<double> before = static_value(statics, r, e.name);
-    std::vector<std::string> cells = {q.name, q.unit, before ? q.text(*before) : "", q.text(e.observed),
-                                      std::to_string(e.peaks)};
+    std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit,
+                                      before ? q.text(*before) : "", q.text(e.observed), std::to_string(e.peaks)};
     if (e.enough) {
       for (const auto& [estimate, low, high] :
            {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "report/json_number.h"
@@ -24,14 +25,15 @@ const HistorySummary* find(const DynamicResults& results, const std::string& nam
   return at == results.histories.end() ? nullptr : &*at;
 }
 
-/// Neighbouring stretches joined until few enough are left.
+/// Neighbouring stretches joined until few enough are left; what is not a number is absent.
 std::vector<double> joined(const std::vector<double>& values, bool greatest) {
   const std::size_t each = (values.size() + kMostStretches - 1) / kMostStretches;
   std::vector<double> out;
   for (std::size_t i = 0; i < values.size(); i += each) {
     const auto first = values.begin() + static_cast<std::ptrdiff_t>(i);
     const auto last = values.begin() + static_cast<std::ptrdiff_t>(std::min(i + each, values.size()));
-    out.push_back(greatest ? *std::max_element(first, last) : *std::min_element(first, last));
+    out.push_back(std::accumulate(first, last, std::numeric_limits<double>::quiet_NaN(),
+                                  [&](double a, double b) { return greatest ? std::fmax(a, b) : std::fmin(a, b); }));
   }
   return out;
 }

@@ -16,7 +16,9 @@ inline double seven_digits(double value) {
   return std::isfinite(rounded) ? rounded : 0.0;  // the scale of a number next to zero has no end
 }
 
+/// A value that is not a number is absent: null.
 inline nlohmann::json json_number(double value) {
+  if (std::isnan(value)) return nullptr;
   const double rounded = seven_digits(value);
   return rounded == 0.0 ? nlohmann::json(0) : nlohmann::json(rounded);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/regions.h"
+
 namespace overbend {
 namespace {
 
@@ -80,6 +82,9 @@ std::string place_name(const StaticResults& results, double s) {
   }
   if (behind != nullptr || s >= results.stations.back().s) {
     return "tensioner";
+  }
+  if (regions(results).of(s) == Region::tower) {
+    return "tower";
   }
   return before != nullptr && before->s - s < 10.0 ? "below " + before->name : "sagbend";
 }

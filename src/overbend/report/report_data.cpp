@@ -70,7 +70,14 @@ json stations(const StaticResults& results) {
   return columns;
 }
 
-json roller(const StaticResults& results, const RollerResult& r) {
+/// Whether the pipe has gone over the end of the roller and lies behind it: where it crosses the row it is on the wrong
+/// side of the face.
+bool passed(const StaticResults& results, const RowResult& row, const RollerResult& r) {
+  if (r.off_end <= 0.0 || r.reaction > 0.0 || row.s < 0.0) return false;
+  return (station_at(results, row.s).p_W - r.p_W).dot(r.normal_W) < 0.5 * results.pipe_outer_diameter;
+}
+
+json roller(const StaticResults& results, const RowResult& row, const RollerResult& r) {
   static constexpr const char* kWords[] = {"bottom", "port", "starboard"};
   return {{"position", kWords[static_cast<int>(r.position)]},
           {"p", point(results, r.p_W)},
@@ -80,7 +87,8 @@ json roller(const StaticResults& results, const RollerResult& r) {
           {"face", json_number(r.face)},
           {"reaction", json_number(r.reaction)},
           {"separation", json_number(r.separation)},
-          {"off_end", json_number(r.off_end)}};
+          {"off_end", json_number(r.off_end)},
+          {"passed", passed(results, row, r)}};
 }
 
 json supports(const StaticResults& results) {
@@ -90,7 +98,7 @@ json supports(const StaticResults& results) {
     for (const RowResult& row : box.rows) {
       json rollers = json::array();
       for (const RollerResult& r : row.rollers) {
-        rollers.push_back(roller(results, r));
+        rollers.push_back(roller(results, row, r));
       }
       rows.push_back({{"p", point(results, row.p_W)}, {"reaction", json_number(row.reaction)}, {"rollers", rollers}});
     }
@@ -130,6 +138,7 @@ json static_figure_data(const StaticResults& results) {
   return {{"stations", stations(results)},
           {"supports", supports(results)},
           {"overbend", results.overbend ? region(results, *results.overbend) : json(nullptr)},
+          {"tower", results.tower ? region(results, *results.tower) : json(nullptr)},
           {"sagbend", region(results, results.sagbend)},
           {"touchdown",
            {{"s", json_number(from_tensioner(results, results.touchdown.s))},

@@ -34,13 +34,17 @@ std::optional<double> of_support(const DynamicResults& results, const std::strin
 
 std::optional<double> static_value(const StaticResults& statics, const DynamicResults& results,
                                    const std::string& name) {
-  if (name == "top_tension" || name == "top_tension_peak") return statics.top_tension;
+  if (name == "top_tension" || name == "top_tension_peak" || name == "top_tension_low") return statics.top_tension;
+  if (name == "smallest_tension") return statics.smallest_tension.value;
   if (name == "bottom_tension") return statics.bottom_tension;
   if (name == "lay_back") return statics.lay_back;
   if (name == "departure_angle") return statics.departure_angle;
   if (name == "stinger_tip_clearance") return statics.stinger_tip_clearance;
   if (statics.overbend) {
     if (const auto value = of_region(*statics.overbend, "overbend", name)) return value;
+  }
+  if (statics.tower) {
+    if (const auto value = of_region(*statics.tower, "tower", name)) return value;
   }
   if (const auto value = of_region(statics.sagbend, "sagbend", name)) return value;
   return of_support(results, name);

@@ -18,9 +18,10 @@ enum class CheckStatus {
 enum class CheckRegion {
   line,      ///< All of the line, or the equipment.
   overbend,  ///< Tensioner to the last support in contact.
-  tip,       ///< From there to the inflection, where the pipe hangs free and still hogs.
+  tip,       ///< The rest of the overbend: from there to the inflection, where the pipe hangs free and still hogs.
   sagbend,   ///< From there to touchdown.
   seabed,
+  tower,  ///< Where a clamped guide bends a pipe that no support carries.
 };
 
 /// A number that went into a check.

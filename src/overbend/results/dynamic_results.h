@@ -51,7 +51,7 @@ struct RollerDynamics {
   int box = 0, row = 0;  ///< Indices; `row` counts within the box.
   RollerPosition position = RollerPosition::bottom;
   Spread reaction;    ///< Normal force [N].
-  Spread separation;  ///< Positive for daylight [m].
+  Spread separation;  ///< Positive for daylight; of the times when the pipe passed it, not a number if never [m].
   double static_reaction = 0.0, static_separation = 0.0;
   double contact_share = 0.0;  ///< Share of time in contact [-].
   std::int64_t impact_count = 0;
@@ -94,11 +94,12 @@ struct Spectrum {
   std::vector<double> density;    ///< [units^2/Hz]
 };
 
-/// Most probable largest value in three hours, by two fits.
+/// Most probable largest (or smallest) value in three hours, by two fits.
 struct ExtremeEstimate {
   std::string name, units;
+  bool smallest = false;                                        ///< Of the smallest value.
   int peaks = 0;                                                ///< Between mean up-crossings, from t = 0.
-  double observed = 0.0;                                        ///< Largest of the run.
+  double observed = 0.0;                                        ///< Largest (smallest) of the run.
   double weibull = 0.0, weibull_low = 0.0, weibull_high = 0.0;  ///< Estimate, 95 % confidence.
   double gumbel = 0.0, gumbel_low = 0.0, gumbel_high = 0.0;
   bool enough = false;  ///< False: too few peaks to fit; the estimates are the observed value.
@@ -167,7 +168,9 @@ struct DynamicResults {
   std::vector<double> static_tension, static_moment, static_bending_stress, static_von_mises, static_strain;
   std::vector<Vec3> static_place;
   Spread top_tension, bottom_tension, lay_back, departure_angle, stinger_tip_clearance;
-  DynamicRegion overbend, sagbend;
+  DynamicExtreme smallest_tension;  ///< Least effective tension along the line; `over_time.min` is the least of all.
+  DynamicRegion overbend, sagbend;  ///< As in StaticResults, by the regions of each instant.
+  DynamicRegion tower;              ///< Where the static results have one, else of zeros.
   std::vector<SupportDynamics> supports;
   std::vector<Impact> hardest_impacts;  ///< The 200 with the largest peak force, hardest first.
   std::int64_t impact_count = 0;

@@ -15,6 +15,7 @@ struct HistoryColumn {
   std::string name, units, description;  ///< As in HistorySummary. The first column is always "time".
   bool extreme = false;                  ///< Wanted among the extremes (values are the largest since the last row).
   bool spectrum = false;                 ///< Wanted among the spectra.
+  bool smallest = false;                 ///< The same of the smallest (values are the smallest since the last row).
 };
 
 /// Everything that a run must know to go on: named arrays, bit for bit.

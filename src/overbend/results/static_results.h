@@ -13,7 +13,13 @@
 
 namespace overbend {
 
-enum class Region { overbend, sagbend, seabed };
+/// Parts of the line, see docs/theory/regions.md.
+enum class Region {
+  tower,     ///< Where a clamped guide bends a pipe that no support carries.
+  overbend,  ///< Tensioner to the inflection below the last support in contact.
+  sagbend,   ///< From there to touchdown.
+  seabed,
+};
 
 /// One station of the pipe, stations run from the anchor (s = 0) to the tensioner.
 struct Station {
@@ -36,6 +42,9 @@ struct Station {
   double seabed_reaction = 0.0;     ///< Per length [N/m].
   double penetration = 0.0;         ///< Into the seabed [m].
   double yield_stress = 0.0;        ///< Of the section here [Pa].
+  // What the current adds to the above; 0 where the checks do not count it as environmental load.
+  double current_vertical_moment = 0.0, current_lateral_moment = 0.0;  ///< [N m]
+  double current_tension = 0.0;                                        ///< Effective [N].
   Region region = Region::sagbend;
 };
 
@@ -134,6 +143,7 @@ struct StaticResults {
   double bottom_tension = 0.0;                  ///< Horizontal, at touchdown [N].
   double residual_curvature = 0.0;              ///< Of the pipe at touchdown, from yielding over the supports [1/m].
   double largest_tension = 0.0;                 ///< Effective [N].
+  Extreme smallest_tension;                     ///< Effective, where it is least; below zero is compression.
   double lay_back = 0.0;                        ///< Horizontal, stern shoe to touchdown [m].
   double top_to_touchdown = 0.0;                ///< Horizontal, tensioner to touchdown [m].
   double length_top_to_touchdown = 0.0;         ///< Unstressed length [m].
@@ -149,10 +159,14 @@ struct StaticResults {
   double roller_stiffness = 0.0;     ///< Largest in use [N/m].
   Touchdown touchdown;
   Vec3 anchor_W = Vec3::Zero();
+  double departure_s = 0.0;   ///< Arc length of the last contact with a support; total_length where none carries [m].
+  double inflection_s = 0.0;  ///< Upper end of the sagbend: overbend or tower lie above it [m].
   /// Extremes from the tensioner to the inflection below the last support in contact; absent when no support carries
   /// the pipe (J-lay).
   std::optional<RegionResult> overbend;
-  RegionResult sagbend;  ///< Extremes from that inflection to touchdown.
+  /// Extremes where the clamped guide bends the pipe; absent where a support carries it or it may turn in its guide.
+  std::optional<RegionResult> tower;
+  RegionResult sagbend;  ///< Extremes from there to touchdown.
 
   std::vector<Station> stations;
   std::vector<SupportResult> supports;

@@ -5,6 +5,7 @@
 #include "io/dynamic_histories.h"
 #include "numerics/extremes.h"
 #include "numerics/welch.h"
+#include "runs/run_warnings.h"
 
 namespace overbend {
 namespace {
@@ -17,10 +18,18 @@ std::span<const double> after_build_up(const std::vector<double>& time, const st
   return std::span<const double>(values).subspan(static_cast<std::size_t>(first));
 }
 
+std::vector<double> tension_of(const RunStore& store) {
+  for (std::size_t i = 1; i < store.columns().size(); ++i) {
+    if (store.columns()[i].name == "tensioner/tension") return store.column(i);
+  }
+  return {};
+}
+
 ExtremeEstimate estimate(const HistoryColumn& column, const ExtremeFit& fit) {
   ExtremeEstimate out;
   out.name = column.name;
   out.units = column.units;
+  out.smallest = column.smallest;
   out.peaks = fit.peaks;
   out.observed = fit.observed;
   out.enough = fit.enough;
@@ -40,7 +49,7 @@ void finish_histories(DynamicResults& results, const RunStore& store) {
   const std::vector<double> time = store.column(0);
   for (std::size_t i = 1; i < store.columns().size(); ++i) {
     const HistoryColumn& column = store.columns()[i];
-    if (!column.extreme && !column.spectrum) {
+    if (!column.extreme && !column.smallest && !column.spectrum) {
       continue;
     }
     const std::vector<double> values = store.column(i);
@@ -56,7 +65,12 @@ void finish_histories(DynamicResults& results, const RunStore& store) {
     if (column.extreme) {
       results.extremes.push_back(estimate(column, fit_extremes(counted, results.output_step, kThreeHours)));
     }
+    if (column.smallest) {
+      results.extremes.push_back(estimate(column, fit_smallest(counted, results.output_step, kThreeHours)));
+    }
   }
+  const std::vector<double> tension = tension_of(store);
+  if (!tension.empty()) warn_of_run(results, after_build_up(time, tension));
 }
 
 }  // namespace overbend

@@ -101,6 +101,7 @@ Json key(const StaticResults& r) {
           {"suspended_length", seven_digits(r.suspended_length)},
           {"largest_reaction", seven_digits(r.largest_reaction)},
           {"overbend", r.overbend ? region(r, *r.overbend) : Json(nullptr)},
+          {"tower", r.tower ? region(r, *r.tower) : Json(nullptr)},
           {"sagbend", region(r, r.sagbend)}};
 }
 

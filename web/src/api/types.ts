@@ -56,7 +56,7 @@ export interface Converged {
   elapsed_ms: number; solve_ms: number; warm: boolean; revision: number;
   key: {
     top_tension: number; bottom_tension: number; lay_back: number; departure_angle: number; tip_clearance: number | null;
-    suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; sagbend: Region | null;
+    suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; tower?: Region | null; sagbend: Region | null;
   };
   pipe: PipeLists;
   touchdown: { s: number; place: Vector } | null;

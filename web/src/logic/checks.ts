@@ -1,7 +1,7 @@
 // Code checks in the order in which they matter.
 import type { Check } from '../api/types';
 
-const regions = ['overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
+const regions = ['tower', 'overbend', 'stinger tip', 'sagbend', 'seabed', 'line'];
 
 const judged = (c: Check): boolean => c.status === 'passed' || c.status === 'exceeded';
 

@@ -41,6 +41,7 @@ export function Results() {
     <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
       <h2>Results {failure.value ? <small>last good one</small> : <small>statics</small>}</h2>
       <RegionBlock name="Overbend" r={k.overbend} />
+      <RegionBlock name="Tower" r={k.tower ?? null} />
       <RegionBlock name="Sagbend" r={k.sagbend} />
       <dl>
         <Value name="top tension" value={k.top_tension} unit="kN" />

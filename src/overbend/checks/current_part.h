@@ -1,0 +1,24 @@
+/// What the steady current adds to the load effects of the static state: DNV counts it as environmental load.
+#pragma once
+
+#include "base/vec.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// At a place of the line; zero where the static results do not tell it apart.
+struct CurrentPart {
+  double vertical = 0.0, lateral = 0.0;  ///< Bending moment in and out of the pipe's vertical plane [N m].
+  double tension = 0.0;                  ///< Effective [N].
+
+  /// The moment as a vector in W for a pipe with the unit tangent `t` [N m].
+  Vec3 moment(const Vec3& t) const;
+};
+
+/// Linear between stations; `s` from the anchor [m].
+CurrentPart current_part(const StaticResults& statics, double s);
+
+/// Whether the static results tell the current's part apart.
+bool tells_current(const StaticResults& statics);
+
+}  // namespace overbend

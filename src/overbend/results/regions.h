@@ -1,0 +1,46 @@
+/// Which part of the line a place belongs to: one rule for tables, extremes, histories and code checks.
+/// docs/theory/regions.md.
+#pragma once
+
+#include "results/check_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Where the regions of a line meet, by arc length from the anchor [m].
+struct Regions {
+  double touchdown = 0.0;
+  double inflection = 0.0;  ///< Upper end of the sagbend.
+  double departure = 0.0;   ///< Last contact with a support, where one carries.
+  bool carried = false;     ///< A support carries the pipe: above the inflection lies the overbend, else the tower.
+
+  Region of(double s) const {
+    if (s < touchdown) return Region::seabed;
+    if (s <= inflection && !supported(s)) return Region::sagbend;
+    return carried ? Region::overbend : Region::tower;
+  }
+  /// Whether the place lies over the supports, where they give the pipe its shape.
+  bool supported(double s) const { return carried && s >= departure; }
+
+  /// The same for the code checks, which tell the overbend over the supports from its free end.
+  CheckRegion check_of(double s) const {
+    switch (of(s)) {
+      case Region::tower:
+        return CheckRegion::tower;
+      case Region::overbend:
+        return supported(s) ? CheckRegion::overbend : CheckRegion::tip;
+      case Region::sagbend:
+        return CheckRegion::sagbend;
+      case Region::seabed:
+        break;
+    }
+    return CheckRegion::seabed;
+  }
+};
+
+/// Of a static state.
+inline Regions regions(const StaticResults& statics) {
+  return {statics.touchdown.s, statics.inflection_s, statics.departure_s, statics.overbend.has_value()};
+}
+
+}  // namespace overbend

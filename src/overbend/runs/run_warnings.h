@@ -1,0 +1,19 @@
+/// What the histories of a run warn of, in words: results.warnings.
+#pragma once
+
+#include <span>
+
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// Statistics of three hours from a shorter run; a vessel that does not move in a sea; a tension that does not stay
+/// where it is wanted. Reads the summaries of `results`; `tension` is that of the tensioner from t = 0 on [N], rows one
+/// output step apart.
+void warn_of_run(DynamicResults& results, std::span<const double> tension);
+
+/// Change of a record over its length by a straight line through the means of eight blocks, where it is beyond chance
+/// (five standard errors); else 0. [unit of the values]
+double trend(std::span<const double> values);
+
+}  // namespace overbend
