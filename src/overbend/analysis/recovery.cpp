@@ -335,6 +335,7 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   find_extremes(results, departure.s, departure.carried);
   sum_forces(results, system, state);
   warn_of_roll(results);
+  warn_of_missed_target(results, model);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
   results.checks = check_statics(model, results);
