@@ -73,11 +73,17 @@ TEST(new_lay, the_tower_stands_as_the_pipe_hangs_from_it) {
   }
 }
 
+TEST(new_lay, a_tower_leans_no_further_than_towers_do) {
+  const std::string why = std::get<std::string>(choose_lay(options_of("48", "50 m", "j")));
+  EXPECT_NE(why.find("no tower leans"), std::string::npos) << why;
+  EXPECT_EQ(why.rfind("--lay: ", 0), 0U) << why;
+}
+
 TEST(new_lay, what_was_said_is_kept_and_the_check_that_it_exceeds_is_noted) {
-  NewOptions options = options_of("16", "700 m", "s");
-  options.wall = "11.1 mm";
+  NewOptions options = options_of("16", "1500 m", "s");
+  options.wall = "15.9 mm";
   const NewLay made = std::get<NewLay>(choose_lay(options));
-  EXPECT_DOUBLE_EQ(made.model.wall, 0.0111);
+  EXPECT_DOUBLE_EQ(made.model.wall, 0.0159);
   EXPECT_NE(made.model.note.find("is exceeded"), std::string::npos) << made.model.note;
   EXPECT_NE(made.text.find("# Note: " + made.model.note), std::string::npos);
   EXPECT_NE(exceeded_by(made.text), std::vector<std::string>{});

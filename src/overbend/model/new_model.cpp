@@ -16,7 +16,6 @@ namespace overbend {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr double kFlattestTower = 45.0 * kDeg;   // a J-lay tower leans no further from upright than this
 constexpr double kDeepestBarge = 300.0;          // flat barges have neither the tension nor the stinger for more [m]
 constexpr double kYoungsModulus = 207e9;         // [Pa]
 constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
@@ -147,12 +146,6 @@ std::string settle_tension(NewModel& model, const std::optional<double>& said, d
            format_quantity(wanted, "N", "kN") + " would do";
   }
   model.departure_angle = std::acos(horizontal / (model.stinger ? model.tension - in_air : model.tension));
-  if (!model.stinger && model.departure_angle < kFlattestTower) {
-    return fmt::format(
-        "--lay: with the {} that keeps the sagbend within its stress the pipe leaves at {:.0f} degrees from "
-        "horizontal, and no tower leans beyond {:.0f}; expected s, or deeper water",
-        format_quantity(model.tension, "N", "kN"), model.departure_angle / kDeg, kFlattestTower / kDeg);
-  }
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 #include <vector>
 
 #include "analysis/recovery.h"
@@ -12,6 +13,8 @@
 namespace overbend {
 namespace {
 
+constexpr double kDeg = std::numbers::pi / 180.0;
+constexpr double kFlattestTower = 45.0 * kDeg;  ///< A J-lay tower leans no further from upright than this.
 constexpr int kTrials = 16;  ///< Lays calculated before none is believed to pass; most take two or three.
 
 /// What the calculation says against a lay; empty where it stands and passes.
@@ -79,18 +82,30 @@ bool mend(NewMargins& margins, const Verdict& verdict, const Free& free) {
   return margins.walls > before.walls || margins.tension > before.tension || margins.radius > before.radius;
 }
 
+bool tower_stands(const NewModel& model) {
+  return model.stinger || model.departure_angle >= kFlattestTower;
+}
+
+std::string leaning(const NewModel& model) {
+  return fmt::format(
+      "--lay: with the {:.4g} kN that keep the sagbend within its checks the pipe hangs at {:.0f} degrees "
+      "from horizontal, and no tower leans beyond {:.0f}; expected s, or deeper water",
+      1e-3 * model.tension, model.departure_angle / kDeg, kFlattestTower / kDeg);
+}
+
 }  // namespace
 
 std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
   const Free free{options.wall.empty(), options.tension.empty(), options.stinger_radius.empty()};
   NewMargins margins;
+  NewLay lay;
   std::string against;
   for (int trial = 0; trial < kTrials; ++trial) {
     std::variant<NewModel, std::string> chosen = choose_model(options, margins);
     if (auto* why = std::get_if<std::string>(&chosen)) {
       return against.empty() ? *why : fmt::format("{} (with the one before, {})", *why, against);
     }
-    NewLay lay{std::get<NewModel>(chosen), {}};
+    lay.model = std::get<NewModel>(chosen);
     lay.text = model_text(lay.model);
     const ModelReading reading = read_model_text(lay.text, "model.yaml");
     if (!reading.description) {
@@ -102,16 +117,16 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
       lay.model.departure_angle = verdict.top_inclination;
       lay.text = model_text(lay.model);
     }
-    if (verdict.passed()) return lay;
+    if (verdict.passed()) return tower_stands(lay.model) ? std::variant<NewLay, std::string>(lay) : leaning(lay.model);
     against = verdict.words();
-    if (!verdict.no_solution.empty() || !mend(margins, verdict, free)) {
-      if (free.wall && free.tension && free.radius) break;
-      lay.model.note = "with what was given " + against;
-      lay.text = model_text(lay.model);
-      return lay;
-    }
+    if (!verdict.no_solution.empty() || !mend(margins, verdict, free)) break;
   }
-  return fmt::format("no wall, tension and stinger radius were found that pass the checks of this lay: {}", against);
+  if (free.wall && free.tension && free.radius) {
+    return fmt::format("no wall, tension and stinger radius were found that pass the checks of this lay: {}", against);
+  }
+  lay.model.note = "with what was given " + against;
+  lay.text = model_text(lay.model);
+  return lay;
 }
 
 }  // namespace overbend
