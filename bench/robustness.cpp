@@ -155,6 +155,8 @@ Description random_lay(std::uint64_t seed) {
 
 struct Tally {
   int solved = 0, wrong = 0;
+  int missed = 0;             ///< Whose recovered tension misses the wanted one by more than 0.1 %.
+  double largest_miss = 0.0;  ///< Over the wanted tension [-].
   std::map<std::string, int> reasons;
   std::vector<double> times;
 };
@@ -187,6 +189,9 @@ void run_one(std::uint64_t seed, bool yields, Tally& tally, fmt::ostream& csv) {
       results.force_residual < 1e-9 && results.global_residual < 1e-8 && std::isfinite(results.sagbend.von_mises.value);
   tally.solved += sound ? 1 : 0;
   tally.wrong += sound ? 0 : 1;
+  const double miss = std::abs(results.top_tension / *d.tensioner.tension - 1.0);
+  tally.missed += miss > 1e-3 ? 1 : 0;
+  tally.largest_miss = std::max(tally.largest_miss, miss);
   tally.times.push_back(results.solve.wall_time);
   csv.print("solved,{},{:.2f},{:.1e},{:.1e}\n", results.solve.method, 1e3 * results.solve.wall_time,
             results.force_residual, results.global_residual);
@@ -212,6 +217,8 @@ int main(int count, char** words) {
   std::sort(tally.times.begin(), tally.times.end());
   fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays,
              tally.wrong);
+  fmt::print("{} miss the wanted tension by more than 0.1 %, the largest miss is {:.2g} %\n", tally.missed,
+             100.0 * tally.largest_miss);
   for (const auto& [reason, times] : tally.reasons) {
     fmt::print("  {} x {}\n", times, reason);
   }

@@ -263,6 +263,21 @@ TEST(statics, a_roller_that_carries_has_its_penetration_as_separation_however_st
   EXPECT_GT(clear, 20);
 }
 
+bool warns_of_tension(const StaticResults& r) {
+  return std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& warning) {
+    return warning.find("the tension at the tensioner is") != std::string::npos;
+  });
+}
+
+TEST(statics, a_tension_that_the_recovered_forces_miss_is_warned_of) {
+  Description d = read("/examples/first-model.yaml");
+  EXPECT_FALSE(warns_of_tension(solve_results(d)));
+  d.supports.boxes[0].z = 10.0;  // the pipe is bent to thousands of MPa beside the tensioner
+  const StaticResults r = solve_results(d);
+  EXPECT_GT(std::abs(r.top_tension - 300e3), 300.0);
+  EXPECT_TRUE(warns_of_tension(r));
+}
+
 TEST(statics, a_floating_pipe_is_refused) {
   Description d = reference_bgl1();
   d.pipe.section.coatings.pop_back();

@@ -44,15 +44,37 @@ double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
   return size;
 }
 
+/// Length of the element that begins at `u`.
+double next_step(const std::vector<Zone>& zones, double longest, double u) {
+  const double first = wanted_size(zones, longest, u);
+  return std::min(first, wanted_size(zones, longest, u + 0.5 * first));
+}
+
+struct MeshPlan {
+  std::vector<Zone> fine;
+  double longest;
+};
+
+MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
+  const MeshSizes sizes = mesh_sizes(model, zones);
+  std::vector<Zone> fine{
+      {0.0, zones.last_support, sizes.overbend},
+      {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  if (zones.waterline > zones.last_support) {
+    const double diameter = section_of(model, zones.waterline).outer_diameter;
+    fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+  }
+  return {fine, sizes.longest};
+}
+
 /// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
 /// second.
-void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest, double to) {
+void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
   const double from = u.back();
   std::vector<double> steps;
   double at = from;
   while (at < to - 1e-9) {
-    const double first = wanted_size(zones, longest, at);
-    const double step = std::min(first, wanted_size(zones, longest, at + 0.5 * first));
+    const double step = next_step(plan.fine, plan.longest, at);
     steps.push_back(step);
     at += step;
   }
@@ -87,15 +109,19 @@ MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   return sizes;
 }
 
-LineMesh build_mesh(const Model& model, const MeshZones& zones) {
-  const MeshSizes sizes = mesh_sizes(model, zones);
-  std::vector<Zone> fine{
-      {0.0, zones.last_support, sizes.overbend},
-      {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
-  if (zones.waterline > zones.last_support) {
-    const double diameter = section_of(model, zones.waterline).outer_diameter;
-    fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+int count_elements(const Model& model, const MeshZones& zones) {
+  const MeshPlan plan = plan_mesh(model, zones);
+  double at = 0.0;
+  int count = 0;
+  while (at < zones.total && count <= kMostElements) {
+    at += next_step(plan.fine, plan.longest, at);
+    ++count;
   }
+  return count;
+}
+
+LineMesh build_mesh(const Model& model, const MeshZones& zones) {
+  const MeshPlan plan = plan_mesh(model, zones);
   std::vector<double> fixed;
   for (const SectionSpan& span : model.spans) {
     for (const double end : {span.from, span.to}) {
@@ -109,7 +135,7 @@ LineMesh build_mesh(const Model& model, const MeshZones& zones) {
 
   std::vector<double> u{0.0};
   for (const double to : fixed) {
-    fill(u, fine, sizes.longest, to);
+    fill(u, plan, to);
   }
   LineMesh mesh;
   for (auto it = u.rbegin(); it != u.rend(); ++it) {

@@ -84,6 +84,10 @@ void LineSystem::place_rollers(const VesselPose& pose) {
   }
 }
 
+void LineSystem::limit_bed_stiffness(double limit) {
+  environment_.bed_stiffness = environment_.bed_stick = std::min(model_->seabed.stiffness, limit);
+}
+
 void LineSystem::hold_ends() {
   const Vec3 up = model_->seabed.normal_W;
   far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();

@@ -66,6 +66,8 @@ class LineSystem {
 
   /// Roller stiffness is limited to this [N/m]: continuation from soft to hard.
   void limit_roller_stiffness(double limit) { roller_limit_ = limit; }
+  /// Stiffness of the bed, normal and in friction, is limited to this [N/m2]: continuation from soft to hard.
+  void limit_bed_stiffness(double limit);
   /// Whether side rollers act.
   void use_side_rollers(bool use) { use_side_rollers_ = use; }
   /// Share of the plastic moments that acts: 0 is linear steel, 1 is what the model says.

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kLargestTurn = 0.35;      ///< Of a node's tangent in one step [rad].
 constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
+constexpr double kLeastFarForce = 1e-6;    ///< Of the total weight: steps leave that much where they go below zero.
+constexpr double kBalanced = 1e-6;         ///< Residual of a line that balances, whatever is wanted of it.
 constexpr double kDampingStep = 4.0;       ///< Factor by which the damping rises and falls.
 constexpr double kMostDamping = 1e8;       ///< [N/m2]
 constexpr double kSearchGoal = 0.8;        ///< A step is good when the work left along it has fallen to this share.
@@ -82,9 +84,11 @@ struct Search {
   const LineState& from;
   const std::vector<double>& dq;
   LineState& trial;
+  int& trials;
 
   /// Work of the unbalanced forces per unit of the step at `share`.
   double work_at(double share) {
+    ++trials;
     advance(trial, from, dq, share);
     system.evaluate(trial, false);
     system.hold(false);
@@ -115,6 +119,12 @@ double search_along(Search& search, double work_start, double limit) {
 
 }  // namespace
 
+double relative_target_error(const LineSystem& system, const LineState& state, const LineTargetValue& target) {
+  const bool tension = target.kind == LineTargetValue::Kind::top_tension;
+  const double scale = tension ? std::min(system.total_weight(), target.value) : system.mesh().total_length();
+  return std::abs(system.target_error(state, target)) / scale;
+}
+
 NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
                     const NewtonSettings& settings) {
   NewtonReport report;
@@ -131,11 +141,13 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       report.end = NewtonEnd::lost;
       return report;
     }
-    const double scale =
-        target.kind == LineTargetValue::Kind::top_tension ? system.total_weight() : system.mesh().total_length();
-    const double target_error = settings.free_far_force ? std::abs(system.target_error(state, target)) / scale : 0.0;
+    const double target_error = settings.free_far_force ? relative_target_error(system, state, target) : 0.0;
     if (std::max(report.residual, target_error) < settings.tolerance) {
       report.end = NewtonEnd::converged;
+      return report;
+    }
+    if (state.far_force < kLeastFarForce * system.total_weight() && report.residual < kBalanced) {
+      report.end = NewtonEnd::slack;
       return report;
     }
     double dH = 0.0;
@@ -167,7 +179,7 @@ NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue&
       damping = std::max(kDampingStep * damping, 1.0);
       continue;
     }
-    Search search{system, state, dq, trial};
+    Search search{system, state, dq, trial, report.trials};
     const double share = search_along(search, work_start, limit);
     if (mixes) mixing.took(dq, share, force_step);
     if (share < 0.05) {

@@ -15,15 +15,21 @@ struct NewtonSettings {
   bool remembers = false;      ///< The tangent is not exact: steel remembers what happened upstream.
 };
 
-enum class NewtonEnd { converged, too_many_iterations, singular, lost };
+/// `slack`: what is wanted needs a far force below zero, the line would lie in compression.
+enum class NewtonEnd { converged, too_many_iterations, singular, lost, slack };
 
 struct NewtonReport {
   NewtonEnd end = NewtonEnd::too_many_iterations;
   int iterations = 0;
+  int trials = 0;  ///< Looks at the residual alone, in searches along steps.
   double residual = 0.0;
   int singular_node = -1;
   bool converged() const { return end == NewtonEnd::converged; }
 };
+
+/// What the state lacks of what is wanted: of a tension, over it or the total weight, whichever is less; of the
+/// anchor's distance, over the total length.
+double relative_target_error(const LineSystem& system, const LineState& state, const LineTargetValue& target);
 
 /// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the
 /// unbalanced forces do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact,

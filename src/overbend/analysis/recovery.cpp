@@ -347,6 +347,7 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   sum_forces(results, system, state);
   warn_of_roll(results);
   warn_statics(model, results);
+  warn_of_missed_target(results, model);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
   find_current_effect(model, solution, results);

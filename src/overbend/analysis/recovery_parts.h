@@ -36,4 +36,7 @@ struct Departure {
 /// evaluation.
 Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state);
 
+/// What the file wants, tension or anchor, beside what the recovered forces and places say; warns where they differ.
+void warn_of_missed_target(StaticResults& results, const Model& model);
+
 }  // namespace overbend

@@ -26,6 +26,20 @@ void renew_masses(LineSystem& system, const LineState& state, std::vector<double
   }
 }
 
+/// Whether an element is stretched or squeezed by more than half its length, or a node's tangent is: steel pipes bear a
+/// hundredth of that.
+bool torn(const LineSystem& system, const LineState& state) {
+  const auto far_from = [](double value, double wanted) { return !(std::abs(value - wanted) <= 0.5 * wanted); };
+  const auto vector = [&](std::size_t first) { return Eigen::Map<const Vec3>(state.q.data() + first); };
+  for (std::size_t e = 0; e < system.mesh().length.size(); ++e) {
+    const double chord = (vector(6 * e + 6) - vector(6 * e)).norm();
+    if (far_from(chord, system.mesh().length[e]) || far_from(vector(6 * e + 9).norm(), 1.0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSettings& settings) {
@@ -35,6 +49,10 @@ RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSet
   double energy_before = 0.0;
   while (report.steps < settings.max_steps) {
     if (report.steps % kMassRenewal == 0) {
+      if (report.steps > 0 && torn(system, state)) {
+        report.diverged = true;
+        return report;
+      }
       renew_masses(system, state, mass);
     } else {
       system.evaluate(state, false);

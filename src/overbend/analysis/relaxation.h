@@ -13,11 +13,13 @@ struct RelaxationSettings {
 struct RelaxationReport {
   int steps = 0;
   double residual = 0.0;
+  bool diverged = false;  ///< The pipe was torn apart: no place that Newton could go on from.
 };
 
 /// Marches a fictitious motion with lumped masses chosen for the largest stable unit step (Gershgorin bound on the
 /// tangent) and sets all velocities to zero at every peak of the kinetic energy (Cundall 1976; Barnes 1999).
-/// Matrix-free between the renewals of the masses. The far force stays.
+/// Matrix-free between the renewals of the masses, at which it is also seen whether the motion diverges. The far force
+/// stays.
 RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSettings& settings);
 
 }  // namespace overbend

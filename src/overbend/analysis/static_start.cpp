@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/support_line.h"
 #include "mechanics/rod_element.h"
 
 namespace overbend {
@@ -62,6 +63,10 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   if (plane.tensioner_W.z() <= plane.bed_at_tensioner) {
     start.failure =
         StaticFailure{"the tensioner stands below the seabed", "at the tensioner", "check water depth and tensioner.z"};
+    return start;
+  }
+  if (auto failure = misplaced_box(model, plane)) {
+    start.failure = std::move(failure);
     return start;
   }
   const double least = hanging_weight(model, plane, plane.bed_at_tensioner);
@@ -167,6 +172,27 @@ std::optional<StaticFailure> check_supports(const Model& model, const LineSystem
       "the pipe lifts off every support", "ramp and stinger",
       "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
       "supports stand too low"};
+}
+
+std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
+  if (count_elements(model, zones) <= kMostElements) {
+    return std::nullopt;
+  }
+  return StaticFailure{
+      "the mesh is too large", "the whole line",
+      fmt::format(
+          "{:.0f} m of line would take more than {} elements: look at the units of analysis.mesh, pipe.length and "
+          "of the supports, or choose longer elements",
+          zones.total, kMostElements)};
+}
+
+StaticFailure compressed_at_seabed(double tension, double least) {
+  return {
+      "the tension is too low to carry the pipe", "sagbend",
+      fmt::format("{:.6g} kN is given, but with nothing left to hold the laid pipe the tensioner still needs {:.6g} "
+                  "kN: what hangs, the slope of the bed and the current take that much; anything less leaves the "
+                  "pipe in compression at the seabed",
+                  1e-3 * tension, 1e-3 * least)};
 }
 
 StaticFailure never_touches(const Model& model, double length) {

@@ -33,6 +33,12 @@ double support_end(const LineSystem& system);
 /// A pipe that touches none of its supports is not held by them: says so. Uses the contacts of the last evaluation.
 std::optional<StaticFailure> check_supports(const Model& model, const LineSystem& system);
 
+/// A mesh beyond what is built says so before it is.
+std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones);
+
+/// The line balances only with the far end pushed: `least` is the tension at the top where that begins [N].
+StaticFailure compressed_at_seabed(double tension, double least);
+
 StaticFailure never_touches(const Model& model, double length);
 
 }  // namespace overbend

@@ -110,19 +110,19 @@ void add_new(CLI::App& program, int& code) {
   auto options = std::make_shared<NewOptions>();
   command->add_option("--pipe", options->pipe, "Nominal size in inches (4 to 48) or outside diameter: 16, '406.4 mm'");
   command->add_option("--depth", options->depth, "Water depth: '89 m'");
-  command->add_option("--wall", options->wall, "Wall thickness; left out: from the water pressure");
+  command->add_option("--wall", options->wall, "Wall thickness; left out: the thinnest of API 5L that passes the checks");
   command->add_option("--yield", options->yield, "Yield stress")->capture_default_str();
   command->add_option("--coating", options->coating, "Thickness of the corrosion coating")->capture_default_str();
-  command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; left out: to lie still");
+  command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; left out: none");
   command->add_option("--lay", options->lay, "s: over a stinger; j: straight from a tower")
       ->check(CLI::IsMember({"s", "j"}))
       ->capture_default_str();
   command->add_option("--vessel", options->vessel, "barge, BGL-1 or ship; left out: by the depth")
       ->check(CLI::IsMember({"barge", "BGL-1", "ship"}));
-  command->add_option("--stinger-radius", options->stinger_radius, "Left out: from the yield stress");
+  command->add_option("--stinger-radius", options->stinger_radius, "Left out: so that the overbend passes its checks");
   command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; left out: one every 5 m")
       ->check(CLI::Range(1, 100));
-  command->add_option("--tension", options->tension, "Left out: from depth and weight");
+  command->add_option("--tension", options->tension, "Left out: so that the sagbend passes its checks");
   command->add_option("--title", options->title, "Heads the report");
   command->add_option("-o,--output", options->output, "File to write; left out: standard output");
   command->add_flag("--force", options->force, "Overwrite an existing file");

@@ -5,18 +5,12 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "io/yaml_reader.h"
+#include "app/new_questions.h"
 #include "runs/exit_code.h"
+#include "runs/new_lay.h"
 
 namespace overbend {
 namespace {
-
-/// Asks on a terminal for what is missing; elsewhere leaves it missing.
-void ask(const std::string& question, std::string& answer) {
-  if (!answer.empty() || isatty(STDIN_FILENO) == 0 || isatty(STDERR_FILENO) == 0) return;
-  std::cerr << question << ": ";
-  std::getline(std::cin, answer);
-}
 
 int refuse(const std::string& why) {
   std::cerr << "overbend new: " << why << "\n";
@@ -42,21 +36,18 @@ int write_file(const std::string& path, const std::string& text) {
 
 int run_new(const NewOptions& given) {
   NewOptions options = given;
-  ask("Nominal pipe size in inches, or outside diameter with its unit", options.pipe);
-  ask("Water depth with its unit", options.depth);
+  const bool terminal = isatty(STDIN_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
+  if (terminal && (options.pipe.empty() || options.depth.empty())) ask_new_options(options, std::cin, std::cerr);
   std::error_code fault;
   if (!options.output.empty() && !options.force && std::filesystem::exists(options.output, fault)) {
     return refuse("'" + options.output + "' exists already; --force overwrites it");
   }
-  const std::variant<NewModel, std::string> chosen = choose_model(options);
+  const std::variant<NewLay, std::string> chosen = choose_lay(options);
   if (const auto* why = std::get_if<std::string>(&chosen)) return refuse(*why);
-  const std::string text = model_text(std::get<NewModel>(chosen));
-  const ModelReading reading = read_model_text(text, options.output.empty() ? "model.yaml" : options.output);
-  if (!reading.description) {
-    return refuse("these values make no valid model:\n" + reading.diagnostics.lines(Severity::error).front());
-  }
-  if (!options.output.empty()) return write_file(options.output, text);
-  std::cout << text;
+  const NewLay& lay = std::get<NewLay>(chosen);
+  if (!lay.model.note.empty()) std::cerr << "overbend new: note: " << lay.model.note << "\n";
+  if (!options.output.empty()) return write_file(options.output, lay.text);
+  std::cout << lay.text;
   return kDone;
 }
 

@@ -16,6 +16,7 @@ namespace overbend {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
+constexpr double kDeepestBarge = 300.0;          // flat barges have neither the tension nor the stinger for more [m]
 constexpr double kYoungsModulus = 207e9;         // [Pa]
 constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
 
@@ -81,32 +82,33 @@ double collapse_pressure(double diameter, double wall, double yield) {
   return elastic * plastic / std::hypot(elastic, plastic);
 }
 
-/// Thinnest listed wall (API 5L) with D/t at most 40 that carries the water pressure with the usual factor 0.7.
-double choose_wall(double diameter, double yield, double depth) {
-  for (const double millimetres : kWalls) {
-    const double wall = millimetres * 1e-3;
-    const bool stout = wall >= diameter / 40.0;
-    if (stout && 0.7 * collapse_pressure(diameter, wall, yield) >= kWaterWeightDensity * depth) return wall;
-  }
-  return kWalls.back() * 1e-3;
-}
-
 /// Weight in air over buoyancy.
 double specific_gravity(const NewModel& model) {
   const Section section = derive_section("", section_of(model), kWaterWeightDensity);
   return section.weight_in_air / (section.weight_in_air - section.weight_submerged);
 }
 
-/// Least concrete, in steps of 10 mm from 40 mm, that makes the empty pipe 1.15 times as heavy as the water it
-/// displaces.
-double choose_concrete(NewModel model) {
-  constexpr double kWanted = 1.15;
-  model.concrete = 0.0;
-  if (specific_gravity(model) >= kWanted) return 0.0;
-  for (model.concrete = 0.04; model.concrete < 0.2; model.concrete += 0.01) {
-    if (specific_gravity(model) >= kWanted) break;
+/// Whether this wall is stout enough to begin with: D/t at most 40, half the collapse pressure outside at most, and
+/// heavy enough to lie still.
+bool wall_serves(NewModel model, double wall) {
+  constexpr double kLargestSlenderness = 40.0, kPressureShare = 0.5, kSpecificGravity = 1.1;
+  model.wall = wall;
+  return model.diameter <= kLargestSlenderness * wall && specific_gravity(model) >= kSpecificGravity &&
+         kPressureShare * collapse_pressure(model.diameter, wall, model.yield) >= kWaterWeightDensity * model.depth;
+}
+
+/// The thinnest wall of the list (API 5L) that serves, and `more` sizes beyond; a sentence where the list ends before.
+std::string choose_wall(NewModel& model, int more) {
+  const auto serves = [&](double millimetres) { return wall_serves(model, 1e-3 * millimetres); };
+  const auto thinnest = std::min(std::ranges::find_if(kWalls, serves), kWalls.end() - 1);
+  if (kWalls.end() - thinnest <= more) {
+    return fmt::format(
+        "no wall of API 5L up to {:.4g} mm carries this pipe's load in {:.5g} m of water: choose a "
+        "smaller pipe, a stronger steel or less depth",
+        kWalls.back(), model.depth);
   }
-  return model.concrete;
+  model.wall = 1e-3 * *(thinnest + more);
+  return {};
 }
 
 double round_up(double value, double step) {
@@ -129,12 +131,13 @@ double steepest_departure(double depth) {
 }
 
 /// Chooses the tension where it is not said, and the angle that follows. A sentence when the tension carries no pipe.
-std::string settle_tension(NewModel& model, const std::optional<double>& said) {
+std::string settle_tension(NewModel& model, const std::optional<double>& said, double margin) {
   const VesselSize vessel = vessel_size(model.vessel);
   const double in_air = model.weight_in_air * (vessel.depth - vessel.draught + model.tensioner_height);
   const double hanging = model.submerged_weight * model.depth + in_air;
   double horizontal = sagbend_tension(model);
   if (model.stinger) horizontal = std::max(horizontal, tension_for_angle(model, steepest_departure(model.depth)));
+  horizontal *= margin;
   const double wanted = round_up(horizontal + hanging, horizontal > 1e6 ? 50e3 : horizontal > 20e3 ? 5e3 : 1e3);
   model.tension = said.value_or(wanted);
   horizontal = model.tension - hanging;
@@ -158,10 +161,10 @@ int boxes_for(double length, double spacing) {
 
 /// Ramp and stinger on one circle: the ramp turns the pipe by up to 12 deg, the stinger on to the departure angle. A
 /// sentence when the boxes asked for have no room.
-std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, int said_boxes) {
+std::string settle_stinger(NewModel& model, const std::optional<double>& said_radius, double margin, int said_boxes) {
   constexpr double kLargestDrop = 3.0, kSteepestAtShoe = 0.21, kLeastSpacing = 1.0;
   const double least = kYoungsModulus * 0.5 * model.diameter / (0.75 * model.yield);
-  model.stinger_radius = said_radius.value_or(round_up(least, 10.0));
+  model.stinger_radius = said_radius.value_or(round_up(margin * least, 10.0));
   const double at_shoe =
       std::min({kSteepestAtShoe, 0.4 * model.departure_angle, std::acos(1.0 - kLargestDrop / model.stinger_radius)});
   model.circle_start = -model.stinger_radius * std::sin(at_shoe);
@@ -209,7 +212,7 @@ std::optional<double> nominal_diameter(double inches) {
   return std::nullopt;
 }
 
-std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
+std::variant<NewModel, std::string> choose_model(const NewOptions& options, const NewMargins& margins) {
   const Said pipe = read_pipe_size(options.pipe);
   const Said depth = read_flag("--depth", options.depth, "m", 5.0, 4000.0);
   const Said wall = read_flag("--wall", options.wall, "m", 0.002, 0.1);
@@ -231,9 +234,16 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   model.depth = *depth.value;
   model.yield = yield.value.value_or(414e6);
   model.coating = coating.value.value_or(0.0);
-  model.wall = wall.value.value_or(choose_wall(model.diameter, model.yield, model.depth));
+  model.concrete = concrete.value.value_or(0.0);
+  if (wall.value) {
+    model.wall = *wall.value;
+  } else if (const std::string fault = choose_wall(model, margins.walls); !fault.empty()) {
+    return fault;
+  }
   if (model.wall >= 0.5 * model.diameter) return "--wall: thicker than the pipe's radius";
-  model.concrete = concrete.value.value_or(choose_concrete(model));
+  if (!options.vessel.empty() && options.vessel != "ship" && model.depth > kDeepestBarge) {
+    return fmt::format("--vessel: found '{}', expected ship beyond {:.4g} m of water", options.vessel, kDeepestBarge);
+  }
   model.vessel = !options.vessel.empty() ? options.vessel : model.depth <= 200.0 && model.stinger ? "barge" : "ship";
   model.title = !options.title.empty()
                     ? options.title
@@ -246,9 +256,10 @@ std::variant<NewModel, std::string> choose_model(const NewOptions& options) {
   if (model.submerged_weight <= 0.0) {
     return "the pipe floats; give it a thicker wall or concrete coating (--wall, --concrete)";
   }
-  if (const std::string fault = settle_tension(model, tension.value); !fault.empty()) return fault;
+  if (const std::string fault = settle_tension(model, tension.value, margins.tension); !fault.empty()) return fault;
   if (model.stinger) {
-    if (const std::string fault = settle_stinger(model, radius.value, options.boxes); !fault.empty()) return fault;
+    const std::string fault = settle_stinger(model, radius.value, margins.radius, options.boxes);
+    if (!fault.empty()) return fault;
   }
   return model;
 }

@@ -8,6 +8,10 @@
 
 namespace overbend {
 
+/// What is offered where a question is left open.
+inline constexpr const char* kUsualPipe = "16";
+inline constexpr const char* kUsualDepth = "90 m";
+
 /// What the user says, as typed: quantities with units. Empty = choose.
 struct NewOptions {
   std::string pipe, depth, wall, concrete, stinger_radius, tension, vessel, title;
@@ -27,6 +31,13 @@ struct VesselSize {
 /// Of "BGL-1", and a typical one for "barge" or "ship".
 VesselSize vessel_size(const std::string& vessel);
 
+/// What is added to the rules of thumb where checks of the model they make are exceeded.
+struct NewMargins {
+  int walls = 0;         ///< Sizes of the list of walls beyond the least.
+  double tension = 1.0;  ///< Times the least horizontal tension.
+  double radius = 1.0;   ///< Times the least stinger radius.
+};
+
 /// The numbers of a new model, SI.
 struct NewModel {
   NewOptions said;  ///< What it was made from.
@@ -40,10 +51,12 @@ struct NewModel {
   double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
   double weight_in_air = 0.0, submerged_weight = 0.0;  ///< [N/m]
   double tensioner_height = 0.0;                       ///< Pipe axis above the stern shoe [m].
+  std::string note;                                    ///< What stays amiss with what was said; a comment of the file.
 };
 
-/// The model with everything chosen that was not said, or a sentence that says what is wrong.
-std::variant<NewModel, std::string> choose_model(const NewOptions& options);
+/// The model with everything chosen that was not said, or a sentence that says what is wrong. Rules of thumb alone: the
+/// lay is not calculated here.
+std::variant<NewModel, std::string> choose_model(const NewOptions& options, const NewMargins& margins = {});
 
 /// The text as typed, where it is a quantity of this value [SI]; else the value in `unit`.
 std::string as_said(const std::string& text, double value, const std::string& si_unit, const std::string& unit);

@@ -23,7 +23,7 @@ double underside(const NewModel& model, double x) {
 
 std::string head_text(const NewModel& model) {
   return fmt::format(R"(# {title}
-# A first model to start from. Run it with: overbend static FILE -o DIR
+{note}# A first model to start from. Run it with: overbend static FILE -o DIR
 # Every dimensional value carries its unit; any unit of the right dimension will do. All keys: docs/input.md.
 overbend: 1
 title: "{title}"
@@ -39,6 +39,7 @@ environment:
   #   - {{depth: {depth}, speed: 0.1 m/s, towards: 0 deg}}
 )",
                      fmt::arg("title", model.title),
+                     fmt::arg("note", model.note.empty() ? "" : "# Note: " + model.note + "\n"),
                      fmt::arg("depth", as_said(model.said.depth, model.depth, "m", "m")));
 }
 

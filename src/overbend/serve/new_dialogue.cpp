@@ -4,9 +4,8 @@
 
 #include <array>
 
-#include "io/yaml_reader.h"
-#include "model/new_model.h"
 #include "report/json_number.h"
+#include "runs/new_lay.h"
 
 namespace overbend {
 namespace {
@@ -120,22 +119,17 @@ Json new_dialogue() {
           {"grades", grades()},
           {"vessels", vessels()},
           {"defaults",
-           {{"pipe", "16"},
-            {"depth", "90 m"},
+           {{"pipe", kUsualPipe},
+            {"depth", kUsualDepth},
             {"lay", defaults.lay},
             {"yield", defaults.yield},
             {"coating", defaults.coating}}}};
 }
 
 std::string new_text(const Json& answers) {
-  const std::variant<NewModel, std::string> chosen = choose_model(options_of(answers));
+  const std::variant<NewLay, std::string> chosen = choose_lay(options_of(answers));
   if (const auto* why = std::get_if<std::string>(&chosen)) refuse(*why);
-  std::string text = model_text(std::get<NewModel>(chosen));
-  const ModelReading reading = read_model_text(text, "model.yaml");
-  if (!reading.description) {
-    refuse("these values make no valid model: " + reading.diagnostics.lines(Severity::error).front());
-  }
-  return text;
+  return std::get<NewLay>(chosen).text;
 }
 
 }  // namespace overbend
