@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "io/append_file.h"
 #include "io/checksum.h"
 
 namespace overbend {
@@ -33,7 +34,7 @@ static_assert(sizeof(Seal) == 24);
 /// Checksum of the first `length` bytes; the last word is filled up with zeros.
 std::uint64_t checksum(std::istream& stream, std::uint64_t length) {
   std::uint64_t sum = kChecksumStart;
-  std::vector<std::uint64_t> words(std::size_t{1} << 17);
+  std::vector<std::uint64_t> words(std::min<std::uint64_t>(length / sizeof(std::uint64_t) + 1, 1U << 17U));
   while (length > 0 && stream) {
     const std::uint64_t count = std::min<std::uint64_t>(length, words.size() * sizeof(std::uint64_t));
     words[(count - 1) / sizeof(std::uint64_t)] = 0;
@@ -90,7 +91,7 @@ void seal_file(const fs::path& file) {
   std::ofstream end(file, std::ios::binary | std::ios::app);
   end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
   end.close();
-  if (!stream || !end) refuse(file, "can not be written to the end");
+  if (!stream || !end) refuse_file(file, "written");
 }
 
 void require_sealed(const fs::path& file) {

@@ -50,7 +50,7 @@ bool stands_in(const fs::path& folder) {
 
 /// Locked as long as its descriptor is open; none where somebody else has it.
 FileDescriptor lock_folder(const fs::path& folder) {
-  FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   if (descriptor.id() >= 0 && ::flock(descriptor.id(), LOCK_EX | LOCK_NB) != 0) return {};
   return descriptor;
 }
