@@ -143,7 +143,7 @@ TEST(serve_runs, an_interrupted_run_is_resumed_with_the_text_it_was_begun_with) 
   EXPECT_EQ(cut_off["resumable"], true);
   EXPECT_EQ(testing::file_text(serving.folder / "runs" / id / "model.yaml"), kSmallLay);
   testing::write_file(serving.folder / "model.yaml", with(kSmallLay, "tension: 300 kN", "tension: 310 kN"));
-  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).json["state"], "queued");
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 200);
   const json run = serving.wait_for(id);
   EXPECT_EQ(run["state"], "done") << run;
   EXPECT_EQ(run["resumable"], false);
