@@ -40,12 +40,11 @@ struct MeshSizes {
 /// gives 300 elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones);
 
-/// Elements of the largest mesh that is built: some 200 MB, and minutes in statics. BGL-1 has 450.
-constexpr int kMostElements = 50000;
+/// Elements that a mesh may have. Memory and time grow with them: some gigabytes and minutes beyond.
+inline constexpr long kMostElements = 50000;
 
-/// Elements that the rule makes of a line, up to a few for the nodes on section boundaries; counting stops beyond the
-/// most.
-int count_elements(const Model& model, const MeshZones& zones);
+/// Elements that build_mesh would make, counted without making them; stops at ten million.
+long count_elements(const Model& model, const MeshZones& zones);
 
 /// Fine over the supports, at the waterline, at the tensioner and around touchdown; nodes on section boundaries.
 LineMesh build_mesh(const Model& model, const MeshZones& zones);

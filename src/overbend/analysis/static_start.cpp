@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "analysis/support_line.h"
 #include "mechanics/rod_element.h"
@@ -30,6 +31,25 @@ StaticFailure no_curve(const std::string& problem) {
   return {"the pipe does not reach the seabed", "sagbend", problem};
 }
 
+/// The key of analysis.mesh without which the mesh has the fewest elements; none where none is given.
+std::string finest_key(const Model& model, const MeshZones& zones) {
+  std::string finest;
+  long fewest = std::numeric_limits<long>::max();
+  const auto try_without = [&](const char* key, std::optional<double> MeshDescription::*value) {
+    if (!(model.description.mesh.*value)) return;
+    Model without = model;
+    (without.description.mesh.*value).reset();
+    const long count = count_elements(without, zones);
+    if (count >= fewest) return;
+    fewest = count;
+    finest = std::string("analysis.mesh.") + key;
+  };
+  try_without("overbend_element", &MeshDescription::overbend_element);
+  try_without("touchdown_element", &MeshDescription::touchdown_element);
+  try_without("longest_element", &MeshDescription::longest_element);
+  return finest;
+}
+
 std::size_t touchdown_index(const LayShape& shape) {
   return static_cast<std::size_t>(std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) -
                                   shape.length.begin());
@@ -51,6 +71,19 @@ double tension_for_anchor(const Model& model, const LayPlane& plane, double leas
 }
 
 }  // namespace
+
+std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
+  const long count = count_elements(model, zones);
+  if (count <= kMostElements) return std::nullopt;
+  const std::string key = finest_key(model, zones);
+  const std::string mend = key.empty() ? "the line is too long for its supports and touchdown: look for a length or a "
+                                         "place of a box in the wrong unit"
+                                       : "give longer elements, or leave the key out";
+  return StaticFailure{"the mesh is too fine", key,
+                       fmt::format("a line of {:.0f} m would have {} elements, at most {} are computed; {}",
+                                   zones.total, count, kMostElements, mend),
+                       true};
+}
 
 StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   const Description& d = model.description;
@@ -105,6 +138,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   }
   start.zones = {start.shape.total, start.shape.last_support,  start.shape.touchdown, start.shape.waterline,
                  tension,           start.shape.bottom_tension};
+  start.failure = too_many_elements(model, start.zones);
   return start;
 }
 
@@ -172,18 +206,6 @@ std::optional<StaticFailure> check_supports(const Model& model, const LineSystem
       "the pipe lifts off every support", "ramp and stinger",
       "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
       "supports stand too low"};
-}
-
-std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
-  if (count_elements(model, zones) <= kMostElements) {
-    return std::nullopt;
-  }
-  return StaticFailure{
-      "the mesh is too large", "the whole line",
-      fmt::format(
-          "{:.0f} m of line would take more than {} elements: look at the units of analysis.mesh, pipe.length and "
-          "of the supports, or choose longer elements",
-          zones.total, kMostElements)};
 }
 
 StaticFailure compressed_at_seabed(double tension, double least) {

@@ -12,6 +12,7 @@
 
 #include "io/absent.h"
 #include "io/append_file.h"
+#include "io/file_seal.h"
 #include "io/hdf5_driver.h"
 
 namespace overbend {
@@ -84,7 +85,7 @@ bool Hdf5Handle::reset() noexcept {
   return id < 0 || close_(id) >= 0;
 }
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) {
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : path_(file) {
   silence_library();
   const std::string what = "the file " + file.filename().string() + " can not be created";
   const Hdf5Handle access(forgiving_access(fault_.get()), H5Pclose, what);
@@ -226,10 +227,12 @@ void Hdf5Writer::close() {
   const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0, closed = file_.reset();
   require_disk();
   if (!closed || !flushed) throw std::runtime_error("results.h5 can not be written to the end");
+  seal_file(path_);
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {
   silence_library();
+  require_sealed(file);  // the library itself falls over damaged metadata
   file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                      "the file '" + name_ + "' can not be read as HDF5");
 }

@@ -5,7 +5,8 @@
 #include <fstream>
 
 #include "io/results_writer.h"
-#include "io/staging_lock.h"
+#include "io/run_store.h"
+#include "io/staged_folder.h"
 #include "report/json_number.h"
 
 namespace overbend {
@@ -44,6 +45,8 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = state_of(note.value("state", ""));
     run.started = note.value("started", 0.0);
     run.message = note.value("message", "");
+    run.model_path = note.value("model_path", "");
+    run.duration = note.value("duration", 0.0);
   }
   if (summary.is_object()) {
     run.title = summary.value("title", "");
@@ -55,6 +58,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = RunState::cancelled;
     run.message = "the program ended before the run";
   }
+  run.resumable = run.state != RunState::done && can_be_resumed(folder);
   return run;
 }
 
@@ -67,7 +71,8 @@ Json run_json(const RunInfo& run) {
                {"state", kStates[static_cast<std::size_t>(run.state)]},
                {"progress", seven_digits(run.progress)},
                {"started", run.started},
-               {"message", run.message}};
+               {"message", run.message},
+               {"resumable", run.resumable}};
   if (run.now) {
     json["time"] = seven_digits(run.now->time);
     json["end"] = seven_digits(run.now->end);
@@ -75,6 +80,13 @@ Json run_json(const RunInfo& run) {
     json["worst_stress"] = seven_digits(run.now->worst_stress);
   }
   return json;
+}
+
+bool can_be_resumed(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kModelCopy, ignored)) return false;
+  const std::optional<StoredRun> stored = RunStore::find(folder);
+  return stored && stored->fault.empty();
 }
 
 double seconds_since_1970() {
@@ -86,7 +98,10 @@ void write_note(const RunInfo& run, const fs::path& folder) {
   RunInfo lasting = run;
   lasting.now.reset();
   const fs::path beside = folder / "run.json.part";
-  write_text(beside, run_json(lasting).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  Json note = run_json(lasting);
+  note["model_path"] = run.model_path;
+  note["duration"] = run.duration;
+  write_text(beside, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fs::rename(beside, folder / "run.json");
 }
 
@@ -95,7 +110,7 @@ std::vector<RunInfo> find_runs(const fs::path& folder) {
   std::error_code fault;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, fault)) {
     if (!entry.is_directory(fault)) continue;
-    remove_abandoned_staging(entry.path());  // of a program that was killed: nobody writes into an old run again
+    clear_leftovers(entry.path());  // of a program that was killed: nobody writes into an old run again
     try {
       if (std::optional<RunInfo> run = find_run(entry.path())) runs.push_back(std::move(*run));
     } catch (const std::exception&) {

@@ -27,11 +27,21 @@ struct RunInfo {
   double started = 0.0;   ///< Seconds since 1970.
   std::string message;    ///< Why it failed, and the like.
   std::optional<RunNow> now;
+  bool resumable = false;  ///< It can go on from a checkpoint.
+
+  std::string model_path;  ///< Of the model's file, or where it would lie.
+  double duration = 0.0;   ///< Asked for instead of the model's [s]; 0: the model's.
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }
 };
 
 Json run_json(const RunInfo& run);
+
+/// In a run's folder: the model's text as the run was begun with.
+inline constexpr const char* kModelCopy = "model.yaml";
+
+/// Whether the folder has what it takes to resume: a sound checkpoint and the model's text.
+bool can_be_resumed(const std::filesystem::path& folder);
 
 double seconds_since_1970();
 

@@ -29,6 +29,9 @@ class RunQueue {
   /// be.
   RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
   RunInfo cancel(const std::string& id);
+  /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
+  /// it can not be resumed.
+  RunInfo resume(const std::string& id);
 
   /// Newest first.
   std::vector<RunInfo> list() const;
@@ -45,6 +48,7 @@ class RunQueue {
     std::string id, kind;
     ModelText model;
     double duration = 0.0;
+    bool resume = false;
   };
 
   void work();
