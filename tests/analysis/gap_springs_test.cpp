@@ -50,7 +50,9 @@ TEST(gap_springs, hold_a_pipe_that_the_current_pushes_aside_as_rollers_do_on_the
     lateral[1] += rollers.supports[i].lateral;
     for (const RollerResult& spring : springs.supports[i].rows[0].rollers) {
       if (spring.position == RollerPosition::bottom) continue;
-      EXPECT_GT(spring.separation, -1e-3);  // the clearance is used up and no more than the contact gives
+      // The clearance is used up and no more: what the contact gives under the push.
+      EXPECT_GE(spring.separation, -springs.largest_penetration * (1.0 + 1e-9));
+      EXPECT_LT(springs.largest_penetration, 5e-3);
       beside = beside || spring.reaction > 1e3;
     }
   }

@@ -30,10 +30,11 @@ double deviation(const DynamicResults& results, const std::string& name) {
 
 void warn_of_short_run(DynamicResults& results) {
   if (results.duration >= kThreeHours || results.extremes.empty()) return;
-  results.warnings.push_back(fmt::format(
-      "the extremes of three hours are extrapolated from a run of {:.3g} minutes, and the largest values of "
-      "the run itself are those of {:.3g} minutes only",
-      results.duration / 60.0, results.duration / 60.0));
+  results.warnings.push_back(
+      fmt::format("the extremes of three hours are extrapolated from a run of {0:.3g} min, and the largest values of "
+                  "the run are those "
+                  "of {0:.3g} min alone",
+                  results.duration / 60.0));
 }
 
 void warn_of_still_vessel(DynamicResults& results) {
@@ -50,39 +51,18 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   if (t.wanted <= 0.0) return;
   const double off = t.tension.mean / t.wanted - 1.0;
   if (std::abs(off) > kOffMean) {
+    results.warnings.push_back(
+        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
+                    1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
+  }
+  const double change = trend(tension);
+  if (std::abs(change) > kDrift * t.wanted) {
     results.warnings.push_back(fmt::format(
-        "the extremes of three hours are extrapolated from a run of {0:.3g} min, and the largest values of the run "
-        "are those of {0:.3g} min alone",
-        results.duration / 60.0));
+        "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
+        "wanted; statistics are those of a record that is not steady",
+        change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
   }
-
-  void warn_of_still_vessel(DynamicResults & results) {
-    if (deviation(results, "elevation") <= kStandsStill) return;
-    for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
-      if (deviation(results, freedom) > kStandsStill) return;
-    }
-    results.warnings.emplace_back(
-        "the vessel does not move in this sea: vessel.motion gives it none, and all that acts on the pipe is the "
-        "water");
-  }
-
-  void warn_of_tension(DynamicResults & results, std::span<const double> tension) {
-    const TensionerDynamics& t = results.tensioner;
-    if (t.wanted <= 0.0) return;
-    const double off = t.tension.mean / t.wanted - 1.0;
-    if (std::abs(off) > kOffMean) {
-      results.warnings.push_back(
-          fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
-                      1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
-    }
-    const double change = trend(tension);
-    if (std::abs(change) > kDrift * t.wanted) {
-      results.warnings.push_back(fmt::format(
-          "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
-          "wanted; statistics are those of a record that is not steady",
-          change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
-    }
-  }
+}
 
 }  // namespace
 
