@@ -278,6 +278,14 @@ TEST(statics, a_tension_that_the_recovered_forces_miss_is_warned_of) {
   EXPECT_TRUE(warns_of_tension(r));
 }
 
+TEST(statics, a_tension_that_the_forces_miss_by_far_is_refused) {
+  Description d = bgl1();
+  for (BoxDescription& box : d.supports.boxes) {
+    box.z *= 10.0;
+  }
+  EXPECT_NE(failure_of(d).what.find("wanted tension is not reached"), std::string::npos);
+}
+
 TEST(statics, a_floating_pipe_is_refused) {
   Description d = reference_bgl1();
   d.pipe.section.coatings.pop_back();

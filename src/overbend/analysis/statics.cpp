@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "analysis/newton.h"
 #include "analysis/static_start.h"
 #include "analysis/static_ways.h"
 #include "analysis/touchdown.h"
@@ -14,8 +13,8 @@
 namespace overbend {
 namespace {
 
-constexpr int kMeshPasses = 6;           ///< Times the mesh may follow the touchdown found.
-constexpr double kLargestMiss = 1.1e-3;  ///< Of what is wanted; the loosest tolerance is 1e-3.
+constexpr int kMeshPasses = 6;         ///< Times the mesh may follow the touchdown found.
+constexpr double kLargestMiss = 0.01;  ///< Of what is wanted; ordinary lays miss it by 2e-4 at most.
 
 bool solve_from_shape(StaticCase& at, const LayShape& shape) {
   at.system.let_yield(0.0);
@@ -97,18 +96,31 @@ StaticOutcome give_up(const StaticCase& at, double least_tension) {
                            at.target.value / least_tension, left_at_last(at))});
 }
 
-/// What was asked for, looked at once more by itself: the ways change the target while they follow a solution.
-std::optional<StaticFailure> missed(const StaticCase& at, const LineTargetValue& wanted) {
-  const double error = at.system.target_error(at.state, wanted);
-  if (relative_target_error(at.system, at.state, wanted) < kLargestMiss) {
+/// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
+double found(StaticCase& at, const LineTargetValue& wanted) {
+  if (wanted.kind == LineTargetValue::Kind::anchor_distance) {
+    return wanted.value + at.system.target_error(at.state, wanted);
+  }
+  at.system.evaluate(at.state, false);
+  const int last = at.system.mesh().nodes() - 1;
+  const Vec3 tangent = Eigen::Map<const Vec3>(at.state.q.data() + 6 * last + 3);
+  return at.system.end_reaction(last).dot(tangent.normalized());
+}
+
+/// What was asked for, looked at once more by itself: the ways change the target while they follow a solution, and
+/// strains miss the forces where the pipe bends more sharply than its elements can.
+std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wanted) {
+  const double value = found(at, wanted);
+  if (std::abs(value - wanted.value) <= kLargestMiss * std::abs(wanted.value)) {
     return std::nullopt;
   }
   const bool tension = wanted.kind == LineTargetValue::Kind::top_tension;
   const double unit = tension ? 1e-3 : 1.0;
   return StaticFailure{
       tension ? "the wanted tension is not reached" : "the anchor is not reached", "at the tensioner",
-      fmt::format("{:.2f} {unit} is wanted and {:.2f} {unit} found, though the forces balance", unit * wanted.value,
-                  unit * (wanted.value + error), fmt::arg("unit", tension ? "kN" : "m"))};
+      fmt::format("{:.2f} {unit} is wanted and {:.2f} {unit} found, though the forces balance: look for "
+                  "boxes far off the pipe's line, over which it bends too sharply",
+                  unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ double largest_turn(const std::vector<Vec3>& points, std::size_t left_out) {
 /// Distance of a point from the line through its neighbours, at the end through the two before it [m].
 double off_neighbours(const std::vector<Vec3>& points, std::size_t i) {
   const bool last = i + 1 == points.size();
-  const Vec3 from = points[last ? i - 2 : i - 1], along = (points[last ? i - 1 : i + 1] - from).normalized();
+  const Vec3& from = points[last ? i - 2 : i - 1];
+  const Vec3 along = (points[last ? i - 1 : i + 1] - from).normalized();
   const Vec3 off = points[i] - from;
   return (off - off.dot(along) * along).norm();
 }
