@@ -1,6 +1,6 @@
 // How the page looks, kept from one visit to the next: theme, colouring, chosen diagrams; and the common cursor.
 import { effect, signal, type Signal } from '@preact/signals';
-import type { Picked } from '../view/view3d';
+import type { Picked } from '../view/picking';
 
 function kept<T>(name: string, start: T): Signal<T> {
   let value = start;

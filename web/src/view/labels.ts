@@ -1,5 +1,8 @@
 // Names over the picture. A label that would cover another one is left out.
 import * as THREE from 'three';
+import type { Converged, Scene } from '../api/types';
+import { axes } from './cameras';
+import { vec } from './members';
 
 export interface Label { text: string; place: THREE.Vector3; weight: number }
 
@@ -34,4 +37,14 @@ export class Labels {
     this.pool.push(span);
     return span;
   }
+}
+
+/** Names of what is in the picture; where they collide the heavier one stays. */
+export function labelsOf(scene: Scene, solution: Converged): Label[] {
+  const list: Label[] = [{ text: 'tensioner', place: vec(solution.tensioner.place), weight: 5 }];
+  if (solution.touchdown) list.push({ text: 'touchdown', place: vec(solution.touchdown.place), weight: 6 });
+  for (const s of solution.supports) list.push({ text: s.name, place: vec(s.place).add(new THREE.Vector3(0, 0, 0.6)), weight: s.reaction / 1e9 });
+  const bow = vec(scene.vessel.pose).addScaledVector(axes(scene).forward, 0.33 * scene.vessel.length);
+  list.push({ text: scene.vessel.name, place: bow.add(new THREE.Vector3(0, 0, scene.vessel.height - scene.vessel.draught + 11)), weight: 7 });
+  return list;
 }
