@@ -31,6 +31,12 @@ double modified(const fs::path& file) {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
 }
 
+/// Results that stand beside a checkpoint are those of a run that was cancelled.
+bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
+  std::error_code fault;
+  return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
+}
+
 std::optional<RunInfo> find_run(const fs::path& folder) {
   const fs::path summary_file = folder / "summary.json";
   const Json note = read_json(folder / "run.json"), summary = read_json(summary_file);
@@ -43,12 +49,19 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = state_of(note.value("state", ""));
     run.started = note.value("started", 0.0);
     run.message = note.value("message", "");
+    run.name = note.value("name", "");
+    run.note = note.value("note", "");
+    run.file = note.value("file", "");
+    run.progress = note.value("progress", 0.0);
   }
   if (summary.is_object()) {
     run.title = summary.value("title", "");
     run.kind = summary.contains("dynamic") ? "dynamic" : "static";
-    run.state = RunState::done;
-    run.progress = 1.0;
+    run.has_results = true;
+    if (!cancelled_on_the_way(run, folder)) {
+      run.state = RunState::done;
+      run.progress = 1.0;
+    }
     if (run.started == 0.0) run.started = modified(summary_file);
   } else if (!run.ended()) {
     run.state = RunState::cancelled;
@@ -66,7 +79,10 @@ Json run_json(const RunInfo& run) {
                {"state", kStates[static_cast<std::size_t>(run.state)]},
                {"progress", seven_digits(run.progress)},
                {"started", run.started},
-               {"message", run.message}};
+               {"message", run.message},
+               {"name", run.name},
+               {"note", run.note},
+               {"has_results", run.has_results}};
   if (run.now) {
     json["time"] = seven_digits(run.now->time);
     json["end"] = seven_digits(run.now->end);
@@ -85,7 +101,9 @@ void write_note(const RunInfo& run, const fs::path& folder) {
   RunInfo lasting = run;
   lasting.now.reset();
   const fs::path beside = folder / "run.json.part";
-  write_text(beside, run_json(lasting).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  Json note = run_json(lasting);
+  note["file"] = run.file;
+  write_text(beside, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fs::rename(beside, folder / "run.json");
 }
 

@@ -22,10 +22,13 @@ struct RunNow {
 struct RunInfo {
   std::string id;  ///< Name of its folder.
   std::string title, kind;
+  std::string name, note;  ///< The user's; empty until he gives them.
+  std::string file;        ///< Path of the model as it was read: files it mentions lie beside.
   RunState state = RunState::queued;
-  double progress = 0.0;  ///< 0 to 1.
-  double started = 0.0;   ///< Seconds since 1970.
-  std::string message;    ///< Why it failed, and the like.
+  double progress = 0.0;     ///< 0 to 1.
+  double started = 0.0;      ///< Seconds since 1970.
+  std::string message;       ///< Why it failed, and the like.
+  bool has_results = false;  ///< Of the whole run, or of what was computed before it was cancelled.
   std::optional<RunNow> now;
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }

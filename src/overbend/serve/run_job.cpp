@@ -11,7 +11,6 @@
 #include "serve/run_queue.h"
 
 namespace overbend {
-namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -105,24 +104,25 @@ void RunQueue::run_dynamic(const Job& job) {
   const RealisationEnd ended = run_realisation(shared, folder_ / job.id, options.seed, false, control, files_, rows);
   if (ended.code == kDone) return end(job.id, RunState::done, "");
   if (ended.code != kInterrupted) return end(job.id, RunState::failed, ended.why);
-  end_interrupted(job);
+  if (ended.results) write_so_far(shared, *ended.results, folder_ / job.id, files_);
+  end_interrupted(job, ended.results.has_value());
 }
 
-void RunQueue::end_interrupted(const Job& job) {
+void RunQueue::end_interrupted(const Job& job, bool has_results) {
   const bool closing = [&] {
     const std::lock_guard<std::mutex> hold(mutex_);
     return closing_;
   }();
   const std::string folder = (folder_ / job.id).string();
+  update(
+      job.id, [&](RunInfo& run) { run.has_results = has_results; }, false);
   if (closing) {  // not what the user wanted: the checkpoint stays
     const std::string name = job.model.name.empty() ? "MODEL.yaml" : job.model.name;
     return end(
         job.id, RunState::cancelled,
         fmt::format("the program ended; the run goes on with: overbend dynamic {} -o {} --resume", name, folder));
   }
-  std::error_code ignored;
-  fs::remove_all(folder_ / job.id / ".run", ignored);
-  end(job.id, RunState::cancelled, "cancelled");
+  end(job.id, RunState::cancelled, has_results ? "cancelled; what was computed is kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

@@ -4,6 +4,8 @@
 #include <array>
 #include <ctime>
 
+#include "io/results_writer.h"
+
 namespace overbend {
 namespace fs = std::filesystem;
 namespace {
@@ -54,6 +56,8 @@ RunInfo RunQueue::add(const ModelText& model, const std::string& title, const st
   run.title = title;
   run.kind = kind;
   run.started = seconds_since_1970();
+  run.file = model.path;
+  write_text(folder(run) / "model.yaml", model.text);
   write_note(run, folder(run));
   {
     const std::lock_guard<std::mutex> hold(mutex_);
@@ -75,6 +79,34 @@ RunInfo RunQueue::cancel(const std::string& id) {
   }
   if (waited) end(id, RunState::cancelled, "cancelled before it began");
   return find(id);
+}
+
+RunInfo RunQueue::annotate(const std::string& id, const std::string& name, const std::string& note) {
+  find(id);
+  update(
+      id,
+      [&](RunInfo& run) {
+        run.name = name;
+        run.note = note;
+      },
+      true);
+  return find(id);
+}
+
+void RunQueue::remove(const std::string& id) {
+  const RunInfo run = find(id);
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    if (!at(id).ended()) throw HttpFault(409, "the run goes on", "cancel it first");
+    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id; });
+  }
+  std::error_code fault;
+  {
+    const std::lock_guard<std::mutex> hold(files_);  // somebody may be reading them
+    fs::remove_all(folder(run), fault);
+  }
+  events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
+  if (fault) throw HttpFault(422, "the folder of the run can not be removed: " + fault.message());
 }
 
 std::vector<RunInfo> RunQueue::list() const {
@@ -121,7 +153,10 @@ void RunQueue::end(const std::string& id, RunState state, const std::string& mes
         run.state = state;
         run.message = message;
         run.now.reset();
-        if (state == RunState::done) run.progress = 1.0;
+        if (state == RunState::done) {
+          run.progress = 1.0;
+          run.has_results = true;
+        }
       },
       true);
 }
