@@ -23,7 +23,13 @@ FileDescriptor open_file(const std::filesystem::path& file, int flags) {
   return descriptor;
 }
 
-/// At its place, so that what is tried again after a fault does not stand there twice.
+}  // namespace
+
+void refuse_file(const std::filesystem::path& file, const char* tried) {
+  const std::string reason = std::generic_category().message(errno);
+  throw FileFault("the file '" + file.string() + "' can not be " + tried + ": " + reason);
+}
+
 void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file) {
   while (!bytes.empty()) {
     const ssize_t count = ::pwrite(id, bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -32,13 +38,6 @@ void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, co
     offset += static_cast<std::uint64_t>(count);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
-}
-
-}  // namespace
-
-void refuse_file(const std::filesystem::path& file, const char* tried) {
-  const std::string reason = std::generic_category().message(errno);
-  throw std::runtime_error("the file '" + file.string() + "' can not be " + tried + ": " + reason);
 }
 
 FileDescriptor::~FileDescriptor() {
@@ -87,6 +86,10 @@ void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
     offset += static_cast<std::uint64_t>(count);
     bytes = bytes.subspan(static_cast<std::size_t>(count));
   }
+}
+
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+  write_at(0, bytes, open_file(file, O_WRONLY | O_CREAT | O_TRUNC).id(), file);
 }
 
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -30,7 +31,13 @@ class FileDescriptor {
   int id_ = -1;
 };
 
-/// Throws std::runtime_error: the file, what was tried ("written", "read") and the reason that errno tells.
+/// A file that the system does not let us write or read, with the reason: no fault of the program.
+class FileFault : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Throws FileFault: the file, what was tried ("written", "read") and the reason that errno tells.
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const char* tried);
 
 /// Appends through a buffer of fixed size, so that appending allocates nothing. What is in the buffer is lost with the
@@ -57,6 +64,13 @@ class AppendFile {
   std::size_t filled_ = 0;     ///< Bytes in the buffer.
   std::uint64_t written_ = 0;  ///< Bytes in the file.
 };
+
+/// Writes all bytes from `offset` on: at their place, so that what is tried again after a fault does not stand there
+/// twice. Throws std::runtime_error that names `file`.
+void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file);
+
+/// Writes a whole file. Throws std::runtime_error.
+void write_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
 
 /// Writes a whole file to the disk (not only to the system's cache). Throws std::runtime_error.
 void write_synced(const std::filesystem::path& file, std::span<const std::byte> bytes);

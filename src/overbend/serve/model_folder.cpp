@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "io/replace_file.h"
+#include "io/run_record.h"
 #include "serve/page_files.h"
 
 namespace overbend {
@@ -20,17 +22,22 @@ double seconds_since_1970(fs::file_time_type time) {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(system.time_since_epoch()).count());
 }
 
-void write_beside(const fs::path& file, std::string_view text) {
-  const fs::path beside = file.string() + ".part";
-  std::ofstream stream(beside, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  std::error_code fault;
-  if (stream) fs::rename(beside, file, fault);
-  if (!stream || fault) {
-    fs::remove(beside, fault);
-    throw HttpFault(422, "the file " + file.filename().string() + " can not be written", "is the folder writable?");
+void put(const fs::path& file, std::string_view text, const std::function<void()>& last_look = nullptr) {
+  try {
+    replace_file(file, text, last_look);
+  } catch (const HttpFault&) {
+    throw;
+  } catch (const std::runtime_error& fault) {
+    throw HttpFault(422, fault.what(), "nothing has been changed; another name or folder may do");
   }
+}
+
+HttpFault changed_on_disk(const std::string& name, const std::string& text, const std::string& version) {
+  HttpFault fault(409, "the file " + name + " has another content than the page knows",
+                  "take the file's, put yours in its place, or save under another name");
+  fault.more["reason"] = "disk";
+  fault.beside["disk"] = {{"name", name}, {"text", text}, {"version", version}};
+  return fault;
 }
 
 }  // namespace
@@ -60,13 +67,31 @@ Json ModelFolder::files() const {
 }
 
 std::string ModelFolder::read(const std::string& name) const {
-  std::ifstream stream(place(name), std::ios::binary);
-  if (!stream) throw HttpFault(404, "there is no file " + name + " in the folder");
+  const fs::path file = place(name);
+  std::error_code fault;
+  std::ifstream stream;
+  if (fs::is_regular_file(file, fault)) stream.open(file, std::ios::binary);  // a pipe would keep the reader waiting
+  if (!stream.is_open()) throw HttpFault(404, "there is no file " + name + " in the folder");
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-void ModelFolder::write(const std::string& name, const std::string& text) const {
-  write_beside(place(name), text);
+std::string ModelFolder::version(const std::string& text) {
+  return text_hash(text);
+}
+
+void ModelFolder::write(const std::string& name, const std::string& text,
+                        const std::optional<std::string>& expected) const {
+  const fs::path file = place(name);
+  put(file, text, [&] {
+    std::error_code fault;
+    if (!fs::exists(file, fault)) return;
+    const std::string found = read(name);
+    if (found != text && version(found) != expected) throw changed_on_disk(name, found, version(found));
+  });
+}
+
+void ModelFolder::overwrite(const std::string& name, const std::string& text) const {
+  put(place(name), text);
 }
 
 void ModelFolder::provide_data(const std::string& text) const {
@@ -75,7 +100,7 @@ void ModelFolder::provide_data(const std::string& text) const {
   const fs::path file = folder_ / name;
   if (text.find(" " + name) == std::string::npos || fs::exists(file, fault)) return;
   fs::create_directories(file.parent_path(), fault);
-  write_beside(file, embedded_text(name));
+  put(file, embedded_text(name));
 }
 
 }  // namespace overbend

@@ -45,10 +45,25 @@ HttpAnswer set_keys(OpenModel& model, const HttpRequest& request) {
   return json_answer(model_json(model.set(changes_of(body.at("changes")), revision_of(body))));
 }
 
+SaveRequest save_request(const Json& body) {
+  SaveRequest request{text_of(body, "name")};
+  request.force = body.value("force", false);
+  request.knows = body.contains("disk");
+  if (request.knows && !body["disk"].is_null()) request.disk = text_of(body, "disk");
+  return request;
+}
+
 HttpAnswer save(OpenModel& model, const HttpRequest& request) {
   const Json body = request.json();
-  if (body.contains("text")) model.put(text_of(body, "text"), revision_of(body), nullptr);
-  return json_answer(model_json(model.save(text_of(body, "name"))));
+  const SaveRequest wanted = save_request(body);
+  if (!body.contains("text")) return json_answer(model_json(model.save(wanted)));
+  const ModelText kept = model.put(text_of(body, "text"), revision_of(body), nullptr);
+  try {
+    return json_answer(model_json(model.save(wanted)));
+  } catch (HttpFault& fault) {
+    fault.beside["revision"] = kept.revision;  // the text is the open model, saved or not
+    throw;
+  }
 }
 
 HttpAnswer example(const HttpRequest& request) {

@@ -41,6 +41,7 @@ ModelText OpenModel::now() const {
 void OpenModel::require(std::int64_t revision) const {
   if (revision == model_.revision) return;
   HttpFault fault(409, "the model has been changed elsewhere since", "take the newer one, or put yours in its place");
+  fault.more["reason"] = "revision";
   fault.beside = model_json(model_);
   throw fault;
 }
@@ -64,6 +65,7 @@ ModelText OpenModel::put(const std::string& text, std::int64_t revision, const s
   if (name != nullptr && *name != next.name) {
     next.name = *name;
     next.saved = false;
+    next.disk.reset();
   }
   return take(std::move(next));
 }
@@ -83,14 +85,20 @@ ModelText OpenModel::set(const std::vector<YamlChange>& changes, std::int64_t re
 
 ModelText OpenModel::open(const std::string& name) {
   std::string text = folder_.read(name);
+  const std::string version = ModelFolder::version(text);
   const std::lock_guard<std::mutex> hold(mutex_);
-  return take({std::move(text), name, true, 0, ""});
+  return take({std::move(text), name, true, 0, version, ""});
 }
 
-ModelText OpenModel::save(const std::string& name) {
+ModelText OpenModel::save(const SaveRequest& request) {
   const std::lock_guard<std::mutex> hold(mutex_);
-  folder_.write(name, model_.text);
-  return take({model_.text, name, true, 0, ""});
+  const bool same_file = request.name == model_.name;
+  if (request.force) {
+    folder_.overwrite(request.name, model_.text);
+  } else {
+    folder_.write(request.name, model_.text, request.knows ? request.disk : same_file ? model_.disk : std::nullopt);
+  }
+  return take({model_.text, request.name, true, 0, ModelFolder::version(model_.text), ""});
 }
 
 Json model_json(const ModelText& model) {
@@ -99,6 +107,7 @@ Json model_json(const ModelText& model) {
           {"name", model.name},
           {"saved", model.saved},
           {"revision", model.revision},
+          {"disk", model.disk ? Json(*model.disk) : Json()},
           {"diagnostics", diagnostics_json(reading.diagnostics, model.text)},
           {"fields", model_fields(model.text)}};
 }

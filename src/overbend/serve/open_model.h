@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "io/yaml_edit.h"
@@ -17,7 +18,16 @@ struct ModelText {
   std::string text, name;  ///< `name` is that of its file, empty where it has none.
   bool saved = true;
   std::int64_t revision = 0;
+  std::optional<std::string> disk;  ///< Version of the file as last read or written; none for one that has no file.
   std::string path;  ///< Of the file, or where it would lie: in messages, and the folder of the files it mentions.
+};
+
+/// What a page wants to save, and what it takes the file to hold.
+struct SaveRequest {
+  std::string name;
+  bool force = false;                              ///< Whatever the file holds.
+  bool knows = false;                              ///< Whether `disk` is the page's word; else what was last read.
+  std::optional<std::string> disk = std::nullopt;  ///< Version of the file; nothing: it is not there yet.
 };
 
 /// All functions may be called from any thread.
@@ -33,7 +43,7 @@ class OpenModel {
   ModelText put(const std::string& text, std::int64_t revision, const std::string* name);
   ModelText set(const std::vector<YamlChange>& changes, std::int64_t revision);
   ModelText open(const std::string& name);
-  ModelText save(const std::string& name);
+  ModelText save(const SaveRequest& request);
 
  private:
   ModelText take(ModelText next);
