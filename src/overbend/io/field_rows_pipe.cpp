@@ -235,7 +235,8 @@ std::vector<Field> section(const std::string& p) {
        .text = "Internal pressure at the water level.",
        .unit = "N/m^2",
        .show = "MPa",
-       .fallback = "0 MPa"},
+       .fallback = "0 MPa",
+       .range = {.low = -0.1e6}},  // a vacuum
   };
 }
 

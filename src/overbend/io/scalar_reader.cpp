@@ -14,9 +14,11 @@ std::string shown(const YamlNode& node) {
   return "'" + for_display(node.text) + "'";
 }
 
-/// Closed bounds hold to rounding, so that 90 deg is not above 90 deg.
+/// Closed bounds hold to rounding, so that 90 deg is not above 90 deg. An absent bound is infinite and near to nothing.
 bool within(const Range& range, double value) {
-  const auto close = [&](double bound) { return std::abs(value - bound) <= 1e-12 * std::abs(bound); };
+  const auto close = [&](double bound) {
+    return std::isfinite(bound) && std::abs(value - bound) <= 1e-12 * std::abs(bound);
+  };
   if (close(range.low)) return !range.low_open;
   if (close(range.high)) return !range.high_open;
   return range.contains(value);
