@@ -1,7 +1,7 @@
 // Starts the real program on a folder of its own and opens its page in a browser.
 // OVERBEND_PROGRAM: the program. OVERBEND_ROOT: where examples/ and data/ lie. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -40,11 +40,13 @@ function started(child: ChildProcess): Promise<string> {
   });
 }
 
-export async function start(model?: string): Promise<Bench> {
+/** `edit`: what is written otherwise in the model before it is opened. */
+export async function start(model?: string, edit: Record<string, string> = {}): Promise<Bench> {
   const outer = mkdtempSync(join(tmpdir(), 'overbend-page-'));
   const folder = join(outer, 'models');
   cpSync(join(root, 'examples'), folder, { recursive: true });
   cpSync(join(root, 'data'), join(outer, 'data'), { recursive: true });
+  if (model) writeFileSync(join(folder, model), Object.entries(edit).reduce((text, [from, to]) => text.replace(from, to), readFileSync(join(folder, model), 'utf8')));
   mkdirSync(shots, { recursive: true });
   const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
   const own = new URL(await started(child));

@@ -176,32 +176,6 @@ test('reload keeps the open model', async () => {
   expect((await (await bench.api('model')).json() as { text: string }).text).toBe(before);
 });
 
-test('two tabs do not fight', async () => {
-  const other = await bench.open();
-  await solved(other);
-  await other.fill('#f-environment\\.water_depth', '95 m');
-  await other.keyboard.press('Enter');
-  await page.waitForSelector('.status.warn');
-  await page.fill('#f-environment\\.water_depth', '91 m');
-  await page.keyboard.press('Enter');
-  await page.waitForSelector('dialog >> text=Take the newer');
-  await bench.shot(page, 'two-tabs');
-  await page.click('dialog >> text=Take the newer');
-  await page.waitForFunction(() => (document.querySelector('#f-environment\\.water_depth') as HTMLInputElement).value === '95 m');
-  await other.close();
-});
-
-test('the own change can be kept against another tab', async () => {
-  const { revision } = await (await bench.api('model')).json() as { revision: number };
-  expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '97 m' }], revision }) })).status).toBe(200);
-  await page.fill('#f-environment\\.water_depth', '92 m');
-  await page.keyboard.press('Enter');
-  await page.click('dialog >> text=Keep mine');
-  await expect.poll(async () => (await (await bench.api('model')).json() as { text: string }).text, { timeout: 10_000 }).toContain('water_depth: 92 m');
-  expect(await page.locator('#f-environment\\.water_depth').inputValue()).toBe('92 m');
-  await solved(page);
-});
-
 test('dark, and on a large screen', async () => {
   await page.click('[aria-label="Dark colours"]');
   await page.waitForTimeout(500);

@@ -22,13 +22,14 @@ export class Chart {
   private extra: Extra = {};
   private zoomed: [number, number] | null = null;
   private silent = false;
+  private told = Infinity; // where the last label of a level stands
 
   constructor(private readonly box: HTMLElement, private readonly on: ChartHandlers) {}
 
   private colour(name: string): string { return getComputedStyle(this.box).getPropertyValue(name).trim(); }
 
   set(data: ChartData, extra: Extra = {}): void {
-    const key = JSON.stringify([data.title, data.yName, data.lines.map((l) => l.name), document.documentElement.dataset.theme]);
+    const key = JSON.stringify([data.title, data.xName, data.yName, data.lines.map((l) => l.name), document.documentElement.dataset.theme]);
     const rebuilt = key !== this.key || !this.plot;
     this.data = data;
     this.extra = extra;
@@ -51,20 +52,21 @@ export class Chart {
     const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
     const r = this.box.getBoundingClientRect();
     const bars = data.lines[0]?.width === -1;
+    const narrow = r.width < 260;
     const options: uPlot.Options = {
       width: Math.max(80, Math.floor(r.width)), height: Math.max(60, Math.floor(r.height)),
       padding: [6, 12, 0, 0],
       legend: { show: false },
-      scales: { x: { time: false }, y: { range: (_u, low, high) => this.range(low, high) } },
+      scales: { x: { time: false, ...(bars ? { range: (_u: uPlot, low: number, high: number): [number, number] => { const pad = 0.04 * (high - low || 1); return [low - pad, high + pad]; } } : {}) }, y: { range: (_u, low, high) => this.range(low, high) } },
       cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 7 }, focus: { prox: -1 } },
-      series: [{}, ...data.lines.map((l): uPlot.Series => ({
+      series: [{}, ...data.lines.map((l, i): uPlot.Series => ({
         label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
         ...(l.dash ? { dash: [5, 4] } : {}),
-        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: [0.6, 40] }) } : {}),
+        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: i === 0 ? [0.7, 40] : [0.35, 20] }) } : {}),
       }))],
       axes: [
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 2 * em, gap: 3, space: 4 * em },
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.8 * em, gap: 4, space: 2.6 * em },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: data.xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.4 * em, gap: 4, space: 2.6 * em, ...(narrow ? {} : { label: data.yName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 }) },
       ],
       hooks: {
         drawClear: [(u) => this.under(u)],
@@ -100,7 +102,9 @@ export class Chart {
   private range(low: number, high: number): [number, number] {
     if (low === null || high === null || !Number.isFinite(low)) return [0, 1];
     const data = this.data;
-    if (data && !this.zoomed) for (const l of data.level) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
+    const most = Math.max(Math.abs(low), Math.abs(high));
+    // a limit far away is told at the edge, so that the curve keeps its height
+    if (data && !this.zoomed) for (const l of data.level) if (l.kind !== 'limit' || Math.abs(l.y) < 2.2 * most) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
     if (this.extra.shade) { low = Math.min(low, this.extra.shade[0]); high = Math.max(high, this.extra.shade[1]); }
     if (data?.lines[0]?.width === -1) low = 0;
     const pad = 0.06 * (high - low || Math.abs(high) || 1);
@@ -116,18 +120,63 @@ export class Chart {
       ctx.fillStyle = this.colour('--range');
       ctx.fillRect(bbox.left, a, bbox.width, b - a);
     }
-    for (const l of this.data?.level ?? []) {
-      const y = u.valToPos(l.y, 'y', true);
-      if (y < bbox.top || y > bbox.top + bbox.height) continue;
-      ctx.strokeStyle = l.label === 'water' ? '#4d9cc9' : '#a8905a';
-      ctx.lineWidth = devicePixelRatio * 1.4;
-      ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke();
-      ctx.fillStyle = ctx.strokeStyle;
-      ctx.font = `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
-      ctx.textAlign = 'right';
-      ctx.fillText(l.label, bbox.left + bbox.width - 4, y - 4 * devicePixelRatio);
-    }
+    this.told = Infinity;
+    for (const l of [...(this.data?.level ?? [])].sort((a, b) => a.y - b.y)) this.level(u, l);
     ctx.restore();
+  }
+
+  private letters(): string { return `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`; }
+
+  /** Water, seabed, or what is allowed; a limit out of sight is told with its value at the edge. */
+  private level(u: uPlot, l: ChartData['level'][number]): void {
+    const { ctx, bbox } = u;
+    const d = devicePixelRatio;
+    const y = u.valToPos(l.y, 'y', true);
+    const limit = l.kind === 'limit';
+    const hidden = y < bbox.top || y > bbox.top + bbox.height;
+    if (hidden && (!limit || y > bbox.top)) return;
+    ctx.strokeStyle = l.kind === 'water' ? '#4d9cc9' : limit ? this.colour('--bad') : '#a8905a';
+    ctx.fillStyle = ctx.strokeStyle;
+    ctx.lineWidth = d * 1.4;
+    ctx.setLineDash(limit ? [7 * d, 4 * d] : []);
+    if (!hidden) { ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke(); }
+    ctx.setLineDash([]);
+    ctx.font = this.letters();
+    ctx.textAlign = 'right';
+    ctx.textBaseline = 'alphabetic';
+    const text = hidden ? `${l.label}: ${tidy(l.y, 4)} ↑` : l.label;
+    // above its line, or below where there is no room between it and the next
+    const line = hidden ? bbox.top : y;
+    let at = hidden || y - bbox.top < 14 * d ? line + 12 * d : line - 4 * d;
+    if (Math.abs(at - this.told) < 13 * d) at = this.told - 13 * d;
+    this.told = at;
+    ctx.fillText(text, bbox.left + bbox.width - 4 * d, at);
+  }
+
+  /** Names of the boxes upright at their marks, as many as there is room for. */
+  private names(u: uPlot, marks: ChartData['marks']): void {
+    const { ctx, bbox } = u;
+    const d = devicePixelRatio;
+    ctx.font = this.letters();
+    ctx.textBaseline = 'alphabetic';
+    const step = 1.1 * Number.parseFloat(ctx.font);
+    let last = -Infinity;
+    for (const m of marks) {
+      const x = u.valToPos(m.x, 'x', true);
+      if (x < bbox.left + 2 * d || x > bbox.left + bbox.width || x - last < step) continue;
+      last = x;
+      // from the lower end upwards, but hanging below a curve that they mark
+      const below = !Number.isNaN(m.y);
+      ctx.textAlign = below ? 'right' : 'left';
+      ctx.save();
+      ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : bbox.top + bbox.height - 9 * d);
+      ctx.rotate(-Math.PI / 2);
+      ctx.lineWidth = 3 * d;
+      ctx.strokeStyle = this.colour('--paper');
+      ctx.strokeText(m.label, 0, 0);
+      ctx.fillText(m.label, 0, 0);
+      ctx.restore();
+    }
   }
 
   private over(u: uPlot): void {
@@ -141,6 +190,8 @@ export class Chart {
       const y = Number.isNaN(m.y) ? bbox.top + bbox.height : u.valToPos(m.y, 'y', true) + 3 * d;
       ctx.beginPath(); ctx.moveTo(x, y - (Number.isNaN(m.y) ? 6 * d : 0)); ctx.lineTo(x - 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.lineTo(x + 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.fill();
     }
+    ctx.fillStyle = this.colour('--soft');
+    this.names(u, this.data?.marks ?? []);
     if (this.extra.now !== null && this.extra.now !== undefined) {
       const x = u.valToPos(this.extra.now, 'x', true);
       if (x >= bbox.left && x <= bbox.left + bbox.width) {
@@ -170,7 +221,8 @@ export class Chart {
     if (index === null || !this.data) return '';
     const unit = /\[(.*)\]/.exec(this.data.yName)?.[1] ?? '';
     const values = this.data.lines.map((l) => (l.values[index] === null || l.values[index] === undefined ? '' : `${this.data!.lines.length > 1 ? `${l.name} ` : ''}${tidy(l.values[index]!, 4)}`)).filter(Boolean);
-    return `${tidy(this.data.x[index]!, 4)} ${/\[(.*)\]/.exec(this.data.xName)?.[1] ?? ''}: ${values.join(', ')} ${unit}`;
+    const name = this.data.names?.[index] ?? this.data.marks.find((m) => Math.abs(m.x - this.data!.x[index]!) < 1e-3 * (this.data!.x.at(-1)! - this.data!.x[0]!))?.label;
+    return `${name ? `${name}, ` : ''}${tidy(this.data.x[index]!, 4)} ${/\[(.*)\]/.exec(this.data.xName)?.[1] ?? ''}: ${values.join(', ')} ${unit}`;
   }
 
   resize(): void {

@@ -4,6 +4,7 @@ import { effect } from '@preact/signals';
 import { get } from '../api/client';
 import type { Schema } from '../logic/schema';
 import { diagnostics, putText, redo, text, undo } from '../state/model';
+import { lead } from '../state/lead';
 import { sayError } from '../state/notices';
 import type { YamlEditor } from './yamlEditor';
 
@@ -26,7 +27,8 @@ export function Yaml() {
       setReady(true);
       const a = effect(() => { const t = text.value; if (waiting === null) e.setText(t); });
       const b = effect(() => { e.setFaults(diagnostics.value); });
-      stop = () => { a(); b(); };
+      const c = effect(() => { const to = lead.value; if (to && !to.key && to.line) { e.goTo(to.line); lead.value = null; } });
+      stop = () => { a(); b(); c(); };
     }).catch(sayError);
     if (!schema) get<Schema>('schema').then((s) => { schema = s; }).catch(sayError);
     return () => { gone = true; flush(); stop(); editor.current?.destroy(); };

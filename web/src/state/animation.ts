@@ -158,7 +158,7 @@ export function startAnimation(): void {
   });
   effect(() => {
     const run = selected.value;
-    const id = run && run.kind === 'dynamic' && run.state === 'done' ? run.id : null;
+    const id = run && run.kind === 'dynamic' && run.has_results ? run.id : null;
     untracked(() => { if (id && id !== runId) { close(); void open(id); } else if (!id && runId) close(); });
   });
 }

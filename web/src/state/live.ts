@@ -111,7 +111,7 @@ export function startLive(): void {
     void revision.value;
     const list = changes.value, lean = dragging.value;
     if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
-    else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: `line ${errors.value[0].line}`, why: errors.value[0].message }; });
+    else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: errors.value[0].key || `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {
     void revision.value;

@@ -1,6 +1,6 @@
 // Arrows: the current at its depths, and the way the pipe goes through the tensioner.
 import * as THREE from 'three';
-import type { Converged, Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { members, vec } from './members';
 
 const currentPaint = new THREE.MeshStandardMaterial({ color: '#1b9ab8', roughness: 0.7 });
@@ -44,7 +44,7 @@ export class TensionerArrow {
   }
 
   /** Beside the tensioner, the way the pipe is going through it. */
-  point(machine: Machine | null, solution: Converged | null): void {
+  point(machine: Machine | null, solution: Lay | null): void {
     this.group.visible = machine !== null && (machine.way !== 0 || machine.limit);
     if (!machine || !solution) return;
     const along = vec(solution.tensioner.direction).normalize();

@@ -1,7 +1,7 @@
 // The camera: where it looks from, its flights between the views, and the mouse that turns it.
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
-import type { Converged, Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { shot, type ViewName } from './cameras';
 
 const flightTime = 420; // ms
@@ -29,12 +29,12 @@ export class Flight {
   stop(): void { this.path = null; }
 
   /** Scene or solution have changed: follows them to the view that is kept; at once where there was no picture before. */
-  follow(solution: Converged, scene: Scene, still: boolean): void {
+  follow(solution: Lay, scene: Scene, still: boolean): void {
     if (!this.framed) this.go(this.view ?? 'whole', solution, scene, false);
     else if (this.view && !still) this.go(this.view, solution, scene, true);
   }
 
-  go(name: ViewName, solution: Converged, scene: Scene, smooth: boolean): void {
+  go(name: ViewName, solution: Lay, scene: Scene, smooth: boolean): void {
     this.view = name;
     const to = shot(name, solution, scene, this.camera);
     if (smooth && this.framed && !matchMedia('(prefers-reduced-motion: reduce)').matches) {

@@ -1,6 +1,6 @@
 // Water, seabed and current.
 import * as THREE from 'three';
-import type { Converged, Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { surface } from '../logic/waves';
 import { currentArrows } from './arrows';
 import { axes } from './cameras';
@@ -10,7 +10,7 @@ const cells = 72;
 const grain = 20; // m: whole cells, so that the water does not creep while a value is dragged
 
 /** Corners of the part of the sea that is shown: from ahead of the bow to a little behind touchdown. */
-export function seaCorners(scene: Scene, solution: Converged): [THREE.Vector2, THREE.Vector2] {
+export function seaCorners(scene: Scene, solution: Lay): [THREE.Vector2, THREE.Vector2] {
   const touch = solution.touchdown?.s ?? Infinity;
   const points = [vec(scene.vessel.pose).addScaledVector(axes(scene).forward, 0.62 * scene.vessel.length)];
   solution.pipe.s.forEach((s, i) => { if (s <= touch + 80) points.push(new THREE.Vector3(solution.pipe.x[i], solution.pipe.y[i], 0)); });

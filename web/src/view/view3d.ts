@@ -1,6 +1,6 @@
 // The three-dimensional picture. It is drawn again only when something has changed.
 import * as THREE from 'three';
-import type { Converged, Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { TensionerArrow, type Machine } from './arrows';
 import { viewNames, type ViewName } from './cameras';
 import { Flight } from './flight';
@@ -55,7 +55,7 @@ export class View3D {
   private readonly labels: Labels;
   private labelList: Label[] = [];
   private scene: Scene | null = null;
-  private solution: Converged | null = null;
+  private solution: Lay | null = null;
   private still = new THREE.Matrix4();
   private dirty = true;
   private dark = false;
@@ -142,7 +142,7 @@ export class View3D {
     this.taken();
   }
 
-  setSolution(solution: Converged): void {
+  setSolution(solution: Lay): void {
     this.solution = solution;
     this.taken();
   }
@@ -192,7 +192,7 @@ export class View3D {
     if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress');
   }
 
-  private setPipe(s: Converged): void {
+  private setPipe(s: Lay): void {
     const n = s.pipe.s.length;
     const points = new Float32Array(3 * n);
     for (let i = 0; i < n; ++i) { points[3 * i] = s.pipe.x[i]!; points[3 * i + 1] = s.pipe.y[i]!; points[3 * i + 2] = s.pipe.z[i]!; }
