@@ -152,7 +152,7 @@ TEST(serve_runs, the_statics_of_a_run_are_those_of_its_own_model) {
                                   {"revision", serving.get("/api/model").json["revision"]}});
   const json then = serving.get(at + "/statics").json;
   EXPECT_EQ(then["status"], "converged");
-  EXPECT_NEAR(then["key"]["top_tension"].get<double>(), 300e3, 1.0);
+  EXPECT_NEAR(then["key"]["top_tension"].get<double>(), 300e3, 100.0);  // to the coarse mesh; 350 kN would be now
   EXPECT_EQ(then["pipe"]["s"].size(), then["pipe"]["von_mises"].size());
   EXPECT_EQ(serving.get(at + "/scene").json["status"], "ok");
 }

@@ -164,7 +164,8 @@ test('a run is cancelled', async () => {
 test('a run that fails is not shown with statics in green', async () => {
   const { revision } = await (await bench.api('model')).json() as { revision: number };
   await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.tension', value: '2 kN' }], revision }) });
-  await page.waitForFunction(() => document.querySelector('.failure') !== null);
+  if (await page.locator('.back').count()) await page.click('.back');
+  await page.waitForSelector('.failure');
   await page.click('text=Static run with report');
   await page.waitForSelector('.run.failed', { timeout: 60_000 });
   expect(await page.locator('.standing.bad').innerText()).toMatch(/This run failed\. .*tension is too low/);

@@ -51,7 +51,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.message = note.value("message", "");
     run.name = note.value("name", "");
     run.note = note.value("note", "");
-    run.file = note.value("file", "");
+    run.model_path = note.value("model_path", "");
     run.progress = note.value("progress", 0.0);
   }
   if (summary.is_object()) {
@@ -102,7 +102,7 @@ void write_note(const RunInfo& run, const fs::path& folder) {
   lasting.now.reset();
   const fs::path beside = folder / "run.json.part";
   Json note = run_json(lasting);
-  note["file"] = run.file;
+  note["model_path"] = run.model_path;
   write_text(beside, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fs::rename(beside, folder / "run.json");
 }

@@ -23,7 +23,7 @@ struct RunInfo {
   std::string id;  ///< Name of its folder.
   std::string title, kind;
   std::string name, note;  ///< The user's; empty until he gives them.
-  std::string file;        ///< Path of the model as it was read: files it mentions lie beside.
+  std::string model_path;  ///< Of the model's file, or where it would lie: files it mentions lie beside.
   RunState state = RunState::queued;
   double progress = 0.0;     ///< 0 to 1.
   double started = 0.0;      ///< Seconds since 1970.

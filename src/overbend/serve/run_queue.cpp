@@ -56,7 +56,7 @@ RunInfo RunQueue::add(const ModelText& model, const std::string& title, const st
   run.title = title;
   run.kind = kind;
   run.started = seconds_since_1970();
-  run.file = model.path;
+  run.model_path = model.path;
   write_text(folder(run) / "model.yaml", model.text);
   write_note(run, folder(run));
   {

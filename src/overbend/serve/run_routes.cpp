@@ -122,7 +122,7 @@ HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {
 HttpAnswer scene(RunQueue& runs, const HttpRequest& request) {
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
-  return json_answer(run_scene_json(h5, runs.find(request.parts[0]).file));
+  return json_answer(run_scene_json(h5, runs.find(request.parts[0]).model_path));
 }
 
 HttpAnswer list(const RunQueue& runs) {

@@ -97,6 +97,8 @@ export interface Run {
   name: string; note: string;
   /** Of a whole run, or of what was computed before it was cancelled. */
   has_results: boolean;
+  /** It can go on from its checkpoint. */
+  resumable?: boolean;
   time?: number; end?: number; top_tension?: number; worst_stress?: number;
 }
 

@@ -53,6 +53,8 @@ export class Chart {
     const r = this.box.getBoundingClientRect();
     const bars = data.lines[0]?.width === -1;
     const narrow = r.width < 260;
+    // where the name would not fit along the axis its unit stands there alone
+    const yName = 0.46 * em * data.yName.length > r.height - 3.4 * em ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : data.yName;
     const options: uPlot.Options = {
       width: Math.max(80, Math.floor(r.width)), height: Math.max(60, Math.floor(r.height)),
       padding: [6, 12, 0, 0],
@@ -66,7 +68,7 @@ export class Chart {
       }))],
       axes: [
         { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: data.xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.4 * em, gap: 4, space: 2.6 * em, ...(narrow ? {} : { label: data.yName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 }) },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.4 * em, gap: 4, space: 2.6 * em, ...(narrow ? {} : { label: yName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 }) },
       ],
       hooks: {
         drawClear: [(u) => this.under(u)],
@@ -150,6 +152,9 @@ export class Chart {
     let at = hidden || y - bbox.top < 14 * d ? line + 12 * d : line - 4 * d;
     if (Math.abs(at - this.told) < 13 * d) at = this.told - 13 * d;
     this.told = at;
+    ctx.strokeStyle = this.colour('--paper');
+    ctx.lineWidth = 3 * d;
+    ctx.strokeText(text, bbox.left + bbox.width - 4 * d, at);
     ctx.fillText(text, bbox.left + bbox.width - 4 * d, at);
   }
 

@@ -4,7 +4,6 @@ import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
 import { label as nameOf, parts } from '../logic/formTree';
-import { withoutPaths } from '../logic/warnings';
 import { diagnostics, setKeys } from '../state/model';
 
 function value(field: Field): string {
@@ -67,7 +66,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
         />
       )}
       <span class="twin">{other}</span>
-      {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{withoutPaths(message)}</p> : null}
+      {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
     </div>
   );
 }

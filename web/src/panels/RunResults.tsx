@@ -1,6 +1,6 @@
 // The run that is looked at: static beside what was least and greatest in time, its warnings, how it stands.
 import type { Region, Run, RunSummary, Spread } from '../api/types';
-import { bullets } from '../logic/warnings';
+import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
@@ -56,7 +56,7 @@ function Table() {
 function Standing({ run }: { run: Run }) {
   const d = runSummary.value?.dynamic;
   switch (run.state) {
-    case 'failed': return <p class="standing bad" role="alert"><b>This run failed.</b> {run.message}</p>;
+    case 'failed': return <p class="standing bad" role="alert"><b>This run failed.</b> {withoutPaths(run.message)}</p>;
     case 'queued': return <p class="standing">Waiting for the run before it.</p>;
     case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results come when it is done. <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button></p>;
     case 'cancelled': return <p class="standing warn"><b>Cancelled.</b> {d ? `What is shown is the first ${tidy(d.duration, 5)} s.` : run.message}</p>;

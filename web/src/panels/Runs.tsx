@@ -2,10 +2,11 @@
 import { useEffect, useState } from 'preact/hooks';
 import { duration as inWords } from '../logic/show';
 import { parseQuantity, tidy, toSi } from '../logic/units';
+import { withoutPaths } from '../logic/warnings';
 import type { Run } from '../api/types';
 import { byPath, errors, hasModel } from '../state/model';
 import { changes } from '../state/live';
-import { annotate, cancelRun, deleteRun, reportAddress, runName, runs, select, selectedId, startRun, timeToFinish } from '../state/runs';
+import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selectedId, startRun, timeToFinish } from '../state/runs';
 import { leadToFault } from '../state/lead';
 
 const words: Record<Run['state'], string> = { queued: 'waiting', running: 'running', done: 'done', failed: 'failed', cancelled: 'cancelled' };
@@ -62,12 +63,13 @@ function Card({ run }: { run: Run }) {
         </>
       ) : null}
       {run.note && !mine ? <p class="note">{run.note}</p> : null}
-      {run.message && run.state !== 'done' ? <p class="brief">{run.message}</p> : null}
+      {run.message && run.state !== 'done' ? <p class="brief">{withoutPaths(run.message)}</p> : null}
       {mine ? <Words key={run.id} run={run} /> : null}
       <div class="acts">
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
         {run.has_results ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
         {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
+        {run.resumable && !going ? <button type="button" title="Goes on where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
         {mine && !going ? <Delete run={run} /> : null}
       </div>
     </li>

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { get } from '../api/client';
 import type { Schema } from '../logic/schema';
-import { diagnostics, putText, redo, text, undo } from '../state/model';
+import { diagnostics, putText, redo, text, typing, undo } from '../state/model';
 import { lead } from '../state/lead';
 import { sayError } from '../state/notices';
 import type { YamlEditor } from './yamlEditor';
@@ -19,10 +19,10 @@ export function Yaml() {
     let stop = (): void => undefined;
     let timer = 0;
     let waiting: string | null = null;
-    const flush = (): void => { clearTimeout(timer); if (waiting !== null) { const t = waiting; waiting = null; void putText(t, 'yaml'); } };
+    const flush = (): void => { clearTimeout(timer); typing.value = false; if (waiting !== null) { const t = waiting; waiting = null; void putText(t, 'yaml'); } };
     void import('./yamlEditor').then(({ makeEditor }) => {
       if (gone || !box.current) return;
-      const e = makeEditor(box.current, text.peek(), () => schema, (t) => { waiting = t; clearTimeout(timer); timer = window.setTimeout(flush, 250); }, () => { flush(); undo(); }, () => { flush(); redo(); });
+      const e = makeEditor(box.current, text.peek(), () => schema, (t) => { waiting = t; typing.value = true; clearTimeout(timer); timer = window.setTimeout(flush, 250); }, () => { flush(); undo(); }, () => { flush(); redo(); });
       editor.current = e;
       setReady(true);
       const a = effect(() => { const t = text.value; if (waiting === null) e.setText(t); });

@@ -4,6 +4,7 @@ import { computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
 import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
 import { UndoStack, type Kept } from '../logic/undo';
+import { withoutPaths } from '../logic/warnings';
 import { say, sayError } from './notices';
 
 export const info = signal<Info | null>(null);
@@ -65,7 +66,7 @@ function take(answer: Partial<ModelAnswer>): void {
   if (answer.text !== undefined) text.value = answer.text;
   if (answer.name !== undefined) fileName.value = answer.name;
   if (answer.saved !== undefined) saved.value = answer.saved;
-  if (answer.diagnostics) diagnostics.value = answer.diagnostics;
+  if (answer.diagnostics) diagnostics.value = answer.diagnostics.map((d) => ({ ...d, message: withoutPaths(d.message) }));
   if (answer.fields) fields.value = answer.fields;
   if (answer.revision !== undefined) revision.value = answer.revision;
   if (answer.disk !== undefined) disk.value = answer.disk;
@@ -183,11 +184,14 @@ export async function takeFile(name: string): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-export async function takeTheirs(): Promise<void> {
+/** Text that is being typed and has not been sent yet. */
+export const typing = signal(false);
+
+/** `unasked`: only where no change of this tab is under way, which would be lost. */
+export async function takeTheirs(unasked = false): Promise<void> {
   try {
     const theirs = await get<ModelAnswer>('model');
-    // an own change went out meanwhile: its answer is the newer one, or a conflict
-    if (writing.value > 0 && !conflict.value) return;
+    if (unasked && (writing.value > 0 || conflict.value || typing.value || theirs.revision <= revision.value)) return;
     const another = theirs.name !== fileName.value;
     undoStack.push(theirs.text, 'other', performance.now());
     if (another) takeOpened(theirs, undoStack);
@@ -210,8 +214,8 @@ export async function keepMine(): Promise<void> {
 export function modelEvent(event: { revision: number }): void {
   // The event may overtake the answer to this tab's own change: look again when nothing is on its way.
   void queue.then(() => setTimeout(() => {
-    if (writing.value > 0 || conflict.value || event.revision <= revision.value) return;
+    if (writing.value > 0 || conflict.value || typing.value || event.revision <= revision.value) return;
     const before = text.value;
-    void takeTheirs().then(() => { if (text.value !== before) say('Changed in another tab'); });
+    void takeTheirs(true).then(() => { if (text.value !== before) say('Changed in another tab'); });
   }, 50));
 }

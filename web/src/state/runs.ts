@@ -48,6 +48,10 @@ function forget(id: string): void {
   if (selectedId.value === id) select(null);
 }
 
+export async function resumeRun(id: string): Promise<void> {
+  try { runEvent(await post<Run>(`runs/${id}/resume`)); } catch (error) { sayError(error); }
+}
+
 export async function cancelRun(id: string): Promise<void> {
   try { await post(`runs/${id}/cancel`); await fetchRuns(); } catch (error) { sayError(error); }
 }
