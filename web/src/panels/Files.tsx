@@ -87,10 +87,11 @@ export function OverwriteDialog() {
   const o = overwrite.value;
   if (!o) return null;
   const close = (): void => { overwrite.value = null; };
+  const own = o.name === fileName.value;
   const rows = differences(o.theirs, o.mine);
   return (
-    <Dialog title={`${o.name} has changed on disk`} close={close} wide>
-      <p>Another program has changed the file since it was read here. Nothing has been written. Lines that differ:</p>
+    <Dialog title={own ? `${o.name} has changed on disk` : `${o.name} is there already`} close={close} wide>
+      <p>{own ? 'Another program has changed the file since it was read here.' : 'The folder has a file of that name.'} Nothing has been written. Lines that differ:</p>
       <div class="compare" role="table" aria-label="The two texts">
         <div class="heads" role="row"><b role="columnheader">in the file</b><b role="columnheader">here</b></div>
         {rows.map((r, i) => (r.gap ? <div key={i} class="gap">…</div> : <div key={i} role="row" class={r.left === r.right ? '' : 'differs'}><code role="cell">{r.left ?? ''}</code><code role="cell">{r.right ?? ''}</code></div>))}
