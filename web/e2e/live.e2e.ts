@@ -98,9 +98,9 @@ test('a roller is picked and says what it carries', async () => {
   // where the first stinger roller that carries is drawn
   const spot = await page.evaluate(() => {
     interface Point { clone(): Point; project(c: unknown): { x: number; y: number } }
-    const view = (window as unknown as { __view: { camera: unknown; rollers: { list: { support: { structure: string }; reaction: number; center: Point }[] } } }).__view;
+    const view = (window as unknown as { __view: { camera: unknown; stage: { rollers: { list: { support: { structure: string }; reaction: number; center: Point }[] } } } }).__view;
     const r = document.querySelector('.canvas canvas')!.getBoundingClientRect();
-    const carrying = view.rollers.list.filter((x) => x.support.structure === 'stinger' && x.reaction > 0);
+    const carrying = view.stage.rollers.list.filter((x) => x.support.structure === 'stinger' && x.reaction > 0);
     const p = carrying[Math.floor(carrying.length / 2)]!.center.clone().project(view.camera);
     return { x: r.left + ((p.x + 1) / 2) * r.width, y: r.top + ((1 - p.y) / 2) * r.height };
   });

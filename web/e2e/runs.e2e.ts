@@ -43,7 +43,7 @@ test('impacts light up, the tensioner says what it does, boxes have the colour o
   const hardest = impacts.find((i) => i.time > 0 && i.time < 19)!;
   await page.locator('[aria-label=Time]').evaluate((el, t) => { const input = el as HTMLInputElement; input.value = String(t); input.dispatchEvent(new Event('input', { bubbles: true })); }, Math.ceil((hardest.time + 0.05) * 20) / 20);
   await page.waitForFunction(() => Number((document.querySelector('.legend') as HTMLElement).dataset.flashes) > 0);
-  expect(await page.evaluate(() => (window as unknown as { __view: { flashGroup: { children: unknown[] } } }).__view.flashGroup.children.length)).toBeGreaterThan(0);
+  expect(await page.evaluate(() => (window as unknown as { __view: { stage: { flashGroup: { children: unknown[] } } } }).__view.stage.flashGroup.children.length)).toBeGreaterThan(0);
   expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|about to move|pays out|hauls in|at its limit)/);
   expect(await page.locator('.readings').innerText()).toMatch(/travel\s+-?[\d.]+ m/);
   expect(await page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
@@ -83,7 +83,7 @@ test('the pane is that of the run: static beside least and greatest, whatever be
 
 test('the sea of the picture is that of the run', async () => {
   const { waves, stern_shoe: at } = await (await bench.api(`runs/${await id()}/scene`)).json() as { waves: { amplitude: number; number: number; frequency: number; phase: number; direction: number }[]; stern_shoe: number[] };
-  const shown = await page.evaluate(() => (window as unknown as { __view: { sea: { waves: { phase: number }[] } } }).__view.sea.waves);
+  const shown = await page.evaluate(() => (window as unknown as { __view: { stage: { sea: { waves: { phase: number }[] } } } }).__view.stage.sea.waves);
   expect(shown).toEqual(waves);
   const { t, min } = await (await bench.api(`runs/${await id()}/series?name=elevation&t0=0&px=1000`)).json() as { t: number[]; min: number[] };
   expect(t.length).toBeGreaterThan(30);

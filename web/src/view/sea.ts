@@ -55,7 +55,7 @@ export class SeaView {
     this.body.position.set((low.x + high.x) / 2, (low.y + high.y) / 2, -scene.water_depth / 2);
     this.drawBed(scene, low, high, dark);
     dispose(this.arrows);
-    this.arrows.add(...currentArrows(scene, low, high));
+    for (const arrow of currentArrows(scene, low, high)) this.arrows.add(arrow);
   }
 
   /** Waves at a time; null is the still water that statics sees. */
