@@ -174,7 +174,9 @@ export class Chart {
       const below = !Number.isNaN(m.y);
       ctx.textAlign = below ? 'right' : 'left';
       ctx.save();
-      ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : bbox.top + bbox.height - 9 * d);
+      const bar = m.over === undefined ? Infinity : u.valToPos(m.over, 'y', true) - 5 * d;
+      const foot = bar - ctx.measureText(m.label).width > bbox.top ? Math.min(bar, bbox.top + bbox.height - 9 * d) : bbox.top + bbox.height - 9 * d;
+      ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : foot);
       ctx.rotate(-Math.PI / 2);
       ctx.lineWidth = 3 * d;
       ctx.strokeStyle = this.colour('--paper');

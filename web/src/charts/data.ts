@@ -8,7 +8,8 @@ export interface ChartData {
   title: string; xName: string; yName: string; x: number[]; lines: (Line & { band?: boolean; width?: number })[];
   /** arc length of every x, for the common cursor */
   s: number[];
-  marks: { x: number; y: number; label: string }[];
+  /** Boxes: `y` NaN at the lower edge, with `over` the name above the bar of that height. */
+  marks: { x: number; y: number; label: string; over?: number }[];
   level: { y: number; label: string; kind?: 'limit' | 'water' | 'bed' }[];
   /** Name of every x, for bars. */
   names?: string[];
@@ -94,7 +95,7 @@ export function reactions(s: Lay, run: RunSummary['dynamic'] | undefined): Chart
   return {
     title: 'Box reactions', xName: 'arc length from the tensioner [m]', yName: 'reaction [kN]', x, s: x, names: s.supports.map((b) => b.name),
     lines: [...(most ? [{ name: 'largest of the run', colour: ink.band, values: most, width: -1 }] : []), { name: most ? 'static' : 'reaction', colour: most ? ink.now : ink.band, values: before, width: -1 }],
-    marks: s.supports.map((b) => ({ x: b.s, y: Number.NaN, label: b.name })), level: [],
+    marks: s.supports.map((b, i) => ({ x: b.s, y: Number.NaN, label: b.name, over: Math.max(before[i]!, most?.[i] ?? 0) })), level: [],
   };
 }
 

@@ -127,8 +127,8 @@ function Slot({ index }: { index: number }) {
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
       </figcaption>
       {data ? <Legend data={data} /> : null}
-      <div class="plot" ref={box} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
-      {data ? null : <p class="empty over">{inTime ? 'Loading…' : 'No solution yet.'}</p>}
+      <div class="plot" ref={box} style={data ? undefined : { visibility: 'hidden' }} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
+      {data ? null : <p class="empty over">{inTime ? 'Loading…' : calmLay.value ? 'The model has no roller boxes.' : 'No solution yet.'}</p>}
     </figure>
   );
 }

@@ -52,7 +52,7 @@ export function Results() {
         <Value name="lay-back" value={k.lay_back} unit="m" title="From stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" />
         <Value name="tip clearance" value={k.tip_clearance} unit="m" title="Pipe over the last stinger roller." />
-        <Value name="largest reaction" value={largest} unit="kN" />
+        <Value name="largest reaction" value={s.supports.length ? largest : null} unit="kN" />
       </dl>
       <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
     </section>

@@ -99,7 +99,7 @@ export function StartDialog() {
         </fieldset>
         <div class="row title">
           <label for="n-title">title</label>
-          <input id="n-title" value={a.title} placeholder={`${/^[\d.]+$/.test(a.pipe) ? `${a.pipe}-inch` : a.pipe} ${a.lay === 's' ? 'S' : 'J'}-lay, ${a.depth}`} onInput={(e) => set('title', e.currentTarget.value)} />
+          <input id="n-title" value={a.title} placeholder="chosen for you" onInput={(e) => set('title', e.currentTarget.value)} />
         </div>
         {refused.all ? <p class="fault" role="alert">{refused.all}</p> : null}
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Lay it</button></footer>

@@ -59,7 +59,7 @@ export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.Perspec
   switch (name) {
     case 'whole': {
       const bow = origin.clone().addScaledVector(forward, scene.vessel.length / 2);
-      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4))];
+      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4 + 0.07 * scene.water_depth))]; // with room for the buttons
       return around(points, side(-0.28, 0.3), camera, 1.1);
     }
     case 'overbend': {

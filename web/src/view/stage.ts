@@ -168,6 +168,7 @@ export class Stage {
     this.seaKey = key;
     this.waves = scene.waves;
     this.sea.set(scene, low, high, this.dark);
+    this.pipe.setBounds(low, high);
     if (this.moment) this.sea.setTime(this.moment.time);
   }
 }

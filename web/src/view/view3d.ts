@@ -43,6 +43,7 @@ export class View3D {
 
   constructor(private readonly box: HTMLElement) {
     this.renderer = new THREE.WebGLRenderer({ antialias: !this.byProcessor, alpha: true, powerPreference: 'high-performance' });
+    this.renderer.localClippingEnabled = true;
     this.renderer.domElement.setAttribute('aria-hidden', 'true');
     box.append(this.renderer.domElement);
     const overlay = document.createElement('div');
