@@ -43,6 +43,15 @@ test('motion is chosen: harmonic, fixed, a file of the folder, a file of this ma
   await bench.shot(page, 'motion');
 });
 
+test('a new model offers motion and waves without being searched', async () => {
+  const before = await text();
+  await put(before.replace(/\n *motion:.*/, '').replace(/\n *waves:(.*\n)( {4,}.*\n)*/, '\n'));
+  await expect.poll(() => page.locator('#motion-kind').inputValue()).toBe('');
+  await expect.poll(() => page.locator('[data-path="environment.waves"] .fold').first().isVisible()).toBe(true);
+  await put(before);
+  await solved(page);
+});
+
 test('a spectrum always shows Hs and Tp, a regular wave its height and period', async () => {
   await page.selectOption(id('environment.waves.type'), 'airy');
   await page.waitForSelector(id('environment.waves.height'));

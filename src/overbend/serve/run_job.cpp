@@ -104,25 +104,28 @@ void RunQueue::run_dynamic(const Job& job) {
   const RealisationEnd ended = run_realisation(shared, folder_ / job.id, options.seed, false, control, files_, rows);
   if (ended.code == kDone) return end(job.id, RunState::done, "");
   if (ended.code != kInterrupted) return end(job.id, RunState::failed, ended.why);
-  if (ended.results) write_so_far(shared, *ended.results, folder_ / job.id, files_);
-  end_interrupted(job, ended.results.has_value());
+  end_interrupted(job, [&] {
+    if (ended.results) write_so_far(shared, *ended.results, folder_ / job.id, files_);
+    return ended.results.has_value();
+  });
 }
 
-void RunQueue::end_interrupted(const Job& job, bool has_results) {
+void RunQueue::end_interrupted(const Job& job, const std::function<bool()>& keep_results) {
   const bool closing = [&] {
     const std::lock_guard<std::mutex> hold(mutex_);
     return closing_;
   }();
-  const std::string folder = (folder_ / job.id).string();
-  update(
-      job.id, [&](RunInfo& run) { run.has_results = has_results; }, false);
-  if (closing) {  // not what the user wanted: the checkpoint stays
+  if (closing) {  // not what the user wanted, nor is there time for results: the checkpoint stays
     const std::string name = job.model.name.empty() ? "MODEL.yaml" : job.model.name;
+    const std::string folder = (folder_ / job.id).string();
     return end(
         job.id, RunState::cancelled,
         fmt::format("the program ended; the run goes on with: overbend dynamic {} -o {} --resume", name, folder));
   }
-  end(job.id, RunState::cancelled, has_results ? "cancelled; what was computed is kept" : "cancelled before t = 0");
+  const bool kept = keep_results();
+  update(
+      job.id, [&](RunInfo& run) { run.has_results = run.has_results || kept; }, false);
+  end(job.id, RunState::cancelled, kept ? "cancelled; what was computed is kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

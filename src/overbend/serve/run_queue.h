@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -56,7 +57,8 @@ class RunQueue {
   void run(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
-  void end_interrupted(const Job& job, bool has_results);
+  /// `keep_results` writes what was computed, and says whether that was anything.
+  void end_interrupted(const Job& job, const std::function<bool()>& keep_results);
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);

@@ -5,6 +5,7 @@ import { nearest } from '../logic/decimate';
 import { toCsv, toSvg, type Diagram } from '../logic/table';
 import { tidy } from '../logic/units';
 import type { ChartData } from './data';
+import { drawLevel, nameLevels, nameMarks } from './marks';
 
 export interface ChartHandlers {
   /** position under the pointer in x, and its index; null when the pointer left */
@@ -22,7 +23,6 @@ export class Chart {
   private extra: Extra = {};
   private zoomed: [number, number] | null = null;
   private silent = false;
-  private told = Infinity; // where the last label of a level stands
 
   constructor(private readonly box: HTMLElement, private readonly on: ChartHandlers) {}
 
@@ -122,68 +122,8 @@ export class Chart {
       ctx.fillStyle = this.colour('--range');
       ctx.fillRect(bbox.left, a, bbox.width, b - a);
     }
-    this.told = Infinity;
-    for (const l of [...(this.data?.level ?? [])].sort((a, b) => a.y - b.y)) this.level(u, l);
+    for (const l of this.data?.level ?? []) drawLevel(u, l, (name) => this.colour(name));
     ctx.restore();
-  }
-
-  private letters(): string { return `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`; }
-
-  /** Water, seabed, or what is allowed; a limit out of sight is told with its value at the edge. */
-  private level(u: uPlot, l: ChartData['level'][number]): void {
-    const { ctx, bbox } = u;
-    const d = devicePixelRatio;
-    const y = u.valToPos(l.y, 'y', true);
-    const limit = l.kind === 'limit';
-    const hidden = y < bbox.top || y > bbox.top + bbox.height;
-    if (hidden && (!limit || y > bbox.top)) return;
-    ctx.strokeStyle = l.kind === 'water' ? '#4d9cc9' : limit ? this.colour('--bad') : '#a8905a';
-    ctx.fillStyle = ctx.strokeStyle;
-    ctx.lineWidth = d * 1.4;
-    ctx.setLineDash(limit ? [7 * d, 4 * d] : []);
-    if (!hidden) { ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke(); }
-    ctx.setLineDash([]);
-    ctx.font = this.letters();
-    ctx.textAlign = 'right';
-    ctx.textBaseline = 'alphabetic';
-    const text = hidden ? `${l.label}: ${tidy(l.y, 4)} ↑` : l.label;
-    // above its line, or below where there is no room between it and the next
-    const line = hidden ? bbox.top : y;
-    let at = hidden || y - bbox.top < 14 * d ? line + 12 * d : line - 4 * d;
-    if (Math.abs(at - this.told) < 13 * d) at = this.told - 13 * d;
-    this.told = at;
-    ctx.strokeStyle = this.colour('--paper');
-    ctx.lineWidth = 3 * d;
-    ctx.strokeText(text, bbox.left + bbox.width - 4 * d, at);
-    ctx.fillText(text, bbox.left + bbox.width - 4 * d, at);
-  }
-
-  /** Names of the boxes upright at their marks, as many as there is room for. */
-  private names(u: uPlot, marks: ChartData['marks']): void {
-    const { ctx, bbox } = u;
-    const d = devicePixelRatio;
-    ctx.font = this.letters();
-    ctx.textBaseline = 'alphabetic';
-    const step = 1.1 * Number.parseFloat(ctx.font);
-    let last = -Infinity;
-    for (const m of marks) {
-      const x = u.valToPos(m.x, 'x', true);
-      if (x < bbox.left + 2 * d || x > bbox.left + bbox.width || x - last < step) continue;
-      last = x;
-      // from the lower end upwards, but hanging below a curve that they mark
-      const below = !Number.isNaN(m.y);
-      ctx.textAlign = below ? 'right' : 'left';
-      ctx.save();
-      const bar = m.over === undefined ? Infinity : u.valToPos(m.over, 'y', true) - 5 * d;
-      const foot = bar - ctx.measureText(m.label).width > bbox.top ? Math.min(bar, bbox.top + bbox.height - 9 * d) : bbox.top + bbox.height - 9 * d;
-      ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : foot);
-      ctx.rotate(-Math.PI / 2);
-      ctx.lineWidth = 3 * d;
-      ctx.strokeStyle = this.colour('--paper');
-      ctx.strokeText(m.label, 0, 0);
-      ctx.fillText(m.label, 0, 0);
-      ctx.restore();
-    }
   }
 
   private over(u: uPlot): void {
@@ -197,8 +137,8 @@ export class Chart {
       const y = Number.isNaN(m.y) ? bbox.top + bbox.height : u.valToPos(m.y, 'y', true) + 3 * d;
       ctx.beginPath(); ctx.moveTo(x, y - (Number.isNaN(m.y) ? 6 * d : 0)); ctx.lineTo(x - 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.lineTo(x + 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.fill();
     }
-    ctx.fillStyle = this.colour('--soft');
-    this.names(u, this.data?.marks ?? []);
+    nameLevels(u, this.data?.level ?? [], (name) => this.colour(name));
+    nameMarks(u, this.data?.marks ?? [], (name) => this.colour(name));
     if (this.extra.now !== null && this.extra.now !== undefined) {
       const x = u.valToPos(this.extra.now, 'x', true);
       if (x >= bbox.left && x <= bbox.left + bbox.width) {

@@ -25,7 +25,9 @@ async function act(path: string, value: unknown): Promise<void> {
 
 /** Keys that are shown although they are left out, for what is given asks for them. */
 function asked(path: string): string[] {
-  return path === 'environment.waves' ? askedOfWaves(byPath.value.get(`${path}.type`)?.value) : [];
+  if (path === 'environment.waves') return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
+  // what a run in time needs is offered in models that have none yet
+  return path === 'vessel' ? ['motion'] : path === 'environment' ? ['waves'] : [];
 }
 
 /** Unfolds everything above a key, so that its field is there to be gone to. */

@@ -1,5 +1,5 @@
 // The run that is looked at: static beside what was least and greatest in time, its warnings, how it stands.
-import type { Region, Run, RunSummary, Spread } from '../api/types';
+import type { Lay, Region, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
@@ -11,9 +11,12 @@ interface Row { name: string; unit: string; before: number | null | undefined; o
 const shown = (value: number | null | undefined, unit: string): string =>
   (value === null || value === undefined || !Number.isFinite(value) ? '–' : tidy(unit === '%' ? 100 * value : fromSi(value, unit), Math.abs(value) >= 1e6 && unit === 'kN' ? 4 : 3));
 
-function largestReaction(d: NonNullable<RunSummary['dynamic']>): Spread | null {
-  const all = d.supports.map((s) => s.reaction);
-  return all.length ? all.reduce((a, b) => (b.max > a.max ? b : a)) : null;
+/** The box that carries most: in the run, else in statics. */
+function reactionRow(lay: Lay, d: RunSummary['dynamic']): Row | null {
+  if (lay.supports.length === 0) return null;
+  const over = d?.supports.length ? d.supports.reduce((a, b) => (b.reaction.max > a.reaction.max ? b : a)) : null;
+  const box = lay.supports.find((s) => s.name === over?.name) ?? lay.supports.reduce((a, b) => (b.reaction > a.reaction ? b : a));
+  return { name: box.name, unit: 'kN', before: box.reaction, over: over?.reaction };
 }
 
 const regionRows = (before: Region, over: NonNullable<RunSummary['dynamic']>['overbend'] | undefined): Row[] => [
@@ -27,18 +30,20 @@ function Table() {
   const d = runSummary.value?.dynamic;
   if (!lay || !ofRun.value) return null;
   const k = lay.key;
-  const reaction = typeof k.largest_reaction === 'number' ? k.largest_reaction : k.largest_reaction?.value;
+  const reaction = reactionRow(lay, d);
   const groups: [string, Row[]][] = [
     ...(k.overbend ? [['Overbend', regionRows(k.overbend, d?.overbend)] as [string, Row[]]] : []),
     ...(k.sagbend ? [['Sagbend', regionRows(k.sagbend, d?.sagbend)] as [string, Row[]]] : []),
+    ['Tension', [
+      { name: 'top', unit: 'kN', before: k.top_tension, over: d?.top_tension },
+      { name: 'bottom', unit: 'kN', before: k.bottom_tension, over: d?.bottom_tension },
+    ]],
     ['Line', [
-      { name: 'top tension', unit: 'kN', before: k.top_tension, over: d?.top_tension },
-      { name: 'bottom tension', unit: 'kN', before: k.bottom_tension, over: d?.bottom_tension },
       { name: 'lay-back', unit: 'm', before: k.lay_back, over: d?.lay_back },
       { name: 'departure', unit: 'deg', before: k.departure_angle, over: d?.departure_angle },
       ...(k.tip_clearance === null ? [] : [{ name: 'tip clearance', unit: 'm', before: k.tip_clearance, over: d?.stinger_tip_clearance }]),
-      ...(lay.supports.length ? [{ name: 'reaction', unit: 'kN', before: reaction, over: d ? largestReaction(d) : null }] : []),
     ]],
+    ...(reaction ? [['Largest reaction', [reaction]] as [string, Row[]]] : []),
   ];
   return (
     <table class="minmax">
