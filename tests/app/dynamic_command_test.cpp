@@ -142,6 +142,84 @@ TEST(dynamic_command, interrupted_leaves_a_checkpoint_that_serves_the_same_model
   EXPECT_EQ(differences(whole / "out", stopped / "out"), "");
 }
 
+/// A run of kLongLay in FOLDER/out, interrupted; its sea is from a file in FOLDER.
+const std::string kFileLay = with(kLongLay, kWaves, "waves: {type: user, spectrum_file: sea.csv, components: 20}");
+
+void interrupt_a_run(const TemporaryFolder& folder) {
+  testing::write_file(folder / "sea.csv", "omega_rad_s,density_m2s\n0.5,0\n0.9,0.3\n1.5,0\n");
+  testing::write_file(folder / "lay.yaml", kFileLay);
+  ChildProgram program(folder.path(), {"dynamic", "lay.yaml", "-o", "out", "--checkpoint", "0"});
+  ASSERT_TRUE(program.signal_after(folder / "out", 5.0, SIGINT));
+  ASSERT_EQ(program.end(), 130);
+}
+
+TEST(dynamic_command, an_unfinished_run_is_not_dropped_without_a_word) {
+  const TemporaryFolder folder;
+  interrupt_a_run(folder);
+  const std::string before = file_text(folder / "out/.run/checkpoint");
+  const ProgramRun refused = run_dynamic_model(folder, kFileLay);
+  EXPECT_EQ(refused.code, 2);
+  for (const char* said : {"unfinished run", "t = ", "--resume", "--restart"}) {
+    EXPECT_NE(refused.err.find(said), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(file_text(folder / "out/.run/checkpoint"), before);
+  EXPECT_EQ(run_dynamic_model(folder, kFileLay, "--resume --restart").code, 2);
+  const ProgramRun anew = run_dynamic_model(folder, kFileLay, "--restart --duration '2 s'");
+  EXPECT_EQ(anew.code, 0) << anew.err;
+  EXPECT_NEAR(summary_of(folder / "out").at("dynamic").at("duration"), 2.0, 1e-9);
+  EXPECT_EQ(run_dynamic_model(folder, kFileLay, "--duration '2 s'").code, 0);  // a finished one is replaced
+}
+
+TEST(dynamic_command, resumes_however_the_path_of_the_model_is_written) {
+  const TemporaryFolder folder;
+  interrupt_a_run(folder);
+  testing::write_file(folder / "sea.csv", "omega_rad_s,density_m2s\n0.5,0\n0.9,0.4\n1.5,0\n");
+  const std::string absolute = (folder / "lay.yaml").string(), out = (folder / "out").string();
+  const ProgramRun other = run_program("dynamic " + absolute + " -o " + out + " --resume");
+  EXPECT_EQ(other.code, 2) << "another sea";
+  testing::write_file(folder / "sea.csv", "omega_rad_s,density_m2s\n0.5,0\n0.9,0.3\n1.5,0\n");
+  const ProgramRun resumed = run_program("dynamic " + absolute + " -o " + out + " --resume");  // begun as lay.yaml
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+}
+
+TEST(dynamic_command, damaged_data_of_a_run_are_refused) {
+  const TemporaryFolder folder;
+  interrupt_a_run(folder);
+  std::fstream rows(folder / "out/.run/rows", std::ios::binary | std::ios::in | std::ios::out);
+  rows.seekp(100);
+  rows.put('\x55');
+  rows.close();
+  const ProgramRun refused = run_dynamic_model(folder, kFileLay, "--resume");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("rows' is damaged"), std::string::npos) << refused.err;
+}
+
+TEST(dynamic_command, results_of_one_run_stand_alone_in_their_folder) {
+  const TemporaryFolder folder;
+  const std::string seeds = with(kSmallLay, "duration: 10 s", "seeds: [1, 9], duration: 2 s");
+  ASSERT_EQ(run_dynamic_model(folder, seeds).code, 0);
+  ASSERT_EQ(run_dynamic_model(folder, with(seeds, "[1, 9]", "[1, 2]")).code, 0);
+  EXPECT_TRUE(fs::exists(folder / "out/seed-1/summary.json"));
+  EXPECT_FALSE(fs::exists(folder / "out/seed-9"));
+  ASSERT_EQ(run_dynamic_model(folder, kSmallLay, "--duration '2 s'").code, 0);
+  EXPECT_FALSE(fs::exists(folder / "out/seeds.csv"));
+  EXPECT_FALSE(fs::exists(folder / "out/seed-1"));
+  EXPECT_TRUE(fs::exists(folder / "out/impacts.csv"));
+  ASSERT_EQ(run_program("static " + (folder / "lay.yaml").string() + " -o " + (folder / "out").string()).code, 0);
+  EXPECT_FALSE(fs::exists(folder / "out/impacts.csv"));
+  EXPECT_FALSE(summary_of(folder / "out").contains("dynamic"));
+}
+
+TEST(dynamic_command, with_all_streams_closed_no_text_lands_in_results) {
+  const TemporaryFolder open, closed;
+  ASSERT_EQ(run_dynamic_model(open, kSmallLay).code, 0);
+  testing::write_file(closed / "lay.yaml", kSmallLay);
+  const std::string command = std::string(OVERBEND_PROGRAM) + " dynamic " + (closed / "lay.yaml").string() + " -o " +
+                              (closed / "out").string() + " <&- >&- 2>&-";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(differences(open / "out", closed / "out"), "");
+}
+
 struct Refusal {
   const char* what;
   std::string model;

@@ -52,6 +52,19 @@ std::string with_limit(const std::string& limit) {
   return file_text(case_file("BGL1-T250")) + "\nchecks: {limits: {tension: " + limit + "}}\n";
 }
 
+TEST(static_command, refuses_a_mesh_that_would_fill_the_memory) {
+  const TemporaryFolder folder;
+  std::string text = file_text(case_file("J12-D400-T560"));
+  text.replace(text.find("water_depth: 400 m"), 18, "water_depth: 1200 m");
+  text.replace(text.find("tension: 560 kN"), 15, "tension: 1500 kN");
+  testing::write_file(folder / "fine.yaml", text + "\nanalysis: {mesh: {longest_element: 0.02 m}}\n");
+  const Ended refused = run(folder.path(), "static fine.yaml -o out");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("analysis.mesh.longest_element"), std::string::npos) << refused.err;
+  EXPECT_NE(refused.err.find("elements, at most 50000"), std::string::npos) << refused.err;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(static_command, tells_the_deciding_checks) {
   const TemporaryFolder folder;
   const Ended done = run(folder.path(), "static " + case_file("BGL1-T250") + " -o out --strict");

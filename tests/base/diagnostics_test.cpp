@@ -28,5 +28,14 @@ TEST(diagnostics, warnings_alone_are_no_error) {
   EXPECT_FALSE(diagnostics.has_errors());
 }
 
+TEST(diagnostics, a_million_faults_are_counted_and_not_kept) {
+  Diagnostics diagnostics;
+  diagnostics.add({Severity::warning, "a", 1, 0, "", "odd", "", ""});
+  for (int i = 0; i < 1000000; ++i) diagnostics.add({Severity::error, "a", i, 0, "", "wrong", "", ""});
+  EXPECT_EQ(diagnostics.error_count(), 1000000);
+  EXPECT_EQ(diagnostics.lines(Severity::error).size(), 1000U);
+  EXPECT_EQ(diagnostics.lines(Severity::warning).size(), 1U);
+}
+
 }  // namespace
 }  // namespace overbend

@@ -8,7 +8,6 @@
 
 #include "io/finite_check.h"
 #include "io/run_record.h"
-#include "io/staged_folder.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -18,7 +17,8 @@ namespace fs = std::filesystem;
 using testing::solved_case;
 using testing::TemporaryFolder;
 
-const std::set<std::string> kAllFiles = {"summary.json", "pipe.csv", "supports.csv", "checks.csv", "results.h5"};
+const std::set<std::string> kAllFiles = {"summary.json", "pipe.csv",   "supports.csv",
+                                         "checks.csv",   "results.h5", ".overbend-files"};
 
 std::set<std::string> names_in(const fs::path& folder) {
   std::set<std::string> names;
@@ -101,23 +101,6 @@ TEST(results_writer, changes_no_file_when_one_of_them_can_not_be_replaced) {
   EXPECT_NE(fault_of(results, folder.path()), "");
   EXPECT_EQ(testing::file_text(folder / "summary.json"), "old");
   EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"results.h5", "summary.json"}));
-}
-
-TEST(staged_folder, removes_what_it_made_when_it_is_not_committed) {
-  const TemporaryFolder folder;
-  {
-    const StagedFolder staged(folder / "a/b/");
-    testing::write_file(staged.path() / "x", "half");
-  }
-  EXPECT_TRUE(names_in(folder.path()).empty());
-}
-
-TEST(staged_folder, leaves_a_folder_that_was_there) {
-  const TemporaryFolder folder;
-  fs::create_directory(folder / "a");
-  { const StagedFolder staged(folder / "a"); }
-  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"a"});
-  EXPECT_TRUE(names_in(folder / "a").empty());
 }
 
 TEST(results_file, is_complete_and_described_for_h5py) {

@@ -4,7 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
+
+#include "base/source_digest.h"
+#include "io/append_file.h"
 #include "io/checkpoint_file.h"
+#include "io/run_record.h"
 #include "io/run_store.h"
 #include "support/stored_run.h"
 
@@ -13,6 +18,12 @@ namespace {
 
 using namespace testing::stored_run;
 using testing::TemporaryFolder;
+
+/// Bytes of a data file that the checkpoint knows.
+std::uint64_t stored_bytes(const fs::path& folder, const std::string& name) {
+  const RunCheckpoint at = read_checkpoint(folder / ".run/checkpoint");
+  return name == "rows" ? at.row_bytes : name == "snapshots" ? at.snapshot_bytes : at.impact_bytes;
+}
 
 void append_garbage(const fs::path& file) {
   std::ofstream(file, std::ios::binary | std::ios::app) << "half a ro";
@@ -121,6 +132,77 @@ TEST(run_store, refuses_data_that_are_shorter_than_the_checkpoint_knows) {
     stop_a_run(folder.path());
     fs::resize_file(folder / ".run" / name, 100);
     EXPECT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << name;
+  }
+}
+
+TEST(run_store, refuses_data_with_a_single_changed_bit) {
+  const TemporaryFolder folder;
+  stop_a_run(folder.path());
+  for (const char* name : {"rows", "snapshots", "impacts"}) {
+    const fs::path file = folder / ".run" / name;
+    const std::string sound = testing::file_text(file);
+    for (std::size_t at = 0; at < sound.size(); at += 1 + sound.size() / 50) {
+      std::string bytes = sound;
+      bytes[at] = static_cast<char>(bytes[at] ^ 0x80);
+      testing::write_file(file, bytes);
+      const bool counts = at < stored_bytes(folder.path(), name);  // what came after the checkpoint is dropped anyway
+      if (counts) ASSERT_NE(fault_of(folder.path()).find("damaged"), std::string::npos) << name << " " << at;
+    }
+    testing::write_file(file, sound);
+  }
+  EXPECT_EQ(fault_of(folder.path()), "");
+}
+
+TEST(run_store, does_not_hand_on_data_that_changed_on_disk) {
+  const TemporaryFolder folder;
+  stop_a_run(folder.path());
+  std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
+  ASSERT_TRUE(run);
+  give(run->store, 100, 20'000);
+  expect_run(run->store, 20'000);
+  for (const char* name : {"rows", "snapshots", "impacts"}) {
+    std::fstream file(folder / ".run" / name, std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(1000);
+    file.put('\x55');
+  }
+  give_row(run->store, 20'000);  // what was read before is asked for anew
+  EXPECT_THROW(run->store.column(1), std::runtime_error);
+  EXPECT_THROW(run->store.snapshot_block(0, 2), std::runtime_error);
+  EXPECT_THROW(run->store.impact_block(0, 2), std::runtime_error);
+}
+
+TEST(block_sums, two_signs_that_change_in_one_block_are_seen) {
+  std::vector<double> values(1000, 1.0);
+  const std::uint64_t before = BlockSums::sum(values);
+  values[10] = values[700] = -1.0;
+  EXPECT_NE(BlockSums::sum(values), before);
+}
+
+TEST(block_sums, do_not_depend_on_how_the_numbers_come) {
+  std::vector<double> values(3 * BlockSums::kBlock + 17);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::sin(static_cast<double>(i));
+  BlockSums at_once, in_parts;
+  at_once.add(values);
+  for (std::size_t i = 0; i < values.size(); i += 1001) {
+    in_parts.add(std::span<const double>(values).subspan(i, std::min<std::size_t>(1001, values.size() - i)));
+  }
+  EXPECT_EQ(at_once.all(), in_parts.all());
+  EXPECT_EQ(at_once.all().size(), 4U);
+}
+
+TEST(run_store, refuses_a_checkpoint_of_another_build_or_instruction_set) {
+  const TemporaryFolder folder;
+  stop_a_run(folder.path());
+  RunCheckpoint other = read_checkpoint(folder / ".run/checkpoint");
+  EXPECT_EQ(other.version, program_identity());
+  EXPECT_NE(program_identity().find(source_digest()), std::string::npos);
+  for (const std::string& part :
+       {std::string(source_digest()), std::string(", avx2"), std::string(", avx512"), std::string(", baseline")}) {
+    const std::size_t at = program_identity().find(part);
+    if (at == std::string::npos) continue;
+    other.version = program_identity().replace(at, part.size(), ", another");
+    write_checkpoint(other, folder / ".run/checkpoint");
+    EXPECT_NE(fault_of(folder.path()).find("--restart"), std::string::npos) << part;
   }
 }
 

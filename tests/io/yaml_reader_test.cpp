@@ -29,6 +29,18 @@ TEST(yaml_reader, every_model_of_the_repository_is_read_without_a_word) {
   }
 }
 
+// A hundred thousand keys: compared each with each they would take minutes.
+TEST(yaml_reader, a_key_that_comes_twice_is_found_among_very_many) {
+  std::string text = "overbend: 1\nrollers:\n";
+  for (int i = 0; i < 100000; ++i) text += "  k" + std::to_string(i) + ": 1\n";
+  const ModelReading reading = read_model_text(text + "  k7: 1\n", "many.yaml");
+  EXPECT_GT(reading.diagnostics.error_count(), 100000);
+  const std::vector<std::string> lines = reading.diagnostics.lines(Severity::error);
+  EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.find("rollers.k7") != std::string::npos && line.find("already in line 10") != std::string::npos;
+  }));
+}
+
 TEST(yaml_reader, the_example_arrives_in_si) {
   const ModelReading reading = read_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml");
   ASSERT_TRUE(reading.description.has_value());

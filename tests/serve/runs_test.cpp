@@ -221,6 +221,43 @@ TEST(serve_runs, earlier_runs_of_the_folder_are_listed) {
   EXPECT_EQ(serving.get("/api/runs/none/summary").status, 404);
 }
 
+// The program ends while a run in time is at work; the next start goes on with it, although the open model changed.
+TEST(serve_runs, an_interrupted_run_is_resumed_with_the_text_it_was_begun_with) {
+  Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 600.0}});
+  serving.wait_until(id, [](const json& run) { return run.contains("top_tension"); });
+  serving.restart("");
+  const json cut_off = serving.wait_for(id);
+  ASSERT_EQ(cut_off["state"], "cancelled") << "the run came to its end before the program";
+  EXPECT_EQ(cut_off["resumable"], true);
+  EXPECT_EQ(testing::file_text(serving.folder / "runs" / id / "model.yaml"), kSmallLay);
+  testing::write_file(serving.folder / "model.yaml", with(kSmallLay, "tension: 300 kN", "tension: 310 kN"));
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).json["state"], "queued");
+  const json run = serving.wait_for(id);
+  EXPECT_EQ(run["state"], "done") << run;
+  EXPECT_EQ(run["resumable"], false);
+  const json summary = serving.get("/api/runs/" + id + "/summary").json;
+  EXPECT_EQ(summary["dynamic"]["duration"], 600.0);
+  EXPECT_NEAR(summary["static"]["top_tension"].get<double>(), 300e3, 1.0);
+  EXPECT_TRUE(std::filesystem::exists(serving.folder / "runs" / id / "model.yaml"));
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 409);
+  EXPECT_EQ(serving.post("/api/runs/none/resume", json::object()).status, 404);
+}
+
+TEST(serve_runs, a_run_that_was_cancelled_goes_on_where_it_stopped) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 600.0}});
+  serving.wait_until(id, [](const json& run) { return run.value("time", -1.0) > 1.0; });
+  serving.post("/api/runs/" + id + "/cancel", json::object());
+  const json stopped = serving.wait_for(id);
+  ASSERT_EQ(stopped["state"], "cancelled") << "the run came to its end before";
+  EXPECT_EQ(stopped["resumable"], true);
+  EXPECT_EQ(stopped["has_results"], true);
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).json["state"], "queued");
+  EXPECT_EQ(serving.wait_for(id)["state"], "done");
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["dynamic"]["duration"], 600.0);
+}
+
 TEST(serve_runs, events_tell_of_progress_and_of_changes_of_the_model) {
   const Serving serving(kSmallLay);
   std::string heard;

@@ -33,23 +33,63 @@ double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
   return size;
 }
 
-/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
-/// second.
-void fill(std::vector<double>& u, const std::vector<Zone>& zones, double longest, double to) {
-  const double from = u.back();
-  std::vector<double> steps;
+/// Where nodes are wanted, in distances from the tensioner.
+struct MeshPlan {
+  std::vector<Zone> fine;
+  std::vector<double> fixed;  ///< Ends of the stretches; a node on each.
+  double longest = 0.0;
+};
+
+/// Lengths of elements from `from` on until they reach `to`, each handed to `take`; false from it ends the walk.
+template <class Take>
+void walk(const MeshPlan& plan, double from, double to, Take take) {
   double at = from;
   while (at < to - 1e-9) {
-    const double first = wanted_size(zones, longest, at);
-    const double step = std::min(first, wanted_size(zones, longest, at + 0.5 * first));
-    steps.push_back(step);
+    const double first = wanted_size(plan.fine, plan.longest, at);
+    const double step = std::min(first, wanted_size(plan.fine, plan.longest, at + 0.5 * first));
+    if (!take(step)) return;
     at += step;
   }
+}
+
+/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
+/// second.
+void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
+  const double from = u.back();
+  double at = from;
+  std::vector<double> steps;
+  walk(plan, from, to, [&](double step) {
+    steps.push_back(step);
+    at += step;
+    return true;
+  });
   const double scale = (to - from) / (at - from);
   for (const double step : steps) {
     u.push_back(u.back() + scale * step);
   }
   u.back() = to;
+}
+
+MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
+  const MeshSizes sizes = mesh_sizes(model, zones);
+  MeshPlan plan;
+  plan.longest = sizes.longest;
+  plan.fine = {{0.0, zones.last_support, sizes.overbend},
+               {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  if (zones.waterline > zones.last_support) {
+    const double diameter = model.sections.front().outer_diameter;
+    plan.fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+  }
+  for (const SectionSpan& span : model.spans) {
+    for (const double end : {span.from, span.to}) {
+      const double last = plan.fixed.empty() ? 0.0 : plan.fixed.back();
+      if (end > last && end < zones.total - kShortestElement) {
+        plan.fixed.push_back(end);
+      }
+    }
+  }
+  plan.fixed.push_back(zones.total);
+  return plan;
 }
 
 }  // namespace
@@ -75,29 +115,23 @@ MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   return sizes;
 }
 
-LineMesh build_mesh(const Model& model, const MeshZones& zones) {
-  const MeshSizes sizes = mesh_sizes(model, zones);
-  std::vector<Zone> fine{
-      {0.0, zones.last_support, sizes.overbend},
-      {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
-  if (zones.waterline > zones.last_support) {
-    const double diameter = model.sections.front().outer_diameter;
-    fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+long count_elements(const Model& model, const MeshZones& zones) {
+  constexpr long kEnough = 10'000'000;
+  const MeshPlan plan = plan_mesh(model, zones);
+  long count = 0;
+  double from = 0.0;
+  for (const double to : plan.fixed) {
+    walk(plan, from, to, [&](double) { return ++count < kEnough; });
+    from = to;
   }
-  std::vector<double> fixed;
-  for (const SectionSpan& span : model.spans) {
-    for (const double end : {span.from, span.to}) {
-      const double last = fixed.empty() ? 0.0 : fixed.back();
-      if (end > last && end < zones.total - kShortestElement) {
-        fixed.push_back(end);
-      }
-    }
-  }
-  fixed.push_back(zones.total);
+  return count;
+}
 
+LineMesh build_mesh(const Model& model, const MeshZones& zones) {
+  const MeshPlan plan = plan_mesh(model, zones);
   std::vector<double> u{0.0};
-  for (const double to : fixed) {
-    fill(u, fine, sizes.longest, to);
+  for (const double to : plan.fixed) {
+    fill(u, plan, to);
   }
   LineMesh mesh;
   for (auto it = u.rbegin(); it != u.rend(); ++it) {

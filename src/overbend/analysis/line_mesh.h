@@ -40,6 +40,12 @@ struct MeshSizes {
 /// gives 300 elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones);
 
+/// Elements that a mesh may have. Memory and time grow with them: some gigabytes and minutes beyond.
+inline constexpr long kMostElements = 50000;
+
+/// Elements that build_mesh would make, counted without making them; stops at ten million.
+long count_elements(const Model& model, const MeshZones& zones);
+
 /// Fine over the supports, at the waterline, at the tensioner and around touchdown; nodes on section boundaries.
 LineMesh build_mesh(const Model& model, const MeshZones& zones);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/rod_element.h"
 
@@ -27,6 +28,39 @@ StaticFailure too_little_tension(double tension, double least) {
 
 StaticFailure no_curve(const std::string& problem) {
   return {"the pipe does not reach the seabed", "sagbend", problem};
+}
+
+/// The key of analysis.mesh without which the mesh has the fewest elements; none where none is given.
+std::string finest_key(const Model& model, const MeshZones& zones) {
+  std::string finest;
+  long fewest = std::numeric_limits<long>::max();
+  const auto try_without = [&](const char* key, std::optional<double> MeshDescription::*value) {
+    if (!(model.description.mesh.*value)) return;
+    Model without = model;
+    (without.description.mesh.*value).reset();
+    const long count = count_elements(without, zones);
+    if (count >= fewest) return;
+    fewest = count;
+    finest = std::string("analysis.mesh.") + key;
+  };
+  try_without("overbend_element", &MeshDescription::overbend_element);
+  try_without("touchdown_element", &MeshDescription::touchdown_element);
+  try_without("longest_element", &MeshDescription::longest_element);
+  return finest;
+}
+
+/// A mesh that would take all memory is refused before it is made.
+std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
+  const long count = count_elements(model, zones);
+  if (count <= kMostElements) return std::nullopt;
+  const std::string key = finest_key(model, zones);
+  const std::string mend = key.empty() ? "the line is too long for its supports and touchdown: look for a length or a "
+                                         "place of a box in the wrong unit"
+                                       : "give longer elements, or leave the key out";
+  return StaticFailure{"the mesh is too fine", key,
+                       fmt::format("a line of {:.0f} m would have {} elements, at most {} are computed; {}",
+                                   zones.total, count, kMostElements, mend),
+                       true};
 }
 
 std::size_t touchdown_index(const LayShape& shape) {
@@ -100,6 +134,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   }
   start.zones = {start.shape.total, start.shape.last_support,  start.shape.touchdown, start.shape.waterline,
                  tension,           start.shape.bottom_tension};
+  start.failure = too_many_elements(model, start.zones);
   return start;
 }
 

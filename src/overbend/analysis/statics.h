@@ -19,9 +19,10 @@ struct StaticSolution {
 
 /// Why there is none.
 struct StaticFailure {
-  std::string what;   ///< One sentence: what went wrong.
-  std::string where;  ///< Place along the line, empty where it is the whole.
-  std::string why;    ///< The reason, and what would mend it.
+  std::string what;    ///< One sentence: what went wrong.
+  std::string where;   ///< Place along the line, empty where it is the whole.
+  std::string why;     ///< The reason, and what would mend it.
+  bool input = false;  ///< The model asks for what is not computed: to be told as a fault of the file.
 };
 
 struct StaticOutcome {

@@ -38,7 +38,8 @@ template <class Arguments>
 void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what) {
   command->add_option("MODEL", arguments.model_file, "Model file (YAML)")->required();
   command->add_option("--duration", arguments.duration, "Simulated time instead of the model's: '600 s'");
-  command->add_flag("--resume", arguments.resume, "Go on from the last checkpoint");
+  CLI::Option* resume = command->add_flag("--resume", arguments.take_up.resume, "Go on from the last checkpoint");
+  command->add_flag("--restart", arguments.take_up.restart, "Drop an unfinished run and begin anew")->excludes(resume);
   command->add_option("--checkpoint", arguments.checkpoint_every, "Seconds between checkpoints")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/unfinished_run.h"
 #include "model/description.h"
 #include "model/new_model.h"
 
@@ -21,7 +22,7 @@ struct DynamicArguments {
   std::string model_file;
   std::string output;              ///< Folder; empty: "<stem>.results" in the current folder.
   std::string duration;            ///< With its unit; empty: the model's.
-  bool resume = false;             ///< Go on from the last checkpoint in `output`.
+  TakeUp take_up;                  ///< An unfinished run in `output`.
   double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
   int threads = 0;                 ///< Seeds at work at the same time; 0: as many as there are cores.
   bool strict = false;             ///< kCheckExceeded where a governing check is exceeded.
@@ -36,7 +37,7 @@ struct CompareArguments {
   std::string of;                  ///< "tensioner" or "contact".
   std::string output;              ///< Folder; empty: "<stem>.comparison" in the current folder.
   std::string duration;            ///< With its unit; empty: the model's.
-  bool resume = false;             ///< Go on from the last checkpoints in `output`.
+  TakeUp take_up;                  ///< Unfinished runs in `output`.
   double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
   int threads = 0;                 ///< Variants at work at the same time; 0: as many as there are cores.
 };

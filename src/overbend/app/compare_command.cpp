@@ -79,21 +79,30 @@ int gather(ComparisonOf of, const Description& original, const Cases& cases, con
   StagedFolder staged(folder);
   write_comparison_files(first.statics, comparison, staged.path());
   write_comparison_page(first.statics, comparison, original.source_text, staged.path() / "comparison.html");
-  staged.commit("comparison.json");
+  std::vector<std::string> folders;
+  for (const SideRun& run : runs) folders.push_back(run.folder.filename().string());
+  staged.commit("comparison.json", folders);
   std::cout << first.statics.title << "\n";
   print(comparison);
   std::cout << "The comparison is " << (folder / "comparison.html").string() << "\n";
   return kDone;
 }
 
+std::vector<fs::path> variant_folders(ComparisonOf of, const fs::path& folder) {
+  std::vector<fs::path> folders;
+  for (const Variant& variant : variants_of(of)) folders.push_back(folder / variant.name);
+  return folders;
+}
+
 /// Runs the cases into folders of their own in `folder`, then puts them beside each other.
 int run_all(ComparisonOf of, const Description& original, const Cases& cases, const fs::path& folder,
             const SideOptions& options) {
+  const std::vector<fs::path> folders = variant_folders(of, folder);
   std::vector<DynamicCase> shared;
   for (const std::unique_ptr<PreparedCase>& one : cases) shared.push_back(one->shared());
   std::vector<SideRun> runs;
   for (std::size_t i = 0; i < cases.size(); ++i) {
-    runs.push_back({&shared[i], dynamic_options(cases[i]->model).seed, folder / variants_of(of)[i].name});
+    runs.push_back({&shared[i], dynamic_options(cases[i]->model).seed, folders[i]});
   }
   if (const ExitCode code = run_side_by_side(runs, options, "variants"); code != kDone) return code;
   if (all_wrong(runs, folder)) return kWrongInput;
@@ -107,6 +116,11 @@ int run_compare(const CompareArguments& arguments) {
   std::optional<Description> description = load_model(arguments.model_file);
   if (!description || !set_duration(*description, arguments.duration)) return kWrongInput;
   if (const std::optional<std::string> obstacle = comparison_obstacle(of, *description)) return refuse(*obstacle);
+  const fs::path folder = arguments.output.empty()
+                              ? fs::path(fs::path(arguments.model_file).stem().string() + ".comparison")
+                              : fs::path(arguments.output);
+  const std::optional<bool> resume = goes_on(variant_folders(of, folder), arguments.take_up);
+  if (!resume) return kWrongInput;
   ExitCode code = kDone;
   Cases cases;
   try {
@@ -115,10 +129,7 @@ int run_compare(const CompareArguments& arguments) {
     return refuse(fault.what());
   }
   if (code != kDone) return code;
-  const fs::path folder = arguments.output.empty()
-                              ? fs::path(fs::path(arguments.model_file).stem().string() + ".comparison")
-                              : fs::path(arguments.output);
-  return run_all(of, *description, cases, folder, {arguments.resume, arguments.checkpoint_every, arguments.threads});
+  return run_all(of, *description, cases, folder, {*resume, arguments.checkpoint_every, arguments.threads});
 }
 
 }  // namespace overbend

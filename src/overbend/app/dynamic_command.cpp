@@ -76,11 +76,11 @@ class Watch {
 };
 
 /// One run straight into the folder.
-int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments) {
-  if (arguments.resume) {
+int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments, bool resume) {
+  if (resume) {
     const std::optional<StoredRun> stored = RunStore::find(folder);
-    std::cerr << (stored ? fmt::format("Goes on from t = {:.1f} s.\n", stored->time)
-                         : fmt::format("There is no unfinished run in {}: begins anew.\n", folder.string()));
+    if (!stored) std::cerr << fmt::format("There is no unfinished run in {}: begins anew.\n", folder.string());
+    if (stored && stored->fault.empty()) std::cerr << fmt::format("Goes on from t = {:.1f} s.\n", stored->time);
   }
   const DynamicOptions options = dynamic_options(shared.model);
   std::mutex writing;
@@ -88,7 +88,7 @@ int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArgu
   {
     const Interruption interruption;
     Watch watch(options, arguments.checkpoint_every);
-    end = run_realisation(shared, folder, options.seed, arguments.resume, std::ref(watch), writing);
+    end = run_realisation(shared, folder, options.seed, resume, std::ref(watch), writing);
   }
   if (end.code != kDone) {
     std::cerr << "overbend: " << end.why << "\n";
@@ -107,15 +107,18 @@ std::optional<std::string> twice(std::vector<std::uint64_t> seeds) {
 }
 
 int run_in(const fs::path& folder, const Description& description, const DynamicArguments& arguments) {
+  std::vector<std::uint64_t> seeds;
+  if (description.dynamics) seeds = description.dynamics->seeds;
+  if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
+  const std::vector<fs::path> folders = seeds.size() < 2 ? std::vector{folder} : seed_folders(folder, seeds);
+  const std::optional<bool> resume = goes_on(folders, arguments.take_up);
+  if (!resume) return kWrongInput;
   ExitCode code = kDone;
   const std::unique_ptr<PreparedCase> prepared = prepare_case(description, code);
   if (!prepared) return code;
-  const std::vector<std::uint64_t>& seeds = description.dynamics->seeds;
-  if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
   const DynamicCase shared = prepared->shared();
-  if (seeds.size() < 2) return run_one(shared, folder, arguments);
-  return run_seeds(shared, seeds, folder,
-                   {arguments.resume, arguments.checkpoint_every, arguments.threads, arguments.strict});
+  if (seeds.size() < 2) return run_one(shared, folder, arguments, *resume);
+  return run_seeds(shared, seeds, folder, {*resume, arguments.checkpoint_every, arguments.threads, arguments.strict});
 }
 
 }  // namespace

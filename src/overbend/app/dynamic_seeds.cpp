@@ -74,7 +74,9 @@ int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::
   if (!results.runs.empty()) {
     StagedFolder staged(folder);
     write_seeds_files(shared.statics, results, staged.path());
-    staged.commit("summary.json");
+    std::vector<std::string> folders;
+    for (const SideRun& seed : seeds) folders.push_back(seed.folder.filename().string());
+    staged.commit("summary.json", folders);
     std::cout << fmt::format("{}\n  {:<28}{:>12} of {}\n", shared.statics.title, "seeds done", results.runs.size(),
                              seeds.size());
     print(results);
@@ -85,12 +87,17 @@ int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::
 
 }  // namespace
 
+std::vector<fs::path> seed_folders(const fs::path& folder, const std::vector<std::uint64_t>& numbers) {
+  std::vector<fs::path> folders;
+  for (const std::uint64_t number : numbers) folders.push_back(folder / fmt::format("seed-{}", number));
+  return folders;
+}
+
 int run_seeds(const DynamicCase& shared, const std::vector<std::uint64_t>& numbers, const fs::path& folder,
               const SideOptions& options) {
+  const std::vector<fs::path> folders = seed_folders(folder, numbers);
   std::vector<SideRun> seeds;
-  for (const std::uint64_t number : numbers) {
-    seeds.push_back({&shared, number, folder / fmt::format("seed-{}", number)});
-  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) seeds.push_back({&shared, numbers[i], folders[i]});
   const ExitCode code = run_side_by_side(seeds, options, "seeds");
   return code == kDone ? end(shared, seeds, folder, options.strict) : code;
 }

@@ -8,6 +8,10 @@
 
 namespace overbend {
 
+/// Where each seed's run and results are.
+std::vector<std::filesystem::path> seed_folders(const std::filesystem::path& folder,
+                                                const std::vector<std::uint64_t>& seeds);
+
 /// Runs every seed into `folder`/seed-K and gathers their key values in `folder`. Results do not depend on the number
 /// of threads. A seed that fails is listed and does not stop the others; the exit code is then kNoSolution, or
 /// kWrongInput when none came to an end for a reason that is the input's.

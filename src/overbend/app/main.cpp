@@ -1,5 +1,23 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <initializer_list>
+
 #include "app/command_line.h"
 
+namespace {
+
+/// Whoever starts the program may have closed its standard streams. The next files opened would get their numbers, and
+/// text meant for a terminal would land in results.
+void open_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(stream, F_GETFD) == -1) ::open("/dev/null", O_RDWR);  // takes the lowest number that is free
+  }
+}
+
+}  // namespace
+
 int main(int count, char** words) {
+  open_standard_streams();
   return overbend::run_command_line(count, words);
 }

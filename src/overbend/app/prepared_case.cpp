@@ -4,8 +4,14 @@
 
 #include "analysis/recovery.h"
 #include "base/units.h"
+#include "io/field.h"
 
 namespace overbend {
+
+ExitCode tell_failure(const StaticFailure& failure) {
+  std::cerr << "overbend: " << (failure.input ? "" : "no solution: ") << failure_line(failure) << "\n";
+  return failure.input ? kWrongInput : kNoSolution;
+}
 
 std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitCode& code) {
   Model model = build_model(description);
@@ -16,8 +22,7 @@ std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitC
   }
   StaticOutcome outcome = solve_statics(model);
   if (outcome.failure) {
-    std::cerr << "overbend: no solution: " << failure_line(*outcome.failure) << "\n";
-    code = kNoSolution;
+    code = tell_failure(*outcome.failure);
     return nullptr;
   }
   code = kDone;
@@ -29,7 +34,7 @@ std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitC
 bool set_duration(Description& description, const std::string& text) {
   if (text.empty()) return true;
   const QuantityReading duration = parse_quantity(text, "s");
-  if (!duration.value || !(*duration.value > 0.0)) {
+  if (!duration.value || !(*duration.value > 0.0 && *duration.value <= largest_sensible("s"))) {
     std::cerr << "overbend: --duration: found " << duration.found << ", expected a time such as '600 s'\n";
     return false;
   }

@@ -19,6 +19,9 @@ struct PreparedCase {
   DynamicCase shared() const { return {description, model, start, statics, input}; }
 };
 
+/// Tells on stderr why there is no equilibrium; the code that the program ends with.
+ExitCode tell_failure(const StaticFailure& failure);
+
 /// Builds the model and solves its statics. Null where it can not be run, told on stderr; `code` says why.
 std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitCode& code);
 

@@ -12,7 +12,6 @@
 
 #include "app/interruption.h"
 #include "app/progress.h"
-#include "base/version.h"
 #include "io/results_writer.h"
 #include "io/run_record.h"
 #include "io/run_store.h"
@@ -29,7 +28,7 @@ using SteadyClock = std::chrono::steady_clock;
 constexpr const char* kMark = ".finished";
 
 std::string mark_text(const std::string& input) {
-  return text_hash(input) + " " + kVersion + "\n";
+  return text_hash(input) + " " + program_identity() + "\n";
 }
 
 void mark(const fs::path& folder, const std::string& input) {
@@ -55,8 +54,9 @@ double look_back(SideRun& run) {
   const std::string& input = run.shared->input;
   if (const std::optional<std::string> found = read_mark(run.folder)) {
     if (*found != mark_text(input)) {
-      throw std::runtime_error("'" + run.folder.string() +
-                               "' has results of another model file or version; start the run anew");
+      throw std::runtime_error(
+          "'" + run.folder.string() +
+          "' has results of another model file or another build of the program; begin anew with --restart");
     }
     run.ended = true;
     return settings(run).duration;

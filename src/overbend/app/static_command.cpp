@@ -7,6 +7,7 @@
 #include "analysis/statics.h"
 #include "app/check_lines.h"
 #include "app/commands.h"
+#include "app/prepared_case.h"
 #include "io/staged_folder.h"
 #include "runs/exit_code.h"
 #include "runs/static_run.h"
@@ -56,12 +57,6 @@ void print_results(const StaticResults& r) {
   for (const std::string& warning : r.warnings) std::cout << "  warning: " << warning << "\n";
 }
 
-int tell(const StaticFailure& failure) {
-  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
-  std::cerr << "overbend: no solution: " << failure.what << where << ": " << failure.why << "\n";
-  return kNoSolution;
-}
-
 fs::path default_folder(const std::string& model_file) {
   return fs::path(model_file).stem().string() + ".results";
 }
@@ -73,7 +68,7 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   if (!description) return kWrongInput;
   const Model model = build_model(*description);
   const StaticOutcome outcome = solve_statics(model);
-  if (outcome.failure) return tell(*outcome.failure);
+  if (outcome.failure) return tell_failure(*outcome.failure);
   const StaticResults results = recover_statics(model, *outcome.solution);
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   try {

@@ -15,13 +15,10 @@ std::string render(const Diagnostic& diagnostic) {
   return text;
 }
 
-bool Diagnostics::has_errors() const {
-  return error_count() > 0;
-}
-
-int Diagnostics::error_count() const {
-  return static_cast<int>(
-      std::count_if(list_.begin(), list_.end(), [](const Diagnostic& d) { return d.severity == Severity::error; }));
+void Diagnostics::add(Diagnostic diagnostic) {
+  constexpr int kMost = 1000;  // of a file that is no model file: nobody reads more, and a million fill the memory
+  int& count = diagnostic.severity == Severity::error ? errors_ : warnings_;
+  if (++count <= kMost) list_.push_back(std::move(diagnostic));
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

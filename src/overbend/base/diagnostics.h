@@ -24,16 +24,18 @@ std::string render(const Diagnostic& diagnostic);
 
 class Diagnostics {
  public:
-  void add(Diagnostic diagnostic) { list_.push_back(std::move(diagnostic)); }
-  bool has_errors() const;
-  int error_count() const;
+  /// Keeps the first thousand errors and the first thousand warnings; of what follows errors are only counted.
+  void add(Diagnostic diagnostic);
+  bool has_errors() const { return errors_ > 0; }
+  int error_count() const { return errors_; }
   /// In the order of the file.
   std::vector<Diagnostic> sorted() const;
-  /// All of one severity, one a line.
+  /// All that were kept of one severity, one a line.
   std::vector<std::string> lines(Severity severity) const;
 
  private:
   std::vector<Diagnostic> list_;
+  int errors_ = 0, warnings_ = 0;  ///< Those not kept as well.
 };
 
 }  // namespace overbend

@@ -44,7 +44,31 @@ FileDescriptor::~FileDescriptor() {
   if (id_ >= 0) ::close(id_);
 }
 
-AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep)
+void BlockSums::add(std::span<const double> values) {
+  while (!values.empty()) {
+    const std::span<const double> now = values.first(std::min(values.size(), kBlock - held_));
+    begun_ = sum(now, begun_);
+    held_ += now.size();
+    values = values.subspan(now.size());
+    if (held_ < kBlock) continue;
+    sums_.push_back(begun_);
+    begun_ = kChecksumStart;
+    held_ = 0;
+  }
+}
+
+std::vector<std::uint64_t> BlockSums::all() const {
+  std::vector<std::uint64_t> sums = sums_;
+  sums.push_back(begun_);
+  return sums;
+}
+
+std::uint64_t BlockSums::sum(std::span<const double> values, std::uint64_t onto) {
+  for (const double value : values) onto = add_to_checksum(onto, std::bit_cast<std::uint64_t>(value));
+  return onto;
+}
+
+AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep, const std::vector<std::uint64_t>& sums)
     : file_(std::move(file)), descriptor_(open_file(file_, O_RDWR | O_CREAT)), buffer_(kBufferBytes), written_(keep) {
   const off_t length = ::lseek(descriptor_.id(), 0, SEEK_END);
   if (length < 0) refuse_file(file_, "read");
@@ -52,10 +76,30 @@ AppendFile::AppendFile(std::filesystem::path file, std::uint64_t keep)
     throw std::runtime_error("the file '" + file_.string() + "' is damaged: " + std::to_string(keep) +
                              " bytes were stored, " + std::to_string(length) + " are left");
   }
+  verify(sums);
   if (::ftruncate(descriptor_.id(), static_cast<off_t>(keep)) != 0) refuse_file(file_, "cut");
 }
 
+/// Reads all there is and takes its checksums on.
+void AppendFile::verify(const std::vector<std::uint64_t>& sums) {
+  std::vector<double> block(BlockSums::kBlock);
+  const std::uint64_t count = written_ / sizeof(double);
+  for (std::uint64_t first = 0; first < count; first += block.size()) {
+    block.resize(std::min<std::uint64_t>(BlockSums::kBlock, count - first));
+    read_raw(first * sizeof(double), block);
+    sums_.add(block);
+    const std::size_t index = first / BlockSums::kBlock;
+    if (index >= sums.size() || sums[index] != sums_.of(index)) refuse_damaged(first * sizeof(double));
+  }
+}
+
+void AppendFile::refuse_damaged(std::uint64_t offset) const {
+  throw std::runtime_error("the file '" + file_.string() + "' is damaged: behind byte " + std::to_string(offset) +
+                           " it does not hold what was written");
+}
+
 void AppendFile::append(std::span<const double> values) {
+  sums_.add(values);
   std::span<const std::byte> bytes = std::as_bytes(values);
   while (!bytes.empty()) {
     if (filled_ == buffer_.size()) flush();
@@ -77,6 +121,24 @@ void AppendFile::sync() {
 }
 
 void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
+  if (filled_ > 0) throw std::logic_error("a file is read when it has been flushed");
+  constexpr std::uint64_t kBytes = BlockSums::kBlock * sizeof(double);
+  std::vector<double> block;
+  while (!values.empty()) {
+    const std::uint64_t start = offset / kBytes * kBytes, end = std::min(start + kBytes, written_);
+    if (end <= offset) throw std::runtime_error("the file '" + file_.string() + "' ends too early");
+    block.resize((end - start) / sizeof(double));
+    read_raw(start, block);
+    if (BlockSums::sum(block) != sums_.of(start / kBytes)) refuse_damaged(start);
+    const std::span<const double> wanted = std::span<const double>(block).subspan((offset - start) / sizeof(double));
+    const std::size_t count = std::min(wanted.size(), values.size());
+    std::copy_n(wanted.begin(), count, values.begin());
+    values = values.subspan(count);
+    offset += count * sizeof(double);
+  }
+}
+
+void AppendFile::read_raw(std::uint64_t offset, std::span<double> values) const {
   std::span<std::byte> bytes = std::as_writable_bytes(values);
   while (!bytes.empty()) {
     const ssize_t count = ::pread(descriptor_.id(), bytes.data(), bytes.size(), static_cast<off_t>(offset));

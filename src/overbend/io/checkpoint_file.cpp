@@ -6,8 +6,8 @@
 #include <span>
 #include <stdexcept>
 
-#include "base/version.h"
 #include "io/append_file.h"
+#include "io/run_record.h"
 
 namespace overbend {
 namespace {
@@ -35,6 +35,10 @@ class Encoder {
     number(std::uint64_t{values.size()});
     raw(values.data(), values.size() * sizeof(double));
   }
+  void sums(const std::vector<std::uint64_t>& values) {
+    number(std::uint64_t{values.size()});
+    raw(values.data(), values.size() * sizeof(std::uint64_t));
+  }
   const std::string& bytes() const { return bytes_; }
 
  private:
@@ -49,9 +53,10 @@ class Decoder {
   void number(std::uint64_t& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
   void number(double& value) { std::memcpy(&value, take(sizeof value).data(), sizeof value); }
   void text(std::string& value) { value = take(count(1)); }
-  void numbers(std::vector<double>& values) {
-    values.resize(count(sizeof(double)));
-    const std::string_view data = take(values.size() * sizeof(double));
+  template <class Number>
+  void numbers(std::vector<Number>& values) {
+    values.resize(count(sizeof(Number)));
+    const std::string_view data = take(values.size() * sizeof(Number));
     if (!values.empty()) std::memcpy(values.data(), data.data(), data.size());
   }
   /// A length of a list whose elements take at least `size` bytes each.
@@ -89,6 +94,7 @@ void encode(const RunCheckpoint& c, Encoder& out) {
   }
   out.number(static_cast<std::uint64_t>(c.stations));
   for (const std::uint64_t bytes : {c.row_bytes, c.snapshot_bytes, c.impact_bytes}) out.number(bytes);
+  for (const auto* sums : {&c.row_sums, &c.snapshot_sums, &c.impact_sums}) out.sums(*sums);
   out.number(c.state.time);
   out.number(std::uint64_t{c.state.arrays.size()});
   for (const DynamicCheckpoint::Array& array : c.state.arrays) {
@@ -118,6 +124,7 @@ void decode(Decoder& in, RunCheckpoint& c) {
   in.number(stations);
   c.stations = static_cast<int>(stations);
   for (std::uint64_t* bytes : {&c.row_bytes, &c.snapshot_bytes, &c.impact_bytes}) in.number(*bytes);
+  for (auto* sums : {&c.row_sums, &c.snapshot_sums, &c.impact_sums}) in.numbers(*sums);
   in.number(c.state.time);
   c.state.arrays.resize(in.count(1));
   for (DynamicCheckpoint::Array& array : c.state.arrays) {
@@ -164,13 +171,13 @@ RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
     Decoder in(content_of(bytes));
     in.text(checkpoint.version);
     // Another version may have laid out differently what follows.
-    if (checkpoint.version == kVersion) decode(in, checkpoint);
+    if (checkpoint.version == program_identity()) decode(in, checkpoint);
   } catch (const std::runtime_error& fault) {
     throw std::runtime_error("the checkpoint '" + file.string() + "' is damaged: " + fault.what());
   }
-  if (checkpoint.version != kVersion) {
+  if (checkpoint.version != program_identity()) {
     throw std::runtime_error("the checkpoint '" + file.string() + "' is of version " + checkpoint.version +
-                             " of the program, this is " + kVersion + "; start the run anew");
+                             " of the program, this is " + program_identity() + "; begin anew with --restart");
   }
   return checkpoint;
 }

@@ -12,12 +12,13 @@ namespace overbend {
 
 /// What a checkpoint holds: the state, how much of the stored data belongs to it, and whose run it is.
 struct RunCheckpoint {
-  std::string version;     ///< Of the program.
+  std::string version;     ///< See program_identity().
   std::string model_hash;  ///< See text_hash().
   std::uint64_t seed = 0;
   std::vector<HistoryColumn> columns;
   int stations = 0;
   std::uint64_t row_bytes = 0, snapshot_bytes = 0, impact_bytes = 0;  ///< Lengths of the data files.
+  std::vector<std::uint64_t> row_sums, snapshot_sums, impact_sums;    ///< Their checksums; see BlockSums.
   DynamicCheckpoint state;
 };
 
@@ -26,7 +27,8 @@ struct RunCheckpoint {
 void write_checkpoint(const RunCheckpoint& checkpoint, const std::filesystem::path& file);
 
 /// Gives back what write_checkpoint wrote, bit for bit. Throws std::runtime_error when the file can not be read, is
-/// damaged (by a checksum over all of it) or comes from another version of the program.
+/// damaged (by a checksum over all of it) or comes from another version or build of the program or another instruction
+/// set, which would go on with other bits.
 RunCheckpoint read_checkpoint(const std::filesystem::path& file);
 
 }  // namespace overbend

@@ -4,6 +4,7 @@ namespace overbend::field_rows {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
+constexpr double kShortestElement = 0.02;  ///< [m] Far below any pipe's diameter, where a beam means nothing.
 
 }  // namespace
 
@@ -102,7 +103,7 @@ std::vector<Field> analysis() {
                  .unit = "m",
                  .show = "m",
                  .fallback_text = "rule of the mesh",
-                 .range = {.low = 0.0, .high = 1000.0, .low_open = true}};
+                 .range = {.low = kShortestElement, .high = 1000.0}};
   };
   const auto time = [&](const std::string& key, const std::string& text, const std::string& fallback, bool zero) {
     return Field{.path = d + key,

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "io/file_seal.h"
+
 namespace overbend {
 namespace {
 
@@ -67,7 +69,7 @@ bool Hdf5Handle::reset() noexcept {
   return id < 0 || close_(id) >= 0;
 }
 
-Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) {
+Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : path_(file) {
   silence_library();
   file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
                      "the file " + file.filename().string() + " can not be created");
@@ -199,10 +201,12 @@ void Hdf5Writer::attach_scale(const std::string& path, const std::string& scale,
 void Hdf5Writer::close() {
   const bool flushed = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
   if (!file_.reset() || !flushed) throw std::runtime_error("results.h5 can not be written to the end");
+  seal_file(path_);
 }
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& file) : name_(file.string()) {
   silence_library();
+  require_sealed(file);  // the library itself falls over damaged metadata
   file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                      "the file '" + name_ + "' can not be read as HDF5");
 }

@@ -68,7 +68,7 @@ class Hdf5Writer {
   void make_scale(const std::string& path, const std::string& name);
   void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0);
 
-  /// Closes the file; throws when it could not be written to the end (disk full).
+  /// Closes and seals the file (io/file_seal.h); throws when it could not be written to the end (disk full).
   void close();
 
  private:
@@ -77,10 +77,11 @@ class Hdf5Writer {
                  const std::vector<hsize_t>& shape, const void* values);
   void describe(const std::string& path, const ResultField& field);
 
+  std::filesystem::path path_;
   Hdf5Handle file_;
 };
 
-/// A file being read.
+/// A file being read: one that is as Hdf5Writer closed it, others are refused with std::runtime_error.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);

@@ -3,7 +3,12 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <array>
 #include <cstdint>
+
+#include "base/simd.h"
+#include "base/source_digest.h"
+#include "base/version.h"
 
 namespace overbend {
 
@@ -30,6 +35,12 @@ std::string compiler_name() {
 #else
   return "unknown";
 #endif
+}
+
+std::string program_identity() {
+  constexpr std::array kSets = {"baseline", "avx2", "avx512"};
+  return fmt::format("{} (sources {}, {}, {})", kVersion, source_digest(), compiler_name(),
+                     kSets.at(static_cast<std::size_t>(best_isa())));
 }
 
 }  // namespace overbend

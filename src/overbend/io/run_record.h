@@ -14,4 +14,8 @@ std::string machine_name();
 /// Compiler and its version.
 std::string compiler_name();
 
+/// Who computes: version, digest of the sources that take part in computing, compiler and instruction set. Two programs
+/// of the same identity give the same bits.
+std::string program_identity();
+
 }  // namespace overbend

@@ -9,7 +9,6 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "base/version.h"
 #include "io/append_file.h"
 #include "io/checkpoint_file.h"
 #include "io/run_record.h"
@@ -57,11 +56,11 @@ Impact impact_of(const double* n) {
 
 void require_same_input(const RunCheckpoint& stored, const std::string& hash, std::uint64_t seed) {
   if (stored.model_hash != hash) {
-    throw std::runtime_error("the model file has changed since the run was begun; start the run anew");
+    throw std::runtime_error("the model file has changed since the run was begun; begin anew with --restart");
   }
   if (stored.seed != seed) {
     throw std::runtime_error("the stored run has seed " + std::to_string(stored.seed) + ", this one " +
-                             std::to_string(seed) + "; start the run anew");
+                             std::to_string(seed) + "; begin anew with --restart");
   }
 }
 
@@ -92,9 +91,9 @@ struct RunStore::Files {
 };
 
 void RunStore::Files::open() {
-  rows = AppendFile(folder / "rows", record.row_bytes);
-  snapshots = AppendFile(folder / "snapshots", record.snapshot_bytes);
-  impacts = AppendFile(folder / "impacts", record.impact_bytes);
+  rows = AppendFile(folder / "rows", record.row_bytes, record.row_sums);
+  snapshots = AppendFile(folder / "snapshots", record.snapshot_bytes, record.snapshot_sums);
+  impacts = AppendFile(folder / "impacts", record.impact_bytes, record.impact_sums);
   begun = true;
 }
 
@@ -146,7 +145,7 @@ RunStore RunStore::create(const fs::path& output_dir, const std::string& model_t
     fs::remove(files->folder / name);
   }
   sync_folder(files->folder.parent_path());
-  files->record.version = kVersion;
+  files->record.version = program_identity();
   files->record.model_hash = text_hash(model_text);
   files->record.seed = seed;
   return RunStore(std::move(files));
@@ -179,7 +178,7 @@ std::optional<ResumedRun> RunStore::resume(const fs::path& output_dir, const std
 void RunStore::begin(const std::vector<HistoryColumn>& columns, int stations) {
   if (files_->begun) {
     if (same_columns(columns, files_->record.columns) && stations == files_->record.stations) return;
-    throw std::runtime_error("the stored run has other histories or stations; start the run anew");
+    throw std::runtime_error("the stored run has other histories or stations; begin anew with --restart");
   }
   if (columns.empty() || stations < 0) throw std::invalid_argument("a run needs a column at least");
   files_->record.columns = columns;
@@ -213,6 +212,9 @@ void RunStore::checkpoint(const DynamicCheckpoint& state) {
   record.row_bytes = f.rows.size();
   record.snapshot_bytes = f.snapshots.size();
   record.impact_bytes = f.impacts.size();
+  record.row_sums = f.rows.sums();
+  record.snapshot_sums = f.snapshots.sums();
+  record.impact_sums = f.impacts.sums();
   record.state = state;
   write_checkpoint(record, f.checkpoint());
 }

@@ -119,11 +119,9 @@ void check_rollers(Checker& check) {
     }
   }
   const FieldValue* rollers = check.root().find("rollers");
-  for (const std::string& kind : kinds) {
-    if (used.count(kind) != 0) continue;
-    for (const FieldValue& value : rollers->children) {
-      if (value.key == kind) check.warn(value, "no box has this kind of roller");
-    }
+  if (rollers == nullptr) return;
+  for (const FieldValue& kind : rollers->children) {
+    if (used.count(kind.key) == 0) check.warn(kind, "no box has this kind of roller");
   }
 }
 

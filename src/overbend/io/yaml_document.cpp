@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <sstream>
+#include <unordered_map>
 
 #include <yaml-cpp/eventhandler.h>
 
@@ -59,7 +60,8 @@ class TreeBuilder : public YAML::EventHandler {
  private:
   struct Frame {
     YamlNode node;
-    std::optional<YamlEntry> pending;  ///< Key read, value still to come.
+    std::optional<YamlEntry> pending;           ///< Key read, value still to come.
+    std::unordered_map<std::string, int> seen;  ///< Keys of the group and their lines.
   };
 
   static YamlNode node_at(const YAML::Mark& mark, YamlNode::Kind kind) {
@@ -88,7 +90,7 @@ class TreeBuilder : public YAML::EventHandler {
   void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlNode::Kind kind) {
     refuse_anchor(mark, anchor);
     refuse_tag(mark, tag);
-    stack_.push_back({node_at(mark, kind), std::nullopt});
+    stack_.push_back({node_at(mark, kind), std::nullopt, {}});
   }
 
   void close() {
@@ -121,12 +123,11 @@ class TreeBuilder : public YAML::EventHandler {
       m.column = key.column - 1;
       return m;
     }();
-    if (key.kind != YamlNode::Kind::scalar) complain(mark, "a key that is not a word", "a word and a colon", "");
-    for (const YamlEntry& other : top.node.entries) {
-      if (other.key != key.text || key.kind != YamlNode::Kind::scalar) continue;
+    if (key.kind != YamlNode::Kind::scalar) {
+      complain(mark, "a key that is not a word", "a word and a colon", "");
+    } else if (const auto [first, fresh] = top.seen.try_emplace(key.text, key.line); !fresh) {
       diagnostics_.add({Severity::error, file_, key.line, key.column, joined(key.text), "the key a second time",
-                        "it once", "it stands already in line " + std::to_string(other.line)});
-      break;
+                        "it once", "it stands already in line " + std::to_string(first->second)});
     }
     top.pending = YamlEntry{key.text, key.line, key.column, {}};
   }

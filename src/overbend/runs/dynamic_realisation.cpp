@@ -68,9 +68,10 @@ class WatchedStore : public DynamicSink {
 
 std::string input_text(const Description& d) {
   std::string text = d.source_text;
+  // What the files hold, not where they lie: that depends on how the model's own path was written.
   for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
     if (!file.empty()) {
-      text += "\n# " + file + "\n" + file_text(file);
+      text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
     }
   }
   return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "io/results_writer.h"
+#include "io/run_store.h"
 #include "report/json_number.h"
 
 namespace overbend {
@@ -53,6 +54,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.note = note.value("note", "");
     run.model_path = note.value("model_path", "");
     run.progress = note.value("progress", 0.0);
+    run.duration = note.value("duration", 0.0);
   }
   if (summary.is_object()) {
     run.title = summary.value("title", "");
@@ -67,6 +69,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = RunState::cancelled;
     run.message = "the program ended before the run";
   }
+  run.resumable = run.state != RunState::done && can_be_resumed(folder);
   return run;
 }
 
@@ -82,7 +85,8 @@ Json run_json(const RunInfo& run) {
                {"message", run.message},
                {"name", run.name},
                {"note", run.note},
-               {"has_results", run.has_results}};
+               {"has_results", run.has_results},
+               {"resumable", run.resumable}};
   if (run.now) {
     json["time"] = seven_digits(run.now->time);
     json["end"] = seven_digits(run.now->end);
@@ -90,6 +94,13 @@ Json run_json(const RunInfo& run) {
     json["worst_stress"] = seven_digits(run.now->worst_stress);
   }
   return json;
+}
+
+bool can_be_resumed(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kModelCopy, ignored)) return false;
+  const std::optional<StoredRun> stored = RunStore::find(folder);
+  return stored && stored->fault.empty();
 }
 
 double seconds_since_1970() {
@@ -103,6 +114,7 @@ void write_note(const RunInfo& run, const fs::path& folder) {
   const fs::path beside = folder / "run.json.part";
   Json note = run_json(lasting);
   note["model_path"] = run.model_path;
+  note["duration"] = run.duration;
   write_text(beside, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   fs::rename(beside, folder / "run.json");
 }

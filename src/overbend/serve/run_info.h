@@ -30,11 +30,19 @@ struct RunInfo {
   std::string message;       ///< Why it failed, and the like.
   bool has_results = false;  ///< Of the whole run, or of what was computed before it was cancelled.
   std::optional<RunNow> now;
+  bool resumable = false;  ///< It can go on from a checkpoint.
+  double duration = 0.0;   ///< Asked for instead of the model's [s]; 0: the model's.
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }
 };
 
 Json run_json(const RunInfo& run);
+
+/// In a run's folder: the model's text as the run was begun with.
+inline constexpr const char* kModelCopy = "model.yaml";
+
+/// Whether the folder has what it takes to resume: a sound checkpoint and the model's text.
+bool can_be_resumed(const std::filesystem::path& folder);
 
 double seconds_since_1970();
 

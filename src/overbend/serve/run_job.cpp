@@ -40,6 +40,13 @@ Description description_of(const ModelText& model, double duration) {
   return std::move(*reading.description);
 }
 
+/// How the command line goes on with a run; empty where the model stands in no file as it was run.
+std::string command_of(const ModelText& model, double duration, const std::string& folder) {
+  if (!model.saved || model.name.empty()) return "";
+  const std::string time = duration > 0.0 ? fmt::format(" --duration '{} s'", duration) : "";
+  return fmt::format(", also with: overbend dynamic '{}' -o '{}'{} --resume", model.path, folder, time);
+}
+
 }  // namespace
 
 void RunQueue::run(const Job& job) {
@@ -101,7 +108,8 @@ void RunQueue::run_dynamic(const Job& job) {
     worst = worst_stress(columns, values);
     live_.add(columns, values);
   };
-  const RealisationEnd ended = run_realisation(shared, folder_ / job.id, options.seed, false, control, files_, rows);
+  const RealisationEnd ended =
+      run_realisation(shared, folder_ / job.id, options.seed, job.resume, control, files_, rows);
   if (ended.code == kDone) return end(job.id, RunState::done, "");
   if (ended.code != kInterrupted) return end(job.id, RunState::failed, ended.why);
   end_interrupted(job, [&] {
@@ -116,11 +124,9 @@ void RunQueue::end_interrupted(const Job& job, const std::function<bool()>& keep
     return closing_;
   }();
   if (closing) {  // not what the user wanted, nor is there time for results: the checkpoint stays
-    const std::string name = job.model.name.empty() ? "MODEL.yaml" : job.model.name;
     const std::string folder = (folder_ / job.id).string();
-    return end(
-        job.id, RunState::cancelled,
-        fmt::format("the program ended; the run goes on with: overbend dynamic {} -o {} --resume", name, folder));
+    return end(job.id, RunState::cancelled,
+               "the program ended; the run can be resumed" + command_of(job.model, job.duration, folder));
   }
   const bool kept = keep_results();
   update(

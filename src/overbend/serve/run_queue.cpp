@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <fstream>
+#include <iterator>
 
 #include "io/results_writer.h"
 
@@ -18,6 +20,12 @@ std::string name_of(const std::string& kind, int attempt) {
   std::array<char, 32> text{};
   std::strftime(text.data(), text.size(), "%Y%m%d-%H%M%S-", &local);
   return text.data() + kind + (attempt > 1 ? "-" + std::to_string(attempt) : "");
+}
+
+/// Empty where there is no such file.
+std::string file_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 /// Makes a folder for a new run and returns its name.
@@ -57,12 +65,13 @@ RunInfo RunQueue::add(const ModelText& model, const std::string& title, const st
   run.kind = kind;
   run.started = seconds_since_1970();
   run.model_path = model.path;
-  write_text(folder(run) / "model.yaml", model.text);
+  run.duration = duration;
+  write_text(folder(run) / kModelCopy, model.text);
   write_note(run, folder(run));
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     runs_.push_back(run);
-    waiting_.push_back({run.id, kind, model, duration});
+    waiting_.push_back({run.id, kind, model, duration, false});
   }
   changed_.notify_all();
   events_.send("run", run_json(run), run.id);
@@ -109,6 +118,28 @@ void RunQueue::remove(const std::string& id) {
   if (fault) throw HttpFault(422, "the folder of the run can not be removed: " + fault.message());
 }
 
+RunInfo RunQueue::resume(const std::string& id) {
+  const RunInfo run = find(id);
+  Job job{id, run.kind, {}, run.duration, true};
+  job.model.text = file_text(folder(run) / kModelCopy);
+  job.model.path = run.model_path;
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    RunInfo& now = at(id);
+    if (!now.ended() || !now.resumable || job.model.text.empty()) {
+      throw HttpFault(409, "the run can not be resumed", "it has no checkpoint that it could go on from");
+    }
+    now.state = RunState::queued;
+    now.resumable = false;
+    now.message.clear();
+    waiting_.push_back(std::move(job));
+  }
+  changed_.notify_all();
+  update(
+      id, [](RunInfo&) {}, true);
+  return find(id);
+}
+
 std::vector<RunInfo> RunQueue::list() const {
   const std::lock_guard<std::mutex> hold(mutex_);
   std::vector<RunInfo> runs(runs_.rbegin(), runs_.rend());
@@ -147,11 +178,13 @@ void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>
 }
 
 void RunQueue::end(const std::string& id, RunState state, const std::string& message) {
+  const bool resumable = state != RunState::done && can_be_resumed(folder_ / id);
   update(
       id,
       [&](RunInfo& run) {
         run.state = state;
         run.message = message;
+        run.resumable = resumable;
         run.now.reset();
         if (state == RunState::done) {
           run.progress = 1.0;

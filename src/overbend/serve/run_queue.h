@@ -35,6 +35,9 @@ class RunQueue {
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
   /// Removes a run that has ended, with its folder; HttpFault 409 while it goes on.
   void remove(const std::string& id);
+  /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
+  /// it can not be resumed.
+  RunInfo resume(const std::string& id);
 
   /// Newest first.
   std::vector<RunInfo> list() const;
@@ -51,6 +54,7 @@ class RunQueue {
     std::string id, kind;
     ModelText model;
     double duration = 0.0;
+    bool resume = false;
   };
 
   void work();

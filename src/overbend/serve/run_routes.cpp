@@ -146,6 +146,8 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
                     }});
   routes.push_back({"GET", "/api/runs/*/statics", [&](Request r) { return from_file(runs, r, run_statics_json); }});
   routes.push_back({"GET", "/api/runs/*/scene", [&](Request r) { return scene(runs, r); }});
+  routes.push_back(
+      {"POST", "/api/runs/*/resume", [&](Request r) { return json_answer(run_json(runs.resume(r.parts[0]))); }});
   routes.push_back({"GET", "/api/runs/*/summary", [&](Request r) { return summary(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/columns", [&](Request r) { return columns(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/series", [&](Request r) { return series(runs, r); }});
