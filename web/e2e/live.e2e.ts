@@ -87,7 +87,7 @@ test('stinger radius and box height move rollers, and are written into the model
 test('pictures of all views', async () => {
   for (const view of ['overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe', 'whole']) {
     await page.click(`.viewbuttons >> text=${view}`);
-    await page.waitForTimeout(900);
+    await page.waitForTimeout(600);
     await bench.shot(page, `view-${view.replaceAll(' ', '-')}`);
   }
 });

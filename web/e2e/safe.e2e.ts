@@ -95,12 +95,12 @@ test('two tabs agree without being asked', async () => {
 test('changes of two tabs at the same time: the user says which stays', async () => {
   for (const [choice, stays] of [['Take the newer', '98 m'], ['Keep mine', '92 m']] as const) {
     // the news of the other tab's change is long on its way
-    await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 1500)); await route.continue().catch(() => undefined); });
+    await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 800)); await route.continue().catch(() => undefined); });
     const { revision } = await model();
     expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '98 m' }], revision }) })).status).toBe(200);
     await type(page, '92 m');
     await page.waitForSelector('dialog >> text=Take the newer');
-    await page.waitForTimeout(1800); // when the news is there the question still stands
+    await page.waitForTimeout(1000); // when the news is there the question still stands
     await page.unroute('**/api/model');
     await page.click(`dialog >> text=${choice}`);
     await holds(page, stays);

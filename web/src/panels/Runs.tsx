@@ -63,7 +63,7 @@ function Card({ run }: { run: Run }) {
         </>
       ) : null}
       {run.note && !mine ? <p class="note">{run.note}</p> : null}
-      {run.message && run.state !== 'done' ? <p class="brief">{withoutPaths(run.message)}</p> : null}
+      {run.message && run.state !== 'done' && !mine ? <p class="brief">{withoutPaths(run.message)}</p> : null}
       {mine ? <Words key={run.id} run={run} /> : null}
       <div class="acts">
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
