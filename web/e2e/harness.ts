@@ -71,7 +71,7 @@ export async function start(model?: string, edit: Record<string, string> = {}): 
       page.on('pageerror', (e) => complaints.push(e.message));
       await prepare?.(page);
       await page.goto(address);
-      await page.waitForFunction('window.__ready === true');
+      await page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true); // as a text it would need eval, which the page forbids
       return page;
     },
     shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },

@@ -61,7 +61,7 @@ export interface Lay {
   status: 'converged';
   key: {
     top_tension: number; bottom_tension: number; lay_back: number; departure_angle: number; tip_clearance: number | null;
-    suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; sagbend: Region | null;
+    suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; tower?: Region | null; sagbend: Region | null;
   };
   pipe: PipeLists;
   touchdown: { s: number; place: Vector } | null;
@@ -117,7 +117,7 @@ export interface RunSummary {
   dynamic?: {
     duration: number; seed: number; impact_count: number; warnings?: string[]; checks?: { list: Check[] };
     top_tension: Spread; bottom_tension: Spread; lay_back: Spread; departure_angle: Spread; stinger_tip_clearance: Spread | null;
-    overbend: RegionSummary | null; sagbend: RegionSummary | null;
+    overbend: RegionSummary | null; tower?: RegionSummary | null; sagbend: RegionSummary | null;
     supports: { name: string; reaction: Spread; separation: Spread }[];
   };
 }

@@ -1,5 +1,5 @@
 // The run that is looked at: static beside what was least and greatest in time, its warnings, how it stands.
-import type { Lay, Region, Run, RunSummary, Spread } from '../api/types';
+import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
@@ -19,7 +19,7 @@ function reactionRow(lay: Lay, d: RunSummary['dynamic']): Row | null {
   return { name: box.name, unit: 'kN', before: box.reaction, over: over?.reaction };
 }
 
-const regionRows = (before: Region, over: NonNullable<RunSummary['dynamic']>['overbend'] | undefined): Row[] => [
+const regionRows = (before: Region, over: RegionSummary | null | undefined): Row[] => [
   { name: 'von Mises', unit: 'MPa', before: before.von_mises, over: over?.max_von_mises },
   { name: 'bending', unit: 'MPa', before: before.bending_stress, over: over?.max_bending_stress },
   { name: 'strain', unit: '%', before: before.strain, over: over?.max_strain },
@@ -33,6 +33,7 @@ function Table() {
   const reaction = reactionRow(lay, d);
   const groups: [string, Row[]][] = [
     ...(k.overbend ? [['Overbend', regionRows(k.overbend, d?.overbend)] as [string, Row[]]] : []),
+    ...(k.tower ? [['Tower', regionRows(k.tower, d?.tower)] as [string, Row[]]] : []),
     ...(k.sagbend ? [['Sagbend', regionRows(k.sagbend, d?.sagbend)] as [string, Row[]]] : []),
     ['Tension', [
       { name: 'top', unit: 'kN', before: k.top_tension, over: d?.top_tension },
