@@ -86,11 +86,100 @@ TEST(serve_runs, a_run_can_be_looked_at_while_it_runs_and_be_cancelled) {
   const std::string next = start(serving, {{"kind", "static"}});
   EXPECT_EQ(serving.post("/api/runs/" + id + "/cancel", json::object()).status, 200);
   EXPECT_EQ(serving.wait_for(id)["state"], "cancelled");
-  EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));
-  const Reply late = serving.get("/api/runs/" + id + "/series?name=top_tension");  // asked before the page was told
-  EXPECT_EQ(late.status, 200);
-  EXPECT_TRUE(late.json["t"].empty());
   EXPECT_EQ(serving.wait_for(next)["state"], "done");  // the queue goes on
+}
+
+TEST(serve_runs, a_cancelled_run_keeps_what_was_computed_and_can_go_on) {
+  Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}}), at = "/api/runs/" + id;
+  serving.wait_until(id, [](const json& run) { return run.value("time", -1.0) > 2.0; });
+  serving.post(at + "/cancel", json::object());
+  for (int start = 0; start < 2; ++start) {
+    const json run = serving.wait_for(id);
+    EXPECT_EQ(run["state"], "cancelled");
+    EXPECT_EQ(run["has_results"], true);
+    const double reached = serving.get(at + "/summary").json["dynamic"]["duration"];
+    EXPECT_GT(reached, 2.0);
+    EXPECT_LT(reached, 3600.0);
+    EXPECT_EQ(serving.get(at + "/series?name=top_tension").json["t"].back(), reached);
+    EXPECT_FALSE(serving.get(at + "/envelopes").json["tension"]["max"].empty());
+    EXPECT_GT(serving.get(at + "/frames").json["total"].get<int>(), 2);
+    EXPECT_TRUE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));  // to be taken up again
+    serving.restart("model.yaml");  // the next start of the program knows it too
+  }
+}
+
+TEST(serve_runs, a_run_cancelled_during_the_build_up_has_nothing_to_show) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}});
+  const std::string run = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
+  serving.wait_for(id);
+  serving.wait_until(run, [](const json& at) { return at["state"] != "queued"; });
+  serving.post("/api/runs/" + run + "/cancel", json::object());
+  const json ended = serving.wait_for(run);
+  const Reply late = serving.get("/api/runs/" + run + "/series?name=top_tension");  // asked before the page was told
+  EXPECT_EQ(late.status, 200);
+  EXPECT_EQ(late.json["t"].empty(), !ended["has_results"].get<bool>());
+}
+
+TEST(serve_runs, a_run_has_a_name_and_a_note_and_is_removed) {
+  Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}}), at = "/api/runs/" + id;
+  serving.wait_for(id);
+  EXPECT_EQ(serving.post(at + "/annotate", {{"name", "first"}, {"note", "for the client"}}).json["name"], "first");
+  EXPECT_EQ(serving.post(at + "/annotate", {{"name", "second"}}).json["note"], "for the client");
+  serving.restart("");
+  EXPECT_EQ(serving.wait_for(id)["name"], "second");
+  EXPECT_EQ(serving.post(at + "/delete", json::object()).status, 200);
+  EXPECT_TRUE(serving.get("/api/runs").json.empty());
+  EXPECT_FALSE(std::filesystem::exists(serving.folder / "runs" / id));
+  EXPECT_EQ(serving.post(at + "/delete", json::object()).status, 404);
+}
+
+TEST(serve_runs, a_run_that_goes_on_is_not_removed) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/delete", json::object()).status, 409);
+  serving.post("/api/runs/" + id + "/cancel", json::object());
+  serving.wait_for(id);
+}
+
+TEST(serve_runs, the_statics_of_a_run_are_those_of_its_own_model) {
+  const Serving serving(kSmallLay);
+  const std::string id = start(serving, {{"kind", "static"}}), at = "/api/runs/" + id;
+  serving.wait_for(id);
+  serving.post("/api/model/set", {{"changes", {{{"path", "tensioner.tension"}, {"value", "350 kN"}}}},
+                                  {"revision", serving.get("/api/model").json["revision"]}});
+  const json then = serving.get(at + "/statics").json;
+  EXPECT_EQ(then["status"], "converged");
+  EXPECT_NEAR(then["key"]["top_tension"].get<double>(), 300e3, 100.0);  // to the coarse mesh; 350 kN would be now
+  EXPECT_EQ(then["pipe"]["s"].size(), then["pipe"]["von_mises"].size());
+  EXPECT_EQ(serving.get(at + "/scene").json["status"], "ok");
+}
+
+/// Elevation of the sea that the page draws.
+double drawn(const json& waves, double x, double y, double t) {
+  double sum = 0.0;
+  for (const json& w : waves) {
+    const double direction = w["direction"], along = x * std::cos(direction) + y * std::sin(direction);
+    sum += w["amplitude"].get<double>() *
+           std::cos(w["number"].get<double>() * along - w["frequency"].get<double>() * t + w["phase"].get<double>());
+  }
+  return sum;
+}
+
+TEST(serve_runs, the_sea_that_is_drawn_is_that_of_the_run) {
+  const Serving serving(kSmallLay);  // a random sea of seed 3
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 10.0}}), at = "/api/runs/" + id;
+  ASSERT_EQ(serving.wait_for(id)["state"], "done");
+  const json live = serving.get("/api/scene").json, own = serving.get(at + "/scene").json;
+  EXPECT_EQ(own["waves"], live["waves"]);  // of the model while it is the same
+  const json history = serving.get(at + "/series?name=elevation&t0=0").json;
+  const json shoe = own["stern_shoe"];
+  ASSERT_GT(history["t"].size(), 10u);
+  for (std::size_t i = 0; i < history["t"].size(); ++i) {
+    EXPECT_NEAR(history["min"][i], drawn(own["waves"], shoe[0], shoe[1], history["t"][i]), 1e-4);
+  }
 }
 
 TEST(serve_runs, a_run_that_waits_can_be_cancelled) {
@@ -155,13 +244,18 @@ TEST(serve_runs, an_interrupted_run_is_resumed_with_the_text_it_was_begun_with) 
   EXPECT_EQ(serving.post("/api/runs/none/resume", json::object()).status, 404);
 }
 
-TEST(serve_runs, a_run_that_was_cancelled_is_not_resumed) {
+TEST(serve_runs, a_run_that_was_cancelled_goes_on_where_it_stopped) {
   const Serving serving(kSmallLay);
-  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 3600.0}});
-  serving.wait_until(id, [](const json& run) { return run.contains("top_tension"); });
+  const std::string id = start(serving, {{"kind", "dynamic"}, {"duration", 600.0}});
+  serving.wait_until(id, [](const json& run) { return run.value("time", -1.0) > 1.0; });
   serving.post("/api/runs/" + id + "/cancel", json::object());
-  EXPECT_EQ(serving.wait_for(id)["resumable"], false);
-  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 409);
+  const json stopped = serving.wait_for(id);
+  ASSERT_EQ(stopped["state"], "cancelled") << "the run came to its end before";
+  EXPECT_EQ(stopped["resumable"], true);
+  EXPECT_EQ(stopped["has_results"], true);
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).json["state"], "queued");
+  EXPECT_EQ(serving.wait_for(id)["state"], "done");
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["dynamic"]["duration"], 600.0);
 }
 
 TEST(serve_runs, events_tell_of_progress_and_of_changes_of_the_model) {

@@ -1,7 +1,7 @@
 // Starts the real program on a folder of its own and opens its page in a browser.
 // OVERBEND_PROGRAM: the program. OVERBEND_ROOT: where examples/ and data/ lie. OVERBEND_PREVIEW=1: takes the page from web/dist instead of from within the program.
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, rmSync } from 'node:fs';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -17,7 +17,8 @@ export interface Bench {
   folder: string;
   address: string;
   api: (path: string, options?: RequestInit) => Promise<Response>;
-  open: (size?: { width: number; height: number }) => Promise<Page>;
+  /** `prepare` is done before the page is asked for. */
+  open: (size?: { width: number; height: number }, prepare?: (page: Page) => Promise<void>) => Promise<Page>;
   shot: (page: Page, name: string) => Promise<void>;
   complaints: string[];
   stop: () => Promise<void>;
@@ -39,11 +40,13 @@ function started(child: ChildProcess): Promise<string> {
   });
 }
 
-export async function start(model?: string): Promise<Bench> {
+/** `edit`: what is written otherwise in the model before it is opened. */
+export async function start(model?: string, edit: Record<string, string> = {}): Promise<Bench> {
   const outer = mkdtempSync(join(tmpdir(), 'overbend-page-'));
   const folder = join(outer, 'models');
   cpSync(join(root, 'examples'), folder, { recursive: true });
   cpSync(join(root, 'data'), join(outer, 'data'), { recursive: true });
+  if (model) writeFileSync(join(folder, model), Object.entries(edit).reduce((text, [from, to]) => text.replace(from, to), readFileSync(join(folder, model), 'utf8')));
   mkdirSync(shots, { recursive: true });
   const child = spawn(program, ['serve', ...(model ? [join(folder, model)] : []), '--no-browser', '--folder', folder], { stdio: 'pipe' });
   const own = new URL(await started(child));
@@ -61,13 +64,14 @@ export async function start(model?: string): Promise<Bench> {
   return {
     folder, address, complaints,
     api: (path, options = {}) => fetch(`${own.origin}/api/${path}`, { ...options, headers: { 'X-Overbend-Token': token, ...options.headers } }),
-    open: async (size = { width: 1280, height: 720 }) => {
+    open: async (size = { width: 1280, height: 720 }, prepare) => {
       const context = await browser.newContext({ viewport: size, acceptDownloads: true });
       const page = await context.newPage();
       page.on('console', (m) => { if (m.type() === 'error') complaints.push(`${m.text()} ${m.location().url.replace(/token=\w+/, '')}`); });
       page.on('pageerror', (e) => complaints.push(e.message));
+      await prepare?.(page);
       await page.goto(address);
-      await page.waitForFunction('window.__ready === true');
+      await page.waitForFunction(() => (window as unknown as { __ready?: boolean }).__ready === true); // as a text it would need eval, which the page forbids
       return page;
     },
     shot: async (page, name) => { await page.screenshot({ path: join(shots, `${name}.png`) }); },
@@ -86,4 +90,53 @@ export const solved = (page: Page): Promise<unknown> => page.waitForSelector('.s
 export async function reading(page: Page, name: string): Promise<number> {
   const text = await page.locator('.results .kv', { hasText: name }).first().locator('dd').innerText();
   return Number.parseFloat(text);
+}
+
+/** A part of the page as a picture, to be compared with others. */
+export const picture = async (page: Page, selector: string): Promise<string> => `data:image/png;base64,${(await page.locator(selector).screenshot()).toString('base64')}`;
+
+/** Mean difference of two pictures of the same size, of 255; decoded where browsers are good at it. */
+export function difference(page: Page, a: string, b: string): Promise<number> {
+  return page.evaluate(async (sources) => {
+    const [one, other] = await Promise.all(sources.map(async (source) => {
+      const image = new Image();
+      image.src = source;
+      await image.decode();
+      const canvas = document.createElement('canvas');
+      canvas.width = image.width; canvas.height = image.height;
+      canvas.getContext('2d')!.drawImage(image, 0, 0);
+      return canvas.getContext('2d')!.getImageData(0, 0, image.width, image.height);
+    }));
+    if (one!.width !== other!.width || one!.height !== other!.height) return 255;
+    let sum = 0;
+    for (let i = 0; i < one!.data.length; ++i) sum += Math.abs(one!.data[i]! - other!.data[i]!);
+    return sum / one!.data.length;
+  }, [a, b]);
+}
+
+/** How many of eight by eight by eight kinds of colour a picture has, each in at least one of a thousand pixels. */
+export function colours(page: Page, a: string): Promise<number> {
+  return page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = image.width; canvas.height = image.height;
+    canvas.getContext('2d')!.drawImage(image, 0, 0);
+    const { data } = canvas.getContext('2d')!.getImageData(0, 0, image.width, image.height);
+    const counts = new Map<number, number>();
+    for (let i = 0; i < data.length; i += 4) { const k = ((data[i]! >> 5) << 6) | ((data[i + 1]! >> 5) << 3) | (data[i + 2]! >> 5); counts.set(k, (counts.get(k) ?? 0) + 1); }
+    return [...counts.values()].filter((n) => n > data.length / 4000).length;
+  }, a);
+}
+
+/** Waits until the picture stands still and is drawn sharply. */
+export async function rested(page: Page): Promise<void> {
+  await page.waitForFunction(async () => {
+    const view = (window as unknown as { __view?: { frames: number } }).__view;
+    if (!view) return false;
+    const before = view.frames;
+    await new Promise((done) => setTimeout(done, 400));
+    return before > 0 && view.frames === before;
+  }, undefined, { timeout: 20_000 });
 }

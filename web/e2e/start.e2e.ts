@@ -14,8 +14,8 @@ test('without a model the page asks for one', async () => {
 });
 
 test('a wrong answer is named at its place and keeps the button off', async () => {
-  await page.fill('#n-depth', '89');
-  expect(await page.locator('.fault').innerText()).toMatch(/unit/);
+  await page.fill('#n-depth', '89 kN');
+  expect(await page.locator('.fault').innerText()).toMatch(/not one of m, mm, ft or in/);
   expect(await page.locator('dialog button.main').isDisabled()).toBe(true);
 });
 

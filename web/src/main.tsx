@@ -6,11 +6,12 @@ import { connect } from './state/connection';
 import { startLive } from './state/live';
 import { dialog, startLook } from './state/look';
 import { hasModel, start } from './state/model';
-import { fetchRuns } from './state/runs';
+import { fetchRuns, startRuns } from './state/runs';
 
 startLook();
 startLive();
 startAnimation();
+startRuns();
 render(<App />, document.getElementById('page')!);
 void start().then(() => { if (!hasModel.value) dialog.value = 'start'; });
 void fetchRuns();

@@ -7,7 +7,7 @@ import { decimate, indexBefore, nearest, resample } from '../src/logic/decimate'
 import { tube, tubeIndices } from '../src/logic/tube';
 import { fitCircle, withRadius } from '../src/logic/stinger';
 import { elevation, surface } from '../src/logic/waves';
-import { check, type Answers } from '../src/logic/start';
+import { check, completed, type Answers } from '../src/logic/start';
 import { blend, decode } from '../src/logic/frames';
 import { ticks, toCsv, toSvg, type Diagram } from '../src/logic/table';
 
@@ -60,6 +60,18 @@ describe('undo', () => {
     u.push('c', 'form', 1);
     expect(u.canRedo).toBe(false);
     expect(u.undo()).toBe('a');
+  });
+  test('kept and taken up again, it goes on where it was', () => {
+    const u = new UndoStack('a');
+    u.push('b', 'form', 0);
+    u.push('c', 'form', 1);
+    u.undo();
+    const again = UndoStack.from(JSON.parse(JSON.stringify(u.keep(100))) as ReturnType<UndoStack['keep']>, 'b');
+    expect([again.text, again.redo(), again.undo(), again.undo(), again.undo()]).toEqual(['b', 'c', 'b', 'a', null]);
+    expect(UndoStack.from(u.keep(100), 'of another tab').undo()).toBe('b');
+    expect(UndoStack.from(u.keep(2), 'b').undo()).toBe('a');
+    expect(UndoStack.from(u.keep(1), 'b').canUndo).toBe(false);
+    expect(UndoStack.from(null, 'x').canUndo).toBe(false);
   });
   test('does not grow without end', () => {
     const u = new UndoStack('0', 800, 3);
@@ -165,7 +177,8 @@ describe('start dialogue', () => {
     expect(check({ ...good, wall: '', tension: '', boxes: '' }, 0.4064)).toEqual({});
   });
   test('faults are named at their answer', () => {
-    expect(check({ ...good, depth: '89' }, 0.4).depth).toMatch(/unit/);
+    expect(check({ ...good, depth: '89', wall: '11.1' }, 0.4)).toEqual({}); // taken in m and mm
+    expect(check({ ...good, depth: '1' }, 0.4).depth).toMatch(/between/);
     expect(check({ ...good, depth: '89 kN' }, 0.4).depth).toMatch(/not one of/);
     expect(check({ ...good, depth: '' }, 0.4).depth).toMatch(/number/);
     expect(check({ ...good, wall: '90 mm' }, 0.1683).wall).toMatch(/thicker/);
@@ -173,6 +186,13 @@ describe('start dialogue', () => {
     expect(check({ ...good, tension: '0 kN' }, 0.4).tension).toMatch(/between/);
     expect(check({ ...good, lay: 'j', boxes: 'x' }, 0.4).boxes).toBeUndefined();
   });
+});
+
+test('an answer without unit takes that of the answer before, as a field does', () => {
+  expect(completed('depth', '290')).toBe('290 m');
+  expect(completed('depth', '290', '300 ft')).toBe('290 ft');
+  expect(completed('depth', '290 in', '300 ft')).toBe('290 in');
+  expect(completed('boxes', '8')).toBe('8');
 });
 
 test('frames come out as they went in', () => {

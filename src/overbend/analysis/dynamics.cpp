@@ -313,6 +313,9 @@ DynamicOutcome Run::go(DynamicSink& sink, const DynamicCheckpoint* from, const S
     }
     if (wanted == DynamicControl::stop && clock_.tick < clock_.last_tick) {
       outcome.stopped = true;
+      if (state_.time > 0.0) {
+        outcome.results = results(statics);
+      }
       return outcome;
     }
   }
@@ -322,7 +325,7 @@ DynamicOutcome Run::go(DynamicSink& sink, const DynamicCheckpoint* from, const S
 
 DynamicResults Run::results(const StaticResults& statics) const {
   DynamicResults r;
-  r.duration = static_cast<double>(clock_.last_tick) * clock_.interval;
+  r.duration = static_cast<double>(clock_.tick) * clock_.interval;
   r.build_up = options_.build_up;
   r.output_step = options_.output_step;
   r.seed = options_.seed;

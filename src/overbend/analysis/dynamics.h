@@ -35,7 +35,7 @@ struct DynamicProgress {
 enum class DynamicControl { go_on, checkpoint, stop };  ///< `stop` leaves a checkpoint.
 
 struct DynamicOutcome {
-  std::optional<DynamicResults> results;
+  std::optional<DynamicResults> results;  ///< Of a run that was stopped: of what lies behind t = 0, if anything.
   std::optional<StaticFailure> failure;
   bool stopped = false;  ///< By the caller; the sink holds a checkpoint.
 };

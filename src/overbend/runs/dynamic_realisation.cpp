@@ -103,7 +103,7 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
     return {kWrongInput, fault.what(), std::nullopt};
   }
   if (outcome.stopped) {
-    return {kInterrupted, "interrupted; the run goes on with --resume", std::nullopt};
+    return {kInterrupted, "interrupted; the run goes on with --resume", std::move(outcome.results)};
   }
   if (outcome.failure) {
     begun->store.remove();
@@ -116,6 +116,14 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
   }
   begun->store.remove();
   return {kDone, "", std::move(outcome.results)};
+}
+
+void write_so_far(const DynamicCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
+  const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
+  if (!run) return;
+  finish_histories(results, run->store);
+  const std::lock_guard<std::mutex> hold(writing);
+  write_results(shared, results, run->store, folder);
 }
 
 }  // namespace overbend

@@ -30,7 +30,7 @@ std::string input_text(const Description& description);
 struct RealisationEnd {
   ExitCode code = kDone;
   std::string why;                        ///< One line, where it did not end well.
-  std::optional<DynamicResults> results;  ///< Of a run that came to its end.
+  std::optional<DynamicResults> results;  ///< Of the run; of one that was interrupted, of what lies behind t = 0.
 };
 
 /// Told of every row of histories as it is handed over: the columns and their values.
@@ -43,6 +43,11 @@ using RowWatch = std::function<void(const std::vector<HistoryColumn>& columns, s
 RealisationEnd run_realisation(const DynamicCase& shared, const std::filesystem::path& folder, std::uint64_t seed,
                                bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control,
                                std::mutex& writing, const RowWatch& rows = {});
+
+/// Writes results of an interrupted run as far as it went; its checkpoint stays, and a run taken up again writes its
+/// own in their place. Throws std::runtime_error when the disk refuses.
+void write_so_far(const DynamicCase& shared, DynamicResults results, const std::filesystem::path& folder,
+                  std::mutex& writing);
 
 /// The line for stderr about a failure.
 std::string failure_line(const StaticFailure& failure);

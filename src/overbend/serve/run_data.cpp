@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "io/dynamic_reader.h"
+#include "io/yaml_reader.h"
 #include "report/json_number.h"
+#include "serve/static_json.h"
 
 namespace overbend {
 namespace {
@@ -109,6 +111,33 @@ Json columns_json(const std::vector<HistoryColumn>& columns) {
 Json envelopes_json(const std::filesystem::path& h5) {
   return has_dynamic(h5) ? dynamic_envelopes(read_dynamic_results(h5).results)
                          : static_envelopes(read_static_results(h5).results);
+}
+
+Json run_statics_json(const std::filesystem::path& h5) {
+  Json answer = {{"status", "converged"}};
+  answer.update(
+      static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
+  return answer;
+}
+
+Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
+  std::string text;
+  std::optional<std::uint64_t> seed;
+  if (has_dynamic(h5)) {
+    StoredDynamics stored = read_dynamic_results(h5);
+    text = std::move(stored.statics.model_text);
+    seed = stored.results.seed;
+  } else {
+    text = read_static_results(h5).model_text;
+  }
+  std::optional<Description> description = read_model_text(text, file).description;
+  if (!description) {  // a file that it mentions may have gone
+    Diagnostics faults;
+    const std::optional<YamlNode> root = parse_yaml(text, file, faults);
+    if (root) description = read_still_model(*root, file).description;
+  }
+  if (!description) throw HttpFault(422, "the model of the run does not read any more");
+  return scene_json(build_model(*description), seed);
 }
 
 Json impacts_json(const std::filesystem::path& h5) {

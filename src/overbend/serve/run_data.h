@@ -28,6 +28,12 @@ Json columns_json(const std::vector<HistoryColumn>& columns);
 Json envelopes_json(const std::filesystem::path& h5);
 Json impacts_json(const std::filesystem::path& h5);
 
+/// The static state that a run began with, as POST /api/static gives it.
+Json run_statics_json(const std::filesystem::path& h5);
+/// What stands still in a run and the very sea that it had, as GET /api/scene. `file`: path of its model as it was
+/// read. HttpFault where the text stored with the results is none that is read today.
+Json run_scene_json(const std::filesystem::path& h5, const std::string& file);
+
 /// At most `count` frames from `first` on, in base64 of little-endian float32.
 Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64_t count);
 

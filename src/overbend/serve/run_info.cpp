@@ -33,6 +33,12 @@ double modified(const fs::path& file) {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
 }
 
+/// Results that stand beside a checkpoint are those of a run that was cancelled.
+bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
+  std::error_code fault;
+  return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
+}
+
 std::optional<RunInfo> find_run(const fs::path& folder) {
   const fs::path summary_file = folder / "summary.json";
   const Json note = read_json(folder / "run.json"), summary = read_json(summary_file);
@@ -45,14 +51,20 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = state_of(note.value("state", ""));
     run.started = note.value("started", 0.0);
     run.message = note.value("message", "");
+    run.name = note.value("name", "");
+    run.note = note.value("note", "");
     run.model_path = note.value("model_path", "");
+    run.progress = note.value("progress", 0.0);
     run.duration = note.value("duration", 0.0);
   }
   if (summary.is_object()) {
     run.title = summary.value("title", "");
     run.kind = summary.contains("dynamic") ? "dynamic" : "static";
-    run.state = RunState::done;
-    run.progress = 1.0;
+    run.has_results = true;
+    if (!cancelled_on_the_way(run, folder)) {
+      run.state = RunState::done;
+      run.progress = 1.0;
+    }
     if (run.started == 0.0) run.started = modified(summary_file);
   } else if (!run.ended()) {
     run.state = RunState::cancelled;
@@ -72,6 +84,9 @@ Json run_json(const RunInfo& run) {
                {"progress", seven_digits(run.progress)},
                {"started", run.started},
                {"message", run.message},
+               {"name", run.name},
+               {"note", run.note},
+               {"has_results", run.has_results},
                {"resumable", run.resumable}};
   if (run.now) {
     json["time"] = seven_digits(run.now->time);

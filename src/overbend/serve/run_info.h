@@ -22,14 +22,15 @@ struct RunNow {
 struct RunInfo {
   std::string id;  ///< Name of its folder.
   std::string title, kind;
+  std::string name, note;  ///< The user's; empty until he gives them.
+  std::string model_path;  ///< Of the model's file, or where it would lie: files it mentions lie beside.
   RunState state = RunState::queued;
-  double progress = 0.0;  ///< 0 to 1.
-  double started = 0.0;   ///< Seconds since 1970.
-  std::string message;    ///< Why it failed, and the like.
+  double progress = 0.0;     ///< 0 to 1.
+  double started = 0.0;      ///< Seconds since 1970.
+  std::string message;       ///< Why it failed, and the like.
+  bool has_results = false;  ///< Of the whole run, or of what was computed before it was cancelled.
   std::optional<RunNow> now;
   bool resumable = false;  ///< It can go on from a checkpoint.
-
-  std::string model_path;  ///< Of the model's file, or where it would lie.
   double duration = 0.0;   ///< Asked for instead of the model's [s]; 0: the model's.
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }

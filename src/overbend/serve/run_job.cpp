@@ -11,7 +11,6 @@
 #include "serve/run_queue.h"
 
 namespace overbend {
-namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -113,22 +112,26 @@ void RunQueue::run_dynamic(const Job& job) {
       run_realisation(shared, folder_ / job.id, options.seed, job.resume, control, files_, rows);
   if (ended.code == kDone) return end(job.id, RunState::done, "");
   if (ended.code != kInterrupted) return end(job.id, RunState::failed, ended.why);
-  end_interrupted(job);
+  end_interrupted(job, [&] {
+    if (ended.results) write_so_far(shared, *ended.results, folder_ / job.id, files_);
+    return ended.results.has_value();
+  });
 }
 
-void RunQueue::end_interrupted(const Job& job) {
+void RunQueue::end_interrupted(const Job& job, const std::function<bool()>& keep_results) {
   const bool closing = [&] {
     const std::lock_guard<std::mutex> hold(mutex_);
     return closing_;
   }();
-  const std::string folder = (folder_ / job.id).string();
-  if (closing) {  // not what the user wanted: the checkpoint stays
+  if (closing) {  // not what the user wanted, nor is there time for results: the checkpoint stays
+    const std::string folder = (folder_ / job.id).string();
     return end(job.id, RunState::cancelled,
                "the program ended; the run can be resumed" + command_of(job.model, job.duration, folder));
   }
-  std::error_code ignored;
-  fs::remove_all(folder_ / job.id / ".run", ignored);
-  end(job.id, RunState::cancelled, "cancelled");
+  const bool kept = keep_results();
+  update(
+      job.id, [&](RunInfo& run) { run.has_results = run.has_results || kept; }, false);
+  end(job.id, RunState::cancelled, kept ? "cancelled; what was computed is kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

@@ -90,6 +90,34 @@ RunInfo RunQueue::cancel(const std::string& id) {
   return find(id);
 }
 
+RunInfo RunQueue::annotate(const std::string& id, const std::string& name, const std::string& note) {
+  find(id);
+  update(
+      id,
+      [&](RunInfo& run) {
+        run.name = name;
+        run.note = note;
+      },
+      true);
+  return find(id);
+}
+
+void RunQueue::remove(const std::string& id) {
+  const RunInfo run = find(id);
+  {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    if (!at(id).ended()) throw HttpFault(409, "the run goes on", "cancel it first");
+    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id; });
+  }
+  std::error_code fault;
+  {
+    const std::lock_guard<std::mutex> hold(files_);  // somebody may be reading them
+    fs::remove_all(folder(run), fault);
+  }
+  events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
+  if (fault) throw HttpFault(422, "the folder of the run can not be removed: " + fault.message());
+}
+
 RunInfo RunQueue::resume(const std::string& id) {
   const RunInfo run = find(id);
   Job job{id, run.kind, {}, run.duration, true};
@@ -158,7 +186,10 @@ void RunQueue::end(const std::string& id, RunState state, const std::string& mes
         run.message = message;
         run.resumable = resumable;
         run.now.reset();
-        if (state == RunState::done) run.progress = 1.0;
+        if (state == RunState::done) {
+          run.progress = 1.0;
+          run.has_results = true;
+        }
       },
       true);
 }

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <thread>
 
@@ -28,7 +29,12 @@ class RunQueue {
   /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder can not
   /// be.
   RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
+  /// A run in time that is stopped keeps what it has computed: results so far, and the checkpoint to go on from.
   RunInfo cancel(const std::string& id);
+  /// Gives a run the user's name and note.
+  RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
+  /// Removes a run that has ended, with its folder; HttpFault 409 while it goes on.
+  void remove(const std::string& id);
   /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
   /// it can not be resumed.
   RunInfo resume(const std::string& id);
@@ -55,7 +61,8 @@ class RunQueue {
   void run(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
-  void end_interrupted(const Job& job);
+  /// `keep_results` writes what was computed, and says whether that was anything.
+  void end_interrupted(const Job& job, const std::function<bool()>& keep_results);
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);

@@ -38,7 +38,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
 /// The run, when it has results to be read; 404 before.
 RunInfo done(const RunQueue& runs, const HttpRequest& request) {
   RunInfo run = runs.find(request.parts[0]);
-  if (run.state != RunState::done) throw HttpFault(404, "the run has no results", "they are there when it is done");
+  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are there when it is done");
   return run;
 }
 
@@ -55,7 +55,7 @@ std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
-  if (run.state != RunState::done) return json_answer(Json::array());
+  if (!run.has_results) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
@@ -65,7 +65,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 /// asks by what it was last told, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
-  if (run.state != RunState::done) return {};
+  if (!run.has_results) return {};
   const std::lock_guard<std::mutex> hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
@@ -112,6 +112,19 @@ HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {
   return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / "report.html"), run.id + ".html"};
 }
 
+HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {
+  const Json body = request.json();
+  const RunInfo before = runs.find(request.parts[0]);
+  return json_answer(
+      run_json(runs.annotate(before.id, body.value("name", before.name), body.value("note", before.note))));
+}
+
+HttpAnswer scene(RunQueue& runs, const HttpRequest& request) {
+  const std::filesystem::path h5 = h5_of(runs, request);
+  const std::lock_guard<std::mutex> hold(runs.files());
+  return json_answer(run_scene_json(h5, runs.find(request.parts[0]).model_path));
+}
+
 HttpAnswer list(const RunQueue& runs) {
   Json all = Json::array();
   for (const RunInfo& run : runs.list()) all.push_back(run_json(run));
@@ -126,6 +139,13 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back({"GET", "/api/runs", [&](Request) { return list(runs); }});
   routes.push_back(
       {"POST", "/api/runs/*/cancel", [&](Request r) { return json_answer(run_json(runs.cancel(r.parts[0]))); }});
+  routes.push_back({"POST", "/api/runs/*/annotate", [&](Request r) { return annotate(runs, r); }});
+  routes.push_back({"POST", "/api/runs/*/delete", [&](Request r) {
+                      runs.remove(r.parts[0]);
+                      return json_answer(Json::object());
+                    }});
+  routes.push_back({"GET", "/api/runs/*/statics", [&](Request r) { return from_file(runs, r, run_statics_json); }});
+  routes.push_back({"GET", "/api/runs/*/scene", [&](Request r) { return scene(runs, r); }});
   routes.push_back(
       {"POST", "/api/runs/*/resume", [&](Request r) { return json_answer(run_json(runs.resume(r.parts[0]))); }});
   routes.push_back({"GET", "/api/runs/*/summary", [&](Request r) { return summary(runs, r); }});

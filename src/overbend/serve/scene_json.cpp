@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/dynamics.h"
 #include "mechanics/sea.h"
 #include "report/json_number.h"
 #include "serve/static_json.h"
@@ -8,7 +9,7 @@
 namespace overbend {
 namespace {
 
-constexpr std::size_t kMostWaves = 200;
+constexpr std::size_t kMostWaves = 1000;
 
 Json vessel(const Model& model) {
   const VesselDescription& v = model.description.vessel;
@@ -37,14 +38,12 @@ Json current(const Model& model) {
   return rows;
 }
 
-/// The components of the sea that a run in time would have, the largest ones.
-Json waves(const Model& model) {
+/// The components of the sea that a run in time has, the largest ones.
+Json waves(const Model& model, std::uint64_t seed) {
   const Description& d = model.description;
   Sea sea;
   try {
-    const bool seeded = d.dynamics && !d.dynamics->seeds.empty();
-    const double duration = d.dynamics ? d.dynamics->duration : 0.0;
-    sea = make_sea(d.environment.waves, d.environment.water_depth, duration, seeded ? d.dynamics->seeds.front() : 1);
+    sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, seed);
   } catch (const std::logic_error&) {
     return Json::array();  // a run in time will say what is wrong; the picture has flat water
   }
@@ -65,7 +64,7 @@ Json waves(const Model& model) {
 
 }  // namespace
 
-Json scene_json(const Model& model) {
+Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
   const TensionerDescription& tensioner = model.description.tensioner;
   const Vec3 p_S(tensioner.x, 0.0, tensioner.z);
   return {{"status", "ok"},
@@ -77,7 +76,7 @@ Json scene_json(const Model& model) {
           {"water_depth", seven_digits(model.description.environment.water_depth)},
           {"seabed", {{"normal", place_json(model.seabed.normal_W)}, {"point", place_json(model.seabed.point_W)}}},
           {"current", current(model)},
-          {"waves", waves(model)},
+          {"waves", waves(model, seed.value_or(dynamic_options(model).seed))},
           {"pipe", {{"outer_radius", seven_digits(0.5 * model.sections.front().outer_diameter)}}}};
 }
 

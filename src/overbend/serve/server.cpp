@@ -1,5 +1,6 @@
 #include "serve/server.h"
 
+#include "serve/data_files.h"
 #include "serve/model_routes.h"
 #include "serve/run_routes.h"
 
@@ -14,6 +15,7 @@ Server::Server(const ServeOptions& options)
   if (!options.model.empty()) model_.open(options.model);
   std::vector<HttpRoute> routes;
   add_model_routes(routes, model_);
+  add_data_routes(routes, model_.folder().path());
   add_static_routes(routes, model_, statics_);
   add_run_routes(routes, model_, runs_);
   http_ = std::make_unique<HttpServer>(std::move(routes), events_, options.port);

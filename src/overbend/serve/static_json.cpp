@@ -47,6 +47,9 @@ Json checks(const StaticResults& r) {
   for (const CheckRow& row : r.checks.rows) {
     Json item = check_head_json(row);
     if (row.status != CheckStatus::not_done) {
+      item["quantity"] = row.quantity;
+      item["units"] = row.units;
+      item["capacity"] = seven_digits(row.capacity);
       item["utilisation"] = seven_digits(row.utilisation);
       item["reserve"] = seven_digits(row.reserve);
       item["at"] = {{"from_top", seven_digits(row.from_top)}};

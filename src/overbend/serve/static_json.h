@@ -1,6 +1,8 @@
 /// A static state as the page draws it.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +16,8 @@ namespace overbend {
 /// to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
-/// What stands still: GET /api/scene.
-Json scene_json(const Model& model);
+/// What stands still, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the model.
+Json scene_json(const Model& model, std::optional<std::uint64_t> seed = std::nullopt);
 
 /// [x, y, z] in W.
 Json place_json(const Vec3& p_W);

@@ -23,7 +23,12 @@ export interface Info { version: string; folder: string; examples: { name: strin
 
 export interface ModelAnswer {
   text: string; name: string; saved: boolean; revision: number; diagnostics: Diagnostic[]; fields: Field[];
+  /** Version of the model's file as the program last read or wrote it; null for a model without file. */
+  disk?: string | null;
 }
+
+/** Save was refused: the file has become another one since it was read. */
+export interface DiskConflict { error: { reason: string }; disk: { name: string; text: string; version: string }; revision?: number }
 
 export interface Change { path: string; value: unknown }
 
@@ -39,7 +44,7 @@ export interface Roller { position: string; center: Vector; axis: Vector; radius
 export interface Check {
   id: string; name: string; code: string; clause: string; region: string;
   status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
-  governing: boolean; remark: string; utilisation?: number; reserve?: number; at?: { from_top: number }; time?: number | null;
+  governing: boolean; remark: string; quantity?: string; units?: string; capacity?: number; utilisation?: number; reserve?: number; at?: { from_top: number }; time?: number | null;
 }
 
 export interface Support {
@@ -51,9 +56,9 @@ export interface PipeLists {
   bending_stress: number[]; von_mises: number[]; strain: number[]; utilisation: number[]; checks: number[];
 }
 
-export interface Converged {
+/** A static state: of the open model with the values tried out, or of a run. */
+export interface Lay {
   status: 'converged';
-  elapsed_ms: number; solve_ms: number; warm: boolean; revision: number;
   key: {
     top_tension: number; bottom_tension: number; lay_back: number; departure_angle: number; tip_clearance: number | null;
     suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; tower?: Region | null; sagbend: Region | null;
@@ -65,6 +70,8 @@ export interface Converged {
   checks: Check[];
   warnings: string[];
 }
+
+export interface Converged extends Lay { elapsed_ms: number; solve_ms: number; warm: boolean; revision: number }
 
 export type StaticAnswer = Converged
   | { status: 'failed'; what: string; where: string; why: string }
@@ -86,6 +93,12 @@ export interface Scene {
 export interface Run {
   id: string; title: string; kind: 'static' | 'dynamic'; state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
   progress: number; started: number; message: string;
+  /** The user's. */
+  name: string; note: string;
+  /** Of a whole run, or of what was computed before it was cancelled. */
+  has_results: boolean;
+  /** It can go on from its checkpoint. */
+  resumable?: boolean;
   time?: number; end?: number; top_tension?: number; worst_stress?: number;
 }
 
@@ -93,6 +106,21 @@ export interface Column { name: string; unit: string; text: string }
 export interface Series { t: number[]; min: number[]; max: number[] }
 export type Band = { static: number[]; min?: number[]; max?: number[]; mean?: number[] };
 export interface Envelopes { s: number[]; x: number[]; z: number[]; tension: Band; moment: Band; bending_stress: Band; von_mises: Band; strain: Band }
+
+export interface Spread { min: number; max: number; mean: number; std: number }
+export interface RegionSummary { max_bending_moment: Spread; max_bending_stress: Spread; max_von_mises: Spread; max_strain: Spread }
+
+/** What is read of summary.json. */
+export interface RunSummary {
+  warnings?: string[];
+  checks?: { list: Check[] };
+  dynamic?: {
+    duration: number; seed: number; impact_count: number; warnings?: string[]; checks?: { list: Check[] };
+    top_tension: Spread; bottom_tension: Spread; lay_back: Spread; departure_angle: Spread; stinger_tip_clearance: Spread | null;
+    overbend: RegionSummary | null; tower?: RegionSummary | null; sagbend: RegionSummary | null;
+    supports: { name: string; reaction: Spread; separation: Spread }[];
+  };
+}
 
 export interface Impact { time: number; support: string; row: number; position: string; peak_force: number; approach_velocity: number }
 

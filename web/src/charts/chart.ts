@@ -5,6 +5,7 @@ import { nearest } from '../logic/decimate';
 import { toCsv, toSvg, type Diagram } from '../logic/table';
 import { tidy } from '../logic/units';
 import type { ChartData } from './data';
+import { drawLevel, nameLevels, nameMarks } from './marks';
 
 export interface ChartHandlers {
   /** position under the pointer in x, and its index; null when the pointer left */
@@ -28,7 +29,7 @@ export class Chart {
   private colour(name: string): string { return getComputedStyle(this.box).getPropertyValue(name).trim(); }
 
   set(data: ChartData, extra: Extra = {}): void {
-    const key = JSON.stringify([data.title, data.yName, data.lines.map((l) => l.name), document.documentElement.dataset.theme]);
+    const key = JSON.stringify([data.title, data.xName, data.yName, data.lines.map((l) => l.name), document.documentElement.dataset.theme]);
     const rebuilt = key !== this.key || !this.plot;
     this.data = data;
     this.extra = extra;
@@ -51,20 +52,23 @@ export class Chart {
     const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
     const r = this.box.getBoundingClientRect();
     const bars = data.lines[0]?.width === -1;
+    const narrow = r.width < 260;
+    // where the name would not fit along the axis its unit stands there alone
+    const yName = 0.46 * em * data.yName.length > r.height - 3.4 * em ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : data.yName;
     const options: uPlot.Options = {
       width: Math.max(80, Math.floor(r.width)), height: Math.max(60, Math.floor(r.height)),
       padding: [6, 12, 0, 0],
       legend: { show: false },
-      scales: { x: { time: false }, y: { range: (_u, low, high) => this.range(low, high) } },
+      scales: { x: { time: false, ...(bars ? { range: (_u: uPlot, low: number, high: number): [number, number] => { const pad = 0.04 * (high - low || 1); return [low - pad, high + pad]; } } : {}) }, y: { range: (_u, low, high) => this.range(low, high) } },
       cursor: { drag: { x: true, y: false, setScale: true }, points: { size: 7 }, focus: { prox: -1 } },
-      series: [{}, ...data.lines.map((l): uPlot.Series => ({
+      series: [{}, ...data.lines.map((l, i): uPlot.Series => ({
         label: l.name, stroke: bars ? undefined : l.colour, width: l.band ? 1 : l.width ?? 1.4, points: { show: false }, pxAlign: 0,
         ...(l.dash ? { dash: [5, 4] } : {}),
-        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: [0.6, 40] }) } : {}),
+        ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: i === 0 ? [0.7, 40] : [0.35, 20] }) } : {}),
       }))],
       axes: [
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 2 * em, gap: 3, space: 4 * em },
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.8 * em, gap: 4, space: 2.6 * em },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: data.xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.4 * em, gap: 4, space: 2.6 * em, ...(narrow ? {} : { label: yName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 }) },
       ],
       hooks: {
         drawClear: [(u) => this.under(u)],
@@ -100,7 +104,9 @@ export class Chart {
   private range(low: number, high: number): [number, number] {
     if (low === null || high === null || !Number.isFinite(low)) return [0, 1];
     const data = this.data;
-    if (data && !this.zoomed) for (const l of data.level) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
+    const most = Math.max(Math.abs(low), Math.abs(high));
+    // a limit far away is told at the edge, so that the curve keeps its height
+    if (data && !this.zoomed) for (const l of data.level) if (l.kind !== 'limit' || Math.abs(l.y) < 2.2 * most) { low = Math.min(low, l.y); high = Math.max(high, l.y); }
     if (this.extra.shade) { low = Math.min(low, this.extra.shade[0]); high = Math.max(high, this.extra.shade[1]); }
     if (data?.lines[0]?.width === -1) low = 0;
     const pad = 0.06 * (high - low || Math.abs(high) || 1);
@@ -116,17 +122,7 @@ export class Chart {
       ctx.fillStyle = this.colour('--range');
       ctx.fillRect(bbox.left, a, bbox.width, b - a);
     }
-    for (const l of this.data?.level ?? []) {
-      const y = u.valToPos(l.y, 'y', true);
-      if (y < bbox.top || y > bbox.top + bbox.height) continue;
-      ctx.strokeStyle = l.label === 'water' ? '#4d9cc9' : '#a8905a';
-      ctx.lineWidth = devicePixelRatio * 1.4;
-      ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke();
-      ctx.fillStyle = ctx.strokeStyle;
-      ctx.font = `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
-      ctx.textAlign = 'right';
-      ctx.fillText(l.label, bbox.left + bbox.width - 4, y - 4 * devicePixelRatio);
-    }
+    for (const l of this.data?.level ?? []) drawLevel(u, l, (name) => this.colour(name));
     ctx.restore();
   }
 
@@ -141,6 +137,8 @@ export class Chart {
       const y = Number.isNaN(m.y) ? bbox.top + bbox.height : u.valToPos(m.y, 'y', true) + 3 * d;
       ctx.beginPath(); ctx.moveTo(x, y - (Number.isNaN(m.y) ? 6 * d : 0)); ctx.lineTo(x - 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.lineTo(x + 3 * d, y + (Number.isNaN(m.y) ? 0 : 5 * d)); ctx.fill();
     }
+    nameLevels(u, this.data?.level ?? [], (name) => this.colour(name));
+    nameMarks(u, this.data?.marks ?? [], (name) => this.colour(name));
     if (this.extra.now !== null && this.extra.now !== undefined) {
       const x = u.valToPos(this.extra.now, 'x', true);
       if (x >= bbox.left && x <= bbox.left + bbox.width) {
@@ -170,7 +168,8 @@ export class Chart {
     if (index === null || !this.data) return '';
     const unit = /\[(.*)\]/.exec(this.data.yName)?.[1] ?? '';
     const values = this.data.lines.map((l) => (l.values[index] === null || l.values[index] === undefined ? '' : `${this.data!.lines.length > 1 ? `${l.name} ` : ''}${tidy(l.values[index]!, 4)}`)).filter(Boolean);
-    return `${tidy(this.data.x[index]!, 4)} ${/\[(.*)\]/.exec(this.data.xName)?.[1] ?? ''}: ${values.join(', ')} ${unit}`;
+    const name = this.data.names?.[index] ?? this.data.marks.find((m) => Math.abs(m.x - this.data!.x[index]!) < 1e-3 * (this.data!.x.at(-1)! - this.data!.x[0]!))?.label;
+    return `${name ? `${name}, ` : ''}${tidy(this.data.x[index]!, 4)} ${/\[(.*)\]/.exec(this.data.xName)?.[1] ?? ''}: ${values.join(', ')} ${unit}`;
   }
 
   resize(): void {

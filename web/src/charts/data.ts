@@ -1,5 +1,5 @@
 // What a diagram along the pipe shows: lists ready to be drawn, in engineering units.
-import type { Converged, Envelopes, Scene } from '../api/types';
+import type { Check, Envelopes, Lay, RunSummary, Scene } from '../api/types';
 import { resample } from '../logic/decimate';
 import { quantity } from '../logic/show';
 import type { Line } from '../logic/table';
@@ -8,14 +8,16 @@ export interface ChartData {
   title: string; xName: string; yName: string; x: number[]; lines: (Line & { band?: boolean; width?: number })[];
   /** arc length of every x, for the common cursor */
   s: number[];
-  marks: { x: number; y: number; label: string }[];
-  level: { y: number; label: string }[];
-  keepAspect?: boolean;
+  /** Boxes: `y` NaN at the lower edge, with `over` the name above the bar of that height. */
+  marks: { x: number; y: number; label: string; over?: number }[];
+  level: { y: number; label: string; kind?: 'limit' | 'water' | 'bed' }[];
+  /** Name of every x, for bars. */
+  names?: string[];
 }
 
 const ink = { now: '#0b66c2', band: '#e07b1a', mean: '#8a96a3', run: '#5d7f2f' };
 
-function distance(s: Converged): number[] {
+function distance(s: Lay): number[] {
   const { x, y } = s.pipe;
   const out = [0];
   for (let i = 1; i < x.length; ++i) out.push(out[i - 1]! + Math.hypot(x[i]! - x[i - 1]!, y[i]! - y[i - 1]!));
@@ -23,13 +25,13 @@ function distance(s: Converged): number[] {
 }
 
 /** Diagrams end a little behind touchdown: the long rest on the seabed says nothing. */
-function shownCount(s: Converged): number {
+function shownCount(s: Lay): number {
   const end = (s.touchdown?.s ?? Infinity) + 60;
   const n = s.pipe.s.findIndex((v) => v > end);
   return n < 0 ? s.pipe.s.length : n + 1;
 }
 
-export function shape(s: Converged, scene: Scene | null, plan: boolean): ChartData {
+export function shape(s: Lay, scene: Scene | null, plan: boolean): ChartData {
   const n = shownCount(s);
   const x = distance(s).slice(0, n);
   const arc = s.pipe.s.slice(0, n);
@@ -45,11 +47,27 @@ export function shape(s: Converged, scene: Scene | null, plan: boolean): ChartDa
     title: plan ? 'Plan of the pipe' : 'Elevation of the pipe', xName: 'horizontal distance from the tensioner [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: arc,
     lines: [{ name: 'pipe', colour: ink.now, values, width: 2.2 }],
     marks: plan ? [] : s.supports.map((b) => ({ x: at(b.s), y: b.place[2], label: b.name })),
-    level: plan || !scene ? [] : [{ y: 0, label: 'water' }, { y: -scene.water_depth, label: 'seabed' }],
+    level: plan || !scene ? [] : [{ y: 0, label: 'water', kind: 'water' }, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }],
   };
 }
 
-export function along(key: string, s: Converged, e: Envelopes | null): ChartData {
+/** What the code checks allow of a quantity along the pipe, the smallest; and the yield stress. */
+function allowed(key: string, s: Lay, checks: readonly Check[], factor: number): ChartData['level'] {
+  if (key === 'utilisation') return [{ y: 1, label: 'yield', kind: 'limit' }];
+  if (key === 'checks') return [{ y: 1, label: 'allowable', kind: 'limit' }];
+  const out: ChartData['level'] = [];
+  const said = { von_mises: 'von Mises stress', strain: 'longitudinal strain', tension: 'effective tension' }[key];
+  const limits = checks.filter((c) => c.quantity === said && c.governing && c.capacity !== undefined);
+  if (said && limits.length) {
+    const least = limits.reduce((a, b) => (b.capacity! < a.capacity! ? b : a));
+    out.push({ y: least.capacity! * factor, label: `allowable, ${least.code.replace(/ \(.*/, '')}`, kind: 'limit' });
+  }
+  const r = s.key.overbend ?? s.key.sagbend;
+  if ((key === 'von_mises' || key === 'bending_stress') && r && r.utilisation > 0) out.push({ y: (r.von_mises / r.utilisation) * factor, label: 'yield', kind: 'limit' });
+  return out;
+}
+
+export function along(key: string, s: Lay, e: Envelopes | null, checks: readonly Check[]): ChartData {
   const q = quantity(key)!;
   const n = shownCount(s);
   const values = (s.pipe[q.key] as number[]).slice(0, n).map((v) => v * q.factor);
@@ -66,13 +84,18 @@ export function along(key: string, s: Converged, e: Envelopes | null): ChartData
     if (band.mean) lines.push({ name: 'mean', colour: ink.mean, values: scaled(band.mean), dash: true });
     lines.push({ name: 'static', colour: ink.now, values: nowAtRun, width: 2 });
   } else lines.push({ name: 'static', colour: ink.now, values, width: 2 });
-  return { title: q.name, xName: 'arc length from the tensioner [m]', yName: `${q.name.toLowerCase()} [${q.unit}]`, x, s: x, lines, marks: s.supports.map((b) => ({ x: b.s, y: Number.NaN, label: b.name })), level: [] };
+  return { title: q.name, xName: 'arc length from the tensioner [m]', yName: `${q.name.toLowerCase().replace('von mises', 'von Mises')} [${q.unit}]`, x, s: x, lines, marks: s.supports.map((b) => ({ x: b.s, y: Number.NaN, label: b.name })), level: allowed(key, s, checks, q.factor) };
 }
 
-export function reactions(s: Converged): ChartData {
+/** With a run the greatest of the run stands behind the static reaction. */
+export function reactions(s: Lay, run: RunSummary['dynamic'] | undefined): ChartData {
+  const x = s.supports.map((b) => b.s);
+  const before = s.supports.map((b) => b.reaction / 1e3);
+  const most = run ? s.supports.map((b) => { const r = run.supports.find((o) => o.name === b.name); return r ? r.reaction.max / 1e3 : null; }) : null;
   return {
-    title: 'Roller box reactions', xName: 'arc length from the tensioner [m]', yName: 'reaction [kN]', x: s.supports.map((b) => b.s), s: s.supports.map((b) => b.s),
-    lines: [{ name: 'reaction', colour: ink.band, values: s.supports.map((b) => b.reaction / 1e3), width: -1 }], marks: [], level: [],
+    title: 'Box reactions', xName: 'arc length from the tensioner [m]', yName: 'reaction [kN]', x, s: x, names: s.supports.map((b) => b.name),
+    lines: [...(most ? [{ name: 'largest of the run', colour: ink.band, values: most, width: -1 }] : []), { name: most ? 'static' : 'reaction', colour: most ? ink.now : ink.band, values: before, width: -1 }],
+    marks: s.supports.map((b, i) => ({ x: b.s, y: Number.NaN, label: b.name, over: Math.max(before[i]!, most?.[i] ?? 0) })), level: [],
   };
 }
 

@@ -1,5 +1,5 @@
 // Checks of the start dialogue, answer by answer, in words. The program checks again with everything else it knows.
-import { parseQuantity, sameFamily, toSi, tidy } from './units';
+import { complete, parseQuantity, sameFamily, toSi, tidy } from './units';
 
 export interface Answers {
   title: string;
@@ -21,10 +21,18 @@ export type Faults = Partial<Record<keyof Answers, string>>;
 const lengths = 'm, mm, ft or in';
 const forces = 'kN, kip or te';
 
+/** Units that a number without one is taken in, as in the form: those that the answers are offered in. */
+export const answerUnits: Partial<Record<keyof Answers, string>> = { wall: 'mm', yield: 'MPa', coating: 'mm', concrete: 'mm', depth: 'm', stinger_radius: 'm', tension: 'kN' };
+
+/** An answer with its unit: that of the answer before it, else the usual one. */
+export function completed(key: keyof Answers, typed: string, before = ''): string {
+  const usual = answerUnits[key];
+  return usual ? complete(typed, parseQuantity(before)?.unit || usual) : typed.trim();
+}
+
 function quantity(text: string, like: string, units: string, least: number, most: number, shown: string): string | null {
   const q = parseQuantity(text);
   if (!q) return 'a number is missing';
-  if (!q.unit) return `a unit is missing: ${units}`;
   if (!sameFamily(q.unit, like)) return `"${q.unit}" is not one of ${units}`;
   const si = toSi(q.number, q.unit);
   if (si < least || si > most) return `should lie between ${tidy(least / toSi(1, shown))} and ${tidy(most / toSi(1, shown))} ${shown}`;
@@ -32,7 +40,8 @@ function quantity(text: string, like: string, units: string, least: number, most
 }
 
 /** `outside`: steel diameter in m of the chosen pipe, where it is known. Answers that may stay empty are not faults. */
-export function check(a: Answers, outside: number | null): Faults {
+export function check(given: Answers, outside: number | null): Faults {
+  const a = Object.fromEntries(Object.entries(given).map(([key, text]) => [key, completed(key as keyof Answers, text)])) as unknown as Answers;
   const faults: Faults = {};
   const note = (key: keyof Answers, fault: string | null): void => { if (fault) faults[key] = fault; };
   if (!a.pipe.trim()) faults.pipe = 'choose a pipe';

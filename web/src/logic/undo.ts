@@ -1,5 +1,7 @@
 // Undo and redo of the model's text. Keystrokes that follow each other closely become one step.
 
+export interface Kept { past: string[]; present: string; future: string[] }
+
 export class UndoStack {
   private past: string[] = [];
   private future: string[] = [];
@@ -36,6 +38,26 @@ export class UndoStack {
     if (text === undefined) return null;
     this.past.push(this.present);
     return this.settle(text);
+  }
+
+  /** To be kept over a reload: the steps nearest to now, of at most so many characters together. */
+  keep(room: number): Kept {
+    let left = room - this.present.length;
+    const near = (list: string[]): string[] => {
+      let from = list.length;
+      while (from > 0 && left >= list[from - 1]!.length) left -= list[--from]!.length;
+      return list.slice(from);
+    };
+    const past = near(this.past);
+    return { past, present: this.present, future: near(this.future) };
+  }
+
+  /** What was kept, and on top of it the text there is now, which may have become another meanwhile. */
+  static from(kept: Kept | null, text: string): UndoStack {
+    const stack = new UndoStack(kept?.present ?? text);
+    if (kept) { stack.past = [...kept.past]; stack.future = [...kept.future]; }
+    stack.push(text, 'other', 0);
+    return stack;
   }
 
   private settle(text: string): string {

@@ -1,16 +1,17 @@
 import { useEffect } from 'preact/hooks';
 import { hasModel, redo, undo } from '../state/model';
-import { dialog, leftTab, leftWidth } from '../state/look';
+import { dialog, leftTab, leftWidth, pane } from '../state/look';
 import { dismiss, notices } from '../state/notices';
-import { runs } from '../state/runs';
+import { runs, selected } from '../state/runs';
 import { AnimationBar } from './AnimationBar';
 import { Checks } from './Checks';
 import { Diagrams } from './Diagrams';
-import { ConflictDialog, OpenDialog, SaveAsDialog } from './Files';
+import { ConflictDialog, OpenDialog, OverwriteDialog, SaveAsDialog, UnsavedDialog } from './Files';
 import { Form } from './Form';
 import { Header, saveNow } from './Header';
 import { Picture } from './Picture';
 import { Results } from './Results';
+import { RunResults } from './RunResults';
 import { Runs } from './Runs';
 import { Sliders } from './Sliders';
 import { StartDialog } from './StartDialog';
@@ -55,6 +56,17 @@ function Handle() {
   );
 }
 
+const panes = [['model', 'Model'], ['picture', 'Picture'], ['diagrams', 'Diagrams'], ['results', 'Results']] as const;
+
+/** On small screens one pane is seen at a time. */
+function Panes() {
+  return (
+    <div class="panes" role="tablist" aria-label="Panes">
+      {panes.map(([id, name]) => <button key={id} type="button" role="tab" aria-selected={pane.value === id} onClick={() => { pane.value = id; }}>{name}</button>)}
+    </div>
+  );
+}
+
 export function App() {
   useEffect(() => {
     const keys = (e: KeyboardEvent): void => {
@@ -76,15 +88,18 @@ export function App() {
   return (
     <>
       <Header />
-      <main style={leftWidth.value ? { '--left': `${clampLeft(leftWidth.value)}px` } : undefined}>
+      <Panes />
+      <main data-pane={pane.value} style={leftWidth.value ? { '--left': `${clampLeft(leftWidth.value)}px` } : undefined}>
         <Left />
         <Handle />
         <div class="centre"><Picture /><AnimationBar /></div>
-        <aside class="right" aria-label="Results and sliders"><Results /><Checks /><Sliders /></aside>
+        <aside class="right" aria-label="Results and sliders">{selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
         <Diagrams />
       </main>
       {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : null}
       <ConflictDialog />
+      <OverwriteDialog />
+      <UnsavedDialog />
       <div class="notices" role="status">{notices.value.map((n) => <div key={n.id} class={`notice ${n.kind}`}><span>{n.text}{n.hint ? <small> {n.hint}</small> : null}</span><button type="button" class="tiny" aria-label="Dismiss" onClick={() => dismiss(n.id)}>✕</button></div>)}</div>
     </>
   );

@@ -33,7 +33,7 @@ function Row({ check }: { check: Check }) {
 
 export function Checks() {
   const run = selected.value;
-  const ofRun = run?.state === 'done' ? runChecks.value : null;
+  const ofRun = run ? runChecks.value ?? [] : null;
   const checks = ofRun ?? calm.value?.checks ?? [];
   if (checks.length === 0) return null;
   const deciding = governing(checks);

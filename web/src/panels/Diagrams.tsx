@@ -6,15 +6,17 @@ import { along, colours, reactions, shape, type ChartData } from '../charts/data
 import { display, quantities } from '../logic/show';
 import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
-import { calm, failure, scene } from '../state/live';
+import { calmLay, ofRun, shownFailure, shownScene } from '../state/shown';
 import { cursor, slots, theme } from '../state/look';
 import { active, seek, time } from '../state/animation';
-import { columns, envelopes, fetchSeries, selected } from '../state/runs';
+import { columns, envelopes, fetchSeries, runChecks, runName, runSummary, selected } from '../state/runs';
 import { nearest } from '../logic/decimate';
 
 const width = signal(innerWidth);
 addEventListener('resize', () => { width.value = innerWidth; });
-const shownSlots = (): number => (width.value >= 2600 ? 4 : width.value >= 1500 ? 3 : 2);
+const shownSlots = (): number => (width.value >= 2600 || width.value < 1100 ? 4 : width.value >= 1500 ? 3 : 2);
+/** Below 1,100 px the diagrams have a tab of their own and stand one above the other. */
+const stacked = (): boolean => width.value < 1100;
 
 function range(): [number, number] | null {
   const low = byPath.value.get('tensioner.range[0]')?.si, high = byPath.value.get('tensioner.range[1]')?.si;
@@ -22,11 +24,11 @@ function range(): [number, number] | null {
 }
 
 function statics(what: string): ChartData | null {
-  const s = calm.value;
+  const s = calmLay.value;
   if (!s) return null;
-  if (what === 'elevation' || what === 'plan') return shape(s, scene.value, what === 'plan');
-  if (what === 'reactions') return s.supports.length ? reactions(s) : null;
-  return quantities.some((q) => q.key === what && s.pipe[q.key]?.length) ? along(what, s, envelopes.value) : null;
+  if (what === 'elevation' || what === 'plan') return shape(s, shownScene.value, what === 'plan');
+  if (what === 'reactions') return s.supports.length ? reactions(s, runSummary.value?.dynamic) : null;
+  return quantities.some((q) => q.key === what && s.pipe[q.key]?.length) ? along(what, s, ofRun.value ? envelopes.value : null, (ofRun.value ? runChecks.value : null) ?? s.checks) : null;
 }
 
 /** Histories come as least and greatest per pixel, for the stretch that is shown and no other. */
@@ -37,7 +39,7 @@ function useHistory(what: string, zoom: [number, number] | null, pixels: number)
   // while a run goes on its diagram follows, in steps
   const stage = run?.state === 'running' ? Math.floor((run.progress ?? 0) * 40) : run?.state;
   useEffect(() => {
-    if (!column || !run || (run.state !== 'done' && run.state !== 'running')) { setData(null); return undefined; }
+    if (!column || !run || (!run.has_results && run.state !== 'running')) { setData(null); return undefined; }
     let gone = false;
     void fetchSeries(run.id, [column.name], zoom?.[0] ?? null, zoom?.[1] ?? null, pixels).then((answer) => {
       const s = answer[column.name];
@@ -51,6 +53,18 @@ function useHistory(what: string, zoom: [number, number] | null, pixels: number)
     return () => { gone = true; };
   }, [what, run?.id, stage, zoom?.[0], zoom?.[1], pixels, column?.name]);
   return data;
+}
+
+/** What the lines are, where there are several; least and greatest of a band are one. */
+function Legend({ data }: { data: ChartData }) {
+  const band = data.lines.some((l) => l.band);
+  if (data.lines.length < 2) return null;
+  const shown = data.lines.filter((l) => !l.band || l.name === 'largest');
+  return (
+    <ul class="chartlegend" aria-label="Lines">
+      {shown.map((l) => <li key={l.name}><i class={l.band ? 'band' : l.width === -1 ? 'barkey' : l.dash ? 'dashed' : ''} style={{ '--line': l.colour }} />{l.band && band ? 'least to largest' : l.name}</li>)}
+    </ul>
+  );
 }
 
 function Slot({ index }: { index: number }) {
@@ -98,27 +112,28 @@ function Slot({ index }: { index: number }) {
 
   const choose = (value: string): void => { setZoom(null); const next = [...slots.value]; next[index] = value; slots.value = next; };
   return (
-    <figure class={`slot${failure.value && !inTime ? ' old' : ''}`}>
+    <figure class={`slot${shownFailure.value && !inTime ? ' old' : ''}`}>
       <figcaption>
         <select aria-label={`Diagram ${index + 1}`} value={what} onChange={(e) => choose(e.currentTarget.value)}>
           <optgroup label="Along the pipe">
             <option value="elevation">Elevation</option>
             <option value="plan">Plan</option>
             {quantities.map((q) => <option key={q.key} value={q.key}>{q.name}</option>)}
-            <option value="reactions">Roller box reactions</option>
+            <option value="reactions">Box reactions</option>
           </optgroup>
-          {columns.value.length ? <optgroup label={`In time: ${selected.value?.title ?? ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
+          {columns.value.length ? <optgroup label={`In time: ${selected.value ? runName(selected.value) : ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
         </select>
-        <output class="read" aria-live="off">{read || (data ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : '')}</output>
+        <output class="read" aria-live="off">{read}</output>
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
       </figcaption>
-      <div class="plot" ref={box} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
-      {data ? null : <p class="empty over">{inTime ? 'Loading…' : 'No solution yet.'}</p>}
+      {data ? <Legend data={data} /> : null}
+      <div class="plot" ref={box} style={data ? undefined : { visibility: 'hidden' }} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
+      {data ? null : <p class="empty over">{inTime ? 'Loading…' : calmLay.value ? 'The model has no roller boxes.' : 'No solution yet.'}</p>}
     </figure>
   );
 }
 
 export function Diagrams() {
   const count = shownSlots();
-  return <section class="diagrams" style={{ gridTemplateColumns: `repeat(${count}, minmax(0, 1fr))` }} aria-label="Diagrams">{Array.from({ length: count }, (_, i) => <Slot key={i} index={i} />)}</section>;
+  return <section class="diagrams" style={stacked() ? undefined : { gridTemplateColumns: `repeat(${count}, minmax(0, 1fr))` }} aria-label="Diagrams">{Array.from({ length: count }, (_, i) => <Slot key={i} index={i} />)}</section>;
 }

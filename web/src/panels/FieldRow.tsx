@@ -16,8 +16,10 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const [fault, setFault] = useState('');
   useEffect(() => { setTyped(written); setFault(''); }, [written, field.path]);
 
-  const told = diagnostics.value.find((d) => d.key === field.path);
+  const about = diagnostics.value.filter((d) => d.key === field.path);
+  const told = about.find((d) => d.severity === 'error') ?? about[0];
   const message = fault || (told?.message ?? '');
+  const wrong = fault !== '' || told?.severity === 'error';
   const id = `f-${field.path}`;
   const shown = name ?? nameOf(parts(field.path).at(-1)!);
   const left = field.default !== null && field.default !== undefined ? String(field.default) : field.left_out ?? (field.required ? 'required' : '');
@@ -45,7 +47,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `Left out: ${left}.` : ''].filter(Boolean).join(' ');
   const other = field.kind === 'quantity' ? twin(typed || (field.given ? '' : left)) : '';
   return (
-    <div class={`row${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${message ? ' wrong' : ''}${field.given ? '' : ' absent'}`} title={hint}>
+    <div class={`row${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${wrong ? ' wrong' : message ? ' warned' : ''}${field.given ? '' : ' absent'}`} title={hint}>
       <label for={id}>{shown}{field.required && !field.given ? <b class="must" aria-label="required"> *</b> : null}</label>
       {field.kind === 'choice' ? (
         <select id={id} value={written} onChange={(e) => void send(e.currentTarget.value)}>
@@ -54,7 +56,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
         </select>
       ) : (
         <input
-          id={id} value={typed} data-written={written} placeholder={left} spellcheck={false} autocomplete="off" aria-invalid={message !== ''}
+          id={id} value={typed} data-written={written} placeholder={left} spellcheck={false} autocomplete="off" aria-invalid={wrong}
           onInput={(e) => setTyped(e.currentTarget.value)}
           onBlur={(e) => void send(e.currentTarget.value)}
           onKeyDown={(e) => {
@@ -64,7 +66,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
         />
       )}
       <span class="twin">{other}</span>
-      {message ? <p class="fault" role="alert">{message}</p> : null}
+      {message ? <p class={wrong ? 'fault' : 'note'} role={wrong ? 'alert' : undefined}>{message}</p> : null}
     </div>
   );
 }

@@ -1,8 +1,9 @@
 // Open, save as, and the question which of two tabs is right.
 import { useEffect, useState } from 'preact/hooks';
 import { get } from '../api/client';
-import { conflict, fileName, info, keepMine, openExample, openFile, save, takeTheirs } from '../state/model';
-import { dialog } from '../state/look';
+import { differences } from '../logic/differences';
+import { conflict, fileName, info, keepMine, openExample, openFile, overwrite, save, takeFile, takeTheirs, title } from '../state/model';
+import { asking, dialog } from '../state/look';
 import { sayError } from '../state/notices';
 import { Dialog } from './Dialog';
 
@@ -37,10 +38,10 @@ export function SaveAsDialog() {
   const there = list?.files.some((f) => f.name === full) && full !== fileName.value;
   return (
     <Dialog title="Save as" close={close}>
-      <form onSubmit={(e) => { e.preventDefault(); if (good) void save(full.trim()).then((done) => { if (done) close(); }); }}>
+      <form onSubmit={(e) => { e.preventDefault(); if (good) void save(full.trim()).then((done) => { if (done || overwrite.value) close(); }); }}>
         <div class="row"><label for="save-name">file name</label><input id="save-name" value={name} onInput={(e) => setName(e.currentTarget.value)} /><span class="twin" /></div>
-        <p class="brief">{good ? (there ? `${full} is there already and will be replaced.` : `in ${list?.folder ?? ''}`) : 'A name without slashes.'}</p>
-        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={!good}>{there ? 'Replace' : 'Save'}</button></footer>
+        <p class="brief">{good ? (there ? `${full} is there already: both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'A name without slashes.'}</p>
+        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={!good}>Save</button></footer>
       </form>
     </Dialog>
   );
@@ -54,6 +55,52 @@ export function ConflictDialog() {
       <footer>
         <button type="button" onClick={() => void keepMine()}>Keep mine, replace the other</button>
         <button type="button" class="main" onClick={() => void takeTheirs()}>Take the newer</button>
+      </footer>
+    </Dialog>
+  );
+}
+
+/** New and Open with changes that are not saved. */
+export function UnsavedDialog() {
+  const next = asking.value;
+  if (!next) return null;
+  const stay = (): void => { asking.value = null; };
+  const go = (): void => { asking.value = null; dialog.value = next; };
+  const keep = (): void => {
+    if (!fileName.value) { asking.value = null; dialog.value = 'saveas'; return; }
+    void save(fileName.value).then((done) => { if (done) go(); else stay(); });
+  };
+  return (
+    <Dialog title="Changes are not saved" close={stay}>
+      <p><b>{title.value}</b> has changes that are in no file. {next === 'start' ? 'A new model' : 'Opening another model'} takes its place.</p>
+      <footer>
+        <button type="button" onClick={stay}>Cancel</button>
+        <button type="button" class="danger" onClick={go}>Go on without saving</button>
+        <button type="button" class="main" onClick={keep}>{fileName.value ? 'Save first' : 'Save as…'}</button>
+      </footer>
+    </Dialog>
+  );
+}
+
+/** Save found that the file has become another one since it was read: both are shown. */
+export function OverwriteDialog() {
+  const o = overwrite.value;
+  if (!o) return null;
+  const close = (): void => { overwrite.value = null; };
+  const own = o.name === fileName.value;
+  const rows = differences(o.theirs, o.mine);
+  return (
+    <Dialog title={own ? `${o.name} has changed on disk` : `${o.name} is there already`} close={close} wide>
+      <p>{own ? 'Another program has changed the file since it was read here.' : 'The folder has a file of that name.'} Nothing has been written. Lines that differ:</p>
+      <div class="compare" role="table" aria-label="The two texts">
+        <div class="heads" role="row"><b role="columnheader">in the file</b><b role="columnheader">here</b></div>
+        {rows.map((r, i) => (r.gap ? <div key={i} class="gap">…</div> : <div key={i} role="row" class={r.left === r.right ? '' : 'differs'}><code role="cell">{r.left ?? ''}</code><code role="cell">{r.right ?? ''}</code></div>))}
+      </div>
+      <footer>
+        <button type="button" onClick={close}>Cancel</button>
+        <button type="button" onClick={() => { close(); dialog.value = 'saveas'; }}>Save under another name…</button>
+        <button type="button" onClick={() => void takeFile(o.name)}>Take the file's</button>
+        <button type="button" class="danger" onClick={() => void save(o.name, o.version)}>Replace the file</button>
       </footer>
     </Dialog>
   );

@@ -1,11 +1,14 @@
 // The model as a form, made from the fields that the program names: sections to fold, lists with add and remove.
 import { signal } from '@preact/signals';
+import { useEffect } from 'preact/hooks';
 import type { Field } from '../api/types';
-import { tree, type Node } from '../logic/formTree';
-import { diagnostics, errors, fields, setKeys } from '../state/model';
-import { leftTab } from '../state/look';
+import { parts, tree, type Node } from '../logic/formTree';
+import { askedOfWaves } from '../logic/motion';
+import { byPath, diagnostics, errors, fields, setKeys } from '../state/model';
+import { lead, leadToFault } from '../state/lead';
 import { sayError } from '../state/notices';
 import { FieldRow } from './FieldRow';
+import { Motion } from './Motion';
 
 type FieldNode = Node<Field>;
 
@@ -18,6 +21,34 @@ const plain = (n: FieldNode): boolean => simple(n) || (n.field !== null && n.chi
 
 async function act(path: string, value: unknown): Promise<void> {
   try { await setKeys([{ path, value }]); } catch (error) { sayError(error); }
+}
+
+/** Keys that are shown although they are left out, for what is given asks for them. */
+function asked(path: string): string[] {
+  if (path === 'environment.waves') return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
+  // what a run in time needs is offered in models that have none yet
+  return path === 'vessel' ? ['motion'] : path === 'environment' ? ['waves'] : [];
+}
+
+/** Unfolds everything above a key, so that its field is there to be gone to. */
+function unfold(key: string): void {
+  const closed = { ...folded.value }, open = { ...more.value };
+  let path = '';
+  for (const part of parts(key)) {
+    path += part.startsWith('[') || !path ? part : `.${part}`;
+    closed[path] = false;
+    open[path] = true;
+  }
+  // only the group that holds the key shows what is left out
+  if (!byPath.value.get(key)?.given) open[`${key.replace(/\.[^.]*$/, '')}+`] = true;
+  folded.value = closed;
+  more.value = open;
+}
+
+function goToField(key: string): void {
+  const place = document.getElementById(`f-${key}`) ?? document.querySelector<HTMLElement>(`[data-path="${CSS.escape(key)}"] .fold`);
+  place?.scrollIntoView({ block: 'center' });
+  place?.focus();
 }
 
 /** A new item of a list is the last one again, so that it is valid at once and only has to be changed. */
@@ -59,7 +90,8 @@ function Items({ node }: { node: FieldNode }) {
 }
 
 function Members({ nodes, path }: { nodes: FieldNode[]; path: string }) {
-  const given = nodes.filter((n) => n.given || n.field?.required);
+  const wanted = asked(path).map((key) => `${path}.${key}`);
+  const given = nodes.filter((n) => n.given || n.field?.required || wanted.includes(n.path));
   const rest = nodes.filter((n) => !given.includes(n));
   const open = more.value[`${path}+`];
   return (
@@ -75,21 +107,36 @@ function Members({ nodes, path }: { nodes: FieldNode[]; path: string }) {
   );
 }
 
+/** What is said about a group or list as a whole. */
+function Faults({ path }: { path: string }) {
+  return <>{diagnostics.value.filter((d) => d.key === path).map((d) => <p key={d.message} class={d.severity === 'error' ? 'fault' : 'note'} role={d.severity === 'error' ? 'alert' : undefined}>{d.message}</p>)}</>;
+}
+
 function Entry({ node }: { node: FieldNode }) {
+  if (node.path === 'vessel.motion') return <div data-path={node.path}><Motion node={node} show={(n) => <Entry node={n} />} /><Faults path={node.path} /></div>;
   if (node.field && plain(node) && node.field.kind !== 'map' && node.field.kind !== 'list') return <FieldRow field={node.field} />;
   const open = !folded.value[node.path] && (node.given || more.value[node.path]);
   const list = node.field?.kind === 'list';
-  const wrong = diagnostics.value.some((d) => d.severity === 'error' && d.key.startsWith(node.path));
+  const wrong = diagnostics.value.some((d) => d.severity === 'error' && (d.key === node.path || d.key.startsWith(`${node.path}.`) || d.key.startsWith(`${node.path}[`)));
   return (
-    <div class={`group${node.given ? '' : ' absent'}`}>
+    <div class={`group${node.given ? '' : ' absent'}`} data-path={node.path}>
       <button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={node.field?.text}
         onClick={() => flip(node.given ? folded : more, node.path)}>{node.label}{list && node.given ? <span class="brief">{node.field!.count ?? ''}</span> : null}{!node.given && node.field?.left_out ? <span class="brief">{node.field.left_out}</span> : null}</button>
+      <Faults path={node.path} />
       {open ? <div class="inner">{list ? <Items node={node} /> : <Members nodes={node.children} path={node.path} />}</div> : null}
     </div>
   );
 }
 
 export function Form() {
+  const wanted = lead.value;
+  useEffect(() => {
+    if (!wanted?.key) return;
+    unfold(wanted.key);
+    // after the form has been drawn with its groups unfolded
+    const timer = setTimeout(() => { goToField(wanted.key); if (lead.value === wanted) lead.value = null; }, 60);
+    return () => clearTimeout(timer);
+  }, [wanted]);
   const sections = tree(fields.value);
   const top = sections.filter((n) => simple(n) && n.path !== 'overbend');
   const groups = sections.filter((n) => !simple(n));
@@ -98,7 +145,7 @@ export function Form() {
     return (
       <div class="empty">
         <p>{first ? `The text can not be read: line ${first.line}: ${first.message}` : 'Nothing to show yet.'}</p>
-        {first ? <button type="button" onClick={() => { leftTab.value = 'yaml'; }}>Mend it in the YAML</button> : null}
+        {first ? <button type="button" onClick={() => leadToFault(first)}>Mend it in the YAML</button> : null}
       </div>
     );
   }
@@ -109,8 +156,9 @@ export function Form() {
         const open = !folded.value[n.path] && (n.given || more.value[n.path]);
         const wrong = diagnostics.value.some((d) => d.severity === 'error' && (d.key === n.path || d.key.startsWith(`${n.path}.`)));
         return (
-          <section key={n.path}>
+          <section key={n.path} data-path={n.path}>
             <h3><button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={n.field?.text} onClick={() => flip(n.given ? folded : more, n.path)}>{n.label}</button></h3>
+            <Faults path={n.path} />
             {open ? <Members nodes={n.children} path={n.path} /> : null}
           </section>
         );

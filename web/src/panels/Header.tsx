@@ -1,18 +1,26 @@
 // Name, files, undo, theme, and in a word how things stand.
-import { canRedo, canUndo, errors, fileName, hasModel, info, newer, redo, save, saved, takeTheirs, title, undo } from '../state/model';
+import { canRedo, canUndo, errors, fileName, hasModel, info, redo, save, saved, title, undo, unsaved } from '../state/model';
 import { calm, failure } from '../state/live';
-import { dialog, leftTab, theme } from '../state/look';
+import { asking, dialog, theme, type DialogName } from '../state/look';
+import { leadToFault } from '../state/lead';
 import { connected } from '../state/connection';
 import { tidy } from '../logic/units';
+import { keyName } from '../logic/warnings';
 
 export function saveNow(): void {
   if (!hasModel.value) return;
   if (fileName.value) void save(fileName.value); else dialog.value = 'saveas';
 }
 
+/** New and Open put another model in the place of this one: what is not saved is asked about first. */
+export function ask(next: DialogName): void {
+  if (unsaved.value) asking.value = next; else dialog.value = next;
+}
+
 function Status() {
   if (!connected.value) return <span class="status bad">no connection to the program</span>;
-  if (errors.value.length) return <button type="button" class="status bad" onClick={() => { leftTab.value = 'yaml'; }}>{errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`} in the model</button>;
+  const first = errors.value[0];
+  if (first) return <button type="button" class="status bad" title={`${first.key || `line ${first.line}`}: ${first.message}`} onClick={() => leadToFault(first)}>{errors.value.length === 1 ? '1 error' : `${errors.value.length} errors`}: {first.key ? keyName(first.key) : `line ${first.line}`}</button>;
   if (failure.value) return <span class="status bad">no solution</span>;
   if (calm.value) return <span class="status good">solved in {tidy(calm.value.solve_ms ?? calm.value.elapsed_ms, 2)} ms</span>;
   return <span class="status">{hasModel.value ? 'solving…' : 'no model'}</span>;
@@ -25,14 +33,13 @@ export function Header() {
       <span class="brand" title={`Overbend ${info.value?.version ?? ''}`}>Overbend</span>
       <h1 title={fileName.value || 'not saved yet'}>{none ? '' : title.value}{!none && !saved.value ? <i title="Changed since it was saved"> •</i> : null}</h1>
       <nav aria-label="Model">
-        <button type="button" onClick={() => { dialog.value = 'start'; }}>New…</button>
-        <button type="button" onClick={() => { dialog.value = 'open'; }}>Open…</button>
+        <button type="button" onClick={() => ask('start')}>New…</button>
+        <button type="button" onClick={() => ask('open')}>Open…</button>
         <button type="button" disabled={none} title="Ctrl+S" onClick={saveNow}>Save</button>
         <button type="button" disabled={none} onClick={() => { dialog.value = 'saveas'; }}>Save as…</button>
         <button type="button" disabled={!canUndo.value} aria-label="Undo" title="Undo (Ctrl+Z)" onClick={undo}>↶</button>
         <button type="button" disabled={!canRedo.value} aria-label="Redo" title="Redo (Ctrl+Y)" onClick={redo}>↷</button>
       </nav>
-      {newer.value ? <button type="button" class="status warn" onClick={() => void takeTheirs()}>Changed in another tab – take the newer</button> : null}
       <Status />
       <button type="button" aria-label={theme.value === 'dark' ? 'Light colours' : 'Dark colours'} title="Light or dark" onClick={() => { theme.value = theme.value === 'dark' ? 'light' : 'dark'; }}>{theme.value === 'dark' ? '☀' : '☾'}</button>
     </header>

@@ -5,12 +5,15 @@ import { css, niceRange } from '../logic/colour';
 import { nearest } from '../logic/decimate';
 import { quantities, quantity } from '../logic/show';
 import { tidy } from '../logic/units';
-import { calm, dragging, failure, roundTrip, scene, solution } from '../state/live';
-import { hasModel, opened } from '../state/model';
+import { dragging, roundTrip } from '../state/live';
+import { keyName, withoutPaths } from '../logic/warnings';
+import { leadToFault } from '../state/lead';
+import { errors, hasModel, opened } from '../state/model';
 import { colourBy, cursor, dialog, picked, theme, type ColourBy } from '../state/look';
 import { tensionerState } from '../logic/tensioner';
 import { histories, largestReaction, peakAt, shown as frame, valueAt } from '../state/animation';
-import { envelopes, impacts } from '../state/runs';
+import { envelopes, impacts, runName, select, selected } from '../state/runs';
+import { calmLay, ofRun, shownFailure, shownLay, shownScene } from '../state/shown';
 import type { View3D, ViewName } from '../view/view3d';
 
 const views: [ViewName, string][] = [['whole', '1'], ['overbend', '2'], ['stinger', '3'], ['sagbend', '4'], ['touchdown', '5'], ['from the pipe', '6']];
@@ -32,7 +35,7 @@ function reactionsAt(t: number): Map<string, number> {
 }
 
 /** Ends of the legend: of the run where there is one, so that colours do not jump from frame to frame. */
-function range(key: ColourBy, s = solution.value): [number, number] {
+function range(key: ColourBy, s = shownLay.value): [number, number] {
   const q = quantity(key)!;
   if (!s) return [0, 1];
   const band = key === 'utilisation' || key === 'checks' ? null : envelopes.value?.[key];
@@ -44,7 +47,7 @@ function range(key: ColourBy, s = solution.value): [number, number] {
 }
 
 function Values() {
-  const s = calm.value;
+  const s = calmLay.value;
   const p = picked.value;
   const at = cursor.value;
   if (!s || (!p && at === null)) return null;
@@ -90,14 +93,14 @@ export function Picture() {
       try { v = new View3D(box.current); } catch { setProblem('This browser shows no 3-D pictures (WebGL is off). Numbers and diagrams work all the same.'); return; }
       view.current = v;
       (window as unknown as { __view: View3D }).__view = v;
-      v.onPick = (p) => { picked.value = p; cursor.value = p?.kind === 'station' ? solution.value?.pipe.s[p.index] ?? null : null; };
-      v.onHover = (i) => { if (i === null && picked.value?.kind === 'station') return; if (i !== null) picked.value = null; cursor.value = i === null ? null : solution.value?.pipe.s[i] ?? null; };
+      v.onPick = (p) => { picked.value = p; cursor.value = p?.kind === 'station' ? shownLay.value?.pipe.s[p.index] ?? null : null; };
+      v.onHover = (i) => { if (i === null && picked.value?.kind === 'station') return; if (i !== null) picked.value = null; cursor.value = i === null ? null : shownLay.value?.pipe.s[i] ?? null; };
       stops.push(
         effect(() => v.setDark(theme.value === 'dark')),
         effect(() => { void opened.value; v.reset(); }),
-        effect(() => { if (scene.value) v.setScene(scene.value); }),
+        effect(() => { if (shownScene.value) v.setScene(shownScene.value); }),
         effect(() => v.setDragging(dragging.value)),
-        effect(() => { if (solution.value) v.setSolution(solution.value); }),
+        effect(() => { if (shownLay.value) v.setSolution(shownLay.value); }),
         effect(() => {
           const f = frame.value;
           const flashes = f ? impacts.value.filter((i) => i.time <= f.time && f.time < i.time + flashTime).map((i) => ({ ...i, strength: Math.min(1, i.peak_force / (impacts.value[0]?.peak_force || 1)) * (1 - (f.time - i.time) / flashTime) })) : [];
@@ -107,16 +110,16 @@ export function Picture() {
           flashing.value = flashes.length;
         }),
         effect(() => {
-          const s = solution.value;
+          const s = shownLay.value;
           if (!s) return;
           const key = coloured(), q = quantity(key)!;
           const [low, high] = range(key);
           const f = frame.value;
           const values = f ? (key === 'tension' ? f.tension : f.von_mises) : (s.pipe[key] as number[] | undefined) ?? null;
-          v.setColouring({ values: failure.value && !f ? null : values, low: low / q.factor, high: high / q.factor });
+          v.setColouring({ values: shownFailure.value && !f ? null : values, low: low / q.factor, high: high / q.factor });
         }),
         effect(() => {
-          const s = solution.value, at = cursor.value;
+          const s = shownLay.value, at = cursor.value;
           v.setCursor(s && at !== null && !frame.value ? nearest(s.pipe.s, at) : null);
         }),
       );
@@ -127,11 +130,11 @@ export function Picture() {
 
   const animated = animating.value;
   const key = animated && !inFrames(colourBy.value) ? 'von_mises' : colourBy.value;
-  const [low, high] = range(key, calm.value);
+  const [low, high] = range(key, calmLay.value);
   const q = quantity(key)!;
-  const bad = failure.value;
-  const known = calm.value !== null;
-  const largest = animated ? largestReaction.value : Math.max(0, ...(calm.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
+  const bad = shownFailure.value;
+  const known = calmLay.value !== null;
+  const largest = animated ? largestReaction.value : Math.max(0, ...(calmLay.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
   return (
     <section class={`picture${bad ? ' failed' : ''}`} aria-label="3-D view">
       <div class="canvas" ref={box} tabIndex={0} role="img" aria-label="Barge, stinger, pipe, water and seabed. Keys 1 to 6 change the view."
@@ -147,8 +150,9 @@ export function Picture() {
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
         <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class={animated ? 'pale' : 'hollow'} /> clear</>}</div>
       </div>
+      {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
       <Values />
-      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{bad.why}</p>{known ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}
+      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{withoutPaths(bad.why)}</p>{errors.value[0] ? <button type="button" onClick={() => leadToFault(errors.value[0]!)}>Show {errors.value[0].key ? keyName(errors.value[0].key) : `line ${errors.value[0].line}`}</button> : null}{known ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}
       {problem ? <p class="failure">{problem}</p> : null}
       {!hasModel.value ? <div class="welcome"><h2>Lay a pipe</h2><p>Answer a few questions and see the S at once, or open an example.</p><button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button></div> : null}
       {debug ? <Speed /> : null}

@@ -1,8 +1,11 @@
 // Key results of statics.
 import { fromSi, tidy, write } from '../logic/units';
 import { calm, failure } from '../state/live';
+import { bullet, bullets } from '../logic/warnings';
 import { cursor } from '../state/look';
+import { diagnostics } from '../state/model';
 import type { Region } from '../api/types';
+import { Warnings } from './Warnings';
 
 function Value({ name, value, unit, title }: { name: string; value: number | null | undefined; unit: string; title?: string }) {
   if (value === null || value === undefined) return null;
@@ -36,6 +39,7 @@ export function Results() {
   const s = calm.value;
   if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Statics appear here as soon as the model is complete.'}</p></section>;
   const k = s.key;
+  const ofModel = diagnostics.value.filter((d) => d.severity === 'warning').map((d) => bullet(d.message, [], d.key));
   const largest = typeof k.largest_reaction === 'number' ? k.largest_reaction : k.largest_reaction?.value ?? null;
   return (
     <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
@@ -49,9 +53,9 @@ export function Results() {
         <Value name="lay-back" value={k.lay_back} unit="m" title="From stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" />
         <Value name="tip clearance" value={k.tip_clearance} unit="m" title="Pipe over the last stinger roller." />
-        <Value name="largest reaction" value={largest} unit="kN" />
+        <Value name="largest reaction" value={s.supports.length ? largest : null} unit="kN" />
       </dl>
-      {s.warnings.length ? <ul class="warnings">{s.warnings.map((w) => <li key={w}>{w}</li>)}</ul> : null}
+      <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
     </section>
   );
 }

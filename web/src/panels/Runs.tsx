@@ -2,10 +2,12 @@
 import { useEffect, useState } from 'preact/hooks';
 import { duration as inWords } from '../logic/show';
 import { parseQuantity, tidy, toSi } from '../logic/units';
+import { withoutPaths } from '../logic/warnings';
 import type { Run } from '../api/types';
 import { byPath, errors, hasModel } from '../state/model';
 import { changes } from '../state/live';
-import { cancelRun, reportAddress, runs, select, selectedId, startRun, timeToFinish } from '../state/runs';
+import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selectedId, startRun, timeToFinish } from '../state/runs';
+import { leadToFault } from '../state/lead';
 
 const words: Record<Run['state'], string> = { queued: 'waiting', running: 'running', done: 'done', failed: 'failed', cancelled: 'cancelled' };
 
@@ -15,6 +17,26 @@ function when(seconds: number): string {
   return today ? d.toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' }) : d.toLocaleDateString([], { day: 'numeric', month: 'short', hour: '2-digit', minute: '2-digit' });
 }
 
+/** Name and note of a run, kept when the field is left. */
+function Words({ run }: { run: Run }) {
+  const [name, setName] = useState(run.name);
+  const [note, setNote] = useState(run.note);
+  const keep = (): void => { if (name !== run.name || note !== run.note) void annotate(run.id, { name: name.trim(), note: note.trim() }); };
+  return (
+    <div class="words">
+      <input aria-label="Name of the run" placeholder={run.title || 'name'} value={name} onInput={(e) => setName(e.currentTarget.value)} onBlur={keep} onKeyDown={(e) => { if (e.key === 'Enter') keep(); }} />
+      <textarea aria-label="Note on the run" placeholder="note" rows={2} value={note} onInput={(e) => setNote(e.currentTarget.value)} onBlur={keep} />
+    </div>
+  );
+}
+
+/** Asked twice, for files are gone afterwards. */
+function Delete({ run }: { run: Run }) {
+  const [sure, setSure] = useState(false);
+  if (!sure) return <button type="button" onClick={() => setSure(true)}>Delete…</button>;
+  return <><button type="button" class="danger" onClick={() => void deleteRun(run.id)}>Delete with all files</button><button type="button" onClick={() => setSure(false)}>Keep</button></>;
+}
+
 function Card({ run }: { run: Run }) {
   const mine = selectedId.value === run.id;
   const left = run.state === 'running' ? timeToFinish(run) : null;
@@ -22,7 +44,7 @@ function Card({ run }: { run: Run }) {
   return (
     <li class={`run ${run.state}${mine ? ' chosen' : ''}`}>
       <button type="button" class="runhead" aria-pressed={mine} onClick={() => select(mine ? null : run.id)}>
-        <b>{run.title || run.id}</b>
+        <b>{runName(run)}</b>
         <span class="brief">{run.kind === 'dynamic' ? 'in time' : 'static'} · {words[run.state]}{run.started ? ` · ${when(run.started)}` : ''}</span>
       </button>
       {going ? (
@@ -40,11 +62,15 @@ function Card({ run }: { run: Run }) {
           ) : null}
         </>
       ) : null}
-      {run.message && run.state !== 'done' ? <p class="brief">{run.message}</p> : null}
+      {run.note && !mine ? <p class="note">{run.note}</p> : null}
+      {run.message && run.state !== 'done' && !mine ? <p class="brief">{withoutPaths(run.message)}</p> : null}
+      {mine ? <Words key={run.id} run={run} /> : null}
       <div class="acts">
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
-        {run.state === 'done' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
-        {run.state === 'done' && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
+        {run.has_results ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
+        {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
+        {run.resumable && !going ? <button type="button" title="Goes on where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
+        {mine && !going ? <Delete run={run} /> : null}
       </div>
     </li>
   );
@@ -57,7 +83,8 @@ export function Runs() {
   const q = parseQuantity(typed);
   const seconds = q ? (q.unit ? toSi(q.number, q.unit) : q.number) : Number.NaN;
   const good = Number.isFinite(seconds) && seconds > 0;
-  const ready = hasModel.value && errors.value.length === 0;
+  const first = errors.value[0];
+  const ready = hasModel.value && !first;
   return (
     <div class="runs">
       <form class="startrun" onSubmit={(e) => { e.preventDefault(); if (good && ready) void startRun('dynamic', seconds); }}>
@@ -69,6 +96,7 @@ export function Runs() {
           {good ? null : <p class="fault">A time, like "600 s" or "3 h".</p>}
         </div>
         {changes.value.length ? <p class="note">The run computes the model as it is written. Values on the sliders count only after "Apply to model".</p> : null}
+        {first ? <p class="fault">The model has an error at <button type="button" class="link" onClick={() => leadToFault(first)}>{first.key || `line ${first.line}`}</button>; a run needs it mended.</p> : null}
         <div class="acts">
           <button type="submit" class="main" disabled={!ready || !good}>Start run</button>
           <button type="button" disabled={!ready} onClick={() => void startRun('static')}>Static run with report</button>

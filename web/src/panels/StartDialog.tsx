@@ -2,7 +2,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { ApiError, get, post } from '../api/client';
 import type { NewOffer } from '../api/types';
-import { check, type Answers, type Faults } from '../logic/start';
+import { check, completed, type Answers, type Faults } from '../logic/start';
 import { tidy, twin } from '../logic/units';
 import { openNew } from '../state/model';
 import { dialog } from '../state/look';
@@ -26,8 +26,10 @@ export function StartDialog() {
   const [a, setA] = useState<Answers | null>(null);
   const [refused, setRefused] = useState<Faults & { all?: string }>({});
   const [busy, setBusy] = useState(false);
+  // what stood there with its unit: a number typed over it keeps that unit
+  const [last, setLast] = useState<Partial<Answers>>({});
   const close = (): void => { dialog.value = null; };
-  useEffect(() => { get<NewOffer>('new').then((o) => { setOffer(o); setA(first(o)); }).catch((e: unknown) => { sayError(e); close(); }); }, []);
+  useEffect(() => { get<NewOffer>('new').then((o) => { setOffer(o); const d = first(o); setA(d); setLast(d); }).catch((e: unknown) => { sayError(e); close(); }); }, []);
   if (!offer || !a) return <Dialog key="loading" title="New model" close={close} wide><p class="empty">Loading…</p></Dialog>;
 
   const pipe = offer.pipes.find((p) => p.name === a.pipe);
@@ -38,7 +40,7 @@ export function StartDialog() {
     if (Object.keys(check(a, pipe?.outside_diameter ?? null)).length) return;
     setBusy(true);
     try {
-      const given = Object.fromEntries(Object.entries(a).filter(([, v]) => v.trim() !== ''));
+      const given = Object.fromEntries(Object.entries(a).filter(([, v]) => v.trim() !== '').map(([k, v]) => [k, completed(k as keyof Answers, v, last[k as keyof Answers])]));
       if (a.lay === 'j') { delete given.stinger_radius; delete given.boxes; }
       const answer = await post<{ text: string }>('new', { ...given, ...(given.boxes ? { boxes: Number(given.boxes) } : {}) });
       await openNew(answer.text);
@@ -54,9 +56,9 @@ export function StartDialog() {
   const field = (key: keyof Answers, name: string, place: string, list?: string[]) => (
     <div class={`row${faults[key] ? ' wrong' : ''}`}>
       <label for={`n-${key}`}>{name}</label>
-      <input id={`n-${key}`} value={a[key]} placeholder={place} list={list ? `l-${key}` : undefined} autocomplete="off" aria-invalid={!!faults[key]} onInput={(e) => set(key, e.currentTarget.value)} />
+      <input id={`n-${key}`} value={a[key]} placeholder={place} list={list ? `l-${key}` : undefined} autocomplete="off" aria-invalid={!!faults[key]} onInput={(e) => set(key, e.currentTarget.value)} onBlur={() => { if (a[key].trim()) { const full = completed(key, a[key], last[key]); setA({ ...a, [key]: full } as Answers); setLast({ ...last, [key]: full }); } }} />
       {list ? <datalist id={`l-${key}`}>{list.map((v) => <option key={v} value={v} />)}</datalist> : null}
-      <span class="twin">{twin(a[key])}</span>
+      <span class="twin">{twin(completed(key, a[key], last[key]))}</span>
       {faults[key] ? <p class="fault" role="alert">{faults[key]}</p> : null}
     </div>
   );
@@ -97,7 +99,7 @@ export function StartDialog() {
         </fieldset>
         <div class="row title">
           <label for="n-title">title</label>
-          <input id="n-title" value={a.title} placeholder={`${/^[\d.]+$/.test(a.pipe) ? `${a.pipe}-inch` : a.pipe} ${a.lay === 's' ? 'S' : 'J'}-lay, ${a.depth}`} onInput={(e) => set('title', e.currentTarget.value)} />
+          <input id="n-title" value={a.title} placeholder="chosen for you" onInput={(e) => set('title', e.currentTarget.value)} />
         </div>
         {refused.all ? <p class="fault" role="alert">{refused.all}</p> : null}
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Lay it</button></footer>

@@ -3,7 +3,8 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { effect } from '@preact/signals';
 import { get } from '../api/client';
 import type { Schema } from '../logic/schema';
-import { diagnostics, putText, redo, text, undo } from '../state/model';
+import { diagnostics, putText, redo, text, typing, undo } from '../state/model';
+import { lead } from '../state/lead';
 import { sayError } from '../state/notices';
 import type { YamlEditor } from './yamlEditor';
 
@@ -18,15 +19,16 @@ export function Yaml() {
     let stop = (): void => undefined;
     let timer = 0;
     let waiting: string | null = null;
-    const flush = (): void => { clearTimeout(timer); if (waiting !== null) { const t = waiting; waiting = null; void putText(t, 'yaml'); } };
+    const flush = (): void => { clearTimeout(timer); typing.value = false; if (waiting !== null) { const t = waiting; waiting = null; void putText(t, 'yaml'); } };
     void import('./yamlEditor').then(({ makeEditor }) => {
       if (gone || !box.current) return;
-      const e = makeEditor(box.current, text.peek(), () => schema, (t) => { waiting = t; clearTimeout(timer); timer = window.setTimeout(flush, 250); }, () => { flush(); undo(); }, () => { flush(); redo(); });
+      const e = makeEditor(box.current, text.peek(), () => schema, (t) => { waiting = t; typing.value = true; clearTimeout(timer); timer = window.setTimeout(flush, 250); }, () => { flush(); undo(); }, () => { flush(); redo(); });
       editor.current = e;
       setReady(true);
       const a = effect(() => { const t = text.value; if (waiting === null) e.setText(t); });
       const b = effect(() => { e.setFaults(diagnostics.value); });
-      stop = () => { a(); b(); };
+      const c = effect(() => { const to = lead.value; if (to && !to.key && to.line) { e.goTo(to.line); lead.value = null; } });
+      stop = () => { a(); b(); c(); };
     }).catch(sayError);
     if (!schema) get<Schema>('schema').then((s) => { schema = s; }).catch(sayError);
     return () => { gone = true; flush(); stop(); editor.current?.destroy(); };

@@ -45,7 +45,7 @@ function followHistories(): void {
 async function findLargest(): Promise<void> {
   const id = runId, names = columns.value.map((c) => c.name).filter((name) => /^support\/.*\/reaction$/.test(name));
   if (!id || names.length === 0) return;
-  const all = await fetchSeries(id, names, null, null, 50).catch(() => ({}));
+  const all = await fetchSeries(id, names, 0, null, 50).catch(() => ({}));
   if (id === runId) largestReaction.value = Math.max(0, ...Object.values(all).flatMap((s) => s.max));
 }
 
@@ -158,7 +158,7 @@ export function startAnimation(): void {
   });
   effect(() => {
     const run = selected.value;
-    const id = run && run.kind === 'dynamic' && run.state === 'done' ? run.id : null;
+    const id = run && run.kind === 'dynamic' && run.has_results ? run.id : null;
     untracked(() => { if (id && id !== runId) { close(); void open(id); } else if (!id && runId) close(); });
   });
 }

@@ -82,10 +82,14 @@ export async function applyLive(): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
+let sceneCount = 0;
+
 async function fetchScene(): Promise<void> {
+  const mine = ++sceneCount;
   try {
     const answer = await get<Scene | { status: 'invalid' }>('scene');
-    if (answer.status === 'ok') standing.value = answer;
+    // an answer that was overtaken is older than what is shown
+    if (answer.status === 'ok' && mine === sceneCount) standing.value = answer;
   } catch (error) { sayError(error); }
 }
 
@@ -94,7 +98,7 @@ export function startLive(): void {
   let last: Change[] | null = null;
   effect(() => {
     // another model: the sliders start from it, and the old pipe must not be taken for its own
-    if (opened.value !== seen) { seen = opened.value; values.value = {}; solution.value = null; calm.value = null; failure.value = null; }
+    if (opened.value !== seen) { seen = opened.value; values.value = {}; solution.value = null; calm.value = null; failure.value = null; standing.value = null; }
   });
   let timer = 0;
   effect(() => {
@@ -107,7 +111,7 @@ export function startLive(): void {
     void revision.value;
     const list = changes.value, lean = dragging.value;
     if (ready) untracked(() => { if (!lean || list !== last) gate.submit({ asked: performance.now(), body: { changes: list, full: false, ...(lean ? { lists: looked() } : {}) } }); last = list; });
-    else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: `line ${errors.value[0].line}`, why: errors.value[0].message }; });
+    else untracked(() => { if (hasModel.value && errors.value[0]) failure.value = { what: 'The model has an error', where: errors.value[0].key || `line ${errors.value[0].line}`, why: errors.value[0].message }; });
   });
   effect(() => {
     void revision.value;

@@ -1,6 +1,6 @@
 // How the page looks, kept from one visit to the next: theme, colouring, chosen diagrams; and the common cursor.
 import { effect, signal, type Signal } from '@preact/signals';
-import type { Picked } from '../view/view3d';
+import type { Picked } from '../view/picking';
 
 function kept<T>(name: string, start: T): Signal<T> {
   let value = start;
@@ -15,6 +15,8 @@ export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dar
 export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
+/** Below 1,100 px the panes are tabs: which of them is shown. */
+export const pane = kept<'model' | 'picture' | 'results' | 'diagrams'>('pane', 'picture');
 /** Width of the left pane in px; 0 as the page has it. */
 export const leftWidth = kept<number>('left', 0);
 export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'tension', 'von_mises']);
@@ -22,8 +24,10 @@ export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */
 export const cursor = signal<number | null>(null);
 export const picked = signal<Picked>(null);
-export type DialogName = 'start' | 'open' | 'saveas' | 'help' | null;
+export type DialogName = 'start' | 'open' | 'saveas' | null;
 export const dialog = signal<DialogName>(null);
+/** The dialog that opens when it is settled what becomes of unsaved changes. */
+export const asking = signal<DialogName>(null);
 
 export function startLook(): void {
   effect(() => { document.documentElement.dataset.theme = theme.value; });

@@ -2,8 +2,9 @@
 // sends each change with the revision it knows, so that two tabs can not overwrite each other unseen.
 import { computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
-import type { Change, Diagnostic, Field, Info, ModelAnswer } from '../api/types';
-import { UndoStack } from '../logic/undo';
+import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
+import { UndoStack, type Kept } from '../logic/undo';
+import { withoutPaths } from '../logic/warnings';
 import { say, sayError } from './notices';
 
 export const info = signal<Info | null>(null);
@@ -17,12 +18,28 @@ export const hasModel = signal(false);
 export const loading = signal(true);
 /** Another tab was first: this tab's text, kept until the user says which of the two shall stay. */
 export const conflict = signal<{ mine: string; changes: Change[] } | null>(null);
+/** Save found another text in the file than the one that was read: both, until the user says which shall stay. */
+export const overwrite = signal<{ name: string; mine: string; theirs: string; version: string } | null>(null);
+/** Version of the model's file that this page knows. */
+const disk = signal<string | null | undefined>(undefined);
+/** An example as it was opened: as long as it is untouched nothing would be lost with it. */
+const untouched = signal<string | null>(null);
+/** Whether opening another model would lose something. */
+export const unsaved = computed(() => hasModel.value && !saved.value && text.value !== untouched.value);
 /** Counts models that were opened anew, for whatever has to start afresh then (camera, sliders). */
 export const opened = signal(0);
 
 export const errors = computed(() => diagnostics.value.filter((d) => d.severity === 'error'));
 export const byPath = computed(() => new Map(fields.value.map((f) => [f.path, f])));
 export const title = computed(() => String(byPath.value.get('title')?.value ?? '') || fileName.value || 'New model');
+
+// Undo is kept in the tab, so that it outlives a reload.
+const undoKey = 'overbend.undo';
+const undoRoom = 1_500_000; // characters
+
+function keptUndo(): Kept | null {
+  try { return JSON.parse(sessionStorage.getItem(undoKey) ?? 'null') as Kept | null; } catch { return null; }
+}
 
 let undoStack = new UndoStack('');
 export const canUndo = signal(false);
@@ -31,6 +48,7 @@ export const canRedo = signal(false);
 function noteUndo(): void {
   canUndo.value = undoStack.canUndo;
   canRedo.value = undoStack.canRedo;
+  try { sessionStorage.setItem(undoKey, JSON.stringify(undoStack.keep(undoRoom))); } catch { /* no room, or a private window: undo ends with a reload */ }
 }
 
 // Requests that change the model go one after another: each needs the revision that the one before it made.
@@ -48,16 +66,20 @@ function take(answer: Partial<ModelAnswer>): void {
   if (answer.text !== undefined) text.value = answer.text;
   if (answer.name !== undefined) fileName.value = answer.name;
   if (answer.saved !== undefined) saved.value = answer.saved;
-  if (answer.diagnostics) diagnostics.value = answer.diagnostics;
+  if (answer.diagnostics) diagnostics.value = answer.diagnostics.map((d) => ({ ...d, message: withoutPaths(d.message) }));
   if (answer.fields) fields.value = answer.fields;
   if (answer.revision !== undefined) revision.value = answer.revision;
+  if (answer.disk !== undefined) disk.value = answer.disk;
 }
 
-function takeOpened(answer: ModelAnswer): void {
+/** `steps`: what undo goes back to; a file that is opened starts afresh. */
+function takeOpened(answer: ModelAnswer, steps = new UndoStack(answer.text)): void {
   take(answer);
   conflict.value = null;
+  overwrite.value = null;
+  untouched.value = null;
   hasModel.value = answer.text.trim() !== '';
-  undoStack = new UndoStack(answer.text);
+  undoStack = steps;
   noteUndo();
   ++opened.value;
 }
@@ -65,7 +87,10 @@ function takeOpened(answer: ModelAnswer): void {
 export async function start(): Promise<void> {
   try {
     info.value = await get<Info>('info');
-    if (info.value.has_model) takeOpened(await get<ModelAnswer>('model'));
+    if (info.value.has_model) {
+      const answer = await get<ModelAnswer>('model');
+      takeOpened(answer, UndoStack.from(keptUndo(), answer.text));
+    }
   } catch (error) {
     sayError(error);
   } finally {
@@ -78,6 +103,12 @@ async function guarded(act: () => Promise<void>, mine: () => string, changes: Ch
     await inTurn(act);
     return true;
   } catch (error) {
+    if (error instanceof ApiError && error.status === 409 && (error.body as Partial<DiskConflict> | null)?.error?.reason === 'disk') {
+      const { disk: found, revision: own } = error.body as DiskConflict;
+      if (own !== undefined) revision.value = own;
+      overwrite.value = { name: found.name, mine: mine(), theirs: found.text, version: found.version };
+      return false;
+    }
     if (error instanceof ApiError && error.status === 409) {
       conflict.value = { mine: mine(), changes };
       return false;
@@ -118,6 +149,7 @@ export async function openNew(newText: string): Promise<void> {
   const first = !hasModel.value;
   await putText(newText, 'new', '');
   if (first) { undoStack = new UndoStack(newText); noteUndo(); }
+  untouched.value = null;
   ++opened.value;
 }
 
@@ -126,25 +158,45 @@ export async function openFile(name: string): Promise<void> {
 }
 
 export async function openExample(name: string): Promise<void> {
-  try { await openNew((await get<{ text: string }>(`examples/${encodeURIComponent(name)}`)).text); } catch (error) { sayError(error); }
+  try {
+    const example = (await get<{ text: string }>(`examples/${encodeURIComponent(name)}`)).text;
+    await openNew(example);
+    untouched.value = example;
+  } catch (error) { sayError(error); }
 }
 
-export async function save(name: string): Promise<boolean> {
+/** `version`: that of the file which shall be replaced, when the user has seen it; else the one that was read. */
+export async function save(name: string, version?: string): Promise<boolean> {
   try {
-    const done = await guarded(async () => take(await post<ModelAnswer>('model/save', { name, text: text.value, revision: revision.value })), () => text.value);
-    if (done) say(`Saved as ${fileName.value}`);
+    const known = version ?? (name === fileName.value ? disk.value : undefined);
+    const done = await guarded(async () => take(await post<ModelAnswer>('model/save', { name, text: text.value, revision: revision.value, ...(known === undefined ? {} : { disk: known }) })), () => text.value);
+    if (done) { overwrite.value = null; say(`Saved as ${fileName.value}`); }
     return done;
   } catch (error) { sayError(error); return false; }
 }
 
-export async function takeTheirs(): Promise<void> {
+/** Takes the text of the file in the place of the own one, which undo brings back. */
+export async function takeFile(name: string): Promise<void> {
+  try {
+    const answer = await inTurn(() => post<ModelAnswer>('model/open', { name }));
+    undoStack.push(answer.text, 'other', performance.now());
+    takeOpened(answer, undoStack);
+  } catch (error) { sayError(error); }
+}
+
+/** Text that is being typed and has not been sent yet. */
+export const typing = signal(false);
+
+/** `unasked`: only where no change of this tab is under way, which would be lost. */
+export async function takeTheirs(unasked = false): Promise<void> {
   try {
     const theirs = await get<ModelAnswer>('model');
-    take(theirs);
+    if (unasked && (writing.value > 0 || conflict.value || typing.value || theirs.revision <= revision.value)) return;
+    const another = theirs.name !== fileName.value;
     undoStack.push(theirs.text, 'other', performance.now());
-    noteUndo();
+    if (another) takeOpened(theirs, undoStack);
+    else { take(theirs); hasModel.value = theirs.text.trim() !== ''; noteUndo(); }
     conflict.value = null;
-    newer.value = false;
   } catch (error) { sayError(error); }
 }
 
@@ -152,7 +204,6 @@ export async function keepMine(): Promise<void> {
   const c = conflict.value;
   if (!c) return;
   conflict.value = null;
-  newer.value = false;
   try {
     revision.value = (await get<ModelAnswer>('model')).revision;
     await putText(c.mine, 'other');
@@ -160,12 +211,11 @@ export async function keepMine(): Promise<void> {
   } catch (error) { sayError(error); }
 }
 
-/** Another tab has changed the model: set by the event, and offered in the header. */
-export const newer = signal(false);
-
 export function modelEvent(event: { revision: number }): void {
   // The event may overtake the answer to this tab's own change: look again when nothing is on its way.
   void queue.then(() => setTimeout(() => {
-    if (writing.value === 0 && event.revision > revision.value) newer.value = true;
+    if (writing.value > 0 || conflict.value || typing.value || event.revision <= revision.value) return;
+    const before = text.value;
+    void takeTheirs(true).then(() => { if (text.value !== before) say('Changed in another tab'); });
   }, 50));
 }

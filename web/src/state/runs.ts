@@ -1,8 +1,9 @@
 // Runs: the list, the one that is looked at, and what diagrams and animation need of it.
-import { computed, signal } from '@preact/signals';
+import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { address, get, post } from '../api/client';
-import type { Check, Column, Envelopes, Impact, Run } from '../api/types';
+import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene } from '../api/types';
 import { newerList } from '../logic/runs';
+import { opened } from './model';
 import { say, sayError } from './notices';
 
 export const runs = signal<Run[]>([]);
@@ -11,8 +12,12 @@ export const selected = computed(() => runs.value.find((r) => r.id === selectedI
 export const envelopes = signal<Envelopes | null>(null);
 export const columns = signal<Column[]>([]);
 export const impacts = signal<Impact[]>([]);
-/** Code checks of the run that is looked at; null until it has some. */
-export const runChecks = signal<Check[] | null>(null);
+/** Of the run that is looked at, null until it has them: the static state it began with, what stood still, its summary. */
+export const runLay = signal<Lay | null>(null);
+export const runScene = signal<Scene | null>(null);
+export const runSummary = signal<RunSummary | null>(null);
+/** Its code checks. */
+export const runChecks = computed<Check[] | null>(() => { const s = runSummary.value; return (s?.dynamic ?? s)?.checks?.list ?? null; });
 /** When a run was first seen running: for the time to finish. */
 const begun = new Map<string, { at: number; progress: number }>();
 
@@ -28,47 +33,78 @@ export async function startRun(kind: Run['kind'], duration?: number): Promise<vo
   } catch (error) { sayError(error); }
 }
 
+export const runName = (run: Run): string => run.name || run.title || run.id;
+
+export async function annotate(id: string, words: { name?: string; note?: string }): Promise<void> {
+  try { await post(`runs/${id}/annotate`, words); await fetchRuns(); } catch (error) { sayError(error); }
+}
+
+export async function deleteRun(id: string): Promise<void> {
+  try { await post(`runs/${id}/delete`); forget(id); } catch (error) { sayError(error); }
+}
+
+function forget(id: string): void {
+  runs.value = runs.value.filter((r) => r.id !== id);
+  if (selectedId.value === id) select(null);
+}
+
+export async function resumeRun(id: string): Promise<void> {
+  try { runEvent(await post<Run>(`runs/${id}/resume`)); } catch (error) { sayError(error); }
+}
+
 export async function cancelRun(id: string): Promise<void> {
   try { await post(`runs/${id}/cancel`); await fetchRuns(); } catch (error) { sayError(error); }
 }
 
 let loadCount = 0;
 
-export function select(id: string | null): void {
-  selectedId.value = id;
+function clear(): void {
   envelopes.value = null;
   columns.value = [];
   impacts.value = [];
-  runChecks.value = null;
+  runLay.value = null;
+  runScene.value = null;
+  runSummary.value = null;
+}
+
+export function select(id: string | null): void {
+  batch(() => { selectedId.value = id; clear(); });
   if (id) void load(id);
+}
+
+/** Another model is opened: the page shows that one. */
+export function startRuns(): void {
+  effect(() => { void opened.value; untracked(() => { if (selectedId.value) select(null); }); });
 }
 
 async function load(id: string): Promise<void> {
   const mine = ++loadCount;
   const run = runs.value.find((r) => r.id === id);
   if (!run) return;
-  // a run that failed or was cancelled leaves no histories behind
-  if (run.state === 'failed' || run.state === 'cancelled') { columns.value = []; return; }
+  const current = (): boolean => mine === loadCount && selectedId.value === id;
   try {
-    if (run.kind === 'dynamic' && (run.state === 'done' || (run.state === 'running' && run.time !== undefined))) {
+    if (run.kind === 'dynamic' && (run.has_results || (run.state === 'running' && run.time !== undefined))) {
       const list = await get<Column[]>(`runs/${id}/columns`);
-      if (mine === loadCount && selectedId.value === id) columns.value = list;
+      if (current()) columns.value = list;
     }
-    if (run.state !== 'done') return;
-    const e = await get<Envelopes>(`runs/${id}/envelopes`);
-    const i = run.kind === 'dynamic' ? await get<{ impacts: Impact[] }>(`runs/${id}/impacts`) : { impacts: [] };
-    const summary = await get<{ checks?: { list: Check[] }; dynamic?: { checks?: { list: Check[] } } }>(`runs/${id}/summary`);
-    if (mine === loadCount && selectedId.value === id) { envelopes.value = e; impacts.value = i.impacts; runChecks.value = (summary.dynamic ?? summary).checks?.list ?? null; }
-  } catch (error) { sayError(error); }
+    if (!run.has_results) return;
+    const at = `runs/${id}`;
+    const [e, i, lay, scene, summary] = await Promise.all([
+      get<Envelopes>(`${at}/envelopes`), run.kind === 'dynamic' ? get<{ impacts: Impact[] }>(`${at}/impacts`) : { impacts: [] },
+      get<Lay>(`${at}/statics`), get<Scene>(`${at}/scene`), get<RunSummary>(`${at}/summary`),
+    ]);
+    if (current()) batch(() => { envelopes.value = e; impacts.value = i.impacts; runLay.value = lay; runScene.value = scene; runSummary.value = summary; });
+  } catch (error) { if (current()) sayError(error); }
 }
 
-export function runEvent(run: Run): void {
+export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
+  if (run.state === 'deleted') { forget(run.id); return; }
   const old = runs.value.find((r) => r.id === run.id);
   runs.value = old ? runs.value.map((r) => (r.id === run.id ? { ...r, ...run } : r)) : [run, ...runs.value];
   if (run.state === 'running' && !begun.has(run.id)) begun.set(run.id, { at: Date.now(), progress: run.progress });
   if (old?.state !== run.state) {
     if (run.id === selectedId.value) void load(run.id);
-    if (run.state === 'done' && old) say(`${run.title || 'Run'}: done`);
+    if (run.state === 'done' && old) say(`${runName(run)}: done`);
   } else if (run.id === selectedId.value && run.state === 'running' && run.time !== undefined && columns.value.length === 0) void load(run.id);
 }
 

@@ -1,6 +1,6 @@
 // Where to look from, for each of the view buttons.
 import * as THREE from 'three';
-import type { Converged, Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { vec } from './members';
 
 export const viewNames = ['whole', 'overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe'] as const;
@@ -42,14 +42,14 @@ function around(points: THREE.Vector3[], from: THREE.Vector3, camera: THREE.Pers
   return { eye: target.clone().addScaledVector(back, distance), target };
 }
 
-function along(s: Converged, from: number, to: number): THREE.Vector3[] {
+function along(s: Lay, from: number, to: number): THREE.Vector3[] {
   const { pipe } = s;
   const out: THREE.Vector3[] = [];
   for (let i = 0; i < pipe.s.length; ++i) if (pipe.s[i]! >= from && pipe.s[i]! <= to) out.push(new THREE.Vector3(pipe.x[i], pipe.y[i], pipe.z[i]));
   return out.length ? out : [new THREE.Vector3(pipe.x[0], pipe.y[0], pipe.z[0])];
 }
 
-export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.PerspectiveCamera): Shot {
+export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.PerspectiveCamera): Shot {
   const { forward, port } = axes(scene);
   const starboard = port.clone().negate();
   const side = (ahead: number, up: number): THREE.Vector3 => starboard.clone().addScaledVector(forward, ahead).add(new THREE.Vector3(0, 0, up));
@@ -59,7 +59,7 @@ export function shot(name: ViewName, s: Converged, scene: Scene, camera: THREE.P
   switch (name) {
     case 'whole': {
       const bow = origin.clone().addScaledVector(forward, scene.vessel.length / 2);
-      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4))];
+      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4 + 0.07 * scene.water_depth))]; // with room for the buttons
       return around(points, side(-0.28, 0.3), camera, 1.1);
     }
     case 'overbend': {

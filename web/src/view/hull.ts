@@ -2,6 +2,7 @@
 // The model gives main dimensions only; bow rake, house and crane stand there so that one sees which way is forward.
 import * as THREE from 'three';
 import type { Scene } from '../api/types';
+import { vec } from './members';
 
 type Point = [number, number]; // x forward, z above water
 
@@ -91,4 +92,18 @@ export function hull(vessel: Scene['vessel'], lowest: (x: number) => number | nu
   boom.rotation.y = -0.3;
   group.add(boom);
   return group;
+}
+
+/** How high the deck may reach under the pipe, at a place along the vessel: a metre and more below the rollers. */
+export function slotDepth(scene: Scene, still: THREE.Matrix4): (x: number) => number | null {
+  const inverse = still.clone().invert();
+  const list = [scene.tensioner, ...scene.ramp.map((b) => b.place), ...scene.stinger.slice(0, 1).map((b) => b.place)]
+    .map((p) => vec(p).applyMatrix4(inverse)).sort((a, b) => a.x - b.x);
+  return (x) => {
+    if (!list.length || x > list[list.length - 1]!.x) return null;
+    const i = Math.max(1, list.findIndex((p) => p.x >= x));
+    const a = list[i - 1]!, b = list[i] ?? a;
+    const f = b.x === a.x ? 0 : (x - a.x) / (b.x - a.x);
+    return a.z + f * (b.z - a.z) - 1.1;
+  };
 }

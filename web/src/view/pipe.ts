@@ -27,6 +27,12 @@ export class PipeView {
     this.mesh.frustumCulled = false;
   }
 
+  /** The pipe ends where the sea that is drawn ends: nothing hangs in the void. */
+  setBounds(low: THREE.Vector2, high: THREE.Vector2): void {
+    const plane = (x: number, y: number, c: number): THREE.Plane => new THREE.Plane(new THREE.Vector3(x, y, 0), c);
+    (this.mesh.material as THREE.Material).clippingPlanes = [plane(1, 0, -low.x), plane(-1, 0, high.x), plane(0, 1, -low.y), plane(0, -1, high.y)];
+  }
+
   /** World size of a pixel at unit distance. */
   setPixel(size: number): void { this.uniforms.pixel.value = size; }
   setRadius(radius: number): void { this.uniforms.radius.value = radius; }

@@ -1,6 +1,6 @@
 // Ramp, stinger and tensioner, drawn from the places of the roller boxes: what stands between them is schematic.
 import * as THREE from 'three';
-import type { Converged, Scene, Support } from '../api/types';
+import type { Lay, Scene, Support } from '../api/types';
 import { members, vec, type Member } from './members';
 
 const steel = new THREE.MeshStandardMaterial({ color: '#d8a437', roughness: 0.75, metalness: 0.1 });
@@ -46,7 +46,7 @@ function truss(list: Frame[], half: number, top: number, deep: number): Member[]
   return out;
 }
 
-export function rig(solution: Converged, scene: Scene): THREE.Group {
+export function rig(solution: Lay, scene: Scene): THREE.Group {
   const group = new THREE.Group();
   const deck = scene.vessel.height - scene.vessel.draught;
   const stinger = frames(solution.supports, scene, 'stinger');
@@ -81,7 +81,7 @@ export function rig(solution: Converged, scene: Scene): THREE.Group {
 }
 
 /** Two tracks that grip the pipe. */
-function tensioner(solution: Converged, scene: Scene, deck: number): THREE.Group {
+function tensioner(solution: Lay, scene: Scene, deck: number): THREE.Group {
   const group = new THREE.Group();
   const r = scene.pipe.outer_radius;
   const along = vec(solution.tensioner.direction).normalize();

@@ -1,11 +1,26 @@
 // Water, seabed and current.
 import * as THREE from 'three';
-import type { Scene } from '../api/types';
+import type { Lay, Scene } from '../api/types';
 import { surface } from '../logic/waves';
-import { dispose, members } from './members';
+import { currentArrows } from './arrows';
+import { axes } from './cameras';
+import { dispose, vec } from './members';
 
 const cells = 72;
-const paint = new THREE.MeshStandardMaterial({ color: '#1b9ab8', roughness: 0.7 });
+const grain = 20; // m: whole cells, so that the water does not creep while a value is dragged
+
+/** Corners of the part of the sea that is shown: from ahead of the bow to a little behind touchdown. */
+export function seaCorners(scene: Scene, solution: Lay): [THREE.Vector2, THREE.Vector2] {
+  const touch = solution.touchdown?.s ?? Infinity;
+  const points = [vec(scene.vessel.pose).addScaledVector(axes(scene).forward, 0.62 * scene.vessel.length)];
+  solution.pipe.s.forEach((s, i) => { if (s <= touch + 80) points.push(new THREE.Vector3(solution.pipe.x[i], solution.pipe.y[i], 0)); });
+  const box = new THREE.Box3().setFromPoints(points);
+  const wide = Math.max(1.6 * scene.vessel.beam, 0.13 * box.getSize(new THREE.Vector3()).length());
+  return [
+    new THREE.Vector2(Math.floor((box.min.x - wide) / grain) * grain, Math.floor((box.min.y - wide) / grain) * grain),
+    new THREE.Vector2(Math.ceil((box.max.x + wide) / grain) * grain, Math.ceil((box.max.y + wide) / grain) * grain),
+  ];
+}
 
 export class SeaView {
   readonly group = new THREE.Group();
@@ -39,7 +54,8 @@ export class SeaView {
     this.body.scale.set(high.x - low.x, high.y - low.y, scene.water_depth);
     this.body.position.set((low.x + high.x) / 2, (low.y + high.y) / 2, -scene.water_depth / 2);
     this.drawBed(scene, low, high, dark);
-    this.drawCurrent(scene, low, high);
+    dispose(this.arrows);
+    for (const arrow of currentArrows(scene, low, high)) this.arrows.add(arrow);
   }
 
   /** Waves at a time; null is the still water that statics sees. */
@@ -70,26 +86,5 @@ export class SeaView {
     const grid = new THREE.BufferGeometry();
     grid.setAttribute('position', new THREE.Float32BufferAttribute(lines, 3));
     this.bed.add(new THREE.LineSegments(grid, new THREE.LineBasicMaterial({ color: dark ? '#8d8160' : '#b5a374' })));
-  }
-
-  private drawCurrent(scene: Scene, low: THREE.Vector2, high: THREE.Vector2): void {
-    dispose(this.arrows);
-    const fastest = Math.max(0, ...scene.current.map((c) => Math.hypot(...c.velocity)));
-    if (fastest === 0) return;
-    const size = Math.min(0.35 * scene.water_depth, 0.3 * (high.y - low.y));
-    for (const c of scene.current) {
-      const speed = Math.hypot(...c.velocity);
-      if (speed < 1e-3 * fastest) continue;
-      const direction = new THREE.Vector3(...c.velocity).divideScalar(speed);
-      const length = Math.max(0.12, speed / fastest) * size;
-      const from = new THREE.Vector3(low.x + 0.35 * (high.x - low.x), 0, -c.depth).addScaledVector(direction, -0.5 * size - 0.12 * (high.y - low.y));
-      const head = Math.min(0.4 * length, 5);
-      const neck = from.clone().addScaledVector(direction, length - head);
-      this.arrows.add(members([[from, neck, 0.08 * head]], paint));
-      const cone = new THREE.Mesh(new THREE.ConeGeometry(0.28 * head, head, 14), paint);
-      cone.position.copy(neck).addScaledVector(direction, head / 2);
-      cone.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), direction);
-      this.arrows.add(cone);
-    }
   }
 }

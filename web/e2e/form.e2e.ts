@@ -1,0 +1,124 @@
+// The form: motion of the vessel, what a sea asks for, faults that name their key and lead there.
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open({ width: 1280, height: 620 }); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+const text = async (): Promise<string> => (await (await bench.api('model')).json() as { text: string }).text;
+const put = async (next: string): Promise<void> => {
+  const { revision } = await (await bench.api('model')).json() as { revision: number };
+  expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: next, revision }) })).status).toBe(200);
+};
+const id = (path: string): string => `[id="f-${path}"]`;
+
+test('motion is chosen: harmonic, fixed, a file of the folder, a file of this machine', async () => {
+  const kind = page.locator('#motion-kind');
+  expect(await kind.inputValue()).toBe('raos');
+  await kind.selectOption('harmonic');
+  await page.waitForSelector(id('vessel.motion.harmonic.heave.amplitude'));
+  await page.fill(id('vessel.motion.harmonic.heave.amplitude'), '0.7 m');
+  await page.keyboard.press('Enter');
+  await expect.poll(text).toMatch(/motion: *\{? *\n? *harmonic:[\s\S]*amplitude: 0\.7 m/);
+  await kind.selectOption('fixed');
+  await expect.poll(text).toMatch(/motion: fixed/);
+
+  await kind.selectOption('history');
+  writeFileSync(join(bench.folder, 'heave.csv'), 'time_s,heave_m\n0,0\n5,0.4\n10,0\n');
+  await page.setInputFiles('[aria-label="Upload a file"]', { name: 'pitch.csv', mimeType: 'text/csv', buffer: Buffer.from('time_s,pitch_deg\n0,0\n5,0.4\n10,0\n') });
+  await expect.poll(text).toMatch(/history: pitch\.csv/);
+  await expect.poll(() => page.locator('#motion-file option').allInnerTexts()).toContain('heave.csv');
+  await page.selectOption('#motion-file', 'heave.csv');
+  await expect.poll(text).toMatch(/history: heave\.csv/);
+
+  await kind.selectOption('raos');
+  await page.setInputFiles('[aria-label="Upload a file"]', join(bench.folder, '../data/bgl1/rao.csv'));
+  await expect.poll(text).toMatch(/raos: rao\.csv/);
+  await solved(page);
+  await bench.shot(page, 'motion');
+});
+
+test('a new model offers motion and waves without being searched', async () => {
+  const before = await text();
+  await put(before.replace(/\n *motion:.*/, '').replace(/\n *waves:(.*\n)( {4,}.*\n)*/, '\n'));
+  await expect.poll(() => page.locator('#motion-kind').inputValue()).toBe('');
+  await expect.poll(() => page.locator('[data-path="environment.waves"] .fold').first().isVisible()).toBe(true);
+  await put(before);
+  await solved(page);
+});
+
+test('a spectrum always shows Hs and Tp, a regular wave its height and period', async () => {
+  await page.selectOption(id('environment.waves.type'), 'airy');
+  await page.waitForSelector(id('environment.waves.height'));
+  await put((await text()).replace(/\n *hs:.*|\n *tp:.*/g, '').replace(/, hs: [^,}]*|, tp: [^,}]*/g, ''));
+  await expect.poll(() => page.locator(id('environment.waves.hs')).count()).toBe(0);
+  await page.selectOption(id('environment.waves.type'), 'jonswap');
+  await page.waitForSelector(id('environment.waves.tp'));
+  await page.fill(id('environment.waves.hs'), '2');
+  await page.keyboard.press('Enter');
+  await page.fill(id('environment.waves.tp'), '8 s');
+  await page.keyboard.press('Enter');
+  await expect.poll(text).toMatch(/hs: 2 m/);
+  await solved(page);
+});
+
+test('a value out of its range is refused at its field, in words', async () => {
+  await page.fill(id('tensioner.tension'), '-5 kN');
+  await page.keyboard.press('Enter');
+  const row = page.locator('.row.wrong', { has: page.locator(id('tensioner.tension')) });
+  await row.waitFor();
+  expect(await row.locator('.fault').innerText()).toMatch(/-5 kN.*above 0 kN/);
+  expect(await page.locator('header .status').innerText()).toMatch(/1 error: tensioner tension/);
+  await bench.shot(page, 'range-fault');
+});
+
+test('a fault leads to its field, wherever the form stands', async () => {
+  await page.locator('.form h3 button', { hasText: 'tensioner' }).click(); // folded away
+  await expect.poll(() => page.locator(id('tensioner.tension')).count()).toBe(0);
+  await page.click('#tab-runs');
+  expect(await page.locator('.startrun .fault').innerText()).toMatch(/tensioner\.tension/);
+  await page.click('header .status.bad');
+  await page.waitForFunction(() => document.activeElement?.id === 'f-tensioner.tension');
+  await page.keyboard.type('250');
+  await page.fill(id('tensioner.tension'), '250');
+  await page.keyboard.press('Enter');
+  await solved(page);
+  expect(await page.locator(id('tensioner.tension')).inputValue()).toBe('250 kN');
+});
+
+test('a text that cannot be read leads to its line in the editor', async () => {
+  const good = await text();
+  await put(good.replace('tensioner:', 'tensioner: ['));
+  await page.waitForSelector('header .status.bad');
+  await page.click('header .status.bad');
+  await page.waitForFunction(() => document.activeElement?.classList.contains('cm-content'));
+  await put(good);
+  await solved(page);
+  await page.click('#tab-form');
+});
+
+test('a number without unit takes the unit that stood there, in the dialogue as in the form', async () => {
+  await page.fill(id('environment.water_depth'), '300 ft');
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => (document.querySelector('[id="f-environment.water_depth"] + .twin') as HTMLElement).innerText === '91.44 m');
+  await page.fill(id('environment.water_depth'), '290');
+  await page.keyboard.press('Enter');
+  await expect.poll(text).toContain('water_depth: 290 ft');
+  await page.click('header >> text=New…');
+  await page.click('dialog >> text=Go on without saving');
+  await page.waitForSelector('#n-depth');
+  await page.fill('#n-depth', '300 ft');
+  await page.press('#n-depth', 'Tab');
+  await page.fill('#n-depth', '290');
+  await page.press('#n-depth', 'Tab');
+  expect(await page.locator('#n-depth').inputValue()).toBe('290 ft');
+  expect(await page.locator('dialog .fault').count()).toBe(0);
+  await page.keyboard.press('Escape');
+});
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

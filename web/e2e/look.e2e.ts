@@ -1,0 +1,93 @@
+// What is read: names and limits in the diagrams, warnings in brief, and the page on small screens.
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { difference, picture, rested, solved, start, type Bench } from './harness';
+
+let bench: Bench;
+beforeAll(async () => { bench = await start('bgl1.yaml'); });
+afterAll(async () => { await bench?.stop(); });
+
+/** Notes every word that is written into a canvas. */
+async function listen(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    const said = new Set<string>();
+    (window as unknown as { __said: Set<string> }).__said = said;
+    const { fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.fillText = function (text: string, ...rest: [number, number, number?]) { said.add(text); fillText.call(this, text, ...rest); };
+  });
+}
+const said = (page: Page): Promise<string[]> => page.evaluate(() => [...(window as unknown as { __said: Set<string> }).__said]);
+
+test('diagrams name their axes, their boxes and what is allowed', async () => {
+  const page = await bench.open({ width: 1280, height: 720 }, listen);
+  await solved(page);
+  await page.selectOption('[aria-label="Diagram 1"]', 'von_mises');
+  await page.selectOption('[aria-label="Diagram 2"]', 'reactions');
+  await page.waitForTimeout(300);
+  const words = await said(page);
+  for (const word of ['arc length from the tensioner [m]', 'von Mises stress [MPa]', 'reaction [kN]', 'yield', 'stinger 1']) expect(words).toContain(word);
+  await page.selectOption('[aria-label="Diagram 1"]', 'elevation');
+  await page.waitForTimeout(300);
+  for (const word of ['horizontal distance from the tensioner [m]', 'height above water [m]', 'water', 'seabed']) expect(await said(page)).toContain(word);
+  await page.selectOption('[aria-label="Diagram 1"]', 'strain');
+  await page.waitForTimeout(300);
+  expect((await said(page)).some((w) => /^allowable, DNV/.test(w))).toBe(true);
+  // pointed at, a bar says which box it is
+  const bars = (await page.locator('.slot').nth(1).locator('.u-over').boundingBox())!;
+  await page.mouse.move(bars.x + bars.width / 2, bars.y + bars.height / 2);
+  await expect.poll(() => page.locator('.slot').nth(1).locator('.read').innerText()).toMatch(/^(ramp|stinger) \d, /);
+  await page.context().close();
+});
+
+test('warnings are short, named, without paths of this machine, and folded after three', async () => {
+  const page = await bench.open({ width: 1280, height: 720 }, async (p) => {
+    await p.context().route('**/api/static', async (route) => {
+      const answer = await route.fetch();
+      const json = await answer.json() as { warnings?: string[] };
+      json.warnings?.push('/home/me/models/rao.csv: 3 headings only', 'a second', 'a third', 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it');
+      await route.fulfill({ response: answer, json });
+    });
+  });
+  await solved(page);
+  const box = page.locator('.warnings');
+  expect(await box.locator('li').count()).toBe(3);
+  expect(await box.locator('li').first().innerText()).toMatch(/^stinger 8: the pipe runs off/);
+  expect(await box.innerText()).toContain('rao.csv: 3 headings');
+  expect(await box.innerText()).not.toContain('/home/me');
+  await box.locator('text=2 more').click();
+  expect(await box.locator('li').count()).toBe(5);
+  expect(await box.locator('li').last().innerText()).toBe('the pipe has left the box over the side to port');
+  await page.context().close();
+});
+
+for (const [width, height] of [[390, 844], [1024, 700]] as const) {
+  test(`at ${width} px the panes are tabs, and nothing hangs over the edge`, async () => {
+    const page = await bench.open({ width, height });
+    await solved(page);
+    const shown = { Model: '.left', Picture: '.centre', Diagrams: '.diagrams', Results: '.right' };
+    for (const [name, pane] of Object.entries(shown)) {
+      await page.click(`.panes >> text=${name}`);
+      for (const other of Object.values(shown)) expect(await page.locator(`main > ${other}`).isVisible()).toBe(other === pane);
+      const wide = await page.evaluate(() => [...document.querySelectorAll('header.top *, main *')].filter((el) => {
+        const r = el.getBoundingClientRect();
+        return r.width > 0 && getComputedStyle(el).visibility === 'visible' && !el.closest('.labels3d, .u-wrap, .cm-editor, .fold .brief') && (r.right > innerWidth + 1 || r.left < -1);
+      }).map((el) => el.className || el.tagName));
+      expect(wide).toEqual([]);
+      await bench.shot(page, `small-${width}-${name.toLowerCase()}`);
+    }
+    await page.click('.panes >> text=Picture');
+    await rested(page);
+    const before = await picture(page, '.canvas');
+    await page.click('.viewbuttons >> text=stinger');
+    await page.waitForTimeout(700);
+    await rested(page);
+    expect(await difference(page, before, await picture(page, '.canvas'))).toBeGreaterThan(5);
+    await page.click('.panes >> text=Model');
+    await page.fill('[id="f-environment.water_depth"]', width === 390 ? '90 m' : '89 m');
+    await page.keyboard.press('Enter');
+    await solved(page);
+    await page.context().close();
+  });
+}
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

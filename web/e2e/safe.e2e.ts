@@ -1,0 +1,112 @@
+// Nothing is lost silently: unsaved changes, files that others changed, undo over a reload, two tabs.
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('bgl1.yaml'); page = await bench.open({ width: 1280, height: 620 }); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+const depth = '#f-environment\\.water_depth';
+const file = (): string => readFileSync(join(bench.folder, 'bgl1.yaml'), 'utf8');
+const model = async (): Promise<{ text: string; revision: number; saved: boolean }> => await (await bench.api('model')).json() as never;
+async function type(p: Page, value: string): Promise<void> { await p.fill(depth, value); await p.keyboard.press('Enter'); }
+const holds = (p: Page, value: string): Promise<unknown> => p.waitForFunction(([id, v]) => (document.querySelector(id!) as HTMLInputElement | null)?.value === v, [depth, value] as const);
+
+test('Open and New ask before changes are lost, and do not where there are none', async () => {
+  await page.click('header >> text=Open…');
+  await page.waitForSelector('dialog[aria-label=Open]');
+  await page.keyboard.press('Escape');
+  await type(page, '91 m');
+  await page.waitForSelector('h1 i');
+  for (const button of ['New…', 'Open…']) {
+    await page.click(`header >> text=${button}`);
+    await page.waitForSelector('dialog[aria-label="Changes are not saved"]');
+    await page.click('dialog >> text=Cancel');
+  }
+  expect((await model()).text).toContain('water_depth: 91 m');
+  await page.click('header >> text=Open…');
+  await page.click('dialog >> text=Save first');
+  await page.waitForSelector('dialog[aria-label=Open]');
+  await page.keyboard.press('Escape');
+  expect(file()).toContain('water_depth: 91 m');
+});
+
+test('a file that another program changed is not overwritten: both texts are shown, and each can be chosen', async () => {
+  writeFileSync(join(bench.folder, 'bgl1.yaml'), file().replace('water_depth: 91 m', 'water_depth: 85 m'));
+  await type(page, '93 m');
+  await page.waitForSelector('h1 i');
+  await page.keyboard.press('Control+s');
+  const dialog = page.locator('dialog[aria-label="bgl1.yaml has changed on disk"]');
+  await dialog.waitFor();
+  expect(await dialog.locator('.differs').innerText()).toMatch(/85 m[\s\S]*93 m/);
+  await bench.shot(page, 'overwrite');
+  await dialog.locator('footer >> text=Cancel').click();
+  expect(file()).toContain('water_depth: 85 m');
+  expect((await model()).text).toContain('water_depth: 93 m');
+
+  await page.click('header >> text=Save >> nth=0');
+  await dialog.locator('text=Replace the file').click();
+  await page.waitForSelector('.notice.good');
+  expect(file()).toContain('water_depth: 93 m');
+
+  writeFileSync(join(bench.folder, 'bgl1.yaml'), file().replace('water_depth: 93 m', 'water_depth: 86 m'));
+  await type(page, '94 m');
+  await page.waitForSelector('h1 i');
+  await page.keyboard.press('Control+s');
+  await dialog.locator("text=Take the file's").click();
+  await holds(page, '86 m');
+  await page.click('[aria-label=Undo]'); // what stood here before is a step back
+  await holds(page, '94 m');
+  await page.click('[aria-label=Redo]');
+  await holds(page, '86 m');
+});
+
+test('undo and redo survive a reload', async () => {
+  await type(page, '95 m');
+  await solved(page);
+  await type(page, '96 m');
+  await page.waitForFunction(() => !document.querySelector('[aria-label=Redo]:enabled'));
+  await expect.poll(async () => (await model()).text).toContain('water_depth: 96 m');
+  await page.click('[aria-label=Undo]');
+  await expect.poll(async () => (await model()).text).toContain('water_depth: 95 m');
+  await page.reload();
+  await holds(page, '95 m');
+  await page.click('[aria-label=Redo]');
+  await holds(page, '96 m');
+  await page.click('[aria-label=Undo]');
+  await page.click('[aria-label=Undo]');
+  await holds(page, '86 m');
+});
+
+test('two tabs agree without being asked', async () => {
+  const other = await bench.open({ width: 1280, height: 620 });
+  await solved(other);
+  await type(other, '97 m');
+  await holds(page, '97 m');
+  await page.click('[aria-label=Undo]');
+  await holds(other, '86 m');
+  await other.context().close();
+});
+
+test('changes of two tabs at the same time: the user says which stays', async () => {
+  for (const [choice, stays] of [['Take the newer', '98 m'], ['Keep mine', '92 m']] as const) {
+    // the news of the other tab's change is long on its way
+    await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 800)); await route.continue().catch(() => undefined); });
+    const { revision } = await model();
+    expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'environment.water_depth', value: '98 m' }], revision }) })).status).toBe(200);
+    await type(page, '92 m');
+    await page.waitForSelector('dialog >> text=Take the newer');
+    await page.waitForTimeout(1000); // when the news is there the question still stands
+    await page.unroute('**/api/model');
+    await page.click(`dialog >> text=${choice}`);
+    await holds(page, stays);
+    await expect.poll(async () => (await model()).text).toContain(`water_depth: ${stays}`);
+    await solved(page);
+  }
+});
+
+test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409/.test(c))).toEqual([]));

@@ -1,0 +1,78 @@
+// What stands in a diagram beside its curves: levels such as water or what is allowed, and the names of the boxes.
+import type uPlot from 'uplot';
+import { tidy } from '../logic/units';
+import type { ChartData } from './data';
+
+const letters = (): string => `${0.85 * Number.parseFloat(getComputedStyle(document.body).fontSize) * devicePixelRatio}px "Segoe UI", Arial, sans-serif`;
+
+type Colour = (name: string) => string;
+
+const levelColour = (l: ChartData['level'][number], colour: Colour): string =>
+  (l.kind === 'water' ? '#4d9cc9' : l.kind === 'limit' ? colour('--bad') : '#a8905a');
+
+/** Water, seabed, or what is allowed. */
+export function drawLevel(u: uPlot, l: ChartData['level'][number], colour: Colour): void {
+  const { ctx, bbox } = u;
+  const d = devicePixelRatio;
+  const y = u.valToPos(l.y, 'y', true);
+  if (y < bbox.top || y > bbox.top + bbox.height) return;
+  ctx.strokeStyle = levelColour(l, colour);
+  ctx.lineWidth = d * 1.4;
+  ctx.setLineDash(l.kind === 'limit' ? [7 * d, 4 * d] : []);
+  ctx.beginPath(); ctx.moveTo(bbox.left, y); ctx.lineTo(bbox.left + bbox.width, y); ctx.stroke();
+  ctx.setLineDash([]);
+}
+
+/** Their names over the curves; a limit out of sight is told with its value at the edge. */
+export function nameLevels(u: uPlot, levels: ChartData['level'], colour: Colour): void {
+  const { ctx, bbox } = u;
+  const d = devicePixelRatio;
+  let told = Infinity;
+  ctx.font = letters();
+  ctx.textAlign = 'right';
+  ctx.textBaseline = 'alphabetic';
+  for (const l of [...levels].sort((a, b) => a.y - b.y)) {
+    const y = u.valToPos(l.y, 'y', true);
+    const hidden = y < bbox.top || y > bbox.top + bbox.height;
+    if (hidden && (l.kind !== 'limit' || y > bbox.top)) continue;
+    // above its line, or below where there is no room
+    let at = hidden || y - bbox.top < 14 * d ? Math.max(y, bbox.top) + 12 * d : y - 4 * d;
+    if (Math.abs(at - told) < 13 * d) at = told - 13 * d;
+    told = at;
+    const text = hidden ? `${l.label}: ${tidy(l.y, 4)} ↑` : l.label;
+    ctx.fillStyle = levelColour(l, colour);
+    ctx.strokeStyle = colour('--paper');
+    ctx.lineWidth = 3 * d;
+    ctx.strokeText(text, bbox.left + bbox.width - 4 * d, at);
+    ctx.fillText(text, bbox.left + bbox.width - 4 * d, at);
+  }
+}
+
+/** Names of the boxes upright at their marks, as many as there is room for. */
+export function nameMarks(u: uPlot, marks: ChartData['marks'], colour: Colour): void {
+  const { ctx, bbox } = u;
+  const d = devicePixelRatio;
+  ctx.fillStyle = colour('--soft');
+  ctx.font = letters();
+  ctx.textBaseline = 'alphabetic';
+  const step = 1.1 * Number.parseFloat(ctx.font);
+  let last = -Infinity;
+  for (const m of marks) {
+    const x = u.valToPos(m.x, 'x', true);
+    if (x < bbox.left + 2 * d || x > bbox.left + bbox.width || x - last < step) continue;
+    last = x;
+    // from the lower end upwards, but hanging below a curve that they mark
+    const below = !Number.isNaN(m.y);
+    ctx.textAlign = below ? 'right' : 'left';
+    ctx.save();
+    const bar = m.over === undefined ? Infinity : u.valToPos(m.over, 'y', true) - 5 * d;
+    const foot = bar - ctx.measureText(m.label).width > bbox.top ? Math.min(bar, bbox.top + bbox.height - 9 * d) : bbox.top + bbox.height - 9 * d;
+    ctx.translate(x + 0.32 * step, below ? u.valToPos(m.y, 'y', true) + 12 * d : foot);
+    ctx.rotate(-Math.PI / 2);
+    ctx.lineWidth = 3 * d;
+    ctx.strokeStyle = colour('--paper');
+    ctx.strokeText(m.label, 0, 0);
+    ctx.fillText(m.label, 0, 0);
+    ctx.restore();
+  }
+}

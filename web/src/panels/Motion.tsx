@@ -1,0 +1,78 @@
+// How the vessel moves: fixed, by a file of response amplitude operators, by a file in time, or by harmonics.
+import type { ComponentChildren } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { get, post } from '../api/client';
+import type { Field } from '../api/types';
+import type { Node } from '../logic/formTree';
+import { fileKinds, motionKind, motionValue, motionWords, type MotionKind } from '../logic/motion';
+import { byPath, setKeys } from '../state/model';
+import { sayError } from '../state/notices';
+
+const path = 'vessel.motion';
+
+async function write(value: unknown): Promise<void> {
+  try { await setKeys([{ path, value }]); } catch (error) { sayError(error); }
+}
+
+/** Files of the folder and of this machine; what is chosen is written into the model. */
+function FileOf({ kind, present }: { kind: 'raos' | 'history'; present: string }) {
+  const [files, setFiles] = useState<string[] | null>(null);
+  const list = (): void => { get<{ files: string[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
+  useEffect(list, []);
+  const fitting = (files ?? []).filter((f) => fileKinds[kind].some((end) => f.endsWith(end)));
+  const choose = (name: string): void => { if (name) void write(motionValue(kind, name, byPath.value)); };
+  const take = async (file: File | undefined): Promise<void> => {
+    if (!file) return;
+    try {
+      const { name } = await post<{ name: string }>('data', { name: file.name, text: await file.text() });
+      list();
+      choose(name);
+    } catch (error) { sayError(error); }
+  };
+  return (
+    <>
+      <div class="row wide">
+        <label for="motion-file">file</label>
+        <select id="motion-file" value={present} onChange={(e) => choose(e.currentTarget.value)}>
+          {present ? null : <option value="">– choose</option>}
+          {present && !fitting.includes(present) ? <option value={present}>{present}</option> : null}
+          {fitting.map((f) => <option key={f} value={f}>{f}</option>)}
+        </select>
+      </div>
+      <label class="upload">Upload… <input type="file" aria-label="Upload a file" accept={fileKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take(input.files?.[0]).then(() => { input.value = ''; }); }} /></label>
+      {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} in the folder of the models.</p> : null}
+    </>
+  );
+}
+
+export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field>) => ComponentChildren }) {
+  const present = motionKind(byPath.value);
+  // a kind that needs a file is only chosen here until there is one
+  const [wanted, setWanted] = useState<MotionKind | null>(null);
+  useEffect(() => setWanted(null), [present]);
+  const kind = wanted ?? present;
+  const file = kind === 'raos' || kind === 'history';
+  const choose = (next: MotionKind): void => {
+    if (next === present) { setWanted(null); return; }
+    if (next === 'fixed' || next === 'harmonic') void write(motionValue(next, '', byPath.value));
+    else setWanted(next);
+  };
+  const harmonic = node.children.find((c) => c.path === `${path}.harmonic`);
+  const convention = node.children.find((c) => c.path === `${path}.convention`);
+  const coupled = node.children.find((c) => c.path === `${path}.coupled`);
+  return (
+    <>
+      <div class="row wide">
+        <label for="motion-kind">motion</label>
+        <select id="motion-kind" value={kind ?? ''} onChange={(e) => choose(e.currentTarget.value as MotionKind)}>
+          {kind === null ? <option value="">– not given</option> : null}
+          {(Object.keys(motionWords) as MotionKind[]).filter((k) => k !== 'coupled' || kind === 'coupled').map((k) => <option key={k} value={k}>{motionWords[k]}</option>)}
+        </select>
+      </div>
+      {file ? <FileOf key={kind} kind={kind} present={kind === present ? String(byPath.value.get(`${path}.${kind}`)?.value ?? '') : ''} /> : null}
+      {kind === 'harmonic' && present === 'harmonic' && harmonic ? show(harmonic) : null}
+      {kind === 'coupled' && coupled ? show(coupled) : null}
+      {file && kind === present && convention ? show(convention) : null}
+    </>
+  );
+}

@@ -1,0 +1,90 @@
+// The run that is looked at: static beside what was least and greatest in time, its warnings, how it stands.
+import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
+import { bullets, withoutPaths } from '../logic/warnings';
+import { fromSi, tidy } from '../logic/units';
+import { calmLay, ofRun } from '../state/shown';
+import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
+import { Warnings } from './Warnings';
+
+interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
+
+const shown = (value: number | null | undefined, unit: string): string =>
+  (value === null || value === undefined || !Number.isFinite(value) ? '–' : tidy(unit === '%' ? 100 * value : fromSi(value, unit), Math.abs(value) >= 1e6 && unit === 'kN' ? 4 : 3));
+
+/** The box that carries most: in the run, else in statics. */
+function reactionRow(lay: Lay, d: RunSummary['dynamic']): Row | null {
+  if (lay.supports.length === 0) return null;
+  const over = d?.supports.length ? d.supports.reduce((a, b) => (b.reaction.max > a.reaction.max ? b : a)) : null;
+  const box = lay.supports.find((s) => s.name === over?.name) ?? lay.supports.reduce((a, b) => (b.reaction > a.reaction ? b : a));
+  return { name: box.name, unit: 'kN', before: box.reaction, over: over?.reaction };
+}
+
+const regionRows = (before: Region, over: RegionSummary | null | undefined): Row[] => [
+  { name: 'von Mises', unit: 'MPa', before: before.von_mises, over: over?.max_von_mises },
+  { name: 'bending', unit: 'MPa', before: before.bending_stress, over: over?.max_bending_stress },
+  { name: 'strain', unit: '%', before: before.strain, over: over?.max_strain },
+];
+
+function Table() {
+  const lay = calmLay.value;
+  const d = runSummary.value?.dynamic;
+  if (!lay || !ofRun.value) return null;
+  const k = lay.key;
+  const reaction = reactionRow(lay, d);
+  const groups: [string, Row[]][] = [
+    ...(k.overbend ? [['Overbend', regionRows(k.overbend, d?.overbend)] as [string, Row[]]] : []),
+    ...(k.tower ? [['Tower', regionRows(k.tower, d?.tower)] as [string, Row[]]] : []),
+    ...(k.sagbend ? [['Sagbend', regionRows(k.sagbend, d?.sagbend)] as [string, Row[]]] : []),
+    ['Tension', [
+      { name: 'top', unit: 'kN', before: k.top_tension, over: d?.top_tension },
+      { name: 'bottom', unit: 'kN', before: k.bottom_tension, over: d?.bottom_tension },
+    ]],
+    ['Line', [
+      { name: 'lay-back', unit: 'm', before: k.lay_back, over: d?.lay_back },
+      { name: 'departure', unit: 'deg', before: k.departure_angle, over: d?.departure_angle },
+      ...(k.tip_clearance === null ? [] : [{ name: 'tip clearance', unit: 'm', before: k.tip_clearance, over: d?.stinger_tip_clearance }]),
+    ]],
+    ...(reaction ? [['Largest reaction', [reaction]] as [string, Row[]]] : []),
+  ];
+  return (
+    <table class="minmax">
+      <thead><tr><th scope="col" /><th scope="col">static</th>{d ? <><th scope="col">min</th><th scope="col">max</th></> : null}</tr></thead>
+      {groups.map(([name, rows]) => (
+        <tbody key={name}>
+          <tr class="group"><th scope="rowgroup" colSpan={d ? 4 : 2}>{name}</th></tr>
+          {rows.map((r) => <tr key={r.name}><th scope="row">{r.name} <small>{r.unit}</small></th><td>{shown(r.before, r.unit)}</td>{d ? <><td>{shown(r.over?.min, r.unit)}</td><td>{shown(r.over?.max, r.unit)}</td></> : null}</tr>)}
+        </tbody>
+      ))}
+    </table>
+  );
+}
+
+function Standing({ run }: { run: Run }) {
+  const d = runSummary.value?.dynamic;
+  switch (run.state) {
+    case 'failed': return <p class="standing bad" role="alert"><b>This run failed.</b> {withoutPaths(run.message)}</p>;
+    case 'queued': return <p class="standing">Waiting for the run before it.</p>;
+    case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results come when it is done. <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button></p>;
+    case 'cancelled': return <p class="standing warn"><b>Cancelled.</b> {d ? `What is shown is the first ${tidy(d.duration, 5)} s.` : run.message}</p>;
+    default: return d ? <p class="standing">{tidy(d.duration, 5)} s, seed {d.seed}, {d.impact_count === 1 ? '1 impact' : `${d.impact_count} impacts`}</p> : null;
+  }
+}
+
+export function RunResults() {
+  const run = selected.value;
+  if (!run) return null;
+  const s = runSummary.value;
+  const said = s ? [...(s.dynamic?.warnings ?? []), ...(s.warnings ?? [])] : [];
+  const boxes = (calmLay.value?.supports ?? []).map((b) => b.name);
+  const loading = run.has_results && !ofRun.value;
+  return (
+    <section class="results ofrun" aria-label="Results of the run">
+      <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'run in time' : 'static run'}</small></h2>
+      {run.note ? <p class="note">{run.note}</p> : null}
+      <Standing run={run} />
+      {loading ? <p class="brief">Loading…</p> : <Table />}
+      <Warnings list={bullets(said, boxes)} />
+      <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>
+    </section>
+  );
+}

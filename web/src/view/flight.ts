@@ -1,0 +1,71 @@
+// The camera: where it looks from, its flights between the views, and the mouse that turns it.
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import type { Lay, Scene } from '../api/types';
+import { shot, type ViewName } from './cameras';
+
+const flightTime = 420; // ms
+
+export class Flight {
+  readonly camera = new THREE.PerspectiveCamera(32, 1, 0.2, 5000);
+  readonly controls: OrbitControls;
+  /** The view that is kept while the model changes; null once the user has turned the picture himself. */
+  view: ViewName | null = 'whole';
+  private framed = false;
+  private path: { from: [THREE.Vector3, THREE.Vector3]; to: [THREE.Vector3, THREE.Vector3]; start: number } | null = null;
+
+  constructor(canvas: HTMLElement, private readonly moved: () => void) {
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', moved);
+    this.controls.addEventListener('start', () => { this.view = null; this.stop(); });
+  }
+
+  get distance(): number { return this.camera.position.distanceTo(this.controls.target); }
+
+  /** Another model: it is looked at afresh. */
+  reset(): void { this.view = 'whole'; this.framed = false; this.stop(); }
+  stop(): void { this.path = null; }
+
+  /** Scene or solution have changed: follows them to the view that is kept; at once where there was no picture before. */
+  follow(solution: Lay, scene: Scene, still: boolean): void {
+    if (!this.framed) this.go(this.view ?? 'whole', solution, scene, false);
+    else if (this.view && !still) this.go(this.view, solution, scene, true);
+  }
+
+  go(name: ViewName, solution: Lay, scene: Scene, smooth: boolean): void {
+    this.view = name;
+    const to = shot(name, solution, scene, this.camera);
+    if (smooth && this.framed && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      this.path = { from: [this.camera.position.clone(), this.controls.target.clone()], to: [to.eye, to.target], start: performance.now() };
+    } else {
+      this.stop();
+      this.camera.position.copy(to.eye);
+      this.controls.target.copy(to.target);
+      this.controls.update();
+    }
+    this.framed = true;
+    this.moved();
+  }
+
+  /** Goes on with a flight, if there is one. */
+  fly(now: number): void {
+    if (!this.path) return;
+    const f = Math.min(1, (now - this.path.start) / flightTime);
+    const e = f * f * (3 - 2 * f);
+    this.camera.position.lerpVectors(this.path.from[0], this.path.to[0], e);
+    this.controls.target.lerpVectors(this.path.from[1], this.path.to[1], e);
+    this.controls.update();
+    if (f >= 1) this.stop();
+    this.moved();
+  }
+
+  /** Near and far end of what is drawn, by the distance looked over. */
+  fit(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.camera.near = Math.max(0.05, this.distance / 400);
+    this.camera.far = this.distance * 8 + 3000;
+    this.camera.updateProjectionMatrix();
+  }
+}

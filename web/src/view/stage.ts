@@ -1,0 +1,174 @@
+// Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
+import * as THREE from 'three';
+import type { Lay, Scene } from '../api/types';
+import { TensionerArrow, type Machine } from './arrows';
+import { hull, slotDepth } from './hull';
+import { labelsOf, type Label } from './labels';
+import { dispose } from './members';
+import { PipeView } from './pipe';
+import { rig } from './rig';
+import { RollersView } from './rollers';
+import { seaCorners, SeaView } from './sea';
+
+export interface Colouring { values: ArrayLike<number> | null; low: number; high: number }
+export interface Moment {
+  time: number; pose: number[]; places: Float32Array;
+  flashes: { support: string; row: number; position: string; strength: number }[];
+  /** Reactions of the boxes at the moment, as far as they are known; the largest of the run. */
+  reactions: Map<string, number>; largest: number;
+  tensioner: Machine | null;
+}
+
+/** A pose of the program as a matrix: the place, then the axes row by row. */
+export function poseMatrix(p: number[]): THREE.Matrix4 {
+  return new THREE.Matrix4().set(p[3]!, p[4]!, p[5]!, p[0]!, p[6]!, p[7]!, p[8]!, p[1]!, p[9]!, p[10]!, p[11]!, p[2]!, 0, 0, 0, 1);
+}
+
+export class Stage {
+  readonly group = new THREE.Group();
+  readonly pipe = new PipeView();
+  readonly rollers = new RollersView();
+  readonly sea = new SeaView();
+  readonly afloat = new THREE.Group(); // moves with the vessel
+  readonly flashGroup = new THREE.Group();
+  scene: Scene | null = null;
+  solution: Lay | null = null;
+  labels: Label[] = [];
+  dark = false;
+  private readonly hullGroup = new THREE.Group();
+  private readonly rigGroup = new THREE.Group();
+  private readonly arrow = new TensionerArrow();
+  private still = new THREE.Matrix4();
+  private colouring: Colouring | null = null;
+  private moment: Moment | null = null;
+  private stale = false; // scene, solution or colours have changed since they were drawn
+  private hullKey = '';
+  private rigKey = '';
+  private seaKey = '';
+  private waves: Scene['waves'] | null = null;
+
+  constructor() {
+    this.afloat.matrixAutoUpdate = false;
+    this.hullGroup.matrixAutoUpdate = false;
+    this.afloat.add(this.hullGroup, this.rigGroup, this.rollers.group, this.flashGroup, this.arrow.group);
+    this.group.add(this.afloat, this.pipe.mesh, this.sea.group);
+    this.group.visible = false;
+  }
+
+  /** There is something to be seen. */
+  get ready(): boolean { return this.scene !== null && this.solution !== null; }
+
+  take(part: { scene?: Scene; solution?: Lay }): void {
+    if (part.scene) {
+      this.scene = part.scene;
+      this.still = poseMatrix(part.scene.vessel.pose);
+      this.pipe.setRadius(part.scene.pipe.outer_radius);
+    }
+    if (part.solution) this.solution = part.solution;
+    this.stale = true;
+    this.group.visible = this.ready;
+  }
+
+  /** Another model: nothing of the old one is shown. */
+  clear(): void {
+    this.scene = null;
+    this.solution = null;
+    this.rigKey = '';
+    this.labels = [];
+    this.group.visible = false;
+  }
+
+  spoil(): void { this.stale = true; }
+
+  /** Brings what is drawn up to the newest solution: once a picture, however many solutions came since the last. */
+  refresh(dragging: boolean): void {
+    if (!this.stale || !this.solution || !this.scene) return;
+    this.stale = false;
+    if (!this.moment) this.setPipe(this.solution);
+    this.build(this.scene, this.solution, dragging);
+    this.colour();
+  }
+
+  setColouring(c: Colouring): void {
+    this.colouring = c;
+    if (!this.stale) this.colour();
+  }
+
+  private colour(): void {
+    const c = this.colouring;
+    if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress');
+  }
+
+  private setPipe(s: Lay): void {
+    const n = s.pipe.s.length;
+    const points = new Float32Array(3 * n);
+    for (let i = 0; i < n; ++i) { points[3 * i] = s.pipe.x[i]!; points[3 * i + 1] = s.pipe.y[i]!; points[3 * i + 2] = s.pipe.z[i]!; }
+    this.pipe.setPlaces(points);
+  }
+
+  /** A moment of a run; null goes back to statics. False where nothing has changed. */
+  setMoment(moment: Moment | null): boolean {
+    if (moment && !this.scene) return false;
+    dispose(this.flashGroup);
+    if (!moment && !this.moment) return false;
+    this.moment = moment;
+    this.arrow.point(moment?.tensioner ?? null, this.solution);
+    if (!moment) {
+      this.rollers.endReactions();
+      this.stale = true;
+      this.afloat.matrix.identity();
+      this.sea.setTime(null);
+    } else {
+      this.pipe.setPlaces(moment.places);
+      this.afloat.matrix.multiplyMatrices(poseMatrix(moment.pose), this.still.clone().invert());
+      this.sea.setTime(moment.time);
+      this.rollers.setReactions(moment.reactions, moment.largest);
+      for (const f of moment.flashes) this.flash(f);
+    }
+    this.afloat.matrixWorldNeedsUpdate = true;
+    return true;
+  }
+
+  private flash(f: Moment['flashes'][number]): void {
+    const roller = this.rollers.list.find((r) => r.support.name === f.support && r.row === f.row && r.position === f.position);
+    if (!roller) return;
+    const glow = new THREE.Mesh(new THREE.SphereGeometry(0.55 + 0.9 * f.strength, 16, 12), new THREE.MeshBasicMaterial({ color: '#ffea00', transparent: true, opacity: 0.25 + 0.6 * f.strength, depthWrite: false }));
+    glow.position.copy(roller.center);
+    glow.renderOrder = 8;
+    this.flashGroup.add(glow);
+  }
+
+  private build(scene: Scene, solution: Lay, dragging: boolean): void {
+    const largest = Math.max(1, ...solution.supports.flatMap((s) => s.rollers.map((r) => r.reaction)));
+    this.rollers.set(solution.supports, largest);
+    const rigKey = JSON.stringify([solution.supports.map((s) => s.place), solution.tensioner.place, scene.vessel.pose, scene.pipe]);
+    if (rigKey !== this.rigKey) {
+      this.rigKey = rigKey;
+      dispose(this.rigGroup);
+      this.rigGroup.add(rig(solution, scene));
+    }
+    const key = JSON.stringify([{ ...scene.vessel, pose: 0 }, scene.ramp, scene.tensioner]);
+    if (key !== this.hullKey) {
+      this.hullKey = key;
+      dispose(this.hullGroup);
+      this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.still)));
+    }
+    this.hullGroup.matrix.copy(this.still);
+    this.hullGroup.matrixWorldNeedsUpdate = true;
+    if (!dragging || this.seaKey === '' || scene.waves !== this.waves) this.placeSea();
+    if (!dragging) this.labels = labelsOf(scene, solution);
+  }
+
+  placeSea(): void {
+    const { scene, solution } = this;
+    if (!scene || !solution) return;
+    const [low, high] = seaCorners(scene, solution);
+    const key = JSON.stringify([low, high, scene.seabed, scene.current, scene.water_depth, this.dark]);
+    if (key === this.seaKey && scene.waves === this.waves) return;
+    this.seaKey = key;
+    this.waves = scene.waves;
+    this.sea.set(scene, low, high, this.dark);
+    this.pipe.setBounds(low, high);
+    if (this.moment) this.sea.setTime(this.moment.time);
+  }
+}

@@ -1,0 +1,56 @@
+import { describe, expect, test } from 'vitest';
+import { differences } from '../src/logic/differences';
+import { askedOfWaves, motionKind, motionValue } from '../src/logic/motion';
+import { bullet, bullets, keyName, withoutPaths } from '../src/logic/warnings';
+
+describe('warnings', () => {
+  const boxes = ['stinger 1', 'stinger 12', 'ramp 1'];
+  test('no path of this machine is told', () => {
+    expect(withoutPaths("'/home/me/models/data/rao.csv': 3 headings")).toBe("'rao.csv': 3 headings");
+    expect(withoutPaths('C:\\Users\\me\\a b.csv and /tmp/x/y.yaml:12')).not.toMatch(/Users|tmp/);
+    expect(withoutPaths('kN/m^2, 1/2, and/or, m/s')).toBe('kN/m^2, 1/2, and/or, m/s');
+    expect(withoutPaths('../data/bgl1/rao.csv')).toBe('../data/bgl1/rao.csv');
+  });
+  test('the box stands in front, not another whose name begins alike', () => {
+    expect(bullet('the pipe runs off the end of a roller: stinger 12, port roller, by 71 mm', boxes)).toMatchObject({ name: 'stinger 12', full: 'the pipe runs off the end of a roller: port roller, by 71 mm' });
+    expect(bullet('nothing of that', boxes).name).toBe('');
+  });
+  test('a key is named in the words of the form', () => {
+    expect(keyName('supports.stinger.boxes[3].z')).toBe('stinger box 4 z');
+    expect(bullet('is unusual', [], 'environment.waves.hs').name).toBe('waves hs');
+  });
+  test('a long sentence is cut at its first clause and kept as a whole', () => {
+    const long = 'the pipe has left the box over the side to port: it lies up to 1.47 m beyond the ends of the bottom rollers, which no longer hold it';
+    expect(bullet(long, boxes)).toMatchObject({ short: 'the pipe has left the box over the side to port', full: long });
+  });
+  test('what is said twice is one bullet', () => expect(bullets(['warning: a', 'a', 'b'], [])).toHaveLength(2));
+});
+
+describe('two texts side by side', () => {
+  test('lines that differ, with two lines around', () => {
+    const rows = differences('1\n2\n3\n4\n5\n6\n7\n8', '1\n2\n3\n4\n5\nsix\n7\n8\n9');
+    expect(rows.filter((r) => r.left !== r.right)).toEqual([{ left: '6', right: 'six' }, { left: null, right: '9' }]);
+    expect(rows[0]).toEqual({ left: '4', right: '4' });
+  });
+  test('alike texts have none', () => expect(differences('a\nb', 'a\nb')).toEqual([]));
+  test('a line put in does not shift the others', () => expect(differences('a\nb\nc', 'a\nx\nb\nc').filter((r) => r.left !== r.right)).toEqual([{ left: null, right: 'x' }]));
+});
+
+describe('motion', () => {
+  const of = (given: Record<string, unknown>): Map<string, { given: boolean; value: unknown }> => new Map(Object.entries(given).map(([k, value]) => [k, { given: true, value }]));
+  test('its kind', () => {
+    expect(motionKind(of({}))).toBeNull();
+    expect(motionKind(of({ 'vessel.motion': 'fixed' }))).toBe('fixed');
+    expect(motionKind(of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv' }))).toBe('raos');
+  });
+  test('another file keeps what is said of its conventions', () => {
+    const now = of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv', 'vessel.motion.convention': null, 'vessel.motion.convention.set': 'wamit', 'vessel.motion.convention.reference.x': '2 m' });
+    expect(motionValue('raos', 'b.4', now)).toEqual({ raos: 'b.4', convention: { set: 'wamit', reference: { x: '2 m' } } });
+    expect(motionValue('history', 'b.csv', now)).toEqual({ history: 'b.csv' });
+  });
+  test('what a sea asks for', () => {
+    expect(askedOfWaves('jonswap')).toEqual(['hs', 'tp']);
+    expect(askedOfWaves('airy')).toEqual(['height', 'period']);
+    expect(askedOfWaves('none')).toEqual([]);
+  });
+});
