@@ -79,7 +79,7 @@ TEST(report, says_in_its_head_how_many_warnings_there_are) {
   results.warnings = {"one", "two"};
   const std::string page = report_html(results, "");
   EXPECT_NE(page.find("<dd>converged, 2 warnings</dd>"), std::string::npos);
-  EXPECT_NE(page.find("<li>two</li>"), std::string::npos);
+  EXPECT_NE(page.find("<li class=\"caution\"><b>Caution</b> two</li>"), std::string::npos);
 }
 
 TEST(report, warns_of_stress_beyond_yield_and_only_then) {
