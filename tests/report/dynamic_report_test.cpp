@@ -128,7 +128,7 @@ TEST(dynamic_report, of_a_calm_run_claims_no_impacts_and_no_fits) {
 }
 
 TEST(dynamic_report, warns_of_stress_beyond_yield_in_the_dynamic_run_only_then) {
-  const char* warning = "overbend von Mises stress in the dynamic run: 200.0 % of yield";
+  const char* warning = "Overbend von Mises stress in the dynamic run: 200.0 % of yield";
   DynamicResults results = example();
   EXPECT_EQ(page_of(results).find("in the dynamic run"), std::string::npos);
   results.overbend.von_mises.over_time.max = 2.0 * bgl1().results.stations.back().yield_stress;

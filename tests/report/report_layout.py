@@ -59,7 +59,9 @@ LOOK = """
   }
   for (const panel of document.querySelectorAll('[data-figure=tension], [data-figure=envelope_tension]')) {
     const ticks = [...panel.querySelectorAll('g[text-anchor=end] .tick text')].map((t) => t.textContent);
-    if (Report.data.dynamic === undefined && ticks.includes('0')) faults.push('the tension axis begins at zero');
+    const st = Report.data.stations;
+    const all = st.tension.concat(st.wall);
+    if (Report.data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
   }
   return faults;
 })()
@@ -152,10 +154,12 @@ def faults_on_paper(page, profile):
             yield f"number {i} of what is to stay whole is split over pages {aims[f'first-{i}'] + 1} and {aims[f'last-{i}'] + 1}"
     if aims.get("results", 1) != 1:
         yield f"the key results stand on page {aims['results'] + 1}, not on the second"
-    least = 0.12 * sorted(len(printed.content(p)) for p in printed.pages)[len(printed.pages) // 2]
-    for number, p in enumerate(printed.pages[:-1], 1):
-        if len(printed.content(p)) < least:
-            yield f"page {number} of {len(printed.pages)} is nearly empty"
+    # A page with little on it has little to draw and few letters; one that holds a figure has few letters only.
+    sizes = [(len(text), text.count(b"Tj")) for text in map(printed.content, printed.pages)]
+    drawn, letters = (sorted(column)[len(sizes) // 2] for column in zip(*sizes))
+    for number, (size, count) in enumerate(sizes[:-1], 1):
+        if number > 1 and size < 0.2 * drawn and count < 0.35 * letters:
+            yield f"page {number} of {len(sizes)} is nearly empty"
 
 
 def main():

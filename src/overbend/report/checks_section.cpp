@@ -25,6 +25,12 @@ std::string number(double value) {
   return fixed(value, size >= 1000.0 ? 0 : size >= 100.0 ? 1 : size >= 1.0 ? 3 : 4);
 }
 
+/// A unit that does not break.
+std::string in_one(std::string unit) {
+  const std::size_t at = unit.find(' ');
+  return at == std::string::npos ? unit : unit.replace(at, 1, "\u00a0");
+}
+
 std::string code_of(const CheckRow& row) {
   return row.clause.empty() ? row.code : row.code + ", " + row.clause;
 }
@@ -91,9 +97,9 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
   }
   const TableUnit units = check_unit(row);
   const Vec3 p = ship_point(statics, row.p_W);
-  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor), units.name,
-           fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1), fixed(p.z(), 1),
-           when(row), status_of(row)},
+  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
+           in_one(units.name), fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1),
+           fixed(p.z(), 1), when(row), status_of(row)},
           row_class(row));
 }
 
@@ -119,12 +125,14 @@ std::string region_table(const StaticResults& statics, const CheckTable& table, 
 }
 
 std::string inputs_table(const CheckTable& table) {
-  html::Table out("", {{"Check", "", true},
-                       {"Region", "", true},
-                       {"Symbol", "", true},
-                       {"Meaning", "", true},
-                       {"Value", ""},
-                       {"Unit", "", true}});
+  html::Table out("",
+                  {{"Check", "", true},
+                   {"Region", "", true},
+                   {"Symbol", "", true},
+                   {"Meaning", "", true},
+                   {"Value", ""},
+                   {"Unit", "", true}},
+                  "dense");
   for (const CheckRow& row : table.rows) {
     std::string name = row.name + ", " + row.code;
     for (const CheckInput& input : row.inputs) {

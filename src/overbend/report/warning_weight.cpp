@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace overbend {
 namespace {
@@ -23,7 +24,9 @@ WeighedWarning weigh(const std::string& warning) {
   const bool serious = std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
     return warning.find(phrase) != std::string::npos;
   });
-  return {serious ? WarningWeight::serious : WarningWeight::caution, warning};
+  WeighedWarning weighed{serious ? WarningWeight::serious : WarningWeight::caution, warning};
+  if (!warning.empty()) weighed.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
+  return weighed;
 }
 
 }  // namespace
