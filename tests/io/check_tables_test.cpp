@@ -30,7 +30,8 @@ TEST(check_tables, csv_speaks_the_units_of_the_other_tables) {
   row.units = "N m";
   row.demand = 424836.0;
   row.capacity = 1e6;
-  row.inputs = {{"t2", "wall", 0.0127, "m"}, {"eps", "strain", 0.0023, "1"}, {"gamma", "strain resistance factor", 2.0, "1"}};
+  row.inputs = {
+      {"t2", "wall", 0.0127, "m"}, {"eps", "strain", 0.0023, "1"}, {"gamma", "strain resistance factor", 2.0, "1"}};
   table.rows = {row};
   const std::string text = checks_table(table);
   EXPECT_NE(text.find(",design moment,424.836,1000,kN m,"), std::string::npos) << text;

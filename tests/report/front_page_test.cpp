@@ -50,10 +50,12 @@ TEST(verdict, is_passed_where_nothing_governing_is_exceeded) {
 
 TEST(verdict, names_the_exceeded_check_that_is_used_most_and_how_much) {
   const CheckRow tip = check_of("Clearance at the stinger tip", CheckRegion::line, CheckStatus::exceeded, 1.4321);
-  const CheckRow strain = check_of("Laying criterion I, static strain", CheckRegion::overbend, CheckStatus::exceeded, 1.1);
+  const CheckRow strain =
+      check_of("Laying criterion I, static strain", CheckRegion::overbend, CheckStatus::exceeded, 1.1);
   EXPECT_EQ(words_of({strain, tip}), "EXCEEDED 1.43, clearance at the stinger tip");
   EXPECT_EQ(words_of({strain}), "EXCEEDED 1.10, laying criterion I, static strain, overbend");
-  EXPECT_NE(verdict_of(table_of({strain, tip}), {}).because.find("2 governing checks are exceeded."), std::string::npos);
+  EXPECT_NE(verdict_of(table_of({strain, tip}), {}).because.find("2 governing checks are exceeded."),
+            std::string::npos);
 }
 
 TEST(verdict, an_exceeded_check_is_never_rounded_to_one) {
@@ -72,7 +74,8 @@ TEST(verdict, what_was_not_judged_and_serious_warnings_are_reservations) {
 
 TEST(verdict, without_any_judged_check_nothing_is_claimed) {
   EXPECT_EQ(words_of({}), "NOT JUDGED");
-  EXPECT_EQ(words_of({check_of("Laying criterion II", CheckRegion::overbend, CheckStatus::not_done, 0.0)}), "NOT JUDGED");
+  EXPECT_EQ(words_of({check_of("Laying criterion II", CheckRegion::overbend, CheckStatus::not_done, 0.0)}),
+            "NOT JUDGED");
 }
 
 TEST(warning_weight, the_heaviest_stand_first_and_no_folder_is_told) {
@@ -122,8 +125,8 @@ TEST(assumptions, what_decides_stands_before_what_was_given_and_the_rest) {
 }
 
 TEST(front_page, shows_the_document_control_of_the_model_file_and_leaves_room_for_the_rest) {
-  const std::string text = bgl1().model_text +
-                           "\nreport: {client: Sea & Co, project: P1, document: D-7, revision: 2, prepared: AB}\n";
+  const std::string text =
+      bgl1().model_text + "\nreport: {client: Sea & Co, project: P1, document: D-7, revision: 2, prepared: AB}\n";
   const std::string page = visible(report_html(bgl1().results, text));
   EXPECT_NE(page.find("<dt>Client</dt><dd>Sea &amp; Co</dd>"), std::string::npos);
   EXPECT_NE(page.find("<dt>Revision</dt><dd>2</dd>"), std::string::npos);

@@ -81,6 +81,7 @@ document.querySelectorAll('.table:has(table.checks), .table:has(table.plain), .t
     const link = document.createElement('a');
     link.href = '#' + a.id;
     link.textContent = '.';
+    link.style.cssText = 'position: absolute; top: 0; left: 0';
     document.body.append(link);
   }
 });
@@ -155,7 +156,7 @@ def faults_on_paper(page, profile):
     if aims.get("results", 1) != 1:
         yield f"the key results stand on page {aims['results'] + 1}, not on the second"
     # A page with little on it has little to draw and few letters; one that holds a figure has few letters only.
-    sizes = [(len(text), text.count(b"Tj")) for text in map(printed.content, printed.pages)]
+    sizes = [(len(text), sum(map(len, re.findall(rb"<([0-9A-F]+)>", text)))) for text in map(printed.content, printed.pages)]
     drawn, letters = (sorted(column)[len(sizes) // 2] for column in zip(*sizes))
     for number, (size, count) in enumerate(sizes[:-1], 1):
         if number > 1 and size < 0.2 * drawn and count < 0.35 * letters:

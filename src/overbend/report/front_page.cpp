@@ -52,23 +52,24 @@ std::string bar(const StaticResults& statics, const CheckRow& row) {
       escape(row.code), escape(place_name(statics, row.s)), when);
 }
 
-std::string utilisation_card(const StaticResults& statics, const CheckTable& checks) {
+std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const std::string& reach) {
   std::string bars;
   for (const CheckRegion region : check_regions()) {
     if (const CheckRow* row = governing_check(checks, region)) bars += bar(statics, *row);
   }
   if (bars.empty()) return "";
   return "<div class=\"card\"><h3>Utilisation, governing check of each region</h3>\n" + bars +
-         "<p class=\"small\">The mark on the bar is all of the capacity.</p></div>\n";
+         "<p class=\"small\">The mark on the bar is all of the capacity. " + escape(reach) +
+         " The formulas have not been compared with the printed standards.</p></div>\n";
 }
 
-std::string verdict_section(const StaticResults& statics, const CheckTable& checks,
-                            const std::vector<WeighedWarning>& warnings) {
-  const Verdict verdict = verdict_of(checks, warnings);
+std::string verdict_section(const FrontPage& page, const StaticResults& statics, const CheckTable& checks) {
+  const Verdict verdict = verdict_of(checks, page.warnings);
   return fmt::format(
       "<section id=\"verdict\">\n<div class=\"verdict {}\"><div class=\"words\">{}</div><div class=\"because\">{}"
       "</div></div>\n{}</section>\n",
-      css_of(verdict.kind), escape(verdict.words), escape(verdict.because), utilisation_card(statics, checks));
+      css_of(verdict.kind), escape(verdict.words), escape(verdict.because),
+      utilisation_card(statics, checks, page.reach));
 }
 
 std::string lower(const char* text) {
@@ -115,7 +116,7 @@ std::string contents(const std::string& sections) {
 std::string front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks,
                        const std::string& rest) {
   return "<div class=\"front\">\n" + title_block(page.kind, page.title, page.entries, control_box(page.control)) +
-         verdict_section(statics, checks, page.warnings) + warnings_section(page.warnings) + contents(rest) +
+         verdict_section(page, statics, checks) + warnings_section(page.warnings) + contents(rest) +
          "</div>\n<div class=\"sections\">\n" + rest + "</div>\n";
 }
 

@@ -17,6 +17,7 @@ struct FrontPage {
   ReportDescription control;
   std::vector<std::pair<std::string, std::string>> entries;  ///< Names with values below the title.
   std::vector<WeighedWarning> warnings;
+  std::string reach;  ///< A sentence on what the verdict is of: the static state, a run of so many seconds.
 };
 
 /// HTML of the first page; `rest` is the HTML of what follows, whose sections the contents list.

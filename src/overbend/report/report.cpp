@@ -10,6 +10,7 @@
 #include "report/front_page.h"
 #include "report/html.h"
 #include "report/page.h"
+#include "report/quantity.h"
 #include "report/report_data.h"
 #include "report/sections.h"
 
@@ -44,7 +45,7 @@ std::vector<std::string> together(std::vector<std::string> all, const std::vecto
 
 FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
                    const std::vector<std::string>& remarks) {
-  return {kind, title, description ? description->report : ReportDescription{}, {}, weighed(remarks)};
+  return {kind, title, description ? description->report : ReportDescription{}, {}, weighed(remarks), ""};
 }
 
 }  // namespace
@@ -61,6 +62,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
                            rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
                            model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
+  front.reach = "Checks of the static state alone: what waves add needs a run in time.";
   front.entries = subject_entries(results);
   front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
@@ -88,6 +90,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                               balance_section(statics) + model_text_section(model_text);
   const std::string rest = dynamic + before + closing;
   FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, dynamic_remarks(statics, results));
+  front.reach = "Largest values of one run of " + duration_words(results.duration) + ".";
   front.entries = dynamic_entries(statics, results, description, written_now());
   return whole_page(statics.title + " - dynamic analysis", front_page(front, statics, results.checks, rest),
                     report_data(statics, &results));
