@@ -48,8 +48,7 @@ std::string reasons(const CheckTable& table) {
                       what(*worst), fixed(worst->from_top, 1),
                       worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
   if (invalid > 0) {
-    text += fmt::format(" {} outside the validity of {}: neither passed nor failed.",
-                        invalid == 1 ? "One check lies" : std::to_string(invalid) + " checks lie",
+    text += fmt::format(" {} outside the validity of {}: neither passed nor failed.", invalid,
                         invalid == 1 ? "its formula" : "their formulas");
   }
   return text;
