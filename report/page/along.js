@@ -7,7 +7,7 @@
 
   // Room for the names of the boxes, written aslant above the plot.
   const kSlant = 50;
-  const shortened = (name) => (name.length > 16 ? name.slice(0, 15) + '\u2026' : name);
+  const shortened = Report.shortened;
   function lane() {
     const letters = d3.max(data.supports, (box) => shortened(box.name).length) || 0;
     return letters > 0 ? Math.ceil(6.8 * letters * Math.sin(kSlant * Math.PI / 180)) + 8 : 0;
@@ -23,7 +23,7 @@
       const x1 = frame.x(box.s + box.length / 2);
       frame.back.append('rect').attr('class', 'support').attr('x', x0).attr('y', top).attr('width', x1 - x0).attr('height', bottom - top);
       const middle = (x0 + x1) / 2;
-      if (overbend && middle - named > 15) {
+      if (overbend && middle - named > 17) {
         named = middle;
         frame.over.append('text').attr('class', 'soft').attr('transform', `translate(${middle + 3},${top - 5}) rotate(${-kSlant})`)
           .style('font-size', '12.5px').text(shortened(box.name));
@@ -66,7 +66,15 @@
         .attr('transform', `translate(${frame.width - 12},${frame.margin.top + frame.inner_height / 2}) rotate(-90)`).text('% of yield stress');
     }
     curve(frame, indices.map((i) => [st.s[i], st.yield[i] * kind.factor]), colours.accent, '8 4', 1.3);
-    Report.label(frame, frame.margin.left + 0.68 * frame.inner_width, frame.y(lowest), `yield ${Report.fixed(lowest, 0)} MPa`, { fill: colours.accent, css: 'soft', below: true });
+    if (lowest <= frame.y.domain()[1]) level_name(frame, lowest, `yield ${Report.fixed(lowest, 0)} MPa`);
+  }
+
+  // The name of a level, at the end of its line and right above it.
+  function level_name(frame, value, text) {
+    const x = frame.width - frame.margin.right - 5;
+    const y = frame.y(value) - 5;
+    frame.over.append('text').attr('class', 'soft halo level').attr('text-anchor', 'end').attr('x', x).attr('y', y).style('fill', colours.accent).text(text);
+    frame.used.push({ x0: x - Report.text_width(frame, text, 'soft') - 4, x1: x + 4, y0: y - 14, y1: y + 4 });
   }
 
   // What stands under the pointer; words(s) tells it.
@@ -94,7 +102,7 @@
     const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield[i]) * kind.factor : 0;
     if (yield_stress > 0 && hi > 0.5 * yield_stress) hi = Math.max(hi, yield_stress);
     const room = 0.1 * (hi - lo || 1);
-    const range = [lo < 0 ? lo - room : lo, hi + (hi === yield_stress ? above_yield : 2) * room];  // labels stand above the curve
+    const range = [lo < 0 || !kind.zero ? lo - room : lo, hi + (hi === yield_stress ? above_yield : 2) * room];  // labels stand above the curve
     const frame = Report.frame(panel, {
       height: 284, x: [0, end], y: range, right: kind.yield ? 74 : 24, lane: overbend ? lane() : 0, title,
       x_label: 'Distance along the pipe from the tensioner [m]', y_label: `${kind.axis || kind.name} [${kind.unit}]`,
@@ -104,5 +112,5 @@
     return { frame, range, end, overbend };
   }
 
-  Report.along = { frame_of, curve, touchdown, yield_line, hover };
+  Report.along = { frame_of, curve, touchdown, yield_line, level_name, hover };
 })();

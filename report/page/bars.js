@@ -24,14 +24,25 @@
 
   function base(panel, options) {
     const { list, end } = slots();
-    const frame = Report.frame(panel, { height: 330, x: [-0.2, end + 0.2], x_label: '', x_ticks: 0.001, ...options });
+    // Names stand level where each has room below its box, and aslant where they would run into each other.
+    const size = data.supports.length > 10 ? 12 : 14;
+    const widest = d3.max(data.supports, (box) => Report.measured(box.name, size));
+    const narrowest = d3.min(data.supports, (box) => box.slot[1] - box.slot[0] + 0.8) * 850 / (end + 0.4);
+    const level = widest + 6 < narrowest;
+    const bottom = level ? 50 : 36 + Math.ceil(0.77 * Math.min(widest, 110) + 8);
+    const frame = Report.frame(panel, { x: [-0.2, end + 0.2], x_label: '', x_ticks: 0.001, ...options, bottom, height: (options.height || 330) + bottom - 50 });
     frame.svg.selectAll('.tick').filter(function () { return d3.select(this.parentNode).attr('text-anchor') === 'middle'; }).remove();
     for (const box of data.supports) {
       const x0 = frame.x(box.slot[0]);
       const x1 = frame.x(box.slot[1]);
       frame.back.append('rect').attr('class', 'support').attr('x', x0).attr('width', x1 - x0).attr('y', frame.margin.top).attr('height', frame.inner_height);
-      frame.over.append('text').attr('class', 'soft').attr('text-anchor', 'middle').attr('x', (x0 + x1) / 2)
-        .attr('y', frame.height - frame.margin.bottom + 18).style('font-size', data.supports.length > 10 ? '12px' : '14px').text(box.name);
+      if (!level) continue;
+      frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'middle').attr('x', (x0 + x1) / 2)
+        .attr('y', frame.height - frame.margin.bottom + 18).style('font-size', `${size}px`).text(box.name);
+    }
+    if (!level) {
+      const names = data.supports.map((box) => ({ x: frame.x((box.slot[0] + box.slot[1]) / 2) + 4, y: frame.height - frame.margin.bottom + 13, text: Report.shortened(box.name) }));
+      Report.aslant_names(frame.over, names, -50, { anchor: 'end', size: 12 });
     }
     frame.over.append('text').attr('class', 'soft').attr('text-anchor', 'middle').attr('x', frame.margin.left + frame.inner_width / 2)
       .attr('y', frame.height - 10).text(options.words || 'Roller rows of each box, from the tensioner astern');

@@ -5,7 +5,7 @@
 
   // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, lane: room for names above the plot}
   Report.frame = function (panel, options) {
-    const margin = { left: options.left || 78, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: 50 };
+    const margin = { left: options.left || 88, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: options.bottom || 50 };
     const full_width = options.width || kWidth;
     const inner_width = full_width - margin.left - margin.right;
     let inner_height = (options.height || 300) + (options.lane || 0) - margin.top - margin.bottom;
@@ -46,12 +46,33 @@
     svg.append('text').attr('class', 'soft').attr('x', margin.left + inner_width / 2).attr('y', height - 10)
       .attr('text-anchor', 'middle').text(options.x_label);
     svg.append('text').attr('class', 'soft').attr('text-anchor', 'middle')
-      .attr('transform', `translate(20,${margin.top + inner_height / 2}) rotate(-90)`).text(options.y_label);
+      .attr('transform', `translate(17,${margin.top + inner_height / 2}) rotate(-90)`).text(options.y_label);
     if (options.title) {
       svg.append('text').attr('class', 'title').attr('x', margin.left).attr('y', 20).text(options.title);
     }
     const over = svg.append('g');
     return { svg, back, plot, over, x, y, width: full_width, height, margin, inner_height, inner_width, used: [] };
+  };
+
+  // Width of a text in a size of its own, before there is a frame to set it in.
+  const pen = document.createElement('canvas').getContext('2d');
+  Report.measured = function (text, size) {
+    pen.font = `${size}px ${getComputedStyle(document.body).fontFamily}`;
+    return pen.measureText(text).width;
+  };
+
+  // Names that run aslant through points, all at one angle [deg]; one that would cover the name before it is left out.
+  // names: [{x, y, text}] in pixels, in their order along the figure.
+  Report.aslant_names = function (group, names, angle, { anchor = 'start', size = 12, css = 'soft' } = {}) {
+    const turn = angle * Math.PI / 180;
+    let last = null;
+    for (const name of names) {
+      const apart = last ? Math.abs((name.x - last.x) * Math.sin(turn) - (name.y - last.y) * Math.cos(turn)) : Infinity;
+      if (apart < size + 1) continue;
+      last = name;
+      group.append('text').attr('class', `${css} name`).attr('text-anchor', anchor).attr('transform', `translate(${name.x},${name.y}) rotate(${angle})`)
+        .style('font-size', `${size}px`).text(name.text);
+    }
   };
 
   let ids = 0;

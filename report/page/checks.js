@@ -32,11 +32,11 @@
       flush();
     }
     along.curve(frame, [[0, 1], [end, 1]], colours.accent, '8 4', 1.3);
-    Report.label(frame, frame.margin.left + 0.68 * frame.inner_width, frame.y(1), 'all of the capacity', { fill: colours.accent, css: 'soft', below: true });
+    along.level_name(frame, 1, 'all of the capacity');
     Report.legend(frame, used.slice().reverse().map((k) => ({ text: k.name, colour: k.colour, dash: k.dash })));
-    if (!overbend) along.touchdown(frame, end);
     const worst = d3.greatest(shown, (i) => checks.governing[i]);
     Report.mark(frame, checks.s[worst], checks.governing[worst], `${Report.fixed(checks.governing[worst], 3)} at ${Report.fixed(checks.s[worst], 1)} m`, colours.pipe);
+    if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (s) => {
       const i = Math.min(d3.bisectLeft(checks.s, s), checks.s.length - 1);
       return used.filter((k) => checks[k.key][i] > 0).map((k) => `${k.name} ${Report.fixed(checks[k.key][i], 3)}`).join(', ');

@@ -31,6 +31,9 @@ var Report = {};
     return st[column][i - 1] + Math.min(Math.max(t, 0), 1) * (st[column][i] - st[column][i - 1]);
   };
 
+  // A box's name where room is short.
+  Report.shortened = (name) => (name.length > 16 ? name.slice(0, 15) + '\u2026' : name);
+
   // Number as in the tables: fixed decimals and never "-0".
   Report.fixed = function (value, digits) {
     const text = value.toFixed(digits);

@@ -7,7 +7,7 @@
   const along = Report.along;
 
   const kinds = {
-    tension: { key: 'tension', extreme: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension', zero: true,
+    tension: { key: 'tension', extreme: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension',
                more: [{ key: 'wall', name: 'wall tension', colour: colours.second, dash: '6 4' }], own: 'effective tension' },
     moment: { key: 'moment', extreme: 'moment', factor: 1e-3, unit: 'kN m', digits: 1, name: 'Bending moment', zero: true, own: 'magnitude',
               more: [{ key: 'vertical_moment', name: 'vertical part, sagging +', colour: colours.third, dash: '9 3' },
@@ -56,9 +56,9 @@
     along.curve(frame, points(kind.key), colours.pipe, null, 2.2);
     if (kind.yield) along.yield_line(frame, kind, indices, range[1]);
     if (kind.more) Report.legend(frame, [{ text: kind.own, colour: colours.pipe }, ...kind.more.map((m) => ({ text: m.name, colour: m.colour, dash: m.dash }))]);
-    if (!overbend) along.touchdown(frame, end);
     marks(frame, kind, end);
     more_marks(frame, kind, indices);
+    if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (s) => `${Report.fixed(Report.at(kind.key, s) * kind.factor, kind.digits)} ${kind.unit} at ${Report.fixed(s, 1)} m`);
   };
 })();

@@ -9,7 +9,7 @@
   const s = dynamic.envelopes.s;
 
   const kinds = {
-    envelope_tension: { key: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension', zero: true },
+    envelope_tension: { key: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension' },
     envelope_moment: { key: 'moment', extreme: 'moment', factor: 1e-3, unit: 'kN m', digits: 1, name: 'Bending moment', zero: true },
     envelope_mises: { key: 'mises', extreme: 'mises', factor: 1e-6, unit: 'MPa', digits: 1, name: 'von Mises stress', zero: true, yield: true },
     envelope_strain: { key: 'strain', extreme: 'strain', factor: 100, unit: '%', digits: 4, name: 'Strain', zero: true },
@@ -56,8 +56,8 @@
       { text: 'mean', colour: colours.second, dash: '6 3' },
       { text: 'static', colour: colours.pipe },
     ]);
-    if (!overbend) along.touchdown(frame, end);
     marks(frame, kind, end);
+    if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (at) => {
       const number = (column) => Report.fixed(value_at(column, at) * kind.factor, kind.digits);
       return `${number(envelope.min)} to ${number(envelope.max)} ${kind.unit}, static ${number(envelope.before)}, at ${Report.fixed(at, 1)} m`;

@@ -32,7 +32,8 @@
   };
   P.face = function (layer, points, attributes, nearer) { this.add(layer, points, attributes, true, nearer); };
   P.line = function (layer, points, attributes, nearer) { this.add(layer, points, `fill="none" ${attributes}`, false, nearer); };
-  P.text = function (point, text, dx, dy, anchor) { this.labels.push({ at: this.camera.see(point), text, dx, dy, anchor }); };
+  // `step`: it may move on along its lead, or be left out, where it would cover another.
+  P.text = function (point, text, dx, dy, anchor, step = false) { this.labels.push({ at: this.camera.see(point), text, dx, dy, anchor, step }); };
 
   // A face of a round body: only when it looks at the eye, brighter towards the light.
   P.shaded = function (layer, points, normal, colour) {
@@ -54,13 +55,33 @@
     const place = (p) => `${(dx + scale * p[0]).toFixed(1)},${(dy + scale * p[1]).toFixed(1)}`;
     this.pieces.sort((a, b) => a.layer - b.layer || a.depth - b.depth);
     const parts = this.pieces.map((piece) => `<${piece.closed ? 'polygon' : 'polyline'} points="${piece.seen.map(place).join(' ')}" ${piece.attributes}/>`);
+    const taken = [];
     for (const label of this.labels) {
       const [x, y] = place(label.at).split(',').map(Number);
+      const box = this.room_for(label, x, y, taken, height - room.bottom + 8);
+      if (!box) continue;
+      taken.push(box);
+      label.dy = box.dy;
       const lead = Math.hypot(label.dx, label.dy) > 24 ? `<line x1="${x}" y1="${y}" x2="${x + 0.85 * label.dx}" y2="${y + 0.85 * label.dy}" stroke="#5b6b7a" stroke-width="0.8"/>` : '';
       parts.push(`${lead}<text class="halo" x="${x + label.dx}" y="${y + label.dy + 4}" text-anchor="${label.anchor || 'middle'}" style="font-size:13px">${Report.escape(label.text)}</text>`);
     }
     this.scale = scale;
     return parts.join('');
+  };
+
+  // Where a label covers none of those set before it: as asked for, or further along its lead; null where nowhere near.
+  // Moved ones stay above `lowest`, where the colour scale stands.
+  P.room_for = function (label, x, y, taken, lowest) {
+    const wide = Report.measured(label.text, 13);
+    const left = x + label.dx - (label.anchor === 'end' ? wide : label.anchor === 'start' ? 0 : wide / 2);
+    const steps = label.step ? d3.range(0, 4) : [0];
+    for (const k of steps) {
+      const dy = label.dy + 17 * k * Math.sign(label.dy);
+      const box = { x0: left - 2, x1: left + wide + 2, y0: y + dy - 8, y1: y + dy + 7, dy };
+      if (k > 0 && box.y1 > lowest) break;
+      if (taken.every((u) => box.x1 < u.x0 || box.x0 > u.x1 || box.y1 < u.y0 || box.y0 > u.y1)) return box;
+    }
+    return label.step ? null : { x0: left, x1: left + wide, y0: y + label.dy - 8, y1: y + label.dy + 7, dy: label.dy };
   };
 
   Report.escape = (text) => String(text).replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);

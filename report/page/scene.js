@@ -166,7 +166,7 @@
     structure(painter, kLayer.things, boxes.length === data.supports.length ? 1.1 : 1.8, boxes);
     all_rollers(painter, kLayer.things, boxes);
     pipe_body(painter, kLayer.things, s0, s1);
-    for (const box of boxes) painter.text(hand(box.p), box.name, -12, 44, 'end');
+    for (const box of boxes) painter.text(hand(box.p), box.name, -12, 44, 'end', true);
     const fit = boxes.flatMap((b) => [hand(add(b.p, [-b.length / 2, 1.5, -1])), hand(add(b.p, [b.length / 2, -1.5, 1.5]))]);
     for (const s of [s0, s1]) fit.push(hand(['x', 'y', 'z'].map((c) => Report.at(c, s))));
     return { painter, fit };

@@ -104,13 +104,23 @@
   function box_names(frame) {
     const [x0, x1] = frame.x.domain();
     const px = frame.x(1) - frame.x(0);
+    const names = [];
     for (const box of data.supports) {
       if (box.p[0] < x0 || box.p[0] > x1) continue;
-      const up = data.diameter * px + 16;
-      if (frame.y(box.p[2]) - up < frame.margin.top + 20) continue;
-      frame.over.append('text').attr('class', 'halo').attr('transform', `translate(${frame.x(box.p[0]) + 5},${frame.y(box.p[2]) - up}) rotate(-55)`)
-        .style('font-size', '13px').text(box.name);
+      const name = { x: frame.x(box.p[0]) + 5, y: frame.y(pipe_above(box)) - 0.5 * data.diameter * px - 10, text: box.name };
+      const end = Report.measured(box.name, 13);
+      const right = name.x + 0.57 * end;
+      if (name.y - 0.82 * end > frame.margin.top + 2 && right < frame.width - 2) names.push(name);
     }
+    Report.aslant_names(frame.over, names, -55, { size: 13, css: 'halo' });
+  }
+
+  // Height of the pipe's axis over the middle of a box: it need not rest there.
+  function pipe_above(box) {
+    const i = d3.range(1, st.count).find((k) => (st.x[k - 1] - box.p[0]) * (st.x[k] - box.p[0]) <= 0);
+    if (i === undefined) return box.p[2];
+    const t = (box.p[0] - st.x[i - 1]) / (st.x[i] - st.x[i - 1] || 1);
+    return Math.max(box.p[2], st.z[i - 1] + t * (st.z[i] - st.z[i - 1]));
   }
 
   function water_name(frame) {
@@ -159,10 +169,10 @@
     const boxes = part === 'overbend' || stinger.length === 0 ? data.supports : stinger;
     if (part === 'stinger' && stinger.length === 0) return;
     if (part === 'tip') {
-      true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [kN] or, without contact, the separation [mm]`, range_of([data.tip], 1.5, 3), 1.2, 1.6, true);
+      true_scale(panel, `Last box, ${data.tip.name}: at bottom rollers the reaction [kN] or, without contact, the separation [mm]`, range_of([data.tip], 1.5, 3), 2.2, 1.6, true);
     } else {
       const whole = part === 'overbend';
-      const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 7 : 2, false);
+      const frame = true_scale(panel, whole ? 'Ramp and stinger' : 'Stinger', range_of(boxes, whole ? 3 : 2, 4), 3, whole ? 8 : 6, false);
       Report.legend(frame, [{ text: 'roller in contact', colour: '#e08a3c', block: true }, { text: 'without contact', colour: '#c4ccd4', block: true }]);
     }
   };
@@ -203,10 +213,8 @@
   };
 
   function box_labels(frame) {
-    for (const box of data.supports) {
-      frame.over.append('text').attr('class', 'soft halo').attr('text-anchor', 'end')
-        .attr('transform', `translate(${frame.x(box.p[0]) - 2},${frame.y(box.p[2]) + 16}) rotate(-40)`).style('font-size', '12px').text(box.name);
-    }
+    const names = data.supports.map((box) => ({ x: frame.x(box.p[0]) - 2, y: frame.y(box.p[2]) + 16, text: box.name }));
+    Report.aslant_names(frame.over, names, -40, { anchor: 'end', css: 'soft halo' });
   }
 
   Report.plan = function (panel) {

@@ -220,6 +220,22 @@ TEST(dynamic_command, with_all_streams_closed_no_text_lands_in_results) {
   EXPECT_EQ(differences(open / "out", closed / "out"), "");
 }
 
+TEST(dynamic_command, resumed_after_its_end_says_that_it_is_finished_and_runs_nothing) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);
+  const fs::file_time_type written = fs::last_write_time(folder / "out/summary.json");
+  const ProgramRun again = run_dynamic_model(folder, kSmallLay, "--resume");
+  EXPECT_EQ(again.code, 0);
+  EXPECT_NE(again.err.find("is finished: its 10 s are all there is."), std::string::npos) << again.err;
+  EXPECT_NE(again.out.find("top tension"), std::string::npos) << again.out;
+  EXPECT_EQ(fs::last_write_time(folder / "out/summary.json"), written);
+  const ProgramRun other = run_dynamic_model(folder, with(kSmallLay, "tension: 300 kN", "tension: 301 kN"), "--resume");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("has results of another model file"), std::string::npos) << other.err;
+  EXPECT_EQ(run_dynamic_model(folder, kSmallLay).code, 0);  // without --resume it runs anew
+  EXPECT_NE(fs::last_write_time(folder / "out/summary.json"), written);
+}
+
 struct Refusal {
   const char* what;
   std::string model;

@@ -48,6 +48,13 @@ TEST(static_command, writes_the_results_where_told_and_prints_the_key_ones) {
   }
 }
 
+TEST(static_command, counts_every_length_from_the_tensioner) {
+  const TemporaryFolder folder;
+  const Ended done = run(folder.path(), "static " + case_file("BGL1-T250") + " -o out");
+  EXPECT_NE(done.out.find(" m from the tensioner\n  overbend von Mises stress"), std::string::npos) << done.out;
+  EXPECT_EQ(done.out.find(" at s = "), std::string::npos) << done.out;
+}
+
 std::string with_limit(const std::string& limit) {
   return file_text(case_file("BGL1-T250")) + "\nchecks: {limits: {tension: " + limit + "}}\n";
 }

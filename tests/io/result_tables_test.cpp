@@ -35,6 +35,15 @@ TEST(pipe_table, has_the_columns_of_the_contract_first) {
   EXPECT_EQ(pipe_table(solved_case("BGL1-T250").results).substr(0, expected.size()), expected);
 }
 
+TEST(pipe_table, counts_the_length_from_the_tensioner_too) {
+  const StaticResults& results = solved_case("BGL1-T250").results;
+  const std::vector<std::string> lines = lines_of(pipe_table(results));
+  EXPECT_EQ(value_in(lines, results.stations.size(), "from tensioner [m]"), 0.0);
+  EXPECT_NEAR(value_in(lines, 1, "from tensioner [m]"), results.total_length, 1e-9 * results.total_length);
+  const std::vector<std::string> rows = lines_of(supports_table(results));
+  EXPECT_NEAR(value_in(rows, 1, "from tensioner [m]"), results.total_length - results.supports[0].rows[0].s, 1e-6);
+}
+
 TEST(every_table, has_as_many_cells_in_each_row_as_in_its_head) {
   const StaticResults& results = solved_case("BGL1-T250").results;
   for (const std::string& text : {pipe_table(results), supports_table(results)}) {

@@ -117,6 +117,16 @@ TEST(rao_limits, a_wrong_phase_sign_and_a_wrong_unit_show) {
   }
 }
 
+TEST(rao_limits, a_freedom_that_disagrees_is_warned_of_once_with_all_its_headings) {
+  RaoSettings given;
+  given.words["phase"] = "lead";
+  const RaoTable table = testing::good_raos(testing::bgl1_file("rao.csv"), given);
+  const std::vector<std::string> warnings = limit_warnings(long_wave_limits(table, 120.0, 5.182, 89.0));
+  ASSERT_EQ(warnings.size(), 4U);  // surge, pitch, sway, roll; heave has no sign to get wrong
+  EXPECT_EQ(warnings.front().find("RAOs: in long waves travelling towards 0 and 180 deg surge is "), 0U)
+      << warnings.front();
+}
+
 TEST(rao_limits, waves_that_are_not_long_judge_nothing) {
   RaoSettings given;
   given.words["phase"] = "lead";

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <iostream>
@@ -9,6 +10,7 @@
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
+#include "report/warning_weight.h"
 #include "runs/exit_code.h"
 
 namespace overbend {
@@ -130,6 +132,7 @@ int run_check(const std::string& model_file) {
   std::vector<std::string> warnings = description->warnings;
   const std::vector<std::string> doubts = print_raos(model);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());
+  std::transform(warnings.begin(), warnings.end(), warnings.begin(), without_mark);
   print_list("Assumptions", assumptions(model));
   print_list("Warnings", warnings);
   return kDone;

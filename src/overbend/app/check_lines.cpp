@@ -5,19 +5,10 @@
 #include <iostream>
 
 #include "io/result_field.h"
+#include "report/verdict.h"
 
 namespace overbend {
 namespace {
-
-/// The governing row of a region that is used most; null without one.
-const CheckRow* worst_of(const CheckTable& table, CheckRegion region) {
-  const CheckRow* worst = nullptr;
-  for (const CheckRow& row : table.rows) {
-    if (row.region != region || !row.governing || !row.judged()) continue;
-    if (worst == nullptr || row.utilisation > worst->utilisation) worst = &row;
-  }
-  return worst;
-}
 
 std::string place_of(const CheckRow& row) {
   std::string text = fmt::format("{:.1f} m from the tensioner", row.from_top);
@@ -33,9 +24,8 @@ std::string title_of(const CheckRow& row) {
 
 std::string check_lines(const CheckTable& table) {
   std::string text;
-  for (const CheckRegion region : {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip, CheckRegion::sagbend,
-                                   CheckRegion::seabed, CheckRegion::line}) {
-    const CheckRow* row = worst_of(table, region);
+  for (const CheckRegion region : check_regions()) {
+    const CheckRow* row = governing_check(table, region);
     if (row == nullptr) continue;
     const std::string name = region == CheckRegion::line ? "check, whole line" : fmt::format("check, {}", word(region));
     text += fmt::format("  {:<28}{:>12.3f} {}, {}{}\n", name, row->utilisation, title_of(*row), place_of(*row),

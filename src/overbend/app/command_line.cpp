@@ -1,12 +1,17 @@
 #include "app/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/described_commands.h"
 #include "base/simd.h"
+#include "base/text.h"
 #include "base/version.h"
 #include "io/append_file.h"
 #include "runs/exit_code.h"
@@ -111,7 +116,8 @@ void add_new(CLI::App& program, int& code) {
   auto options = std::make_shared<NewOptions>();
   command->add_option("--pipe", options->pipe, "Nominal size in inches (4 to 48) or outside diameter: 16, '406.4 mm'");
   command->add_option("--depth", options->depth, "Water depth: '89 m'");
-  command->add_option("--wall", options->wall, "Wall thickness; left out: the thinnest of API 5L that passes the checks");
+  command->add_option("--wall", options->wall,
+                      "Wall thickness; left out: the thinnest of API 5L that passes the checks");
   command->add_option("--yield", options->yield, "Yield stress")->capture_default_str();
   command->add_option("--coating", options->coating, "Thickness of the corrosion coating")->capture_default_str();
   command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; left out: none");
@@ -128,6 +134,35 @@ void add_new(CLI::App& program, int& code) {
   command->add_option("-o,--output", options->output, "File to write; left out: standard output");
   command->add_flag("--force", options->force, "Overwrite an existing file");
   command->callback([options, &code] { code = run_new(*options); });
+}
+
+int print_completion(const CLI::App& program, const std::string& of) {
+  const std::vector<DescribedCommand> commands = described(program);
+  std::cout << (of == "bash"  ? bash_completion(commands)
+                : of == "zsh" ? zsh_completion(commands)
+                              : manual_page(commands, kVersion));
+  return kDone;
+}
+
+void add_completion(CLI::App& program, int& code) {
+  CLI::App* command =
+      program.add_subcommand("completion", "Print the completion of a shell (bash, zsh) or the manual page (man).");
+  auto of = std::make_shared<std::string>();
+  command->add_option("FOR", *of, "What for")->required()->check(CLI::IsMember({"bash", "zsh", "man"}));
+  command->callback([&program, of, &code] { code = print_completion(program, *of); });
+}
+
+/// A word that is no command, with the one that it may have meant; empty where the first word is a command or an
+/// option.
+std::string unknown_command(const CLI::App& program, int count, const char* const* words) {
+  if (count < 2 || words[1][0] == '-' || words[1][0] == '\0') return "";
+  std::vector<std::string> names;
+  for (const DescribedCommand& command : described(program)) names.push_back(command.name);
+  if (std::find(names.begin(), names.end(), words[1]) != names.end()) return "";
+  names.erase(names.begin());  // the program itself
+  const std::string near = nearest_word(words[1], names);
+  return fmt::format("there is no command '{}'; {}", for_display(words[1]),
+                     near.empty() ? "the commands are " + join_words(names, "and") : "did you mean '" + near + "'?");
 }
 
 }  // namespace
@@ -147,10 +182,16 @@ int run_command_line(int count, const char* const* words) {
   add_serve(program, code);
   add_schema(program, code);
   add_licences(program, code);
+  add_completion(program, code);
   try {
     best_isa();
   } catch (const std::invalid_argument& fault) {  // before anything is computed
     std::cerr << "overbend: " << fault.what() << "\n";
+    return kWrongInput;
+  }
+  const std::string wrong = unknown_command(program, count, words);
+  if (!wrong.empty()) {
+    std::cerr << "overbend: " << wrong << "\n";
     return kWrongInput;
   }
   try {

@@ -12,6 +12,7 @@
 #include "io/seeds_writer.h"
 #include "io/staged_folder.h"
 #include "report/comparison_page.h"
+#include "report/warning_weight.h"
 
 namespace overbend {
 namespace {
@@ -53,7 +54,7 @@ void print(const Comparison& comparison) {
   }
   for (const ComparedRun& run : comparison.runs) {
     for (const std::string& warning : run.results.warnings) {
-      std::cout << "  warning: " << run.name << ": " << warning << "\n";
+      std::cout << "  warning: " << run.name << ": " << without_mark(warning) << "\n";
     }
   }
 }

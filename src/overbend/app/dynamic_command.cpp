@@ -8,9 +8,12 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/dynamic_seeds.h"
+#include "app/finished_mark.h"
 #include "app/interruption.h"
 #include "app/prepared_case.h"
 #include "app/progress.h"
+#include "app/warning_lines.h"
+#include "io/dynamic_reader.h"
 #include "io/run_store.h"
 
 namespace overbend {
@@ -50,7 +53,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << fmt::format("  {:<28}{:>12.1e} of what passed\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);
-  for (const std::string& warning : r.warnings) std::cout << "  warning: " << warning << "\n";
+  std::cout << warning_lines(r.warnings);
 }
 
 int refuse(const std::string& why) {
@@ -82,9 +85,28 @@ class Watch {
   Clock::time_point last_;
 };
 
+/// Where there is nothing left to run: says so and shows what it gave.
+int tell_finished(const fs::path& folder, bool strict) {
+  const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
+  std::cerr << fmt::format("The run in {} is finished: its {:.6g} s are all there is. Without --resume it runs anew.\n",
+                           folder.string(), stored.results.duration);
+  print_results(stored.statics.results, stored.results);
+  std::cout << "Results are in " << folder.string() << "\n";
+  return strict_code(stored.results.checks, strict);
+}
+
 /// One run straight into the folder.
 int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments, bool resume) {
+  if (!resume) unmark(folder);
   if (resume) {
+    try {
+      const fs::path results = folder / "results.h5";  // another command may have written it since
+      if (is_finished(folder, shared.input) && fs::exists(results) && has_dynamic(results)) {
+        return tell_finished(folder, arguments.strict);
+      }
+    } catch (const std::runtime_error& fault) {  // of another model, or results that somebody has taken away
+      return refuse(fault.what());
+    }
     const std::optional<StoredRun> stored = RunStore::find(folder);
     if (!stored) std::cerr << fmt::format("There is no unfinished run in {}: begins anew.\n", folder.string());
     if (stored && stored->fault.empty()) std::cerr << fmt::format("Goes on from t = {:.1f} s.\n", stored->time);
@@ -101,6 +123,7 @@ int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArgu
     std::cerr << "overbend: " << end.why << "\n";
     return end.code;
   }
+  mark_finished(folder, shared.input);
   print_results(shared.statics, *end.results);
   std::cout << "Results are in " << folder.string() << "\n";
   return strict_code(end.results->checks, arguments.strict);

@@ -8,9 +8,11 @@
 
 #include "app/check_lines.h"
 #include "app/seeds_gather.h"
+#include "app/warning_lines.h"
 #include "io/dynamic_reader.h"
 #include "io/seeds_writer.h"
 #include "io/staged_folder.h"
+#include "report/warning_weight.h"
 
 namespace overbend {
 namespace {
@@ -61,9 +63,9 @@ void print(const SeedsResults& results) {
     for (const std::string& warning : run.warnings) ++warnings[warning];
   }
   for (const auto& [warning, count] : warnings) {
-    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", count, results.runs.size(), warning);
+    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", count, results.runs.size(), without_mark(warning));
   }
-  for (const std::string& warning : results.warnings) std::cout << "  warning: " << warning << "\n";
+  std::cout << warning_lines(results.warnings);
 }
 
 int end(const DynamicCase& shared, const std::vector<SideRun>& seeds, const fs::path& folder, bool strict) {

@@ -5,15 +5,12 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <thread>
 
+#include "app/finished_mark.h"
 #include "app/interruption.h"
 #include "app/progress.h"
-#include "io/results_writer.h"
-#include "io/run_record.h"
 #include "io/run_store.h"
 
 namespace overbend {
@@ -21,28 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using SteadyClock = std::chrono::steady_clock;
-
-// A run that is done -----------------------------------------------------------------------------------------------
-
-/// Says that the results beside it are whole, and of which input.
-constexpr const char* kMark = ".finished";
-
-std::string mark_text(const std::string& input) {
-  return text_hash(input) + " " + program_identity() + "\n";
-}
-
-void mark(const fs::path& folder, const std::string& input) {
-  write_text(folder / ".finished.new", mark_text(input));
-  fs::rename(folder / ".finished.new", folder / kMark);
-}
-
-std::optional<std::string> read_mark(const fs::path& folder) {
-  std::ifstream stream(folder / kMark, std::ios::binary);
-  if (!stream) return std::nullopt;
-  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
-}
-
-// The runs ----------------------------------------------------------------------------------------------------------
 
 const DynamicSettings& settings(const SideRun& run) {
   return *run.shared->description.dynamics;
@@ -52,12 +27,7 @@ const DynamicSettings& settings(const SideRun& run) {
 /// input.
 double look_back(SideRun& run) {
   const std::string& input = run.shared->input;
-  if (const std::optional<std::string> found = read_mark(run.folder)) {
-    if (*found != mark_text(input)) {
-      throw std::runtime_error(
-          "'" + run.folder.string() +
-          "' has results of another model file or another build of the program; begin anew with --restart");
-    }
+  if (is_finished(run.folder, input)) {
     run.ended = true;
     return settings(run).duration;
   }
@@ -134,10 +104,9 @@ class SideWork {
       return DynamicControl::checkpoint;
     };
     try {
-      std::error_code ignored;  // where that fails the run can not be stored either, which is told
-      if (!options_.resume) fs::remove(one.folder / kMark, ignored);
+      if (!options_.resume) unmark(one.folder);
       RealisationEnd end = run_realisation(*one.shared, one.folder, one.seed, options_.resume, control, writing_);
-      if (end.code == kDone) mark(one.folder, one.shared->input);
+      if (end.code == kDone) mark_finished(one.folder, one.shared->input);
       return end;
     } catch (const std::exception& fault) {  // this one's disk or numbers; the others go on
       return {kInternalFault, fault.what(), std::nullopt};

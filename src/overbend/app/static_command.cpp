@@ -8,7 +8,9 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/prepared_case.h"
+#include "app/warning_lines.h"
 #include "io/staged_folder.h"
+#include "report/places.h"
 #include "runs/exit_code.h"
 #include "runs/static_run.h"
 
@@ -27,9 +29,9 @@ void number(const std::string& name, double value, const char* unit, int digits 
   line(name, fmt::format("{:>12.{}f} {}", value, digits, unit));
 }
 
-void print_region(const char* name, const RegionResult& region) {
-  const auto stress = [](const Extreme& extreme) {
-    return fmt::format("{:>12.2f} MPa at s = {:.1f} m", extreme.value / 1e6, extreme.s);
+void print_region(const char* name, const StaticResults& r, const RegionResult& region) {
+  const auto stress = [&](const Extreme& extreme) {
+    return fmt::format("{:>12.2f} MPa, {:.1f} m from the tensioner", extreme.value / 1e6, from_tensioner(r, extreme.s));
   };
   line(fmt::format("{} bending stress", name), stress(region.bending_stress));
   line(fmt::format("{} von Mises stress", name), stress(region.von_mises));
@@ -42,9 +44,9 @@ void print_results(const StaticResults& r) {
   number("lay-back", r.lay_back, "m");
   number("suspended length", r.suspended_length, "m");
   number("departure angle", r.departure_angle * kDegrees, "deg");
-  if (r.overbend) print_region("overbend", *r.overbend);
-  if (r.tower) print_region("tower", *r.tower);
-  print_region("sagbend", r.sagbend);
+  if (r.overbend) print_region("overbend", r, *r.overbend);
+  if (r.tower) print_region("tower", r, *r.tower);
+  print_region("sagbend", r, r.sagbend);
   if (r.residual_curvature > 0.0) number("residual curvature", r.residual_curvature, "1/m, at touchdown", 5);
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
   if (!r.supports.empty()) {
@@ -55,7 +57,7 @@ void print_results(const StaticResults& r) {
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
   line("solver", fmt::format("{:>12.3f} s, {} iterations, {}", r.solve.wall_time, r.solve.iterations, r.solve.method));
-  for (const std::string& warning : r.warnings) std::cout << "  warning: " << warning << "\n";
+  std::cout << warning_lines(r.warnings);
 }
 
 fs::path default_folder(const std::string& model_file) {

@@ -3,12 +3,19 @@
 
 #include <string>
 
+#include "io/seeds_writer.h"
 #include "io/summary_json.h"
 #include "results/check_results.h"
 
 namespace overbend {
 
-/// The text of checks.csv: a row per check, SI units beside demand and capacity.
+/// What people read demand and capacity of a check in: kN, kN m, MPa, kN/m; a strain in %.
+TableUnit check_unit(const CheckRow& row);
+
+/// The same for a number that went in; lengths, which are those of a section, in mm.
+TableUnit check_unit(const CheckInput& input);
+
+/// The text of checks.csv: a row per check, the units of the other tables beside demand and capacity.
 std::string checks_table(const CheckTable& table);
 
 /// What a check is and how it came out, without numbers.

@@ -91,7 +91,7 @@ std::string dynamic_pipe_table(const StaticResults& statics, const DynamicResult
   for (const Quantity& quantity : kEnvelopes) add_heads(head, quantity);
   CsvTable table(head);
   for (const Station& station : statics.stations) {
-    pipe_cells(table, station);
+    pipe_cells(table, statics, station);
     const Between between(dynamics.station_s, station.s);
     for (std::size_t i = 0; i < kEnvelopes.size(); ++i) {
       const Envelope& e = *envelopes(dynamics)[i];
@@ -115,7 +115,7 @@ std::string dynamic_supports_table(const StaticResults& statics, const DynamicRe
       for (const RollerResult& roller : support.rows[i].rollers) {
         const RollerDynamics* found = find_roller(dynamics.supports.at(b), i, roller.position);
         if (found == nullptr) throw std::runtime_error("a roller of '" + support.name + "' without dynamics");
-        roller_cells(table, support, i, roller);
+        roller_cells(table, statics, support, i, roller);
         dynamic_cells(table, *found);
         table.end_row();
       }

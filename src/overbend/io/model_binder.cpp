@@ -303,6 +303,17 @@ void bind_analysis(const FieldValue& root, Description& description) {
   settings.seeds = bind_seeds(*dynamic);
 }
 
+ReportDescription bind_report(const FieldValue& root) {
+  ReportDescription report;
+  take(root, "report.client", report.client);
+  take(root, "report.project", report.project);
+  take(root, "report.document", report.document);
+  take(root, "report.revision", report.revision);
+  take(root, "report.prepared", report.prepared);
+  take(root, "report.checked", report.checked);
+  return report;
+}
+
 }  // namespace
 
 Description bind_model(const FieldValue& root, const std::string& source_file) {
@@ -310,6 +321,7 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   description.source_file = source_file;
   description.title = std::filesystem::path(source_file).stem().string();
   take(root, "title", description.title);
+  description.report = bind_report(root);
   description.environment = bind_environment(root, source_file);
   if (const FieldValue* pipe = root.find("pipe")) description.pipe = bind_pipe(*pipe);
   if (const FieldValue* vessel = root.find("vessel")) description.vessel = bind_vessel(*vessel, source_file);

@@ -10,10 +10,11 @@
 namespace overbend {
 
 std::vector<std::string> pipe_head();
-void pipe_cells(CsvTable& table, const Station& station);
+void pipe_cells(CsvTable& table, const StaticResults& results, const Station& station);
 
 std::vector<std::string> supports_head();
 /// `row` counts the rows of the support from 0; `roller` is one of that row.
-void roller_cells(CsvTable& table, const SupportResult& support, std::size_t row, const RollerResult& roller);
+void roller_cells(CsvTable& table, const StaticResults& results, const SupportResult& support, std::size_t row,
+                  const RollerResult& roller);
 
 }  // namespace overbend

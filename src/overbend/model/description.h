@@ -290,8 +290,14 @@ struct DynamicSettings {
 };
 
 /// The whole model file.
+/// Document control: what the head of the report says of itself. Plain words of the user, empty where not given.
+struct ReportDescription {
+  std::string client, project, document, revision, prepared, checked;
+};
+
 struct Description {
   std::string title;
+  ReportDescription report;
   std::string source_file;  ///< Path as given by the user.
   std::string source_text;  ///< The file's text, echoed into the results.
   EnvironmentDescription environment;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "model/wave_theory.h"
 
@@ -65,14 +66,21 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
 std::vector<std::string> limit_warnings(const RaoLimits& limits) {
   std::vector<std::string> warnings;
   if (!limits.long_enough) return warnings;
+  // Headings that mirror each other say the same of a freedom: it is told of the first.
+  std::set<int> told;
   for (const RaoLimitRow& row : limits.rows) {
-    if (row.agrees) continue;
+    if (row.agrees || !told.insert(row.freedom).second) continue;
+    std::string headings;
+    for (const RaoLimitRow& other : limits.rows) {
+      if (other.agrees || other.freedom != row.freedom) continue;
+      headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other.heading * kDegrees);
+    }
     warnings.push_back(
-        fmt::format("RAOs: in long waves travelling towards {:.0f} deg {} is {:.2f} times what the water does, with a "
+        fmt::format("RAOs: in long waves travelling towards {} deg {} is {:.2f} times what the water does, with a "
                     "lag of {:.0f} "
                     "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
-                    row.heading * kDegrees, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio,
-                    row.lag * kDegrees, row.expected_lag * kDegrees));
+                    headings, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kDegrees,
+                    row.expected_lag * kDegrees));
   }
   return warnings;
 }

@@ -30,7 +30,7 @@ struct RaoLimits {
 /// surge and sway with the particles' orbit averaged over the draught; headings 0, 90 and 180 deg. All in SI.
 RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double draught, double depth);
 
-/// A sentence for each row that disagrees; none when the wave is not long enough to judge.
+/// A sentence for each freedom that disagrees, with its headings; none when the wave is not long enough to judge.
 std::vector<std::string> limit_warnings(const RaoLimits& limits);
 
 }  // namespace overbend

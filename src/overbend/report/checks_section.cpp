@@ -6,31 +6,18 @@
 #include <array>
 #include <cmath>
 
+#include "io/check_tables.h"
 #include "io/result_field.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/json_number.h"
 #include "report/places.h"
+#include "report/verdict.h"
 
 namespace overbend {
 namespace {
 
 using html::fixed;
-
-struct Shown {
-  double factor = 1.0;
-  const char* unit = "";
-};
-
-/// SI units as engineers read them; a strain in percent.
-Shown shown(const std::string& units, const std::string& what) {
-  if (units == "Pa") return {1e-6, "MPa"};
-  if (units == "N m") return {1e-3, "kN\u00a0m"};
-  if (units == "N") return {1e-3, "kN"};
-  if (units == "N/m") return {1e-3, "kN/m"};
-  if (units == "m") return {1.0, "m"};
-  return what.find("strain") != std::string::npos ? Shown{100.0, "%"} : Shown{};
-}
 
 /// Four significant digits or more, without exponents.
 std::string number(double value) {
@@ -38,14 +25,11 @@ std::string number(double value) {
   return fixed(value, size >= 1000.0 ? 0 : size >= 100.0 ? 1 : size >= 1.0 ? 3 : 4);
 }
 
-std::string region_title(CheckRegion region) {
-  constexpr std::array<const char*, 6> kTitles = {
-      "Line and equipment", "Overbend", "Stinger tip", "Sagbend", "Seabed", "Tower"};
-  return kTitles[static_cast<std::size_t>(region)];
+/// A unit that does not break.
+std::string in_one(std::string unit) {
+  const std::size_t at = unit.find(' ');
+  return at == std::string::npos ? unit : unit.replace(at, 1, "\u00a0");
 }
-
-constexpr std::array<CheckRegion, 6> kOrder = {CheckRegion::tower,   CheckRegion::overbend, CheckRegion::tip,
-                                               CheckRegion::sagbend, CheckRegion::seabed,   CheckRegion::line};
 
 std::string code_of(const CheckRow& row) {
   return row.clause.empty() ? row.code : row.code + ", " + row.clause;
@@ -95,10 +79,10 @@ std::string governing_table(const StaticResults& statics, const CheckTable& tabl
                    {"Time", "s"},
                    {"Status", "", true}},
                   "checks");
-  for (const CheckRegion region : kOrder) {
-    const std::vector<const CheckRow*> rows = rows_of(table, region);
-    if (rows.empty() || !rows.front()->governing || !rows.front()->judged()) continue;
-    const CheckRow& row = *rows.front();
+  for (const CheckRegion region : check_regions()) {
+    const CheckRow* governing = governing_check(table, region);
+    if (governing == nullptr) continue;
+    const CheckRow& row = *governing;
     out.row({region_title(region), row.name, code_of(row), fixed(row.utilisation, 3), reserve_of(row),
              place_name(statics, row.s), fixed(row.from_top, 1), when(row), word(row.status)},
             row_class(row));
@@ -111,11 +95,11 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
     out.row({row.name, code_of(row), "", "", "", "", "", "", "", "", "", status_of(row)}, row_class(row));
     return;
   }
-  const Shown units = shown(row.units, row.quantity);
+  const TableUnit units = check_unit(row);
   const Vec3 p = ship_point(statics, row.p_W);
-  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor), units.unit,
-           fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1), fixed(p.z(), 1),
-           when(row), status_of(row)},
+  out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
+           in_one(units.name), fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1),
+           fixed(p.z(), 1), when(row), status_of(row)},
           row_class(row));
 }
 
@@ -141,43 +125,29 @@ std::string region_table(const StaticResults& statics, const CheckTable& table, 
 }
 
 std::string inputs_table(const CheckTable& table) {
-  html::Table out("", {{"Check", "", true},
-                       {"Region", "", true},
-                       {"Symbol", "", true},
-                       {"Meaning", "", true},
-                       {"Value", ""},
-                       {"Unit", "", true}});
+  html::Table out("",
+                  {{"Check", "", true},
+                   {"Region", "", true},
+                   {"Symbol", "", true},
+                   {"Meaning", "", true},
+                   {"Value", ""},
+                   {"Unit", "", true}},
+                  "dense");
   for (const CheckRow& row : table.rows) {
     std::string name = row.name + ", " + row.code;
     for (const CheckInput& input : row.inputs) {
-      const Shown units = input.units == "m" ? Shown{1e3, "mm"} : shown(input.units, input.meaning);
-      const bool factor = input.meaning.find("factor") != std::string::npos;
-      out.row({name, region_title(row.region), input.symbol, input.meaning,
-               number(input.value * (factor ? 1.0 : units.factor)), factor ? "" : units.unit});
+      const TableUnit units = check_unit(input);
+      out.row({name, region_title(row.region), input.symbol, input.meaning, number(input.value * units.factor),
+               units.name});
       name.clear();
     }
   }
-  return html::folded("The numbers that went into each check", out.str(), false);
+  return html::folded("The numbers that went into each check", out.str());
 }
 
+/// What the table comes to, and what its columns mean.
 std::string headline(const CheckTable& table) {
-  const CheckRow* worst = worst_check(table);
-  if (worst == nullptr) return "<p>No check could be judged.</p>\n";
-  const auto exceeded = std::count_if(table.rows.begin(), table.rows.end(), [](const CheckRow& row) {
-    return row.governing && row.status == CheckStatus::exceeded;
-  });
-  const auto invalid = std::count_if(table.rows.begin(), table.rows.end(), [](const CheckRow& row) {
-    return row.governing && row.status == CheckStatus::outside_validity;
-  });
-  std::string text =
-      exceeded == 0 ? "No governing check is exceeded."
-                    : fmt::format("<b>{} governing check{} exceeded.</b>", exceeded, exceeded == 1 ? " is" : "s are");
-  text += fmt::format(" The largest utilisation is {} ({}, {}).", fixed(worst->utilisation, 3),
-                      html::escape(worst->name), html::escape(region_title(worst->region)));
-  if (invalid > 0) {
-    text += fmt::format(" {} outside the validity of their formulas: neither passed nor failed.", invalid);
-  }
-  return "<p>" + text +
+  return "<p>" + html::escape(verdict_of(table, {}).because) +
          " The reserve factor is the factor on the load effects, pressure apart, that brings the utilisation to 1. "
          "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";
 }
@@ -197,9 +167,13 @@ std::string checks_section(const StaticResults& statics, const CheckTable& table
       figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
       number);
   std::string tables;
-  for (const CheckRegion region : kOrder) tables += region_table(statics, table, region);
-  body += "<div class=\"wide\">\n" + tables + "</div>\n" + inputs_table(table);
-  return html::section("checks", "Code checks", body);
+  for (const CheckRegion region : check_regions()) tables += region_table(statics, table, region);
+  return html::section("checks", "Code checks", body + tables);
+}
+
+std::string check_inputs_section(const CheckTable& table) {
+  return table.rows.empty() ? ""
+                            : html::section("check-inputs", "Appendix: numbers of the checks", inputs_table(table));
 }
 
 nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table) {

@@ -8,9 +8,12 @@
 
 namespace overbend {
 
-/// Governing checks first, then every check by region, the utilisation along the pipe, and the numbers that went in.
-/// HTML; empty for results without checks. `number` counts the figures.
+/// Governing checks first, the utilisation along the pipe, then every check by region. HTML; empty for results without
+/// checks. `number` counts the figures.
 std::string checks_section(const StaticResults& statics, const CheckTable& table, int& number);
+
+/// The numbers that went into each check, for the appendix.
+std::string check_inputs_section(const CheckTable& table);
 
 /// What the figure of the utilisations draws.
 nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table);

@@ -55,11 +55,11 @@ std::string balance_section(const StaticResults& results) {
     }
     body += "</ol>\n";
   }
-  return html::section("balance", "Force balance and solver", body);
+  return html::section("balance", "Appendix: force balance and solver", body);
 }
 
 std::string model_text_section(const std::string& model_text) {
-  return html::section("model", "Model file",
+  return html::section("model", "Appendix: model file",
                        html::folded("The input as it was given", "<pre>" + html::escape(model_text) + "</pre>"));
 }
 

@@ -7,6 +7,7 @@
 #include "io/seeds_writer.h"
 #include "report/comparison_sections.h"
 #include "report/figure_list.h"
+#include "report/front_page.h"
 #include "report/html.h"
 #include "report/page.h"
 #include "report/quantity.h"
@@ -84,7 +85,7 @@ std::vector<std::string> all_warnings(const Comparison& comparison) {
 
 std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
   const bool tensioner = comparison.of == ComparisonOf::tensioner;
-  const std::vector<std::string> warnings = all_warnings(comparison);
+  const std::vector<WeighedWarning> warnings = weighed(all_warnings(comparison));
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
   entries.emplace_back("Status", status_words("completed", warnings.size()));

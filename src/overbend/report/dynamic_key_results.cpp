@@ -96,9 +96,6 @@ std::string tiles(const StaticResults& statics, const DynamicResults& r) {
     out += strain_tile(statics, "Overbend strain", r.overbend.strain, statics.overbend->strain.value);
   }
   out += strain_tile(statics, "Sagbend strain", r.sagbend.strain, statics.sagbend.strain.value);
-  out += tile("Energy drift", fixed(100.0 * r.energy.drift(), 4), "%", "error of the balance over what has passed");
-  out += tile("Speed", fmt::format("{:.3g}", r.run.real_time_ratio), "x real time",
-              fmt::format("{} simulated", duration_words(r.duration + r.build_up)));
   return out + "</div>\n";
 }
 
@@ -127,8 +124,8 @@ std::string region_table(const StaticResults& statics, const std::string& captio
                      {"dynamic", ""},
                      {"static", ""},
                      {"ratio", ""},
-                     {"dynamic", "% of yield"},
-                     {"static", "% of yield"},
+                     {"dynamic", "% yield"},
+                     {"static", "% yield"},
                      {"Time", "s"},
                      {"Along pipe", "m"},
                      {"X", "m"},
@@ -161,8 +158,10 @@ void judge(std::vector<std::string>& all, const StaticResults& statics, const ch
 
 }  // namespace
 
-std::string dynamic_title_block(const StaticResults& statics, const DynamicResults& results,
-                                const std::optional<Description>& description, const std::string& written) {
+std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
+                                                                 const DynamicResults& results,
+                                                                 const std::optional<Description>& description,
+                                                                 const std::string& written) {
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   if (description) {
     entries.emplace_back("Sea", sea_words(description->environment.waves));
@@ -176,7 +175,7 @@ std::string dynamic_title_block(const StaticResults& statics, const DynamicResul
   entries.emplace_back("Status", status_words("completed", dynamic_remarks(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written);
-  return title_block("Dynamic pipelay analysis", statics.title, entries);
+  return entries;
 }
 
 std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results) {

@@ -101,7 +101,7 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
 }
 
 std::string dynamic_run_section(const DynamicResults& results) {
-  return html::section("run", "Energy balance and run",
+  return html::section("run", "Appendix: energy balance and run",
                        "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) +
                            "</div>\n<p class=\"small\">Integrator: " + html::escape(results.run.integrator) +
                            ".</p>\n");

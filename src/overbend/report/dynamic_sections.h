@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/description.h"
@@ -10,16 +11,20 @@
 
 namespace overbend {
 
-/// `description` tells of the sea and of what moves the vessel; without it the head does not.
-std::string dynamic_title_block(const StaticResults& statics, const DynamicResults& results,
-                                const std::optional<Description>& description, const std::string& written);
+/// For the title block. `description` tells of the sea and of what moves the vessel; without it the head does not.
+std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
+                                                                 const DynamicResults& results,
+                                                                 const std::optional<Description>& description,
+                                                                 const std::string& written);
 /// Warnings of both runs, and what the numbers call for in words.
 std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results);
 std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);
 /// Statistics of the key quantities and the most probable extremes.
 std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results);
-/// Boxes and rollers over time.
+/// Boxes over time.
 std::string dynamic_supports_section(const DynamicResults& results);
+/// Rollers one by one, for the appendix.
+std::string dynamic_rollers_section(const DynamicResults& results);
 std::string impacts_section(const StaticResults& statics, const DynamicResults& results);
 std::string tensioner_section(const StaticResults& statics, const DynamicResults& results);
 /// Energy balance and the course of the run.

@@ -4,6 +4,7 @@
 
 #include "report/dynamic_sections.h"
 #include "report/html.h"
+#include "report/key_spread.h"
 #include "report/quantity.h"
 #include "report/static_value.h"
 
@@ -101,8 +102,10 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
   for (const ExtremeEstimate& e : r.extremes) {
     const Quantity q = quantity(e.name, e.units);
     const std::optional<double> before = static_value(statics, r, e.name);
+    const std::optional<Spread> spread = key_spread(r, e.name);
+    const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
     std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit,
-                                      before ? q.text(*before) : "", q.text(e.observed), std::to_string(e.peaks)};
+                                      before ? q.text(*before) : "", q.text(observed), std::to_string(e.peaks)};
     if (e.enough) {
       for (const auto& [estimate, low, high] :
            {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {

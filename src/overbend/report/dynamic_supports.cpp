@@ -95,7 +95,7 @@ std::string roller_table(const DynamicResults& results) {
                 touched ? "loaded" : "");
     }
   }
-  return html::folded(fmt::format("Rollers one by one, over time ({})", count), table.str());
+  return html::folded(fmt::format("All {} rollers", count), table.str());
 }
 
 html::Table impact_table(const std::string& caption) {
@@ -130,7 +130,13 @@ std::string dynamic_supports_section(const DynamicResults& results) {
   if (results.supports.empty()) {
     return "";
   }
-  return html::section("dynamic-supports", "Supports over time", support_table(results) + roller_table(results));
+  return html::section("dynamic-supports", "Supports over time", support_table(results));
+}
+
+std::string dynamic_rollers_section(const DynamicResults& results) {
+  return results.supports.empty()
+             ? ""
+             : html::section("dynamic-rollers", "Appendix: rollers one by one, over time", roller_table(results));
 }
 
 std::string impacts_section(const StaticResults& statics, const DynamicResults& results) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "report/json_number.h"
+#include "report/key_spread.h"
 #include "report/quantity.h"
 #include "report/static_value.h"
 
@@ -97,7 +98,7 @@ class Histories {
                   {"unit", q.unit},
                   {"digits", q.digits},
                   {"description", history->description},
-                  {"over_time", spread_data(history->over_time, q)},
+                  {"over_time", spread_data(key_spread(results_, history->name).value_or(history->over_time), q)},
                   {"static", before ? json_number(q.shown(*before)) : json(nullptr)}});
     out_.push_back(std::move(trace));
     return true;
@@ -110,6 +111,16 @@ class Histories {
     if (!add(group, name + "_peak")) {
       add(group, name);
     }
+  }
+
+  /// Down to the rows, up to the peaks between them: tension that falls off counts as much as its peaks.
+  bool add_between(const std::string& group, const std::string& name) {
+    const HistorySummary* rows = find(results_, name);
+    const HistorySummary* peaks = find(results_, name + "_peak");
+    if (rows == nullptr || peaks == nullptr || rows->high.size() != peaks->high.size()) return add(group, name);
+    HistorySummary both = *rows;
+    both.high = peaks->high;
+    return add(group, &both);
   }
 
   /// Shades a range of values of the history added last.
@@ -165,7 +176,7 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     histories.add("motions", freedom);
   }
-  histories.add("tension", "top_tension");
+  histories.add_between("tension", "top_tension");
   histories.add("tension", "bottom_tension");
   if (results.tensioner.mode != "locked") {  // a locked one stands, and its tension is that of the pipe's top
     histories.add("tensioner", "tensioner/tension");

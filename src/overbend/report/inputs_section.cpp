@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <numbers>
 
+#include "report/assumption_rank.h"
 #include "report/html.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
@@ -199,7 +201,14 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
 }
 
 std::string assumptions_section(const std::vector<std::string>& assumptions) {
-  return assumptions.empty() ? "" : html::section("assumptions", "Assumptions", html::list(assumptions));
+  constexpr std::array<const char*, 3> kHeads = {"What decides the result", "What the model file sets, as understood",
+                                                 "What holds besides"};
+  const std::array<std::vector<std::string>, 3> lists = ranked(assumptions);
+  std::string body;
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    if (!lists[i].empty()) body += "<h3>" + std::string(kHeads[i]) + "</h3>\n" + html::list(lists[i]);
+  }
+  return body.empty() ? "" : html::section("assumptions", "Assumptions", body);
 }
 
 }  // namespace overbend

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <array>
 #include <numbers>
 
 #include "report/html.h"
@@ -58,11 +58,11 @@ std::string tiles(const StaticResults& r) {
   return out + "</div>\n";
 }
 
-/// Lay quantities in words, value and unit.
-std::string lay_table(const StaticResults& r) {
-  html::Table table("Lay configuration", {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
+/// Lay quantities: name, value and unit of each.
+std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
+  std::vector<std::array<std::string, 3>> rows;
   const auto row = [&](const std::string& name, const std::string& value, const std::string& unit) {
-    table.row({name, value, unit});
+    rows.push_back({name, value, unit});
   };
   row("Tension at the tensioner (effective)", fixed(r.top_tension / 1e3, 2), "kN");
   row("Largest effective tension", fixed(r.largest_tension / 1e3, 2), "kN");
@@ -85,7 +85,19 @@ std::string lay_table(const StaticResults& r) {
     row("Largest reaction of one roller, at " + r.largest_reaction_support, fixed(r.largest_reaction / 1e3, 2), "kN");
     row("Smallest separation of a bottom roller", fixed(r.smallest_separation, 4), "m");
   }
-  return table.str();
+  return rows;
+}
+
+/// In two halves beside each other where there is room.
+std::string lay_table(const StaticResults& r) {
+  const std::vector<std::array<std::string, 3>> rows = lay_quantities(r);
+  const std::vector<html::Head> head = {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}};
+  html::Table first("", head, "plain");
+  html::Table second("", head, "plain");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    (2 * i < rows.size() ? first : second).row({rows[i][0], rows[i][1], rows[i][2]});
+  }
+  return "<h3>Lay configuration</h3>\n<div class=\"columns lay\">\n" + first.str() + second.str() + "</div>\n";
 }
 
 struct ExtremeRow {
@@ -144,9 +156,9 @@ std::vector<std::string> static_remarks(const StaticResults& results) {
 }
 
 std::string title_block(const std::string& kind, const std::string& title,
-                        const std::vector<std::pair<std::string, std::string>>& entries) {
+                        const std::vector<std::pair<std::string, std::string>>& entries, const std::string& control) {
   return "<header>\n<div class=\"kind\">" + html::escape(kind) + "</div>\n<h1>" + html::escape(title) + "</h1>\n" +
-         html::entries(entries) + "</header>\n";
+         control + html::entries(entries) + "</header>\n";
 }
 
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results) {
@@ -162,7 +174,7 @@ std::string status_words(const std::string& state, std::size_t warnings) {
 }
 
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading) {
-  std::string body = tiles(results) + "<div class=\"results\">\n<div>\n";
+  std::string body = tiles(results) + "<div class=\"results\">\n";
   if (results.overbend) {
     body += region_table(results, "Overbend: tensioner to the inflection below the last support in contact",
                          *results.overbend);
@@ -170,18 +182,11 @@ std::string key_results(const StaticResults& results, const std::string& id, con
   body += region_table(results,
                        results.overbend ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
                        results.sagbend);
-  body += "</div>\n" + lay_table(results) + "</div>\n";
+  body += "</div>\n" + lay_table(results);
   body +=
       "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
       "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
   return html::section(id, heading, body);
-}
-
-std::string warnings_section(const std::vector<std::string>& all) {
-  if (all.empty()) {
-    return "";
-  }
-  return "<section id=\"warnings\" class=\"warnings\">\n<h2>Warnings</h2>\n" + html::list(all) + "</section>\n";
 }
 
 }  // namespace overbend

@@ -7,8 +7,10 @@
 #include "report/checks_section.h"
 #include "report/dynamic_sections.h"
 #include "report/figures.h"
+#include "report/front_page.h"
 #include "report/html.h"
 #include "report/page.h"
+#include "report/quantity.h"
 #include "report/report_data.h"
 #include "report/sections.h"
 
@@ -27,11 +29,8 @@ void require_stations(bool any) {
 }
 
 std::string static_tables(const StaticResults& results) {
-  return "<div class=\"wide\">\n" + html::section("summary", "Static summary", static_summary_table(results)) +
-         "</div>\n" +
-         (results.supports.empty()
-              ? ""
-              : html::section("supports", "Supports", support_table(results) + roller_table(results)));
+  return html::section("summary", "Static summary", static_summary_table(results)) +
+         (results.supports.empty() ? "" : html::section("supports", "Supports", support_table(results)));
 }
 
 /// Each once, in the order in which they come.
@@ -44,24 +43,32 @@ std::vector<std::string> together(std::vector<std::string> all, const std::vecto
   return all;
 }
 
+FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
+                   const std::vector<std::string>& remarks) {
+  return {kind, title, description ? description->report : ReportDescription{}, {}, weighed(remarks), ""};
+}
+
 }  // namespace
 
 std::string report_html(const StaticResults& results, const std::string& model_text) {
   require_stations(!results.stations.empty());
   const std::optional<Description> description = description_of(model_text);
-  const std::vector<std::string> remarks = static_remarks(results);
-  std::vector<std::pair<std::string, std::string>> entries = subject_entries(results);
-  entries.emplace_back("Status", status_words("converged", remarks.size()));
-  entries.emplace_back("Program", "Overbend " + results.version);
-  entries.emplace_back("Written", written_now());
   int figure = 0;
   const std::string checks = checks_section(results, results.checks, figure);
-  const std::string body = title_block("Static pipelay analysis", results.title, entries) +
-                           key_results(results, "results", "Key results") + warnings_section(remarks) + checks +
+  const std::string rest = key_results(results, "results", "Key results") +
+                           lay_setting_section(results, description, nullptr) + checks +
                            figures_section(results, "figures", "Figures", figure) + static_tables(results) +
                            inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
-                           balance_section(results) + model_text_section(model_text);
-  return whole_page(results.title + " - static analysis", body, report_data(results));
+                           rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
+                           model_text_section(model_text);
+  FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
+  front.reach = "Checks of the static state alone: what waves add needs a run in time.";
+  front.entries = subject_entries(results);
+  front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
+  front.entries.emplace_back("Program", "Overbend " + results.version);
+  front.entries.emplace_back("Written", written_now());
+  return whole_page(results.title + " - static analysis", front_page(front, results, results.checks, rest),
+                    report_data(results));
 }
 
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
@@ -70,17 +77,23 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   int figure = 0;
   const std::string checks = checks_section(statics, results.checks, figure);
   const std::string dynamic =
-      dynamic_title_block(statics, results, description, written_now()) + dynamic_key_results(statics, results) +
-      warnings_section(dynamic_remarks(statics, results)) + checks + dynamic_figures_section(statics, results, figure) +
-      dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
-      impacts_section(statics, results) + tensioner_section(statics, results) + dynamic_run_section(results);
+      dynamic_key_results(statics, results) + lay_setting_section(statics, description, &results) + checks +
+      dynamic_figures_section(statics, results, figure) + dynamic_statistics_section(statics, results) +
+      dynamic_supports_section(results) + impacts_section(statics, results) + tensioner_section(statics, results);
   const std::string before = key_results(statics, "static-results", "The static state from which the run starts") +
                              figures_section(statics, "figures", "Figures of the static state", figure) +
                              static_tables(statics);
   const std::string closing = inputs_section(statics, description, &results) +
                               assumptions_section(together(statics.assumptions, results.assumptions)) +
+                              dynamic_rollers_section(results) + rollers_section(statics) +
+                              check_inputs_section(results.checks) + dynamic_run_section(results) +
                               balance_section(statics) + model_text_section(model_text);
-  return whole_page(statics.title + " - dynamic analysis", dynamic + before + closing, report_data(statics, &results));
+  const std::string rest = dynamic + before + closing;
+  FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, dynamic_remarks(statics, results));
+  front.reach = "Largest values of one run of " + duration_words(results.duration) + ".";
+  front.entries = dynamic_entries(statics, results, description, written_now());
+  return whole_page(statics.title + " - dynamic analysis", front_page(front, statics, results.checks, rest),
+                    report_data(statics, &results));
 }
 
 void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file) {

@@ -11,9 +11,10 @@
 
 namespace overbend {
 
-/// All plain text.
+/// Plain text, but for `control`: HTML of the document control, may be empty.
 std::string title_block(const std::string& kind, const std::string& title,
-                        const std::vector<std::pair<std::string, std::string>>& entries);
+                        const std::vector<std::pair<std::string, std::string>>& entries,
+                        const std::string& control = "");
 /// What is laid, from what, where: for the title block.
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
 /// "converged", or "converged, 2 warnings": they stand further down and must not be missed.
@@ -21,16 +22,20 @@ std::string status_words(const std::string& state, std::size_t warnings);
 /// The warnings of the run, and what its numbers call for in words.
 std::vector<std::string> static_remarks(const StaticResults& results);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
-std::string warnings_section(const std::vector<std::string>& warnings);
 /// Inputs as the program understood them; without a description (a model text that can not be read) what results tell.
 /// `dynamic`, not null for the report of a run in time, adds what only counts there.
 std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
                            const DynamicResults* dynamic);
+/// By what hangs on them.
 std::string assumptions_section(const std::vector<std::string>& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.
 std::string static_summary_table(const StaticResults& results);
+/// How every box is set and what that makes it carry; with a run in time also the ends of that. Empty in J-lay.
+std::string lay_setting_section(const StaticResults& results, const std::optional<Description>& description,
+                                const DynamicResults* dynamic);
 std::string support_table(const StaticResults& results);
-std::string roller_table(const StaticResults& results);
+/// Rollers one by one, for the appendix.
+std::string rollers_section(const StaticResults& results);
 std::string balance_section(const StaticResults& results);
 std::string model_text_section(const std::string& model_text);
 

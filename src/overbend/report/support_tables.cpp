@@ -71,7 +71,7 @@ std::string static_summary_table(const StaticResults& results) {
                      {"Strain", "%"},
                      {"von Mises", "MPa"},
                      {"Yield", "%"}},
-                    "dense");
+                    "dense summary");
   table.groups({{"", 2}, {"Pipe axis", 4}, {"Support reaction", 2}, {"Support separation", 2}, {"Pipe", 6}});
   plain_row(table, results, results.stations.back(), "TENSIONER", "tensioner");
   for (const SupportResult& box : results.supports) {
@@ -126,7 +126,7 @@ std::string support_table(const StaticResults& results) {
          "level. Longitudinal: along the box, astern positive; lateral: to port positive.</p>\n";
 }
 
-std::string roller_table(const StaticResults& results) {
+std::string rollers_section(const StaticResults& results) {
   if (results.supports.empty()) {
     return "";
   }
@@ -154,7 +154,8 @@ std::string roller_table(const StaticResults& results) {
       }
     }
   }
-  return html::folded(fmt::format("Rollers one by one ({})", count), table.str());
+  return html::section("rollers", "Appendix: rollers one by one, static state",
+                       html::folded(fmt::format("All {} rollers", count), table.str()));
 }
 
 }  // namespace overbend

@@ -1,0 +1,79 @@
+#include "report/warning_weight.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace overbend {
+namespace {
+
+/// How the reader marks what it noticed: "folder/model.yaml:12: warning: key: ...".
+constexpr const char* kOfReader = ": warning: ";
+
+std::string without_folder(const std::string& warning, std::size_t mark) {
+  const std::size_t folder = warning.rfind('/', mark);
+  return folder == std::string::npos ? warning : warning.substr(folder + 1);
+}
+
+WeighedWarning weigh(const std::string& warning) {
+  const std::size_t mark = warning.find(kOfReader);
+  if (mark != std::string::npos) return {WarningWeight::input, without_mark(without_folder(warning, mark))};
+  const std::vector<std::string>& phrases = serious_phrases();
+  const bool serious = std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
+    return warning.find(phrase) != std::string::npos;
+  });
+  WeighedWarning weighed{serious ? WarningWeight::serious : WarningWeight::caution, warning};
+  if (!warning.empty()) weighed.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
+  return weighed;
+}
+
+}  // namespace
+
+const std::vector<std::string>& serious_phrases() {
+  static const std::vector<std::string> kPhrases = {
+      "lies beyond yield only",
+      "passes the yield stress in time",
+      "the pipe has left '",
+      "the pipe left '",
+      "the tension at the tensioner falls below zero",
+      "the tensioner stood at the end of its travel",
+      "the tensioner paid out",
+      "are the conventions (vessel.motion.convention) right?",
+  };
+  return kPhrases;
+}
+
+std::string without_mark(const std::string& warning) {
+  const std::size_t mark = warning.find(kOfReader);
+  if (mark == std::string::npos) return warning;
+  return warning.substr(0, mark) + ": " + warning.substr(mark + std::string(kOfReader).size());
+}
+
+const char* word(WarningWeight weight) {
+  constexpr std::array<const char*, 3> kWords = {"Serious", "Caution", "Input"};
+  return kWords[static_cast<std::size_t>(weight)];
+}
+
+std::vector<WeighedWarning> weighed(const std::vector<std::string>& warnings) {
+  std::vector<WeighedWarning> all;
+  for (const std::string& warning : warnings) all.push_back(weigh(warning));
+  std::stable_sort(all.begin(), all.end(),
+                   [](const WeighedWarning& a, const WeighedWarning& b) { return a.weight < b.weight; });
+  return all;
+}
+
+std::string weight_words(const std::vector<WeighedWarning>& warnings) {
+  constexpr std::array<const char*, 3> kKinds = {"{} serious", "{} to look at", "{} on the input"};
+  std::string words;
+  for (std::size_t i = 0; i < kKinds.size(); ++i) {
+    const auto count = std::count_if(warnings.begin(), warnings.end(), [&](const WeighedWarning& w) {
+      return w.weight == static_cast<WarningWeight>(i);
+    });
+    if (count > 0) words += (words.empty() ? "" : ", ") + fmt::format(fmt::runtime(kKinds[i]), count);
+  }
+  return words;
+}
+
+}  // namespace overbend

@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+"""Looks how a report sits on screens of several widths and on paper, in headless Chromium.
+
+    report_layout.py PROGRAM MODEL.yaml
+    report_layout.py --made-by PROGRAM [WORD ...]
+
+On screens: nothing makes the page wider than the window, no table is cut where there is room for a desk's screen, no two
+names of boxes cover each other, names of levels stand on their line, and the axis of a tension does not begin at zero.
+On paper: the first page stands alone, what is read as a whole is not split, no page but the last is nearly empty.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import zlib
+
+from render_report import FLAGS, written_page
+
+WIDTHS = (1920, 1280, 390)
+DESK = 1200  # from here on tables have their room
+
+# Runs inside the page; what is wrong with it.
+LOOK = """
+(() => {
+  const faults = [];
+  const wide = window.innerWidth;
+  const page = document.documentElement;
+  if (page.scrollWidth > wide + 1) faults.push(`the page is ${page.scrollWidth} px wide`);
+  if (wide >= DESK) for (const table of document.querySelectorAll('.table, .tile, .bar, #contents')) {
+    if (table.scrollWidth > table.clientWidth + 1) faults.push(`cut: ${table.className}, ${table.textContent.trim().slice(0, 40)}`);
+  }
+  for (const panel of document.querySelectorAll('.panel')) {
+    const id = `${panel.dataset.figure}/${panel.dataset.part}`;
+    for (const svg of panel.querySelectorAll('svg')) {
+      // A name as a box in its own axes: names at one angle cover each other where their boxes do.
+      const names = [...svg.querySelectorAll('text.name, g text.halo[text-anchor]')].filter((t) => t.classList.contains('name') || svg.classList.contains('rotatable'));
+      const boxes = names.map((text) => {
+        const m = text.getCTM();
+        const angle = Math.atan2(m.b, m.a);
+        const b = text.getBBox();
+        const at = (x, y) => { const p = new DOMPoint(x, y).matrixTransform(m); return [p.x * Math.cos(angle) + p.y * Math.sin(angle), p.y * Math.cos(angle) - p.x * Math.sin(angle)]; };
+        const [x0, y0] = at(b.x, b.y + 0.2 * b.height);
+        const [x1, y1] = at(b.x + b.width, b.y + 0.8 * b.height);
+        return { angle, x0, x1, y0, y1, text: text.textContent };
+      });
+      boxes.forEach((a, i) => boxes.slice(0, i).forEach((b) => {
+        if (Math.abs(a.angle - b.angle) > 0.01) return;
+        if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) faults.push(`${id}: '${a.text}' covers '${b.text}'`);
+      }));
+      for (const level of svg.querySelectorAll('text.level')) {
+        const y = Number(level.getAttribute('y'));
+        const lines = [...svg.querySelectorAll('path[stroke-dasharray="8 4"]')].map((p) => Number(p.getAttribute('d').split(',')[1].split(/[A-Z]/)[0]));
+        if (!lines.some((line) => line - y > 0 && line - y < 8)) faults.push(`${id}: '${level.textContent}' stands away from its line`);
+      }
+    }
+  }
+  for (const panel of document.querySelectorAll('[data-figure=tension], [data-figure=envelope_tension]')) {
+    const ticks = [...panel.querySelectorAll('g[text-anchor=end] .tick text')].map((t) => t.textContent);
+    const st = Report.data.stations;
+    const all = st.tension.concat(st.wall);
+    if (Report.data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
+  }
+  return faults;
+})()
+""".replace("DESK", str(DESK))
+
+# What stays on one page, and a link to both of its ends: a printed link tells on which page its aim lies.
+MARK = """
+document.querySelectorAll('.table:has(table.checks), .table:has(table.plain), .table:has(table.summary), .verdict, .card, #contents').forEach((whole, i) => {
+  const parts = whole.querySelectorAll('tr, .bar, li');
+  const first = document.createElement('a');
+  const last = document.createElement('a');
+  first.id = `first-${i}`;
+  last.id = `last-${i}`;
+  (parts.length > 0 ? parts[0].querySelector('th, td, div, a') : whole).prepend(first);
+  (parts.length > 0 ? [...parts].pop().querySelector('th, td, div, a') : whole).append(last);
+  for (const a of [first, last]) {
+    const link = document.createElement('a');
+    link.href = '#' + a.id;
+    link.textContent = '.';
+    link.style.cssText = 'position: absolute; top: 0; left: 0';
+    document.body.append(link);
+  }
+});
+"""
+
+
+def chromium(words, profile):
+    done = subprocess.run(["chromium", *FLAGS, f"--user-data-dir={profile}", "--virtual-time-budget=8000", *words],
+                          capture_output=True, text=True, timeout=180, check=True)
+    return done.stdout
+
+
+def with_script(page, script, name):
+    copy = page.with_name(name)
+    text = page.read_text()
+    cut = text.rindex("</body>")
+    copy.write_text(text[:cut] + f"<script>{script}</script>\n" + text[cut:])
+    return copy
+
+
+def faults_on_screens(page, profile):
+    """A frame of each width holds the page and tells what it saw."""
+    look = with_script(page, f"parent.postMessage({{wide: window.innerWidth, faults: {LOOK.strip()}}}, '*');", "look.html")
+    frames = "".join(f'<iframe src="{look.as_uri()}" style="width:{w}px;height:900px;border:0"></iframe>' for w in WIDTHS)
+    outer = page.with_name("frames.html")
+    outer.write_text("<body><pre id=told></pre><script>const all = [];"
+                     "onmessage = (e) => { all.push(e.data); told.textContent = JSON.stringify(all); };"
+                     f"</script>{frames}</body>")
+    document = chromium(["--dump-dom", outer.as_uri()], profile)
+    told = re.search(r'<pre id="told">(.*?)</pre>', document, flags=re.S)[1]
+    seen = json.loads(told.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&") or "[]")
+    if sorted(one["wide"] for one in seen) != sorted(WIDTHS):
+        yield f"looked at {[one['wide'] for one in seen]} only"
+    for one in seen:
+        for fault in one["faults"]:
+            yield f"at {one['wide']} px: {fault}"
+
+
+class Printed:
+    """The pages of a PDF by Chromium: what each draws, and where its links lead."""
+
+    def __init__(self, data):
+        self.objects = {int(m[1]): m[2] for m in re.finditer(rb"(\d+) 0 obj\s(.*?)endobj", data, flags=re.S)}
+        self.pages = [n for n, body in self.objects.items() if re.search(rb"/Type\s*/Page\b", body)]
+
+    def content(self, page):
+        stream = self.objects[int(re.search(rb"/Contents (\d+) 0 R", self.objects[page])[1])]
+        raw = stream[stream.index(b"stream") + 6:stream.rindex(b"endstream")].lstrip(b"\r\n")
+        return zlib.decompressobj().decompress(raw) if b"/FlateDecode" in stream else raw
+
+    def aims(self):
+        """Name of each place that a link leads to, and the page it lies on."""
+        found = {}
+        for body in self.objects.values():
+            for name, page in re.findall(rb"[(/]([\w-]+)\)?\s*\[(\d+) 0 R\s*/XYZ", body):
+                found[name.decode()] = self.pages.index(int(page))
+        return found
+
+
+def faults_on_paper(page, profile):
+    pdf = page.with_name("page.pdf")
+    marked = with_script(page, MARK, "marked.html")
+    chromium(["--no-pdf-header-footer", f"--print-to-pdf={pdf}", marked.as_uri()], profile)
+    printed = Printed(pdf.read_bytes())
+    aims = printed.aims()
+    ends = sorted(int(name[6:]) for name in aims if name.startswith("first-"))
+    if len(ends) < 4:
+        yield f"only {len(ends)} things to be kept whole were found on paper"
+    for i in ends:
+        if aims[f"first-{i}"] != aims[f"last-{i}"]:
+            yield f"number {i} of what is to stay whole is split over pages {aims[f'first-{i}'] + 1} and {aims[f'last-{i}'] + 1}"
+    if aims.get("results", 1) != 1:
+        yield f"the key results stand on page {aims['results'] + 1}, not on the second"
+    # A page with little on it has little to draw and few letters; one that holds a figure has few letters only.
+    sizes = [(len(text), sum(map(len, re.findall(rb"<([0-9A-F]+)>", text)))) for text in map(printed.content, printed.pages)]
+    drawn, letters = (sorted(column)[len(sizes) // 2] for column in zip(*sizes))
+    for number, (size, count) in enumerate(sizes[:-1], 1):
+        if number > 1 and size < 0.2 * drawn and count < 0.35 * letters:
+            yield f"page {number} of {len(sizes)} is nearly empty"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as folder:
+        page = written_page(sys.argv[1:], folder)
+        faults = list(faults_on_screens(page, folder + "/profile")) + list(faults_on_paper(page, folder + "/profile"))
+    for fault in faults[:25]:
+        print(fault)
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == "__main__":
+    main()
