@@ -15,7 +15,7 @@ std::vector<std::string> choices_of(const std::string& type) {
 }
 
 Completes completion_of(const CLI::Option& option, const std::string& command) {
-  const std::string name = option.get_single_name();
+  const std::string& name = option.get_single_name();
   if (name == "MODEL") return Completes::model;
   if (name == "RESULTS" || name == "folder") return Completes::folder;
   if (name == "output") return command == "new" ? Completes::file : Completes::folder;

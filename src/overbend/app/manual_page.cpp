@@ -33,8 +33,9 @@ std::string option_text(const DescribedOption& option) {
   std::string text = roff(option.text);
   if (!option.choices.empty()) {
     text += " (one of";
-    for (const std::string& choice : option.choices)
+    for (const std::string& choice : option.choices) {
       text += (choice == option.choices.front() ? " " : ", ") + roff(choice);
+    }
     text += ")";
   }
   return text;
@@ -43,8 +44,9 @@ std::string option_text(const DescribedOption& option) {
 std::string synopsis(const DescribedCommand& command) {
   std::string line = "overbend " + roff(command.name);
   for (const DescribedOption& option : command.options) {
-    if (option.names.empty())
+    if (option.names.empty()) {
       line += option.required ? " \\fI" + option.value + "\\fR" : " [\\fI" + option.value + "\\fR]";
+    }
   }
   return line + " [options]";
 }

@@ -40,8 +40,9 @@ std::string bash_value(const DescribedCommand& command, const DescribedOption& o
 
 std::string bash_options(const DescribedCommand& command, const std::vector<std::string>& names) {
   std::vector<std::string> words = command.name.empty() ? names : std::vector<std::string>{};
-  for (const DescribedOption& option : command.options)
+  for (const DescribedOption& option : command.options) {
     words.insert(words.end(), option.names.begin(), option.names.end());
+  }
   return fmt::format("    '{}') options='{}' ;;\n", command.name, joined(words, " "));
 }
 

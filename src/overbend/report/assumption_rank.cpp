@@ -74,8 +74,9 @@ AssumptionRank rank_of(const std::string& assumption) {
 
 std::array<std::vector<std::string>, 3> ranked(const std::vector<std::string>& assumptions) {
   std::array<std::vector<std::string>, 3> all;
-  for (const std::string& assumption : assumptions)
+  for (const std::string& assumption : assumptions) {
     all[static_cast<std::size_t>(rank_of(assumption))].push_back(assumption);
+  }
   return all;
 }
 

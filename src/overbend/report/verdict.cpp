@@ -58,8 +58,9 @@ std::string reservation(const CheckTable& table, std::ptrdiff_t serious) {
   const std::ptrdiff_t invalid = count_of(table, CheckStatus::outside_validity);
   std::string words;
   if (invalid > 0) words += fmt::format("{} not judged", invalid);
-  if (serious > 0)
+  if (serious > 0) {
     words += fmt::format("{}{} serious warning{}", words.empty() ? "" : ", ", serious, serious == 1 ? "" : "s");
+  }
   return words;
 }
 
