@@ -38,7 +38,7 @@ std::string offered(const std::string& words) {
 
 TEST(bash_completion, offers_commands_options_values_and_model_files) {
   EXPECT_EQ(offered("overbend st"), "static\n");
-  EXPECT_EQ(offered("overbend dynamic --re"), "--resume\n");
+  EXPECT_EQ(offered("overbend dynamic --re"), "--resume\n--restart\n");
   EXPECT_EQ(offered("overbend new --lay ''"), "s\nj\n");
   EXPECT_EQ(offered("overbend compare --of t"), "tensioner\n");
   EXPECT_EQ(offered("overbend static l"), "lay.yaml\n");

@@ -235,6 +235,18 @@ bool relax_and_finish(StaticCase& at) {
   return follow(at, "full stiffness");
 }
 
+void note_left(StaticCase& at) {
+  const std::vector<Roller>& rollers = at.model.supports.rollers;
+  for (std::size_t i = 0; i < rollers.size(); ++i) {
+    const ClosestPoint& closest = at.system.roller_states()[i].at;
+    if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
+      at.left = fmt::format(". When a try ended the pipe lay beside '{}', {:.2f} m off the end of its roller",
+                            at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 double StaticCase::most_work() const {
@@ -254,22 +266,26 @@ bool follow_softly(StaticCase& at) {
 }
 
 bool solve_elastic(StaticCase& at, const LayShape& shape) {
+  const auto works = [&](bool found) {
+    if (!found) note_left(at);
+    return found;
+  };
   const StaticMethod wanted = at.model.description.statics.method;
   at.state = sample_shape(at.system, shape);
   if (wanted == StaticMethod::newton) {
     at.report.method = "newton";
-    if (harden(at)) {
+    if (works(harden(at))) {
       return true;
     }
     at.report.method = "newton, current raised in steps";
     at.state = sample_shape(at.system, shape);
-    if (ease_in_current(at)) {
+    if (works(ease_in_current(at))) {
       return true;
     }
     at.report.method = "newton, hardened in steps";
     at.state = sample_shape(at.system, shape);
     at.least_found = 0.0;
-    if (ease_in_everything(at)) {
+    if (works(ease_in_everything(at))) {
       return true;
     }
     if (at.least_found > 0.0) {
@@ -277,13 +293,13 @@ bool solve_elastic(StaticCase& at, const LayShape& shape) {
     }
     at.system.limit_bed_stiffness(1e300);
     at.report.method = "newton, tension lowered in steps";
-    if (at.target.kind == Target::Kind::top_tension && descend(at)) {
+    if (at.target.kind == Target::Kind::top_tension && works(descend(at))) {
       return true;
     }
     at.state = sample_shape(at.system, shape);
   }
   at.report.method = "dynamic relaxation, then newton";
-  return relax_and_finish(at);
+  return works(relax_and_finish(at));
 }
 
 bool let_yield(StaticCase& at) {

@@ -1,6 +1,8 @@
 /// Ways from a first guess to the equilibrium of one case on one mesh.
 #pragma once
 
+#include <string>
+
 #include "analysis/lay_shape.h"
 #include "analysis/line_system.h"
 #include "results/static_results.h"
@@ -16,6 +18,10 @@ struct StaticCase {
   SolveReport report;
   double work = 0.0;         ///< Done so far: Newton steps times elements, and what else is looked at in their measure.
   double least_found = 0.0;  ///< Where a try ended without tension at the seabed: tension at the top then, else 0 [N].
+
+  /// Words on the first box, seen from the tensioner, that the pipe lay beside where a way ended; empty where it lay on
+  /// all.
+  std::string left = {};
 
   /// What a case may cost before it is given up. Counted, not timed: every machine gives the same answer.
   double most_work() const;

@@ -63,20 +63,6 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
-/// Words on the first box, seen from the tensioner, that the pipe lay beside at the last try; empty where it lay on
-/// all.
-std::string left_at_last(const StaticCase& at) {
-  const std::vector<Roller>& rollers = at.model.supports.rollers;
-  for (std::size_t i = 0; i < rollers.size(); ++i) {
-    const ClosestPoint& closest = at.system.roller_states()[i].at;
-    if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
-      return fmt::format(". At the last try the pipe lay beside '{}', {:.2f} m off the end of its roller",
-                         at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
-    }
-  }
-  return "";
-}
-
 StaticOutcome give_up(const StaticCase& at, double least_tension) {
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
@@ -93,7 +79,7 @@ StaticOutcome give_up(const StaticCase& at, double least_tension) {
                            "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
                            "strong for so light a pipe{}",
                            at.spent() ? " within what a case may cost" : "", at.report.force_residual,
-                           at.target.value / least_tension, left_at_last(at))});
+                           at.target.value / least_tension, at.left)});
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.

@@ -91,6 +91,7 @@ void encode(const RunCheckpoint& c, Encoder& out) {
     out.text(column.description);
     out.number(std::uint64_t{column.extreme});
     out.number(std::uint64_t{column.spectrum});
+    out.number(std::uint64_t{column.smallest});
   }
   out.number(static_cast<std::uint64_t>(c.stations));
   for (const std::uint64_t bytes : {c.row_bytes, c.snapshot_bytes, c.impact_bytes}) out.number(bytes);
@@ -104,14 +105,16 @@ void encode(const RunCheckpoint& c, Encoder& out) {
 }
 
 void decode_column(Decoder& in, HistoryColumn& column) {
-  std::uint64_t extreme = 0, spectrum = 0;
+  std::uint64_t extreme = 0, spectrum = 0, smallest = 0;
   in.text(column.name);
   in.text(column.units);
   in.text(column.description);
   in.number(extreme);
   in.number(spectrum);
+  in.number(smallest);
   column.extreme = extreme != 0;
   column.spectrum = spectrum != 0;
+  column.smallest = smallest != 0;
 }
 
 /// All after the version.

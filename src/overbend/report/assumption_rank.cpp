@@ -22,7 +22,7 @@ const std::vector<std::string>& assumption_phrases(AssumptionRank rank) {
       "with this yield stress is taken",
       "over the supports the pipe takes the shape of the stinger",
       "counts as functional load effect alone",
-      "the static state, with its current, is the functional load effect",
+      "is the functional load effect",
       "coatings add weight, not stiffness",
       "times as stiff; the steel carries its share",
       "linear elastic",
