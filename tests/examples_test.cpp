@@ -63,11 +63,11 @@ int carrying_boxes(const StaticResults& results) {
 
 TEST(examples, give_the_numbers_that_their_page_states) {
   constexpr Expected kExpected[] = {
-      {"first-model.yaml", 258.1, 178.4, 326.0, 97.0},
-      {"bgl1.yaml", 205.5, 335.6, 316.0, 74.0},
-      {"bgl1-as-printed.yaml", 205.5, 334.5, 530.0, 74.0},
-      {"bgl1-workable-sea.yaml", 205.5, 335.1, 316.0, 74.0},
-      {"bgl1-as-printed-steel.yaml", 207.6, 335.9, 395.5, 204.6},
+      {"first-model.yaml", 258.1, 178.4, 325.0, 97.0},
+      {"bgl1.yaml", 205.5, 335.6, 312.0, 74.0},
+      {"bgl1-as-printed.yaml", 205.5, 334.5, 528.0, 74.0},
+      {"bgl1-workable-sea.yaml", 205.5, 335.1, 312.0, 74.0},
+      {"bgl1-as-printed-steel.yaml", 207.6, 335.9, 395.5, 203.5},
   };
   for (const Expected& expected : kExpected) {
     SCOPED_TRACE(expected.file);
@@ -88,11 +88,11 @@ TEST(examples, first_model_leaves_its_stinger_at_the_last_but_one_box) {
 
 TEST(examples, static_page_holds) {
   const StaticResults r = solved(example("bgl1.yaml"));
-  EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 334.0, kWhole);
+  EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 330.0, kWhole);
   EXPECT_NEAR(1e-6 * r.sagbend.von_mises.value, 90.0, kWhole);
   EXPECT_NEAR(*r.stinger_tip_clearance, 0.29, 0.02);
   EXPECT_EQ(r.largest_reaction_support, "ramp 1");
-  EXPECT_NEAR(1e-3 * r.largest_reaction, 48.8, 1.0);  // a millimetre of roller height is worth kilonewtons
+  EXPECT_NEAR(1e-3 * r.largest_reaction, 47.8, 1.0);  // a millimetre of roller height is worth kilonewtons
   EXPECT_EQ(carrying_boxes(r), 9);
   // What the lay hangs on and rests on is its weight: nothing is lost on the way.
   EXPECT_LT(r.global_residual, 1e-9);
@@ -103,9 +103,9 @@ TEST(examples, static_page_holds) {
 
 TEST(examples, stinger_as_printed_loads_one_box_and_passes_yield) {
   const StaticResults r = solved(example("bgl1-as-printed.yaml"));
-  EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 547.0, kWhole);
+  EXPECT_NEAR(1e-6 * r.overbend->von_mises.value, 545.0, kWhole);
   EXPECT_NEAR(1e-3 * box(r, "stinger 2").reaction, 111.0, 2.0);
-  EXPECT_NEAR(1e-3 * r.largest_reaction, 68.9, 1.0);
+  EXPECT_NEAR(1e-3 * r.largest_reaction, 68.3, 1.0);
   EXPECT_EQ(r.largest_reaction_support, "stinger 2");
   EXPECT_EQ(carrying_boxes(r), 6);
   const StaticResults mended = solved(example("bgl1.yaml"));
@@ -184,17 +184,17 @@ DynamicResults tensioner_study(TensionerMode mode) {
 TEST(examples, tensioner_page_holds) {
   const DynamicResults off = tensioner_study(TensionerMode::locked);
   const DynamicResults on = tensioner_study(TensionerMode::controlled);
-  EXPECT_NEAR(1e-3 * off.tensioner.tension.std, 31.2, kTension);
-  EXPECT_NEAR(1e-3 * off.tensioner.tension.min, 201.0, kTension);
-  EXPECT_NEAR(1e-3 * off.tensioner.tension.max, 298.0, kTension);
+  EXPECT_NEAR(1e-3 * off.tensioner.tension.std, 29.8, kTension);
+  EXPECT_NEAR(1e-3 * off.tensioner.tension.min, 208.0, kTension);
+  EXPECT_NEAR(1e-3 * off.tensioner.tension.max, 294.0, kTension);
   EXPECT_NEAR(off.tensioner.time_out_of_range, 52.4, kTime);
-  EXPECT_NEAR(1e-3 * on.tensioner.tension.std, 20.6, kTension);
-  EXPECT_NEAR(1e-3 * on.tensioner.tension.min, 194.0, kTension);
+  EXPECT_NEAR(1e-3 * on.tensioner.tension.std, 20.3, kTension);
+  EXPECT_NEAR(1e-3 * on.tensioner.tension.min, 195.0, kTension);
   EXPECT_NEAR(1e-3 * on.tensioner.tension.max, 289.0, kTension);
   EXPECT_NEAR(on.tensioner.time_out_of_range, 20.5, kTime);
   EXPECT_NEAR(on.tensioner.travel.min, 0.03, kTravel);
   EXPECT_NEAR(on.tensioner.travel.max, 0.18, kTravel);
-  EXPECT_NEAR(1e-6 * on.overbend.von_mises.over_time.max, 339.0, kStress);
+  EXPECT_NEAR(1e-6 * on.overbend.von_mises.over_time.max, 334.0, kStress);
   EXPECT_TRUE(on.warnings.empty());
   EXPECT_TRUE(off.warnings.empty());
   // The machine shortens the time out of range more than it trims the peaks: both come while it still waits.
@@ -250,8 +250,8 @@ TEST(examples, contact_models_page_holds) {
   EXPECT_NEAR(rigorous.touched, 13, 1);
   EXPECT_NEAR(simple.touched, 11, 1);
   EXPECT_NEAR(1e-3 * rigorous.peak, 60.0, 2.0);
-  EXPECT_NEAR(1e-3 * simple.peak, 56.0, 2.0);
-  EXPECT_NEAR(1e-6 * springs.overbend.von_mises.over_time.max, 353.0, kStress);
+  EXPECT_NEAR(1e-3 * simple.peak, 55.0, 2.0);
+  EXPECT_NEAR(1e-6 * springs.overbend.von_mises.over_time.max, 351.0, kStress);
   // A smaller share of the rollers touches, and one of them carries more than a third of a box's spring.
   EXPECT_LT(rigorous.touched * simple.places, simple.touched * rigorous.places);
   EXPECT_GT(rigorous.peak, simple.peak / 3.0);

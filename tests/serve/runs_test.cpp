@@ -253,7 +253,7 @@ TEST(serve_runs, a_run_that_was_cancelled_goes_on_where_it_stopped) {
   ASSERT_EQ(stopped["state"], "cancelled") << "the run came to its end before";
   EXPECT_EQ(stopped["resumable"], true);
   EXPECT_EQ(stopped["has_results"], true);
-  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).json["state"], "queued");
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 200);  // it may be at work already
   EXPECT_EQ(serving.wait_for(id)["state"], "done");
   EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["dynamic"]["duration"], 600.0);
 }
