@@ -67,7 +67,7 @@ TEST(verdict, what_was_not_judged_and_serious_warnings_are_reservations) {
   const CheckRow passed = check_of("Equivalent stress", CheckRegion::sagbend, CheckStatus::passed, 0.4);
   const CheckRow outside = check_of("Local buckling", CheckRegion::overbend, CheckStatus::outside_validity, 0.0);
   EXPECT_EQ(words_of({passed, outside}), "PASSED WITH RESERVATIONS: 1 not judged");
-  EXPECT_EQ(words_of({passed}, {"the tension at the tensioner falls below zero"}),
+  EXPECT_EQ(words_of({passed}, {"compression: the effective tension falls to -3.10 kN at the seabed"}),
             "PASSED WITH RESERVATIONS: 1 serious warning");
   EXPECT_EQ(words_of({passed}, {"something new"}), "PASSED");
 }
@@ -81,7 +81,7 @@ TEST(verdict, without_any_judged_check_nothing_is_claimed) {
 TEST(warning_weight, the_heaviest_stand_first_and_no_folder_is_told) {
   const std::vector<WeighedWarning> all =
       weighed({"/home/me/secret/model.yaml:12: warning: pipe.steel: thin", "the pipe runs off the end of a roller: tip",
-               "the tension at the tensioner falls below zero"});
+               "compression: the effective tension falls to -3.10 kN at the seabed"});
   ASSERT_EQ(all.size(), 3u);
   EXPECT_EQ(all[0].weight, WarningWeight::serious);
   EXPECT_EQ(all[1].weight, WarningWeight::caution);
