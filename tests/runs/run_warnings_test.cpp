@@ -65,6 +65,13 @@ TEST(run_warnings, a_mean_off_the_wanted_tension_is_told_and_so_is_a_drift) {
   EXPECT_TRUE(only(warnings_of(sound(), -8e3), "drifts: it falls by"));
 }
 
+TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
+  DynamicResults r = sound();
+  r.energy.throughput = 1e6;
+  r.energy.error = 2e3;
+  EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run is off by 0.002"));
+}
+
 TEST(run_warnings, a_trend_is_a_trend_only_beyond_chance) {
   EXPECT_NEAR(trend(swinging(4000, 5e3)), 5e3, 300.0);
   std::vector<double> noise;  // eight blocks that scatter

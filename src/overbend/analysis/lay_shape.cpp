@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/line_elements.h"
 #include "mechanics/rod_element.h"
@@ -14,9 +15,8 @@ struct Guide2 {
   double distance, z, dip;
 };
 
-/// Weight per length of the line's own section at height z, buoyancy by the wetted share [N/m].
-double weight_at(const Model& model, double z) {
-  const Section& pipe = model.sections.front();
+/// Weight per length of a section at height z, buoyancy by the wetted share [N/m].
+double weight_at(const Model& model, const Section& pipe, double z) {
   return pipe.weight_in_air -
          model.water_weight_density * pipe.external_area * wetted_fraction(z, pipe.outer_radius()).value;
 }
@@ -52,7 +52,7 @@ FreeSpan hang(const Model& model, double H, double bed_z, double slope, double t
     span.distance.push_back(x);
     span.z.push_back(z);
     span.dip.push_back(dip);
-    V += step * weight_at(model, z);
+    V += step * weight_at(model, model.sections.front(), z);
     const double middle = std::atan2(V, H);
     x += step * std::cos(0.5 * (dip + middle));
     z += step * std::sin(0.5 * (dip + middle));
@@ -160,11 +160,15 @@ LayPlane lay_plane(const Model& model, const VesselPose& pose) {
 double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
   const int steps = 4000;
   const double dz = (plane.tensioner_W.z() - bed_z) / steps;
-  double sum = 0.0;
-  for (int i = 0; i < steps; ++i) {
-    sum += dz * weight_at(model, bed_z + (i + 0.5) * dz);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Section& section : model.sections) {
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      sum += dz * weight_at(model, section, bed_z + (i + 0.5) * dz);
+    }
+    least = std::min(least, sum);
   }
-  return sum;
+  return least;
 }
 
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {

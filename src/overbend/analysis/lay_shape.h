@@ -38,7 +38,7 @@ struct LayShape {
 
 /// Work of the pipe's weight per length between the bed and the tensioner: what the tension loses on the way down. A
 /// frictionless rod keeps N + EI kappa^2/2 + (weight of the pipe hanging below), so tension - this is the bottom
-/// tension but for bending.
+/// tension but for bending. Where the line has several sections, of the lightest: nothing is refused that may hang.
 double hanging_weight(const Model& model, const LayPlane& plane, double bed_z);
 
 /// `tension` at the tensioner [N]; `bottom_tension` > 0 overrides the one that follows from it (continuation).

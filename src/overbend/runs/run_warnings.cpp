@@ -12,6 +12,7 @@ namespace {
 constexpr double kThreeHours = 10800.0;  ///< [s]
 constexpr double kOffMean = 0.02;        ///< Of the wanted tension, worth a word [-].
 constexpr double kDrift = 0.01;          ///< Likewise, over the run [-].
+constexpr double kMostDrift = 1e-3;      ///< Of the energy balance: beyond it, the run is not resolved [-].
 constexpr double kStandsStill = 1e-9;    ///< [m, rad]
 constexpr std::size_t kBlocks = 8;
 constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
@@ -64,6 +65,16 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   }
 }
 
+void warn_of_energy(DynamicResults& results) {
+  const double drift = results.energy.drift();
+  if (std::abs(drift) <= kMostDrift) return;
+  results.warnings.push_back(
+      fmt::format("the energy balance of the run is off by {:.2g} of the energy that has passed: the motion is not "
+                  "resolved; give a "
+                  "shorter step (analysis.dynamic.max_step), or leave a fixed step out",
+                  std::abs(drift)));
+}
+
 }  // namespace
 
 double trend(std::span<const double> values) {
@@ -93,6 +104,7 @@ void warn_of_run(DynamicResults& results, std::span<const double> tension) {
   warn_of_short_run(results);
   warn_of_still_vessel(results);
   warn_of_tension(results, tension);
+  warn_of_energy(results);
 }
 
 }  // namespace overbend
