@@ -22,8 +22,10 @@ ElementVector dofs(const LineShape& shape, std::size_t element) {
 void scatter(const ElementVector& force, const ElementMatrix& k, int element, const YieldingTarget& target) {
   double* residual = target.residual->data() + 6 * element;
   for (int i = 0; i < 12; ++i) residual[i] += force(i);
-  for (int i = 6; target.cuts != nullptr && i < 12; ++i)
-    (*target.cuts)[static_cast<std::size_t>(6 * element + i)] += force(i);
+  if (target.cuts != nullptr) {
+    double* cuts = target.cuts->data() + 6 * element;
+    for (int i = 6; i < 12; ++i) cuts[i] += force(i);
+  }
   if (target.tangent != nullptr) add_element(*target.tangent, element, k);
 }
 
