@@ -8,8 +8,8 @@
 namespace overbend {
 
 /// Statistics of three hours from a shorter run; a vessel that does not move in a sea; a tension that does not stay
-/// where it is wanted; an energy balance that does not close. Reads the summaries of `results`; `tension` is that of the tensioner from t = 0 on [N], rows one
-/// output step apart.
+/// where it is wanted; an energy balance that does not close. Reads the summaries of `results`; `tension` is that of
+/// the tensioner from t = 0 on [N], rows one output step apart.
 void warn_of_run(DynamicResults& results, std::span<const double> tension);
 
 /// Change of a record over its length by a straight line through the means of eight blocks, where it is beyond chance
