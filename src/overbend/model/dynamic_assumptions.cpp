@@ -183,6 +183,16 @@ void assume_steel(Sentences& list, const Model& model) {
   }
 }
 
+void assume_laid_pipe(Sentences& list, const Model& model) {
+  if (model.description.pipe.length) return;
+  list.push_back(model.seabed.friction_axial > 0.0 ? "Behind the static line the laid pipe goes on for as long as "
+                                                     "axial friction needs to take up the tension at "
+                                                     "the tensioner, 3 km at most."
+                                                   : "The bed has no axial friction: the laid pipe is held where the "
+                                                     "static line ends, and changes of tension hang "
+                                                     "on that length (environment.seabed.friction lets it be found).");
+}
+
 }  // namespace
 
 void assume_dynamics(Sentences& list, const Model& model) {
@@ -191,6 +201,7 @@ void assume_dynamics(Sentences& list, const Model& model) {
   assume_waves(list, model, settings);
   assume_vessel_motion(list, model.description.vessel);
   assume_water_forces(list, model);
+  assume_laid_pipe(list, model);
   assume_held_top(list, model.description.tensioner);
   assume_rollers(list, model, settings);
   assume_steel(list, model);
