@@ -155,5 +155,15 @@ TEST(dynamic_assumptions, of_j_lay_tell_nothing_of_rollers) {
   EXPECT_EQ(mentions(d, "stress beyond yield is reported, not limited"), 1);
 }
 
+TEST(dynamic_assumptions, say_what_holds_the_laid_pipe) {
+  Description d = moving();
+  d.environment.seabed.friction_axial = 0.5;
+  EXPECT_EQ(mentions(d, "as long as axial friction needs"), 1);
+  d.environment.seabed.friction_axial = 0.0;
+  EXPECT_EQ(mentions(d, "The bed has no axial friction"), 1);
+  d.pipe.length = 900.0;  // its anchor is real
+  EXPECT_EQ(mentions(d, "axial friction"), mentions(d, "axial friction is not mobilised"));
+}
+
 }  // namespace
 }  // namespace overbend
