@@ -2,9 +2,9 @@
 /// its random sea with resolved impacts.
 #include <benchmark/benchmark.h>
 
-#include "analysis/dynamics.h"
-#include "analysis/recovery.h"
-#include "io/yaml_reader.h"
+#include "dynamics/dynamics.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
 
 namespace overbend {
 namespace {

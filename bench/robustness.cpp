@@ -20,9 +20,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/lay_shape.h"
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
+#include "statics/lay_shape.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
 
 namespace overbend {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
 
 namespace overbend {
 namespace {

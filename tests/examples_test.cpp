@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "analysis/dynamics.h"
-#include "analysis/recovery.h"
 #include "app/commands.h"
+#include "dynamics/dynamics.h"
+#include "statics/recovery.h"
 #include "support/memory_sink.h"
 
 namespace overbend {

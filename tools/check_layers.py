@@ -11,21 +11,30 @@ import re
 import sys
 
 EVERYTHING = {
-    "base", "model", "results", "numerics", "mechanics", "analysis", "checks", "io", "report", "runs", "serve", "app",
+    "base", "model", "results", "numerics", "mechanics", "system", "statics", "dynamics", "recording", "checks",
+    "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app",
 }
 
 # Layer -> the layers it may include, besides itself.
+PLAIN = {"results", "model", "base"}
+ENGINE = {"mechanics", "numerics"} | PLAIN
 MAY_INCLUDE = {
     "base": set(),
     "model": {"base"},
     "results": {"model", "base"},
     "numerics": {"base"},
     "mechanics": {"model", "base"},
-    "analysis": {"mechanics", "numerics", "checks", "results", "model", "base"},
-    "checks": {"mechanics", "results", "model", "base"},
-    "io": {"checks", "results", "model", "base"},
-    "report": EVERYTHING - {"app", "serve", "runs"},
-    "runs": EVERYTHING - {"app", "serve"},
+    "system": ENGINE,
+    "checks": {"mechanics"} | PLAIN,
+    "statics": {"system", "checks"} | ENGINE,
+    "dynamics": {"statics", "system", "recording", "checks"} | ENGINE,
+    "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
+    "seafiles": {"model", "base"},
+    "modelfile": {"seafiles", "checks", "model", "base"},
+    "runstore": PLAIN,
+    "resultfiles": {"runstore"} | PLAIN,
+    "study": EVERYTHING - {"app", "serve"},
+    "report": EVERYTHING - {"app", "serve", "study"},
     "serve": EVERYTHING - {"app"},
     "app": EVERYTHING,
 }
@@ -36,9 +45,9 @@ LIBRARIES = [
     ("unsupported/Eigen/", {"numerics"}),
     ("fmt/", EVERYTHING),
     ("immintrin.h", {"mechanics"}),
-    ("yaml-cpp/", {"io"}),
-    ("hdf5", {"io"}),
-    ("nlohmann/", {"io", "report", "serve"}),
+    ("yaml-cpp/", {"base", "modelfile", "seafiles"}),
+    ("hdf5", {"resultfiles"}),
+    ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve"}),
     ("httplib.h", {"serve"}),
     ("udunits2.h", {"base"}),
     ("CLI/", {"app"}),
@@ -46,7 +55,7 @@ LIBRARIES = [
 
 # Headers of the operating system, for files, terminals, signals and sockets.
 SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
-SYSTEM_LAYERS = {"base", "io", "serve", "app"}
+SYSTEM_LAYERS = {"base", "runstore", "resultfiles", "study", "serve", "app"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')
 

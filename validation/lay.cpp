@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 
 namespace overbend::validation {
 

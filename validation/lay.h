@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "analysis/recovery_parts.h"
-#include "analysis/statics.h"
 #include "model/model.h"
+#include "statics/recovery_parts.h"
+#include "statics/statics.h"
 
 namespace overbend::validation {
 

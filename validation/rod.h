@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "analysis/line_system.h"
+#include "statics/line_system.h"
 
 namespace overbend::validation {
 

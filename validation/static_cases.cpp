@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
-#include "analysis/touchdown.h"
 #include "groups.h"
 #include "lay.h"
+#include "statics/touchdown.h"
 
 namespace overbend::validation {
 namespace {

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/run_store.h"
+#include "runstore/run_store.h"
 
 namespace overbend::testing {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 
 namespace overbend {
 namespace {

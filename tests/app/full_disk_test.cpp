@@ -4,8 +4,8 @@
 
 #include "app/program.h"
 #include "app/small_lay.h"
-#include "io/append_file.h"
-#include "io/hdf5_file.h"
+#include "resultfiles/hdf5_file.h"
+#include "runstore/append_file.h"
 #include "support/size_limit.h"
 #include "support/solved_case.h"
 
@@ -27,7 +27,7 @@ TEST(full_disk, ends_static_with_1_and_the_reason_and_leaves_nothing) {
   for (const int blocks : {1, 128, 512}) {  // in tables, at the end of results.h5, or in the report
     const ProgramRun run = run_with_blocks(blocks, "static " + model + " -o " + folder.file("out"));
     EXPECT_EQ(run.code, 1) << blocks;
-    EXPECT_NE(run.err.find("can not be written: File too large"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("cannot be written: File too large"), std::string::npos) << run.err;
     EXPECT_EQ(run.err.find("internal"), std::string::npos) << run.err;
     EXPECT_FALSE(fs::exists(folder.file("out"))) << blocks;
   }
@@ -39,7 +39,7 @@ TEST(full_disk, ends_dynamic_with_1_and_leaves_no_results) {
   for (const int blocks : {4, 512}) {  // while it runs, and at its end
     const ProgramRun run = run_with_blocks(blocks, "dynamic " + model + " -o " + folder.file("out"));
     EXPECT_EQ(run.code, 1) << blocks << run.err;
-    EXPECT_NE(run.err.find("can not be written: File too large"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("cannot be written: File too large"), std::string::npos) << run.err;
     if (!fs::exists(folder.file("out"))) continue;
     for (const fs::directory_entry& left : fs::directory_iterator(folder.file("out"))) {
       EXPECT_EQ(left.path().filename(), ".run");  // a checkpoint may stand

@@ -131,7 +131,7 @@ TEST(static_command, ends_with_2_when_the_folder_can_not_be_written) {
   testing::write_file(folder / "file", "mine");
   const Ended done = run(folder.path(), "static " + case_file("J12-D400-T560") + " -o file");
   EXPECT_EQ(done.code, 2);
-  EXPECT_NE(done.err.find("'file' can not be written"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("'file' cannot be written"), std::string::npos) << done.err;
   EXPECT_EQ(file_text(folder / "file"), "mine");
 }
 

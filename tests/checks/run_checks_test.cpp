@@ -6,11 +6,11 @@
 #include <cmath>
 #include <functional>
 
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
 #include "checks/dnv_combined.h"
 #include "checks/dnv_strength.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
 
 namespace overbend {
 namespace {

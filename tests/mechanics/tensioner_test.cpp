@@ -247,7 +247,7 @@ TEST(tensioner, hunts_when_the_delay_is_near_half_a_period) {
   EXPECT_GT(s.largest, 285e3);  // no better than a brake: 290 kN
 }
 
-// 2 m in 12 s pulls at up to 1.05 m/s; 0.05 m/s can not follow. Full speed is reached in 0.1 s, 2.5 mm behind, and kept
+// 2 m in 12 s pulls at up to 1.05 m/s; 0.05 m/s cannot follow. Full speed is reached in 0.1 s, 2.5 mm behind, and kept
 // while the tension is above 260 kN: until 2 sin(w t) - travel = 0.25.
 TEST(tensioner, lags_behind_when_it_is_too_slow) {
   const double w = 2.0 * kPi / 12.0;

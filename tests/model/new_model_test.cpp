@@ -1,4 +1,4 @@
-// Rules of thumb for a first model; whether the lay passes its checks is for runs/new_lay_test.cpp.
+// Rules of thumb for a first model; whether the lay passes its checks is for study/new_lay_test.cpp.
 #include "model/new_model.h"
 
 #include <gtest/gtest.h>

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
-#include "io/yaml_reader.h"
 #include "model/model.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
 
 namespace overbend::testing {
 
@@ -23,12 +23,12 @@ inline const SolvedExample& bgl1() {
   static const SolvedExample kSolved = [] {
     const ModelReading reading = read_model(std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml");
     if (!reading.description) {
-      throw std::runtime_error("the example can not be read");
+      throw std::runtime_error("the example cannot be read");
     }
     const Model model = build_model(*reading.description);
     const StaticOutcome outcome = solve_statics(model);
     if (!outcome.solution) {
-      throw std::runtime_error("the example can not be solved");
+      throw std::runtime_error("the example cannot be solved");
     }
     return SolvedExample{recover_statics(model, *outcome.solution), reading.description->source_text};
   }();

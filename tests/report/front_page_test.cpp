@@ -91,7 +91,7 @@ TEST(warning_weight, the_heaviest_stand_first_and_no_folder_is_told) {
 /// All text between quotes of the sources that speak of assumptions and warnings, pieces of one text joined.
 std::string said_by_the_program() {
   std::string text;
-  for (const char* folder : {"model", "checks", "analysis", "report"}) {
+  for (const char* folder : {"model", "checks", "system", "statics", "dynamics", "recording", "report"}) {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::string(OVERBEND_SOURCE_DIR) + "/src/overbend/" + folder)) {
       const std::string name = entry.path().filename();

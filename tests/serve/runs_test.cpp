@@ -1,5 +1,5 @@
 // Runs: queued, followed, stopped, read.
-#include "io/dynamic_reader.h"
+#include "resultfiles/dynamic_reader.h"
 #include "serve/base64.h"
 #include "serve/run_data.h"
 #include "serve/serving.h"

@@ -3,9 +3,9 @@
 
 #include <functional>
 
-#include "analysis/dynamics.h"
-#include "analysis/recovery.h"
-#include "io/yaml_reader.h"
+#include "dynamics/dynamics.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
 
 namespace overbend::testing {
 

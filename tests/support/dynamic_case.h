@@ -5,10 +5,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "io/check_columns.h"
-#include "io/dynamic_histories.h"
-#include "io/dynamic_scalars.h"
-#include "io/run_store.h"
+#include "resultfiles/check_columns.h"
+#include "resultfiles/dynamic_scalars.h"
+#include "runstore/dynamic_histories.h"
+#include "runstore/run_store.h"
 
 namespace overbend::testing {
 

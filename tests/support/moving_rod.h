@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/dynamic_line.h"
-#include "analysis/time_step.h"
+#include "dynamics/time_step.h"
+#include "system/dynamic_line.h"
 
 namespace overbend::testing {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "io/rao_reader.h"
+#include "seafiles/rao_reader.h"
 
 namespace overbend::testing {
 

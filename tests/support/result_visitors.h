@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "io/check_columns.h"
-#include "io/result_field.h"
+#include "resultfiles/check_columns.h"
+#include "resultfiles/result_field.h"
 
 namespace overbend::testing {
 

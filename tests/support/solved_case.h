@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
-#include "io/yaml_reader.h"
 #include "model/model.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
 
 namespace overbend::testing {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "io/run_store.h"
+#include "runstore/run_store.h"
 #include "support/solved_case.h"
 
 namespace overbend::testing::stored_run {

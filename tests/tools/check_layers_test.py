@@ -12,8 +12,9 @@ CLEAN = {
     "base/units.cpp": ["#include <udunits2.h>", "#include <vector>"],
     "model/model.h": ['#include "base/vec.h"', "#include <Eigen/Core>"],
     "mechanics/rod.cpp": ['#include "model/model.h"', '#include "mechanics/rod.h"'],
-    "io/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include <hdf5.h>", '#include "results/fields.h"'],
-    "app/main.cpp": ['#include "analysis/statics.h"', "#include <CLI/CLI.hpp>"],
+    "modelfile/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include \"seafiles/rao.h\""],
+    "resultfiles/writer.cpp": ["#include <hdf5.h>", "#include \"results/fields.h\""],
+    "app/main.cpp": ['#include "statics/statics.h"', "#include <CLI/CLI.hpp>"],
 }
 
 
@@ -40,7 +41,7 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(code, 0, output)
 
     def test_an_upward_include_is_caught(self):
-        self.assert_caught("model/bad.h", '#include "analysis/statics.h"')
+        self.assert_caught("model/bad.h", '#include "statics/statics.h"')
 
     def test_a_sideways_include_is_caught(self):
         self.assert_caught("numerics/bad.h", '#include "model/model.h"')
@@ -48,17 +49,17 @@ class CheckLayers(unittest.TestCase):
     def test_a_spaced_include_is_caught(self):
         self.assert_caught("base/bad.h", '  #  include "model/model.h"')
 
-    def test_yaml_outside_io_is_caught(self):
+    def test_yaml_outside_the_files_read_is_caught(self):
         self.assert_caught("model/bad.cpp", "#include <yaml-cpp/yaml.h>")
 
-    def test_hdf5_outside_io_is_caught(self):
-        self.assert_caught("analysis/bad.cpp", "#include <hdf5_hl.h>")
+    def test_hdf5_outside_result_files_is_caught(self):
+        self.assert_caught("system/bad.cpp", "#include <hdf5_hl.h>")
 
     def test_udunits_outside_base_is_caught(self):
-        self.assert_caught("io/bad.cpp", "#include <udunits2.h>")
+        self.assert_caught("modelfile/bad.cpp", "#include <udunits2.h>")
 
     def test_an_unplanned_library_is_caught(self):
-        self.assert_caught("analysis/bad.cpp", "#include <boost/any.hpp>")
+        self.assert_caught("system/bad.cpp", "#include <boost/any.hpp>")
 
     def test_a_relative_include_is_caught(self):
         self.assert_caught("model/bad.cpp", '#include "section.h"')

@@ -18,7 +18,7 @@ def main():
         "its table of functions is read-only from the start (RELRO, NOW)": "GNU_RELRO" in segments and " NOW" in dynamic,
         "its stack is watched (stack protector)": "__stack_chk_fail" in symbols,
         "its calls of the C library are checked (FORTIFY)": "_chk@GLIBC" in symbols.replace("__stack_chk_fail@", ""),
-        "its stack can not be run": "RWE" not in segments,
+        "its stack cannot be run": "RWE" not in segments,
     }
     broken = [claim for claim, holds in claims.items() if not holds]
     for claim in broken:

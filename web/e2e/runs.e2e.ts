@@ -52,7 +52,7 @@ test('impacts light up, the tensioner says what it does, boxes have the colour o
   await bench.shot(page, 'impact');
 });
 
-test('what frames do not hold can not be chosen while they are shown', async () => {
+test('what frames do not hold cannot be chosen while they are shown', async () => {
   const closed = await page.locator('[aria-label="Colour of the pipe"] option:disabled').allInnerTexts();
   expect(closed.join()).toMatch(/Bending stress.*Strain.*Utilisation/);
 });

@@ -11,7 +11,7 @@
 #include "model/model.h"
 #include "model/rao_limits.h"
 #include "report/warning_weight.h"
-#include "runs/exit_code.h"
+#include "study/exit_code.h"
 
 namespace overbend {
 namespace {

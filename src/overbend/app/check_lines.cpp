@@ -4,8 +4,8 @@
 
 #include <iostream>
 
-#include "io/result_field.h"
 #include "report/verdict.h"
+#include "resultfiles/result_field.h"
 
 namespace overbend {
 namespace {

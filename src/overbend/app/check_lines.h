@@ -4,7 +4,7 @@
 #include <string>
 
 #include "results/check_results.h"
-#include "runs/exit_code.h"
+#include "study/exit_code.h"
 
 namespace overbend {
 

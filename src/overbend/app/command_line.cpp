@@ -13,8 +13,8 @@
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "io/append_file.h"
-#include "runs/exit_code.h"
+#include "runstore/append_file.h"
+#include "study/exit_code.h"
 
 namespace overbend {
 namespace {
@@ -196,7 +196,7 @@ int run_command_line(int count, const char* const* words) {
   }
   try {
     program.parse(count, words);
-    if (!std::cout.flush()) throw FileFault("the output can not be written");
+    if (!std::cout.flush()) throw FileFault("the output cannot be written");
     return code;
   } catch (const CLI::ParseError& fault) {
     return program.exit(fault, std::cout, std::cerr) == 0 ? kDone : kWrongInput;

@@ -8,11 +8,11 @@
 #include "app/compare_variants.h"
 #include "app/prepared_case.h"
 #include "app/side_by_side.h"
-#include "io/comparison_writer.h"
-#include "io/seeds_writer.h"
-#include "io/staged_folder.h"
 #include "report/comparison_page.h"
 #include "report/warning_weight.h"
+#include "resultfiles/comparison_writer.h"
+#include "resultfiles/seeds_writer.h"
+#include "runstore/staged_folder.h"
 
 namespace overbend {
 namespace {
@@ -126,7 +126,7 @@ int run_compare(const CompareArguments& arguments) {
   Cases cases;
   try {
     cases = prepare(*description, variants_of(of), arguments.duration, code);
-  } catch (const std::runtime_error& fault) {  // a text that can not be varied
+  } catch (const std::runtime_error& fault) {  // a text that cannot be varied
     return refuse(fault.what());
   }
   if (code != kDone) return code;

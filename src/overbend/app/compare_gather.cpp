@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "app/seeds_gather.h"
-#include "io/dynamic_reader.h"
-#include "io/long_data_reader.h"
+#include "resultfiles/dynamic_reader.h"
+#include "resultfiles/long_data_reader.h"
 
 namespace overbend {
 namespace {

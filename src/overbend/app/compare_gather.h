@@ -16,7 +16,7 @@ struct FinishedVariant {
 };
 
 /// Reads the results of all variants. The quantities are those of the thing compared, then the key values that several
-/// seeds are gathered by. Throws std::runtime_error where results can not be read.
+/// seeds are gathered by. Throws std::runtime_error where results cannot be read.
 Comparison gather_comparison(ComparisonOf of, const Description& description, const StaticResults& statics,
                              const std::vector<FinishedVariant>& variants);
 

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
-#include "io/yaml_edit.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_edit.h"
+#include "modelfile/yaml_reader.h"
 
 namespace overbend {
 

@@ -18,10 +18,10 @@ struct Variant {
 
 const std::vector<Variant>& variants_of(ComparisonOf of);
 
-/// Why the model can not be compared so; nothing when it can.
+/// Why the model cannot be compared so; nothing when it can.
 std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description);
 
-/// The model with the variant's key set in its text. Throws std::runtime_error where it can not be set.
+/// The model with the variant's key set in its text. Throws std::runtime_error where it cannot be set.
 Description vary(const Description& description, const Variant& variant);
 
 }  // namespace overbend

@@ -13,8 +13,8 @@
 #include "app/prepared_case.h"
 #include "app/progress.h"
 #include "app/warning_lines.h"
-#include "io/dynamic_reader.h"
-#include "io/run_store.h"
+#include "resultfiles/dynamic_reader.h"
+#include "runstore/run_store.h"
 
 namespace overbend {
 namespace {

@@ -9,10 +9,10 @@
 #include "app/check_lines.h"
 #include "app/seeds_gather.h"
 #include "app/warning_lines.h"
-#include "io/dynamic_reader.h"
-#include "io/seeds_writer.h"
-#include "io/staged_folder.h"
 #include "report/warning_weight.h"
+#include "resultfiles/dynamic_reader.h"
+#include "resultfiles/seeds_writer.h"
+#include "runstore/staged_folder.h"
 
 namespace overbend {
 namespace {

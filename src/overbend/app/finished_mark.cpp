@@ -5,8 +5,9 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "io/results_writer.h"
-#include "io/run_record.h"
+#include "resultfiles/results_writer.h"
+#include "runstore/append_file.h"
+#include "runstore/run_record.h"
 
 namespace overbend {
 namespace {

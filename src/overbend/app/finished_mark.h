@@ -6,10 +6,10 @@
 
 namespace overbend {
 
-/// `input` is that of the run: input_text() of runs/dynamic_realisation.h.
+/// `input` is that of the run: input_text() of study/dynamic_realisation.h.
 void mark_finished(const std::filesystem::path& folder, const std::string& input);
 
-/// Takes the mark away before the folder is written anew. Does not throw: where that fails, the run can not be stored
+/// Takes the mark away before the folder is written anew. Does not throw: where that fails, the run cannot be stored
 /// either.
 void unmark(const std::filesystem::path& folder);
 

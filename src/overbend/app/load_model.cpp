@@ -1,7 +1,7 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 
 namespace overbend {
 

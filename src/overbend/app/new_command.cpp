@@ -6,8 +6,8 @@
 
 #include "app/commands.h"
 #include "app/new_questions.h"
-#include "runs/exit_code.h"
-#include "runs/new_lay.h"
+#include "study/exit_code.h"
+#include "study/new_lay.h"
 
 namespace overbend {
 namespace {
@@ -26,7 +26,7 @@ int write_file(const std::string& path, const std::string& text) {
   if (file) std::filesystem::rename(beside, path, fault);
   if (!file || fault) {
     std::filesystem::remove(beside, fault);
-    return refuse("the file '" + path + "' can not be written");
+    return refuse("the file '" + path + "' cannot be written");
   }
   std::cerr << "wrote " << path << "; run it with: overbend static " << path << " -o DIR\n";
   return kDone;

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "analysis/recovery.h"
 #include "base/units.h"
-#include "io/field.h"
+#include "modelfile/field.h"
+#include "statics/recovery.h"
 
 namespace overbend {
 

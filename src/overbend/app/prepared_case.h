@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "runs/dynamic_realisation.h"
+#include "study/dynamic_realisation.h"
 
 namespace overbend {
 
@@ -22,7 +22,7 @@ struct PreparedCase {
 /// Tells on stderr why there is no equilibrium; the code that the program ends with.
 ExitCode tell_failure(const StaticFailure& failure);
 
-/// Builds the model and solves its statics. Null where it can not be run, told on stderr; `code` says why.
+/// Builds the model and solves its statics. Null where it cannot be run, told on stderr; `code` says why.
 std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitCode& code);
 
 /// Sets the simulated time to a quantity such as "600 s"; an empty text leaves the model's. False where it is none,

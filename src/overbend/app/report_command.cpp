@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "app/commands.h"
-#include "io/dynamic_reader.h"
-#include "io/results_reader.h"
-#include "runs/exit_code.h"
+#include "resultfiles/dynamic_reader.h"
+#include "resultfiles/results_reader.h"
+#include "study/exit_code.h"
 
 namespace overbend {
 

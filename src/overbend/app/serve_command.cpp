@@ -9,8 +9,8 @@
 
 #include "app/commands.h"
 #include "app/interruption.h"
-#include "runs/exit_code.h"
 #include "serve/server.h"
+#include "study/exit_code.h"
 
 namespace overbend {
 namespace {

@@ -11,7 +11,7 @@
 #include "app/finished_mark.h"
 #include "app/interruption.h"
 #include "app/progress.h"
-#include "io/run_store.h"
+#include "runstore/run_store.h"
 
 namespace overbend {
 namespace {

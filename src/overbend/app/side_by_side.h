@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runs/dynamic_realisation.h"
+#include "study/dynamic_realisation.h"
 
 namespace overbend {
 

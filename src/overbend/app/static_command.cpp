@@ -3,16 +3,16 @@
 #include <iostream>
 #include <numbers>
 
-#include "analysis/recovery.h"
-#include "analysis/statics.h"
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/prepared_case.h"
 #include "app/warning_lines.h"
-#include "io/staged_folder.h"
 #include "report/places.h"
-#include "runs/exit_code.h"
-#include "runs/static_run.h"
+#include "runstore/staged_folder.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
+#include "study/exit_code.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {
@@ -76,7 +76,7 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   try {
     write_static_run(results, *description, folder);
-  } catch (const UnusableFolder& fault) {  // a folder that can not be is the user's to mend
+  } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
     std::cerr << "overbend: " << fault.what() << "\n";
     return kWrongInput;
   }

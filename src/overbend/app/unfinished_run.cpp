@@ -6,7 +6,7 @@
 #include <iostream>
 #include <string>
 
-#include "io/run_store.h"
+#include "runstore/run_store.h"
 
 namespace overbend {
 namespace {

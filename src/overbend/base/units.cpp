@@ -82,7 +82,7 @@ class UnitSystem {
   UnitSystem() {
     ut_set_error_message_handler(ut_ignore);
     system_.reset(ut_read_xml(nullptr));
-    if (!system_) throw std::runtime_error("the unit database of UDUNITS-2 can not be read (package libudunits2-data)");
+    if (!system_) throw std::runtime_error("the unit database of UDUNITS-2 cannot be read (package libudunits2-data)");
     const std::array<std::pair<const char*, const char*>, 5> kAdded = {
         {{"deg", "degree"}, {"te", "tonne"}, {"tf", "9806.65 N"}, {"psf", "lbf/ft^2"}, {"pcf", "lbf/ft^3"}}};
     for (const auto& [name, definition] : kAdded) {

@@ -28,7 +28,7 @@ struct TensionerLaw {
   double velocity = 0.0;                                   ///< Largest, of paying out and hauling in [m/s].
   double acceleration = 0.0;                               ///< Up to that velocity and down again [m/s2].
   double limit = std::numeric_limits<double>::infinity();  ///< Of travel either way [m].
-  double resolution = 0.0;  ///< Tension that the machine can not tell from a bound: events are met within it [N].
+  double resolution = 0.0;  ///< Tension that the machine cannot tell from a bound: events are met within it [N].
 };
 
 /// Memory of the machine.

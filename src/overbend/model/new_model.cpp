@@ -24,7 +24,7 @@ constexpr std::array kWalls = {4.8,  5.6,  6.4,  7.1,  7.9,  8.7,  9.5,  10.3, 1
                                15.9, 17.5, 19.1, 20.6, 22.2, 23.8, 25.4, 27.0, 28.6, 30.2, 31.8, 33.3,
                                34.9, 36.5, 38.1, 39.7, 41.3, 44.5, 47.6, 50.8, 54.0, 57.2, 60.3};
 
-/// Said by the user, or nothing; a sentence when it can not be understood.
+/// Said by the user, or nothing; a sentence when it cannot be understood.
 struct Said {
   std::optional<double> value;
   std::string fault;

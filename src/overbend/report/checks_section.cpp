@@ -6,13 +6,13 @@
 #include <array>
 #include <cmath>
 
-#include "io/check_tables.h"
-#include "io/result_field.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/json_number.h"
 #include "report/places.h"
 #include "report/verdict.h"
+#include "resultfiles/check_tables.h"
+#include "resultfiles/result_field.h"
 
 namespace overbend {
 namespace {

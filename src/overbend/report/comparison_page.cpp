@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "io/seeds_writer.h"
 #include "report/comparison_sections.h"
 #include "report/figure_list.h"
 #include "report/front_page.h"
@@ -13,6 +12,7 @@
 #include "report/quantity.h"
 #include "report/report_data.h"
 #include "report/sections.h"
+#include "resultfiles/seeds_writer.h"
 
 namespace overbend {
 namespace {

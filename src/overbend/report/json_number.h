@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Seven significant digits: a tenth of a millimetre in a kilometre. What is not finite, which JSON can not hold, is 0.
+/// Seven significant digits: a tenth of a millimetre in a kilometre. What is not finite, which JSON cannot hold, is 0.
 inline double seven_digits(double value) {
   if (value == 0.0 || !std::isfinite(value)) {
     return 0.0;

@@ -5,9 +5,9 @@
 
 #include <ctime>
 
-#include "io/replace_file.h"
 #include "report/assets.h"
 #include "report/html.h"
+#include "runstore/replace_file.h"
 
 namespace overbend {
 namespace {

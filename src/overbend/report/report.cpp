@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 #include "report/checks_section.h"
 #include "report/dynamic_sections.h"
 #include "report/figures.h"
@@ -17,7 +17,7 @@
 namespace overbend {
 namespace {
 
-/// The inputs are told as the program understands them; what it can not read any more is still printed at the end.
+/// The inputs are told as the program understands them; what it cannot read any more is still printed at the end.
 std::optional<Description> description_of(const std::string& model_text) {
   return read_model_text(model_text, "model.yaml").description;
 }

@@ -22,7 +22,7 @@ std::string status_words(const std::string& state, std::size_t warnings);
 /// The warnings of the run, and what its numbers call for in words.
 std::vector<std::string> static_remarks(const StaticResults& results);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
-/// Inputs as the program understood them; without a description (a model text that can not be read) what results tell.
+/// Inputs as the program understood them; without a description (a model text that cannot be read) what results tell.
 /// `dynamic`, not null for the report of a run in time, adds what only counts there.
 std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
                            const DynamicResults* dynamic);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "io/result_field.h"
 #include "report/html.h"
+#include "resultfiles/result_field.h"
 
 namespace overbend {
 namespace {

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/results_writer.h"
+#include "resultfiles/results_writer.h"
+#include "runstore/append_file.h"
 
 namespace overbend {
 namespace fs = std::filesystem;

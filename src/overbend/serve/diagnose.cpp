@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "io/yaml_document.h"
-#include "io/yaml_path.h"
+#include "base/yaml_document.h"
+#include "modelfile/yaml_path.h"
 
 namespace overbend {
 namespace {

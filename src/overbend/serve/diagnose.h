@@ -1,7 +1,7 @@
 /// A model text read, with its faults as the page shows them.
 #pragma once
 
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 #include "serve/http.h"
 
 namespace overbend {

@@ -1,4 +1,4 @@
-/// Who is at the door: all open connections, so that slow strangers can not keep the page out.
+/// Who is at the door: all open connections, so that slow strangers cannot keep the page out.
 #pragma once
 
 #include <cstddef>

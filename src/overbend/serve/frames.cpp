@@ -1,5 +1,5 @@
-#include "io/long_data_reader.h"
 #include "report/json_number.h"
+#include "resultfiles/long_data_reader.h"
 #include "serve/base64.h"
 #include "serve/run_data.h"
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/units.h"
-#include "io/append_file.h"
+#include "runstore/append_file.h"
 
 namespace overbend {
 namespace {

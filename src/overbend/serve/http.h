@@ -35,7 +35,7 @@ struct HttpAnswer {
 HttpAnswer json_answer(const Json& json, int status = 200);
 HttpAnswer error_answer(int status, const std::string& message, const std::string& hint = "");
 
-/// A request that can not be fulfilled; becomes an error answer.
+/// A request that cannot be fulfilled; becomes an error answer.
 class HttpFault : public std::runtime_error {
  public:
   HttpFault(int status, const std::string& message, std::string hint = "");

@@ -39,7 +39,7 @@ const char* words(int status) {
     case 404:
       return "there is nothing at this address";
     default:
-      return "the request can not be understood";
+      return "the request cannot be understood";
   }
 }
 
@@ -105,7 +105,7 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
   server.set_keep_alive_max_count(1U << 20U);  // told to the other side: a slider asks thousands of times
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (port_ <= 0) {
-    throw PortFault(fmt::format("the port {} on 127.0.0.1 can not be had; another program may use it", port));
+    throw PortFault(fmt::format("the port {} on 127.0.0.1 cannot be had; another program may use it", port));
   }
   server.widen();
   guard();

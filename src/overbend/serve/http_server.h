@@ -12,7 +12,7 @@
 
 namespace overbend {
 
-/// A port that can not be had.
+/// A port that cannot be had.
 class PortFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

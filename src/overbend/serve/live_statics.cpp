@@ -2,12 +2,12 @@
 
 #include <chrono>
 
-#include "analysis/recovery.h"
-#include "io/yaml_edit.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_edit.h"
+#include "modelfile/yaml_reader.h"
 #include "report/json_number.h"
 #include "serve/diagnose.h"
 #include "serve/static_json.h"
+#include "statics/recovery.h"
 
 namespace overbend {
 namespace {

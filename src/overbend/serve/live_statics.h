@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statics.h"
-#include "io/yaml_document.h"
+#include "base/yaml_document.h"
 #include "serve/http.h"
 #include "serve/open_model.h"
+#include "statics/statics.h"
 
 namespace overbend {
 

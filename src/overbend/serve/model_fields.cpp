@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "io/field_tree.h"
-#include "io/scalar_reader.h"
+#include "modelfile/field_tree.h"
+#include "modelfile/scalar_reader.h"
 #include "report/json_number.h"
 
 namespace overbend {

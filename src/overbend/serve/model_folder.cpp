@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/replace_file.h"
-#include "io/run_record.h"
+#include "runstore/replace_file.h"
+#include "runstore/run_record.h"
 #include "serve/page_files.h"
 
 namespace overbend {

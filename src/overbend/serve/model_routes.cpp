@@ -1,7 +1,7 @@
 #include "serve/model_routes.h"
 
 #include "base/version.h"
-#include "io/json_schema.h"
+#include "modelfile/json_schema.h"
 #include "serve/new_dialogue.h"
 #include "serve/page_files.h"
 

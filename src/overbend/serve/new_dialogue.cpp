@@ -5,7 +5,7 @@
 #include <array>
 
 #include "report/json_number.h"
-#include "runs/new_lay.h"
+#include "study/new_lay.h"
 
 namespace overbend {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "io/yaml_edit.h"
+#include "modelfile/yaml_edit.h"
 #include "serve/http.h"
 #include "serve/model_folder.h"
 

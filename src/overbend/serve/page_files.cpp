@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/yaml_document.h"
+#include "base/yaml_document.h"
 #include "serve/embedded_files.h"
 
 namespace overbend {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/dynamic_reader.h"
-#include "io/yaml_reader.h"
+#include "modelfile/yaml_reader.h"
 #include "report/json_number.h"
+#include "resultfiles/dynamic_reader.h"
 #include "serve/static_json.h"
 
 namespace overbend {

@@ -4,10 +4,11 @@
 #include <chrono>
 #include <fstream>
 
-#include "io/results_writer.h"
-#include "io/run_store.h"
-#include "io/staged_folder.h"
 #include "report/json_number.h"
+#include "resultfiles/results_writer.h"
+#include "runstore/append_file.h"
+#include "runstore/run_store.h"
+#include "runstore/staged_folder.h"
 
 namespace overbend {
 namespace fs = std::filesystem;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "analysis/recovery.h"
-#include "io/yaml_reader.h"
-#include "runs/dynamic_realisation.h"
-#include "runs/static_run.h"
+#include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
+#include "statics/recovery.h"
+#include "study/dynamic_realisation.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {

@@ -6,7 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/results_writer.h"
+#include "resultfiles/results_writer.h"
+#include "runstore/append_file.h"
 
 namespace overbend {
 namespace fs = std::filesystem;
@@ -36,7 +37,7 @@ std::string make_folder(const fs::path& folder, const std::string& kind) {
     std::string name = name_of(kind, attempt);
     if (fs::create_directory(folder / name, fault)) return name;
   }
-  throw HttpFault(422, "the folder '" + folder.string() + "' can not be written: " + fault.message());
+  throw HttpFault(422, "the folder '" + folder.string() + "' cannot be written: " + fault.message());
 }
 
 }  // namespace
@@ -115,7 +116,7 @@ void RunQueue::remove(const std::string& id) {
     fs::remove_all(folder(run), fault);
   }
   events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
-  if (fault) throw HttpFault(422, "the folder of the run can not be removed: " + fault.message());
+  if (fault) throw HttpFault(422, "the folder of the run cannot be removed: " + fault.message());
 }
 
 RunInfo RunQueue::resume(const std::string& id) {
@@ -127,7 +128,7 @@ RunInfo RunQueue::resume(const std::string& id) {
     const std::lock_guard<std::mutex> hold(mutex_);
     RunInfo& now = at(id);
     if (!now.ended() || !now.resumable || job.model.text.empty()) {
-      throw HttpFault(409, "the run can not be resumed", "it has no checkpoint that it could go on from");
+      throw HttpFault(409, "the run cannot be resumed", "it has no checkpoint that it could go on from");
     }
     now.state = RunState::queued;
     now.resumable = false;

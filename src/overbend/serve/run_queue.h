@@ -26,7 +26,7 @@ class RunQueue {
   RunQueue(const RunQueue&) = delete;
   RunQueue& operator=(const RunQueue&) = delete;
 
-  /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder can not
+  /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder cannot
   /// be.
   RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
   /// A run in time that is stopped keeps what it has computed: results so far, and the checkpoint to go on from.
@@ -36,7 +36,7 @@ class RunQueue {
   /// Removes a run that has ended, with its folder; HttpFault 409 while it goes on.
   void remove(const std::string& id);
   /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
-  /// it can not be resumed.
+  /// it cannot be resumed.
   RunInfo resume(const std::string& id);
 
   /// Newest first.

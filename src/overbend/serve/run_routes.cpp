@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "io/long_data_reader.h"
+#include "resultfiles/long_data_reader.h"
 #include "serve/diagnose.h"
 #include "serve/run_data.h"
 

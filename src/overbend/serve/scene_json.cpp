@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/dynamics.h"
+#include "dynamics/dynamics.h"
 #include "mechanics/sea.h"
 #include "report/json_number.h"
 #include "serve/static_json.h"

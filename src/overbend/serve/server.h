@@ -19,7 +19,7 @@ struct ServeOptions {
 /// Serves while it lives, from threads of its own.
 class Server {
  public:
-  /// Throws HttpFault when the model can not be opened, PortFault when the port can not be had.
+  /// Throws HttpFault when the model cannot be opened, PortFault when the port cannot be had.
   explicit Server(const ServeOptions& options);
 
   int port() const { return http_->port(); }

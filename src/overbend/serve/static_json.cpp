@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "io/check_tables.h"
-#include "io/result_field.h"
 #include "report/json_number.h"
+#include "resultfiles/check_tables.h"
+#include "resultfiles/result_field.h"
 
 namespace overbend {
 namespace {

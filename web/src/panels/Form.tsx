@@ -144,7 +144,7 @@ export function Form() {
   if (sections.length === 0) {
     return (
       <div class="empty">
-        <p>{first ? `The text can not be read: line ${first.line}: ${first.message}` : 'Nothing to show yet.'}</p>
+        <p>{first ? `The text cannot be read: line ${first.line}: ${first.message}` : 'Nothing to show yet.'}</p>
         {first ? <button type="button" onClick={() => leadToFault(first)}>Mend it in the YAML</button> : null}
       </div>
     );

@@ -40,7 +40,7 @@ const gate = new Solver<Request>(
     else if (answer.status === 'failed') failure.value = answer;
     else {
       const first = answer.diagnostics.find((d) => d.severity === 'error') ?? answer.diagnostics[0];
-      failure.value = { what: 'The model can not be computed like this', where: first?.key ?? '', why: first?.message ?? '' };
+      failure.value = { what: 'The model cannot be computed like this', where: first?.key ?? '', why: first?.message ?? '' };
     }
   }),
   sayError,

@@ -1,5 +1,5 @@
 // The open model: text, fields and faults, and everything that changes them. The program holds the truth; the page
-// sends each change with the revision it knows, so that two tabs can not overwrite each other unseen.
+// sends each change with the revision it knows, so that two tabs cannot overwrite each other unseen.
 import { computed, signal } from '@preact/signals';
 import { ApiError, get, post, put } from '../api/client';
 import type { Change, Diagnostic, DiskConflict, Field, Info, ModelAnswer } from '../api/types';
@@ -132,7 +132,7 @@ export async function putText(next: string, origin: string, name?: string): Prom
   } catch (error) { sayError(error); }
 }
 
-/** Sets keys in the YAML; throws with the program's reason where that can not be done. */
+/** Sets keys in the YAML; throws with the program's reason where that cannot be done. */
 export async function setKeys(changes: Change[]): Promise<void> {
   await guarded(async () => {
     const answer = await post<ModelAnswer>('model/set', { changes, revision: revision.value });

@@ -1,0 +1,203 @@
+#include "base/yaml_document.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <sstream>
+#include <unordered_map>
+
+#include <yaml-cpp/eventhandler.h>
+
+#include "base/text.h"
+
+namespace overbend {
+namespace {
+
+/// Builds the tree from the parser's events, so that keys keep their marks and repeated ones are seen.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  std::optional<YamlNode> take_root() { return std::move(root_); }
+
+  void OnDocumentStart(const YAML::Mark&) override {}
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+    refuse_anchor(mark, anchor);
+    place(node_at(mark, YamlNode::Kind::null));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    complain(mark, "an alias (*)", "the value itself", "aliases are not used in model files");
+    place(node_at(mark, YamlNode::Kind::null));
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                const std::string& value) override {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    YamlNode node = node_at(mark, YamlNode::Kind::scalar);
+    node.text = value;
+    node.quoted = tag == "!";
+    if (!node.quoted && (value == "~" || value == "null" || value == "Null" || value == "NULL")) {
+      node.kind = YamlNode::Kind::null;
+    }
+    place(std::move(node));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                       YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, YamlNode::Kind::list);
+  }
+  void OnSequenceEnd() override { close(); }
+
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  YAML::EmitterStyle::value) override {
+    open(mark, tag, anchor, YamlNode::Kind::map);
+  }
+  void OnMapEnd() override { close(); }
+
+ private:
+  struct Frame {
+    YamlNode node;
+    std::optional<YamlEntry> pending;           ///< Key read, value still to come.
+    std::unordered_map<std::string, int> seen;  ///< Keys of the group and their lines.
+  };
+
+  static YamlNode node_at(const YAML::Mark& mark, YamlNode::Kind kind) {
+    YamlNode node;
+    node.kind = kind;
+    node.line = mark.line + 1;
+    node.column = mark.column + 1;
+    return node;
+  }
+
+  void complain(const YAML::Mark& mark, const std::string& found, const std::string& expected,
+                const std::string& hint) {
+    diagnostics_.add({Severity::error, file_, mark.line + 1, mark.column + 1, path(), found, expected, hint});
+  }
+
+  void refuse_anchor(const YAML::Mark& mark, YAML::anchor_t anchor) {
+    if (anchor != 0) complain(mark, "an anchor (&)", "the value alone", "anchors are not used in model files");
+  }
+
+  void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    if (!tag.empty() && tag != "?" && tag != "!") {
+      complain(mark, "the tag '" + for_display(tag) + "'", "the value alone", "tags are not used in model files");
+    }
+  }
+
+  void open(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, YamlNode::Kind kind) {
+    refuse_anchor(mark, anchor);
+    refuse_tag(mark, tag);
+    stack_.push_back({node_at(mark, kind), std::nullopt, {}});
+  }
+
+  void close() {
+    YamlNode node = std::move(stack_.back().node);
+    stack_.pop_back();
+    place(std::move(node));
+  }
+
+  void place(YamlNode node) {
+    if (stack_.empty()) {
+      root_ = std::move(node);
+      return;
+    }
+    Frame& top = stack_.back();
+    if (top.node.kind == YamlNode::Kind::list) {
+      top.node.items.push_back(std::move(node));
+    } else if (!top.pending) {
+      begin_entry(top, node);
+    } else {
+      top.pending->value = std::move(node);
+      top.node.entries.push_back(std::move(*top.pending));
+      top.pending.reset();
+    }
+  }
+
+  void begin_entry(Frame& top, const YamlNode& key) {
+    const YAML::Mark mark = [&] {
+      YAML::Mark m;
+      m.line = key.line - 1;
+      m.column = key.column - 1;
+      return m;
+    }();
+    if (key.kind != YamlNode::Kind::scalar) {
+      complain(mark, "a key that is not a word", "a word and a colon", "");
+    } else if (const auto [first, fresh] = top.seen.try_emplace(key.text, key.line); !fresh) {
+      diagnostics_.add({Severity::error, file_, key.line, key.column, joined(key.text), "the key a second time",
+                        "it once", "it stands already in line " + std::to_string(first->second)});
+    }
+    top.pending = YamlEntry{key.text, key.line, key.column, {}};
+  }
+
+  std::string joined(const std::string& key) const {
+    const std::string at = path();
+    return at.empty() ? for_display(key) : at + "." + for_display(key);
+  }
+
+  /// Where the parser stands, "supports.ramp.boxes[2]".
+  std::string path() const {
+    std::string text;
+    for (const Frame& frame : stack_) {
+      if (frame.node.kind == YamlNode::Kind::list) {
+        text += "[" + std::to_string(frame.node.items.size()) + "]";
+      } else if (frame.pending) {
+        text += (text.empty() ? "" : ".") + for_display(frame.pending->key);
+      }
+    }
+    return text;
+  }
+
+  std::string file_;
+  Diagnostics& diagnostics_;
+  std::vector<Frame> stack_;
+  std::optional<YamlNode> root_;
+};
+
+/// The parser's terse messages in words that say what to look for.
+std::string in_our_words(const std::string& message) {
+  static const std::vector<std::pair<std::string, std::string>> kWords = {
+      {"bad file", "nested too deeply"},
+      {"end of sequence flow not found", "a list opened with '[' is not closed with ']', or a comma is missing"},
+      {"end of map flow not found", "a group opened with '{' is not closed with '}', or a comma is missing"},
+      {"end of map not found",
+       "a line that does not fit its group: is it indented like its neighbours, with 'key: value'?"},
+      {"end of sequence not found",
+       "a line that does not fit its list: is it indented like its neighbours, with '- item'?"},
+      {"illegal map value", "a second ':' in a line, or wrong indentation; put text that holds ': ' in quotes"},
+  };
+  for (const auto& [theirs, ours] : kWords) {
+    if (message.find(theirs) != std::string::npos) return ours;
+  }
+  return message;
+}
+
+}  // namespace
+
+std::optional<YamlNode> parse_yaml(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+  TreeBuilder builder(file, diagnostics);
+  try {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    if (!parser.HandleNextDocument(builder)) return std::nullopt;
+    std::optional<YamlNode> root = builder.take_root();
+    TreeBuilder rest(file, diagnostics);
+    if (parser.HandleNextDocument(rest)) {
+      const std::optional<YamlNode> second = rest.take_root();
+      diagnostics.add({Severity::error, file, second ? second->line : 0, 0, "",
+                       "a second document (after '---' or '...')", "one model per file", ""});
+    }
+    return root;
+  } catch (const YAML::Exception& fault) {
+    diagnostics.add({Severity::error, file, fault.mark.line + 1, fault.mark.column + 1, "",
+                     "no valid YAML, column " + std::to_string(fault.mark.column + 1) + ": " + in_our_words(fault.msg),
+                     "", ""});
+  } catch (const std::exception& fault) {
+    diagnostics.add({Severity::error, file, 0, 0, "", std::string("no valid YAML: ") + fault.what(), "", ""});
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

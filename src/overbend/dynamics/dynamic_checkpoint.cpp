@@ -1,0 +1,158 @@
+#include "dynamics/dynamic_checkpoint.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kContactNumbers = 7;
+constexpr std::size_t kWaterNumbers = 8;
+constexpr std::size_t kBendingNumbers = 17 + kSliders * kDirections;
+
+void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
+  checkpoint.arrays.push_back({name, std::move(values)});
+}
+
+std::vector<double> bending_numbers(const std::vector<BendingMemory>& memories) {
+  std::vector<double> out;
+  for (const BendingMemory& m : memories) {
+    out.insert(out.end(), {m.tangent.x(), m.tangent.y(), m.tangent.z(), m.axis.x(), m.axis.y(), m.axis.z(),
+                           m.center.x(), m.center.y(), m.slack, m.largest, m.held.x(), m.held.y(),
+                           static_cast<double>(m.held_mix.lower), m.held_mix.share, static_cast<double>(m.stamp >> 32U),
+                           static_cast<double>(m.stamp & 0xffffffffU), m.stored});
+    out.insert(out.end(), m.slip.begin(), m.slip.end());
+  }
+  return out;
+}
+
+BendingMemory bending_memory(const double* v) {
+  BendingMemory m;
+  m.tangent = Vec3(v[0], v[1], v[2]);
+  m.axis = Vec3(v[3], v[4], v[5]);
+  m.center = Vec2(v[6], v[7]);
+  m.slack = v[8];
+  m.largest = v[9];
+  m.held = Vec2(v[10], v[11]);
+  m.held_mix = {static_cast<int>(v[12]), v[13]};
+  m.stamp = (static_cast<std::uint64_t>(v[14]) << 32U) | static_cast<std::uint64_t>(v[15]);
+  m.stored = v[16];
+  std::copy_n(v + 17, m.slip.size(), m.slip.begin());
+  return m;
+}
+
+Slip slip_of(double value) {
+  return static_cast<Slip>(static_cast<int>(value));
+}
+
+}  // namespace
+
+const std::vector<double>& checkpoint_array(const DynamicCheckpoint& checkpoint, const std::string& name) {
+  const auto found = std::find_if(checkpoint.arrays.begin(), checkpoint.arrays.end(),
+                                  [&](const DynamicCheckpoint::Array& a) { return a.name == name; });
+  if (found == checkpoint.arrays.end()) {
+    throw std::runtime_error("the checkpoint has no " + name);
+  }
+  return found->values;
+}
+
+void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state) {
+  put(checkpoint, "state/q", state.q);
+  put(checkpoint, "state/v", state.v);
+  put(checkpoint, "state/acc", state.acc);
+  put(checkpoint, "state/alg", state.alg);
+  put(checkpoint, "state/bed_slip", {state.bed_slip.begin(), state.bed_slip.end()});
+  const GuideValues &a = state.anchor_guide, &t = state.top_guide;
+  put(checkpoint, "state/scalars", {state.time, state.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
+  const TensionerMachine& m = state.machine;
+  put(checkpoint, "state/tensioner",
+      {static_cast<double>(m.state), static_cast<double>(m.drive), static_cast<double>(m.side), m.timer, m.tension,
+       state.travel.q, state.travel.v, state.travel.acc, state.travel.alg});
+  std::vector<double> contacts;
+  for (const ContactMemory& c : state.contacts) {
+    contacts.insert(contacts.end(), {c.slip_axial, c.slip_lateral, c.carries ? 1.0 : 0.0, static_cast<double>(c.axial),
+                                     static_cast<double>(c.lateral), static_cast<double>(c.element), c.xi});
+  }
+  put(checkpoint, "state/contacts", std::move(contacts));
+  if (!state.bending.empty()) {
+    put(checkpoint, "state/bending", bending_numbers(state.bending));
+    put(checkpoint, "state/bending_heat", {state.bending_heat});
+  }
+}
+
+void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
+  state.q = checkpoint_array(checkpoint, "state/q");
+  state.v = checkpoint_array(checkpoint, "state/v");
+  state.acc = checkpoint_array(checkpoint, "state/acc");
+  state.alg = checkpoint_array(checkpoint, "state/alg");
+  const std::vector<double>& slip = checkpoint_array(checkpoint, "state/bed_slip");
+  state.bed_slip.assign(slip.begin(), slip.end());
+  const std::vector<double>& s = checkpoint_array(checkpoint, "state/scalars");
+  state.time = s.at(0);
+  state.last_step = s.at(1);
+  state.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
+  state.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
+  const std::vector<double>& t = checkpoint_array(checkpoint, "state/tensioner");
+  state.machine = {static_cast<TensionerState>(std::lround(t.at(0))), static_cast<TensionerDrive>(std::lround(t.at(1))),
+                   static_cast<int>(std::lround(t.at(2))), t.at(3), t.at(4)};
+  state.travel = {t.at(5), t.at(6), t.at(7), t.at(8)};
+  const std::vector<double>& contacts = checkpoint_array(checkpoint, "state/contacts");
+  for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+    const double* v = &contacts.at(kContactNumbers * i);
+    state.contacts[i] = {v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6]};
+  }
+  if (!state.bending.empty()) {
+    const std::vector<double>& bending = checkpoint_array(checkpoint, "state/bending");
+    for (std::size_t i = 0; i < state.bending.size(); ++i) {
+      state.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
+    }
+    state.bending_heat = checkpoint_array(checkpoint, "state/bending_heat").at(0);
+  }
+}
+
+void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& memory) {
+  std::vector<double> out{memory.time, static_cast<double>(memory.first.size())};
+  for (const std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
+    for (const WaterState& w : *moment) {
+      out.insert(out.end(), {w.velocity.x(), w.velocity.y(), w.velocity.z(), w.acceleration.x(), w.acceleration.y(),
+                             w.acceleration.z(), w.elevation, w.pressure_head});
+    }
+  }
+  put(checkpoint, "water", std::move(out));
+}
+
+void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& memory) {
+  const std::vector<double>& in = checkpoint_array(checkpoint, "water");
+  memory.time = in.at(0);
+  const std::size_t stations = static_cast<std::size_t>(in.at(1));
+  std::size_t i = 2;
+  for (std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
+    moment->resize(stations);
+    for (WaterState& w : *moment) {
+      const double* v = &in.at(i);
+      w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6], v[7]};
+      i += kWaterNumbers;
+    }
+  }
+}
+
+void save_report(DynamicCheckpoint& checkpoint, const DynamicRunReport& report) {
+  put(checkpoint, "report",
+      {static_cast<double>(report.steps), static_cast<double>(report.rejected_steps),
+       static_cast<double>(report.newton_iterations), static_cast<double>(report.factorisations), report.smallest_step,
+       report.largest_step, report.wall_time});
+}
+
+void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& report) {
+  const std::vector<double>& in = checkpoint_array(checkpoint, "report");
+  report.steps = std::llround(in.at(0));
+  report.rejected_steps = std::llround(in.at(1));
+  report.newton_iterations = std::llround(in.at(2));
+  report.factorisations = std::llround(in.at(3));
+  report.smallest_step = in.at(4);
+  report.largest_step = in.at(5);
+  report.wall_time = in.at(6);
+}
+
+}  // namespace overbend

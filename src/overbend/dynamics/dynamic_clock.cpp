@@ -1,0 +1,54 @@
+#include "dynamics/dynamic_clock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Of a swing of frequency w, h^2 T'' is (w h)^2/2 of its range: w h = 0.1, 63 steps a period, leaves 0.2 % of the
+/// range as error of the scheme.
+constexpr double kBendOfRange = 5e-3;
+constexpr double kBendOfTension = 1e-4;       ///< Where hardly anything swings.
+constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tension is not followed further [s].
+constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
+
+}  // namespace
+
+Clock make_clock(const DynamicOptions& options, double interval) {
+  Clock clock;
+  clock.interval = interval;
+  clock.ticks_per_row = std::llround(options.output_step / interval);
+  const std::int64_t rows_before = static_cast<std::int64_t>(std::ceil(options.build_up / options.output_step - 1e-9));
+  const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
+  clock.tick = -rows_before * clock.ticks_per_row;
+  clock.last_tick = rows_after * clock.ticks_per_row;
+  return clock;
+}
+
+void TensionWatch::start(double tension) {
+  *this = {tension, 0.0, tension, tension};
+}
+
+double TensionWatch::longest_step(double tension, double h) {
+  const double now = (tension - last) / h;
+  const double bend = std::abs(now - slope) * h;  // h^2 T''
+  least = std::min(least, tension);
+  most = std::max(most, tension);
+  last = tension;
+  slope = now;
+  const double allowed = std::max(kBendOfRange * (most - least), kBendOfTension * std::abs(tension));
+  return std::max(h * std::sqrt(allowed / std::max(bend, 1e-9 * allowed)), kShortestForTension);
+}
+
+double StepChooser::choose(double remaining, double longest) {
+  const double limit = std::min(wanted, longest);
+  const double parts = remaining / last;
+  const bool fits = last > 0.0 && std::abs(parts - std::round(parts)) < 1e-6 && parts > 0.5;
+  if (!(fits && last <= limit * (1.0 + 1e-9) && last * kLeastGrowth > std::min(limit, remaining))) {
+    last = remaining / std::ceil(remaining / limit - 1e-9);
+  }
+  return last;
+}
+
+}  // namespace overbend

@@ -1,0 +1,41 @@
+/// The clock that the steps of a run must meet, and the choice of steps between its ticks.
+#pragma once
+
+#include <cstdint>
+
+#include "dynamics/dynamics.h"
+
+namespace overbend {
+
+/// Counts the clock's ticks, so that times are products and not sums.
+struct Clock {
+  double interval = 0.5;
+  std::int64_t tick = 0, ticks_per_row = 1, last_tick = 0;
+
+  double time() const { return static_cast<double>(tick) * interval; }
+  bool at_row() const { return tick % ticks_per_row == 0; }
+};
+
+Clock make_clock(const DynamicOptions& options, double interval);
+
+/// Watches how the tension at the top bends from step to step. Steps that follow its swings to a fraction of their
+/// period follow everything else that swings with them.
+struct TensionWatch {
+  double last = 0.0, slope = 0.0;       ///< After the last step [N], over it [N/s].
+  double least = 1e300, most = -1e300;  ///< So far [N].
+
+  void start(double tension);
+  /// Longest step that the tension after one of `h` allows [s].
+  double longest_step(double tension, double h);
+};
+
+/// Chooses steps between ticks.
+struct StepChooser {
+  double wanted = 0.02;  ///< By error and impacts [s].
+  double last = 0.0;     ///< Step taken last [s].
+
+  /// A step that leads to the next tick in equal parts; that of before where it does so too, so that factors serve on.
+  double choose(double remaining, double longest);
+};
+
+}  // namespace overbend

@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include "dynamics/dynamics.h"
+
+namespace overbend {
+namespace {
+
+/// A motion that cannot be followed over the whole run.
+std::optional<StaticFailure> motion_obstacle(const Description& d) {
+  const VesselDescription& vessel = d.vessel;
+  if (vessel.motion == VesselMotion::coupled) {
+    return StaticFailure{"vessel.motion: coupled cannot be run yet", "", "raos, harmonic and history can"};
+  }
+  if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
+      (vessel.motion == VesselMotion::history && !vessel.history)) {
+    return StaticFailure{"the vessel's motion cannot be followed", "",
+                         "the file " + vessel.motion_file + " could not be read"};
+  }
+  if (vessel.motion != VesselMotion::history) {
+    return std::nullopt;
+  }
+  const double first = vessel.history->time.front(), last = vessel.history->time.back();
+  if (first > 0.0 || last < d.dynamics->duration * (1.0 - 1e-9)) {
+    return StaticFailure{"the record of the vessel's motion does not cover the run", "",
+                         fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s",
+                                     vessel.motion_file, first, last, d.dynamics->duration)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
+  const Description& d = model.description;
+  if (!d.dynamics) {
+    return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};
+  }
+  if (std::optional<StaticFailure> obstacle = motion_obstacle(d)) {
+    return obstacle;
+  }
+  if (d.environment.waves.type == WaveType::user && d.environment.waves.spectrum.empty()) {
+    return StaticFailure{"the sea cannot be made", "",
+                         "the file " + d.environment.waves.spectrum_file + " could not be read"};
+  }
+  if (d.tensioner.range_low && d.tensioner.tension &&
+      (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
+    return StaticFailure{"tensioner.range does not hold tensioner.tension", "",
+                         "the tensioner would move from the first moment on"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

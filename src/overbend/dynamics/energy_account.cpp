@@ -1,0 +1,96 @@
+#include "dynamics/energy_account.h"
+
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Every number of an instant in one order, to write and to read.
+template <class Instant, class Visit>
+void visit(Instant& e, const Visit& visit_one) {
+  visit_one(e.line.kinetic);
+  visit_one(e.line.strain);
+  visit_one(e.line.gravity);
+  visit_one(e.line.seabed);
+  visit_one(e.line.fluid_power);
+  visit_one(e.line.seabed_loss);
+  visit_one(e.contact);
+  visit_one(e.roller_power);
+  visit_one(e.contact_loss);
+  visit_one(e.friction_loss);
+  visit_one(e.top_power);
+  visit_one(e.anchor_power);
+  visit_one(e.bending_heat);
+}
+
+template <class Balance, class Visit>
+void visit_balance(Balance& b, const Visit& visit_one) {
+  visit_one(b.kinetic);
+  visit_one(b.strain);
+  visit_one(b.gravity);
+  visit_one(b.contact);
+  visit_one(b.seabed);
+  visit_one(b.fluid);
+  visit_one(b.rollers);
+  visit_one(b.top);
+  visit_one(b.anchor);
+  visit_one(b.contact_loss);
+  visit_one(b.friction_loss);
+  visit_one(b.seabed_loss);
+  visit_one(b.yielding_loss);
+  visit_one(b.error);
+  visit_one(b.throughput);
+}
+
+}  // namespace
+
+void EnergyAccount::start(const InstantEnergy& first, double least) {
+  first_ = last_ = first;
+  balance_ = {};
+  balance_.throughput = least;
+}
+
+void EnergyAccount::add(const InstantEnergy& now, double h) {
+  EnergyBalance& b = balance_;
+  b.kinetic = now.line.kinetic - first_.line.kinetic;
+  b.strain = now.line.strain - first_.line.strain;
+  b.gravity = now.line.gravity - first_.line.gravity;
+  b.contact = now.contact - first_.contact;
+  b.seabed = now.line.seabed - first_.line.seabed;
+  const auto integrate = [&](double& sum, double before, double after) {
+    const double part = 0.5 * h * (before + after);
+    sum += part;
+    b.throughput += std::abs(part);
+  };
+  integrate(b.fluid, last_.line.fluid_power, now.line.fluid_power);
+  integrate(b.rollers, last_.roller_power, now.roller_power);
+  integrate(b.top, last_.top_power, now.top_power);
+  integrate(b.anchor, last_.anchor_power, now.anchor_power);
+  integrate(b.contact_loss, last_.contact_loss, now.contact_loss);
+  integrate(b.friction_loss, last_.friction_loss, now.friction_loss);
+  integrate(b.seabed_loss, last_.line.seabed_loss, now.line.seabed_loss);
+  b.yielding_loss = now.bending_heat - first_.bending_heat;
+  b.throughput += now.bending_heat - last_.bending_heat;
+  b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss +
+            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor;
+  last_ = now;
+}
+
+std::vector<double> EnergyAccount::save() const {
+  std::vector<double> out;
+  const auto put = [&](double value) { out.push_back(value); };
+  visit(first_, put);
+  visit(last_, put);
+  visit_balance(balance_, put);
+  return out;
+}
+
+void EnergyAccount::restore(const std::vector<double>& saved) {
+  std::size_t i = 0;
+  const auto take = [&](double& value) { value = saved.at(i++); };
+  visit(first_, take);
+  visit(last_, take);
+  visit_balance(balance_, take);
+}
+
+}  // namespace overbend

@@ -1,0 +1,29 @@
+/// The balance of energy over a run.
+#pragma once
+
+#include <vector>
+
+#include "results/dynamic_results.h"
+#include "system/dynamic_line.h"
+
+namespace overbend {
+
+/// Stored energies are exact at each instant; powers are integrated by the trapezoidal rule. What the time integrator
+/// damps appears as error.
+class EnergyAccount {
+ public:
+  /// `least` energy counts as passed from the start, so that a pipe at rest does not drift by its rounding [J].
+  void start(const InstantEnergy& first, double least);
+  /// The state after a step of `h`.
+  void add(const InstantEnergy& now, double h);
+  const EnergyBalance& balance() const { return balance_; }
+
+  std::vector<double> save() const;
+  void restore(const std::vector<double>& saved);
+
+ private:
+  InstantEnergy first_, last_;
+  EnergyBalance balance_;
+};
+
+}  // namespace overbend

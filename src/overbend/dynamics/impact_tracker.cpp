@@ -1,0 +1,110 @@
+#include "dynamics/impact_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace overbend {
+namespace {
+
+constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
+constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
+constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
+constexpr int kSaved = 8;               ///< Numbers per roller.
+
+}  // namespace
+
+ImpactTracker::ImpactTracker(const std::vector<MovingRoller>& rollers, const ImpactSettings& settings)
+    : rollers_(&rollers), settings_(settings), tracks_(rollers.size()) {
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    tracks_[i].penetration = 0.0;  // what lies on rollers at the start has not struck them
+  }
+}
+
+double ImpactTracker::contact_time(std::size_t roller) const {
+  const MovingRoller& r = (*rollers_)[roller];
+  return std::numbers::pi * std::sqrt(r.mass / r.law.stiffness);
+}
+
+bool ImpactTracker::hard(std::size_t roller, double velocity) const {
+  const MovingRoller& r = (*rollers_)[roller];
+  return velocity * std::sqrt(r.law.stiffness * r.mass) > settings_.least_force;
+}
+
+ImpactLimit ImpactTracker::check(const std::vector<MovingContact>& contacts, double h) const {
+  ImpactLimit limit;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const double before = tracks_[i].penetration, now = contacts[i].penetration;
+    if (before >= 0.0 || now <= 0.0) {
+      continue;
+    }
+    const double velocity = std::max(contacts[i].rate, (now - before) / h);
+    const double resolved = contact_time(i) / settings_.steps;
+    if (hard(i, velocity) && h > 1.01 * resolved) {
+      limit.reject = true;
+      limit.step = std::min(limit.step, std::max(-before / velocity, resolved));
+    }
+  }
+  limit.reject = limit.reject && limit.step < 0.95 * h;
+  return limit;
+}
+
+void ImpactTracker::accept(const std::vector<MovingContact>& contacts, double time, double h,
+                           std::vector<Impact>& ended) {
+  step_limit_ = 1e300;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Track& track = tracks_[i];
+    const MovingContact& contact = contacts[i];
+    const double penetration = contact.at.found ? contact.penetration : -1.0;
+    if (!track.open && track.penetration < 0.0 && penetration > 0.0) {
+      const double velocity = std::max(contact.rate, (penetration - track.penetration) / h);
+      if (hard(i, velocity)) {
+        track.open = true;
+        track.impact = {static_cast<int>(i),
+                        time - h * penetration / (penetration - track.penetration),
+                        velocity,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0};
+      }
+    }
+    if (track.open) {
+      Impact& impact = track.impact;
+      impact.peak_force = std::max(impact.peak_force, contact.normal);
+      impact.impulse += 0.5 * h * (track.force + contact.normal);
+      impact.duration = time - impact.time;
+      const double contact_times = impact.duration / contact_time(i);
+      const bool left = contact.normal <= 0.0 && contact.rate <= 0.0;
+      const bool rests = contact_times > 1.0 && std::abs(contact.rate) < kAtRest * impact.approach_velocity;
+      if (left || rests || contact_times > kLongestTimes) {
+        track.open = false;
+        ended.push_back(impact);
+      } else if (contact_times < kResolvedTimes) {
+        step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
+      }
+    }
+    track.penetration = penetration;
+    track.force = contact.normal;
+  }
+}
+
+std::vector<double> ImpactTracker::save() const {
+  std::vector<double> out{step_limit_};
+  for (const Track& t : tracks_) {
+    out.insert(out.end(), {t.penetration, t.force, t.open ? 1.0 : 0.0, t.impact.time, t.impact.approach_velocity,
+                           t.impact.peak_force, t.impact.duration, t.impact.impulse});
+  }
+  return out;
+}
+
+void ImpactTracker::restore(const std::vector<double>& saved) {
+  step_limit_ = saved.at(0);
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    const double* v = &saved.at(1 + kSaved * i);
+    tracks_[i] = {v[0], v[1], v[2] != 0.0, {static_cast<int>(i), v[3], v[4], v[5], v[6], v[7], 0.0, 0.0}};
+  }
+}
+
+}  // namespace overbend

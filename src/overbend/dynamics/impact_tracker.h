@@ -1,0 +1,54 @@
+/// Impacts of the pipe on rollers: recognised, resolved in time, recorded.
+#pragma once
+
+#include <vector>
+
+#include "results/dynamic_results.h"
+#include "system/moving_contacts.h"
+
+namespace overbend {
+
+/// How impacts are resolved.
+struct ImpactSettings {
+  double steps = 16.0;         ///< Steps in the undamped contact time pi sqrt(m / k).
+  double least_force = 1.0e3;  ///< Impacts with v sqrt(k m) below this are not resolved nor recorded [N].
+};
+
+/// What limits the next step.
+struct ImpactLimit {
+  bool reject = false;  ///< The step ran into an impact that it is too long for.
+  double step = 1e300;  ///< Longest step, when rejected: to the first touch [s].
+};
+
+class ImpactTracker {
+ public:
+  ImpactTracker(const std::vector<MovingRoller>& rollers, const ImpactSettings& settings);
+
+  /// Looks at a step of `h` that led to `contacts`, before it is accepted.
+  ImpactLimit check(const std::vector<MovingContact>& contacts, double h) const;
+  /// Takes an accepted step; impacts that end with it are appended to `ended` (which has room for all rollers).
+  void accept(const std::vector<MovingContact>& contacts, double time, double h, std::vector<Impact>& ended);
+  /// Longest step while impacts go on [s].
+  double step_limit() const { return step_limit_; }
+
+  std::vector<double> save() const;
+  void restore(const std::vector<double>& saved);
+
+ private:
+  struct Track {
+    double penetration = -1.0;  ///< After the last step [m].
+    double force = 0.0;         ///< Normal, after the last step [N].
+    bool open = false;          ///< An impact goes on.
+    Impact impact;
+  };
+
+  double contact_time(std::size_t roller) const;
+  bool hard(std::size_t roller, double velocity) const;
+
+  const std::vector<MovingRoller>* rollers_;
+  ImpactSettings settings_;
+  std::vector<Track> tracks_;
+  double step_limit_ = 1e300;
+};
+
+}  // namespace overbend

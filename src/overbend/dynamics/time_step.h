@@ -1,0 +1,63 @@
+/// One step in time of a line: generalized-alpha with Newton's method.
+#pragma once
+
+#include "system/dynamic_line.h"
+
+namespace overbend {
+
+struct StepSettings {
+  double spectral_radius = 0.6;
+  double tolerance = 1e-6;  ///< Largest unbalanced nodal force over the force scale.
+  int max_iterations = 12;
+};
+
+enum class StepEnd { converged, too_many_iterations, singular, lost };
+
+struct StepReport {
+  StepEnd end = StepEnd::too_many_iterations;
+  int iterations = 0;
+  int factorisations = 0;
+  double residual = 0.0;
+  int worst_node = 0;
+  bool converged() const { return end == StepEnd::converged; }
+};
+
+/// Takes steps; holds factors of the last tangent, which serve as long as step size, contacts and convergence allow.
+class TimeStepper {
+ public:
+  TimeStepper(DynamicSystem& system, const StepSettings& settings);
+
+  /// From `now` over `h` to `next`; the system is left evaluated at `next`. On failure `next` is of no use.
+  StepReport step(const DynamicState& now, double h, DynamicState& next);
+
+  /// Estimate of the error that the last step made in the place of any node [m]: the change of acceleration over the
+  /// step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far faster than the step, which
+  /// the scheme damps, do not count (after Shampine 1984).
+  double local_error(const DynamicState& now, const DynamicState& next);
+
+  /// What comes next depends on the state alone: for checkpoints.
+  void forget_factors() { factored_ = false; }
+
+ private:
+  void predict(const DynamicState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
+               DynamicState& next) const;
+  void predict_travel(const DynamicState& now, double h, const SpeedBounds& bounds, DynamicState& next) const;
+  StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const DynamicState& now, double h,
+                       DynamicState& next);
+  void correct(DynamicState& next, double h) const;
+  bool must_factor(double h) const;
+  bool factors_serve(const StepReport& report, double residual_before, const DynamicState& next,
+                     const StepShares& shares);
+
+  DynamicSystem* system_;
+  StepSettings settings_;
+  GeneralizedAlpha scheme_;
+  bool factored_ = false;
+  bool factored_governed_ = false;  ///< With the top free along its guide.
+  double factored_step_ = 0.0;
+  std::uint64_t factored_contacts_ = 0;
+  int factors_age_ = 0;
+  std::vector<double> dq_, lumped_mass_;
+};
+
+}  // namespace overbend

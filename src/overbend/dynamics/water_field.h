@@ -1,0 +1,58 @@
+/// The moving water along a line, tabulated: waves are evaluated at stations of the line and at moments of a coarse
+/// clock, and interpolated in between.
+///
+///     time     T_j ----------- T_j+1      every `interval`; between, velocities on the cubic through both and their
+///                                         rates, accelerations and elevation linear
+///     line     o---o---o---o---o          stations close where short waves reach, far apart below; between, linear
+///
+/// A station is evaluated where the line will be at the moment: extrapolated from where it is when the moment before is
+/// reached. So the cost of a sea of hundreds of components does not grow with the steps of an impact. The error is
+/// stated in docs/theory/dynamics.md and held by a test.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/sea.h"
+#include "system/line_mesh.h"
+
+namespace overbend {
+
+/// The two moments between which time stands; part of the state of a run.
+struct WaterMemory {
+  double time = 0.0;  ///< Of the first [s].
+  std::vector<WaterState> first, second;
+};
+
+class WaterField {
+ public:
+  /// Stations by the shape `q` (six per node) of the line; `build_up` in seconds before t = 0.
+  WaterField(const Sea& sea, const LineMesh& mesh, const std::vector<double>& q, double build_up, double interval);
+
+  bool calm() const { return stations_.empty(); }
+  double interval() const { return interval_; }
+  std::size_t stations() const { return stations_.size(); }
+
+  /// Fills the memory for a run that starts at `time`.
+  void start(WaterMemory& memory, double time, const std::vector<double>& q, const std::vector<double>& v);
+  /// Moves on by one interval: to be called when time reaches the second moment.
+  void advance(WaterMemory& memory, const std::vector<double>& q, const std::vector<double>& v);
+  /// Waves at all nodes at a time between the moments, kWaterValues each. Does not allocate.
+  void nodes_at(const WaterMemory& memory, double time, std::vector<double>& water);
+
+ private:
+  void evaluate(double time, const std::vector<double>& q, const std::vector<double>& v, double ahead,
+                std::vector<WaterState>& out);
+
+  const Sea* sea_;
+  double build_up_, interval_;
+  std::vector<int> stations_;       ///< Nodes, from the first to the last.
+  std::vector<int> station_below_;  ///< Of every node: the station at or before it.
+  std::vector<double> share_;       ///< Of every node: how far it is on to the next station [-].
+  std::vector<Vec3> points_;
+  std::vector<WaterState> now_;
+};
+
+/// Time between moments that serves a sea: an eighth of its shortest period, but a whole part of `output_step`.
+double water_interval(const Sea& sea, double output_step);
+
+}  // namespace overbend

@@ -1,0 +1,61 @@
+#include "modelfile/field.h"
+
+#include <cmath>
+#include <map>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace overbend {
+namespace {
+
+std::string bound_words(const Field& field, double value) {
+  if (field.kind == FieldKind::quantity) return format_quantity(value, field.unit, field.show);
+  return format_number(value);
+}
+
+}  // namespace
+
+std::string range_words(const Field& field, const Range& range) {
+  const bool low = std::isfinite(range.low), high = std::isfinite(range.high);
+  if (!low && !high) return {};
+  if (range.low == range.high) return "exactly " + bound_words(field, range.low);
+  if (low && !high) return (range.low_open ? "above " : "at least ") + bound_words(field, range.low);
+  if (!low) return (range.high_open ? "below " : "at most ") + bound_words(field, range.high);
+  if (!range.low_open && !range.high_open) {
+    return "from " + bound_words(field, range.low) + " to " + bound_words(field, range.high);
+  }
+  return (range.low_open ? "above " : "at least ") + bound_words(field, range.low) +
+         (range.high_open ? " and below " : " and at most ") + bound_words(field, range.high);
+}
+
+std::string kind_words(const Field& field) {
+  switch (field.kind) {
+    case FieldKind::map:
+      return "a group of keys";
+    case FieldKind::list:
+      return "a list";
+    case FieldKind::quantity:
+      return dimension_words(field.unit) + " with its unit";
+    case FieldKind::number:
+      return "a plain number";
+    case FieldKind::integer:
+      return "a whole number";
+    case FieldKind::text:
+      return "text";
+    case FieldKind::choice:
+      return one_of(field.choices);
+  }
+  return {};
+}
+
+double largest_sensible(const std::string& si_unit) {
+  static const std::map<std::string, double> kLargest = {
+      {"m", 1e6},  {"rad", 1e3},  {"s", 1e9},      {"m/s", 1e3},   {"m/s^2", 1e4},
+      {"N", 1e12}, {"N/m", 1e15}, {"N/m^2", 1e15}, {"N/m^3", 1e8}, {"N*s/m^2", 1e15},
+  };
+  const auto found = kLargest.find(si_unit);
+  return found != kLargest.end() ? found->second : 1e15;
+}
+
+}  // namespace overbend

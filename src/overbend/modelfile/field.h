@@ -1,0 +1,51 @@
+/// One key of the model file: the single place that says what it means. The reader, `overbend schema`, the reference
+/// page and forms are all made from the table of these (modelfile/field_table.h).
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace overbend {
+
+enum class FieldKind { map, list, quantity, number, integer, text, choice };
+
+/// Bounds of a number; quantities in SI.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_open = false, high_open = false;  ///< The bound itself is outside.
+
+  bool contains(double value) const {
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+  }
+};
+
+/// A row of the table. Paths read `pipe.coatings[].thickness` (an item of a list) and `rollers.*.bottom` (any name).
+///
+/// A key may have two rows of different shape, `vessel.motion` as a word or as a map: what stands in the file decides.
+struct Field {
+  std::string path;
+  FieldKind kind = FieldKind::map;
+  std::string text;       ///< One line for the user.
+  std::string unit = {};  ///< Of a quantity: the SI unit that names its dimension.
+  std::string show = {};  ///< Unit to show it in.
+  bool required = false;
+  std::string fallback = {};       ///< Value when left out, as it would be written; empty = none.
+  std::string fallback_text = {};  ///< What being left out means when no fixed value stands for it.
+  Range range = {};
+  Range usual = {};  ///< Outside is accepted with a warning: mostly a slip of units.
+  std::vector<std::string> choices = {};
+  int least = 0, most = std::numeric_limits<int>::max();  ///< Items of a list, keys of a map.
+};
+
+/// The range in the field's own unit, "> 0 mm", "0 to 1"; empty when unbounded.
+std::string range_words(const Field& field, const Range& range);
+
+/// What a value of this field looks like, "a length in mm", "one of none, airy, ...".
+std::string kind_words(const Field& field);
+
+/// Largest magnitude [SI] accepted for a dimension whatever the field: beyond it the value is a slip.
+double largest_sensible(const std::string& si_unit);
+
+}  // namespace overbend

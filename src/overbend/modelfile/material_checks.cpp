@@ -1,0 +1,99 @@
+#include "base/units.h"
+#include "model/moment_curve.h"
+#include "modelfile/check_helper.h"
+#include "modelfile/model_checks.h"
+
+namespace overbend {
+namespace {
+
+double steel_number(const FieldValue& section, const FieldValue& pipe, const std::string& key, double otherwise) {
+  return section.get_number("steel." + key).value_or(pipe.get_number("steel." + key).value_or(otherwise));
+}
+
+/// What stands for the straight part of a curve, and how steep a user may make it.
+struct StraightPart {
+  double slope = 0.0;      ///< SI; 0 where it is not known.
+  const char* name = "";   ///< Of the slope, in words.
+  const char* unit = "";   ///< Of the ordinate.
+  const char* shown = "";  ///< Unit to show it in.
+};
+
+/// A curve rises, ever less steeply, and begins along its straight part.
+void check_curve(Checker& check, const std::vector<FieldValue>& points, const char* x, const char* y,
+                 const StraightPart& straight) {
+  constexpr double kSlack = 1.05;  // tests are read to a few per cent
+  double last_x = 0.0, last_y = 0.0, last_slope = straight.slope > 0.0 ? kSlack * straight.slope : 1e300;
+  for (const FieldValue& point : points) {
+    const auto at_x = point.get_number(x), at_y = point.get_number(y);
+    if (!at_x || !at_y) return;
+    if (*at_x <= last_x || *at_y < last_y) {
+      check.error(point, "a point that does not rise", "curve points in rising order, counted from the origin");
+      return;
+    }
+    const double slope = (*at_y - last_y) / (*at_x - last_x);
+    if (slope > (1.0 + 1e-9) * last_slope) {
+      const bool first = last_x == 0.0;
+      check.error(point, first ? "a point steeper than " + std::string(straight.name) : "a curve that grows steeper",
+                  first ? "at most " + format_quantity(straight.slope * *at_x, straight.unit, straight.shown) + " there"
+                        : "a curve that bends downwards only: each stretch no steeper than the one before");
+      return;
+    }
+    last_x = *at_x;
+    last_y = *at_y;
+    last_slope = slope;
+  }
+}
+
+void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  const FieldValue* material = section.find("steel.material");
+  if (material == nullptr) return;
+  const std::string law = material->get_text("law").value_or("");
+  const double modulus = steel_number(section, pipe, "youngs_modulus", 207e9);
+  const double yield = steel_number(section, pipe, "yield_stress", 0.0);
+  const std::vector<FieldValue>& stress_strain = Checker::items(*material, "stress_strain");
+  const std::vector<FieldValue>& moment_curvature = Checker::items(*material, "moment_curvature");
+  const bool exponent = material->mentions("hardening_exponent"), curve = material->mentions("stress_strain");
+  const bool a = material->mentions("moment_coefficient"), b = material->mentions("moment_exponent");
+  if (law == "ramberg_osgood" && !exponent) {
+    check.missing(*material, "hardening_exponent", "the exponent n of the stress-strain law, often 15 to 25");
+  }
+  if (law == "stress_strain" && !curve) {
+    check.missing(*material, "stress_strain", "the points of a tension test");
+  }
+  if (law == "moment_curvature" && !material->mentions("moment_curvature")) {
+    check.missing(*material, "moment_curvature", "the points of the pipe's moment over curvature");
+  }
+  if (law == "moment_ramberg_osgood" && a != b) {
+    check.missing(*material, a ? "moment_exponent" : "moment_coefficient",
+                  "both A and B, or neither to have them fitted");
+  }
+  if (law == "moment_ramberg_osgood" && !a && !b && !exponent && !curve) {
+    check.missing(*material, "moment_coefficient",
+                  "A and B, or a hardening_exponent or stress_strain that they can be fitted to");
+  }
+  if (exponent && !curve && yield > 0.0 && material->get_number("yield_strain").value_or(1.0) <= yield / modulus) {
+    check.error(*material->find("yield_strain"), "a total strain at yield of " + material->find("yield_strain")->shown,
+                "more than the elastic strain there, " + format_quantity(yield / modulus, "1", "%"));
+  }
+  if (const auto slope = material->get_number("hardening_modulus"); slope && *slope >= modulus) {
+    check.error(*material->find("hardening_modulus"), material->find("hardening_modulus")->shown,
+                "less than Young's modulus, " + format_quantity(modulus, "N/m^2", "GPa"));
+  }
+  check_curve(check, stress_strain, "strain", "stress", {modulus, "Young's modulus", "N/m^2", "MPa"});
+  const double outer = steel_number(section, pipe, "outside_diameter", 0.0);
+  const double wall = steel_number(section, pipe, "wall_thickness", 0.0);
+  const double EI = wall > 0.0 && outer > 2.0 * wall ? modulus * second_moment(outer, wall) : 0.0;
+  check_curve(check, moment_curvature, "curvature", "moment", {EI, "the bending stiffness", "N*m", "kN*m"});
+}
+
+}  // namespace
+
+void check_materials(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  const FieldValue* pipe = root.find("pipe");
+  if (pipe == nullptr) return;
+  check_material(check, *pipe, *pipe);
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) check_material(check, segment, *pipe);
+}
+
+}  // namespace overbend

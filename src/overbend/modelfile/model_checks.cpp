@@ -1,0 +1,223 @@
+#include "modelfile/model_checks.h"
+
+#include <filesystem>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "modelfile/check_helper.h"
+
+namespace overbend {
+namespace {
+
+/// A value of a segment, or of the line where the segment leaves it out.
+const FieldValue* own_or_line(const FieldValue& section, const FieldValue& pipe, const std::string& key) {
+  const FieldValue* own = section.find(key);
+  return own != nullptr ? own : pipe.find(key);
+}
+
+/// Two values of a section that limit each other; `at` is where to complain. Empty when one is absent or, in a segment,
+/// both are the line's and were judged there.
+struct SteelPair {
+  const FieldValue *a = nullptr, *b = nullptr, *at = nullptr;
+};
+
+SteelPair steel_pair(const FieldValue& section, const FieldValue& pipe, const std::string& a, const std::string& b) {
+  const FieldValue *own_a = section.find("steel." + a), *own_b = section.find("steel." + b);
+  if (own_a == nullptr && own_b == nullptr) return {};
+  return {own_or_line(section, pipe, "steel." + a), own_or_line(section, pipe, "steel." + b),
+          own_b != nullptr ? own_b : own_a};
+}
+
+void check_steel(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  const auto [diameter, wall, at_wall] = steel_pair(section, pipe, "outside_diameter", "wall_thickness");
+  if (diameter != nullptr && wall != nullptr && wall->number >= 0.5 * diameter->number) {
+    check.error(*at_wall, "a wall of " + wall->shown,
+                "less than the pipe's radius, " + format_quantity(0.5 * diameter->number, "m", "mm"));
+  }
+  const auto [yield, strength, at_strength] = steel_pair(section, pipe, "yield_stress", "tensile_strength");
+  if (yield != nullptr && strength != nullptr && strength->number < yield->number) {
+    check.error(*at_strength, "a tensile strength of " + strength->shown, "at least the yield stress, " + yield->shown);
+  }
+}
+
+void check_section(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  check_steel(check, section, pipe);
+  const FieldValue* joint = section.find("joint");
+  if (joint == nullptr) return;
+  const FieldValue* length = joint->find("length");
+  const FieldValue* bare = joint->find("field_joint");
+  if (length != nullptr && bare != nullptr && bare->number >= length->number) {
+    check.error(*bare, bare->shown, "less than the pipe joint's length, " + length->shown);
+  }
+  if (joint->get_number("coated_stiffness").value_or(1.0) > 1.0 &&
+      joint->get_number("strain_factor").value_or(1.0) > 1.0) {
+    check.warn(*joint,
+               "coated_stiffness already gathers strain at the field joints; strain_factor multiplies it again");
+  }
+  const FieldValue* coatings = own_or_line(section, pipe, "coatings");
+  const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
+  if (uncoated) {
+    check.warn(*joint, "without coatings there is nothing for the infill to replace; the field joint has no effect");
+  }
+}
+
+void check_pipe(Checker& check) {
+  const FieldValue* pipe = check.root().find("pipe");
+  if (pipe == nullptr) return;
+  check_section(check, *pipe, *pipe);
+  double total = 0.0;
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) {
+    check_section(check, segment, *pipe);
+    total += segment.get_number("length").value_or(0.0);
+  }
+  const FieldValue* length = pipe->find("length");
+  if (length != nullptr && total > length->number) {
+    check.error(*pipe->find("segments"), "segments of " + format_quantity(total, "m", "m") + " together",
+                "at most the line's length, " + length->shown);
+  }
+}
+
+/// The wall that is left for collapse.
+void check_wall_tolerance(Checker& check) {
+  const FieldValue* tolerance = check.root().find("checks.wall_tolerance");
+  const FieldValue* pipe = check.root().find("pipe");
+  if (tolerance == nullptr || pipe == nullptr) return;
+  const auto against = [&](const FieldValue& section) {
+    const FieldValue* wall = section.find("steel.wall_thickness");
+    if (wall == nullptr || tolerance->number < wall->number) return;
+    check.error(*tolerance, "a tolerance of " + tolerance->shown, "less than the wall, " + wall->shown);
+  };
+  against(*pipe);
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) against(segment);
+}
+
+void check_tension(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner");
+  const FieldValue* pipe = check.root().find("pipe");
+  if (tensioner == nullptr || pipe == nullptr) return;
+  const bool tension = tensioner->mentions("tension");
+  const FieldValue* length = pipe->find("length");
+  const FieldValue* anchor = pipe->find("anchor");
+  if (!tension && !(pipe->mentions("length") && pipe->mentions("anchor"))) {
+    check.missing(*tensioner, "tension", "a force with its unit",
+                  "or give pipe.length together with pipe.anchor, and the tension follows");
+  }
+  if (tension && length != nullptr && anchor != nullptr) {
+    check.error(*length, "a length, an anchor and a tension", "two of the three; the third follows",
+                "leave out pipe.length, pipe.anchor or tensioner.tension");
+  }
+}
+
+void check_tensioner_range(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner");
+  if (tensioner == nullptr) return;
+  const FieldValue* mode = tensioner->find("mode");
+  const FieldValue* range = tensioner->find("range");
+  if (!tensioner->mentions("range") && mode != nullptr && mode->text == "controlled") {
+    check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
+                  "a controlled tensioner works to keep its range");
+  }
+  if (range == nullptr || range->children.size() != 2) return;
+  const FieldValue& low = range->children[0];
+  const FieldValue& high = range->children[1];
+  const std::string shown = low.shown + " to " + high.shown;
+  if (low.number >= high.number) {
+    check.error(*range, shown, "the lower tension first, then the higher");
+    return;
+  }
+  const FieldValue* tension = tensioner->find("tension");
+  if (tension != nullptr && (tension->number < low.number || tension->number > high.number)) {
+    // Statics holds the tension as given, so a sweep of tensions needs no new range; only a moving machine would.
+    check.warn(*range, shown + " does not hold the wanted tension, " + tension->shown + "; dynamics will need that");
+  }
+}
+
+/// A machine that is asked to move needs a speed.
+void check_tensioner_mode(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner");
+  if (tensioner == nullptr || check.root().find("analysis.dynamic") == nullptr) return;
+  const FieldValue* mode = tensioner->find("mode");
+  const bool by_name = mode != nullptr && mode->given;
+  const bool controlled = by_name ? mode->text == "controlled" : tensioner->mentions("range");
+  const auto velocity = check.root().get_number("tensioner.velocity");
+  if (controlled && velocity.value_or(0.0) <= 0.0) {
+    check.warn(*tensioner, "a controlled tensioner without velocity never moves: dynamics holds it as a locked brake");
+  }
+}
+
+void check_current(Checker& check) {
+  const FieldValue* before = nullptr;
+  const auto water_depth = check.root().get_number("environment.water_depth");
+  for (const FieldValue& point : Checker::items(check.root(), "environment.current")) {
+    const FieldValue* depth = point.find("depth");
+    if (depth == nullptr) continue;
+    if (before != nullptr && depth->number <= before->number) {
+      check.error(*depth, depth->shown, "more than the depth before it, " + before->shown,
+                  "the current goes by increasing depth");
+    }
+    if (water_depth && depth->number > *water_depth * (1.0 + 1e-12)) {
+      check.warn(*depth, depth->shown + " is below the seabed at the stern shoe");
+    }
+    before = depth;
+  }
+}
+
+void check_vessel(Checker& check) {
+  const FieldValue* vessel = check.root().find("vessel");
+  if (vessel == nullptr) return;
+  const FieldValue* depth = vessel->find("depth");
+  const FieldValue* draught = vessel->find("draught");
+  if (depth != nullptr && draught != nullptr && draught->number >= depth->number) {
+    const FieldValue& at = draught->given ? *draught : *depth;
+    check.error(at, "a draught of " + draught->shown, "less than the vessel's depth, " + depth->shown);
+  }
+  const FieldValue* shoe = vessel->find("stern_shoe.x");
+  if (shoe != nullptr && shoe->number > 0.0) {
+    check.warn(*shoe, shoe->shown + " stands forward of midship; x is negative towards the stern");
+  }
+}
+
+/// Files that only dynamics reads: their absence is told, but statics goes on.
+void check_files(Checker& check, const std::string& file) {
+  for (const char* key :
+       {"vessel.motion.raos", "vessel.motion.history", "vessel.motion.coupled", "environment.waves.spectrum_file"}) {
+    const FieldValue* value = check.root().find(key);
+    if (value == nullptr) continue;
+    const std::filesystem::path path = std::filesystem::path(file).parent_path() / value->text;
+    std::error_code fault;
+    if (!std::filesystem::exists(path, fault)) {
+      check.warn(*value, "the file " + value->shown + " is not there; dynamics will need it");
+    }
+  }
+}
+
+void check_dynamics(Checker& check) {
+  const FieldValue* dynamic = check.root().find("analysis.dynamic");
+  if (dynamic == nullptr) return;
+  const FieldValue* step = dynamic->find("step");
+  const FieldValue* max_step = dynamic->find("max_step");
+  if (step != nullptr && max_step != nullptr) {
+    check.error(*max_step, "step and max_step", "one of them", "step is fixed, max_step limits an adaptive one");
+  }
+}
+
+}  // namespace
+
+void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  check_current(check);
+  check_waves(root, file, diagnostics);
+  check_pipe(check);
+  check_materials(root, file, diagnostics);
+  check_wall_tolerance(check);
+  check_tension(check);
+  check_tensioner_range(check);
+  check_tensioner_mode(check);
+  check_vessel(check);
+  check_motion(root, file, diagnostics);
+  check_supports(root, file, diagnostics);
+  check_dynamics(check);
+  check_files(check, file);
+}
+
+}  // namespace overbend

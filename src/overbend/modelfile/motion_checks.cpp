@@ -1,0 +1,31 @@
+#include "base/text.h"
+#include "modelfile/check_helper.h"
+#include "modelfile/model_checks.h"
+
+namespace overbend {
+
+void check_motion(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  const FieldValue* motion = root.find("vessel.motion");
+  if (motion == nullptr || motion->kind != FieldValue::Kind::map) return;
+  static const std::vector<std::string> kSources = {"raos", "history", "coupled", "harmonic"};
+  std::vector<std::string> given;
+  for (const std::string& source : kSources) {
+    if (motion->mentions(source)) given.push_back(source);
+  }
+  const FieldValue* convention = motion->find("convention");
+  const bool stated = convention != nullptr && convention->given;
+  if (given.size() > 1 || (given.empty() && (stated || motion->mentions("convention")))) {
+    check.error(*motion, given.empty() ? "a convention without a motion" : join_words(given, "and"),
+                "1 of " + join_words(kSources, "or"));
+    return;
+  }
+  if (!stated || given.empty() || given.front() == "raos") return;
+  for (const FieldValue& key : convention->children) {
+    if (key.given && (key.key != "reference" || given.front() == "coupled")) {
+      check.warn(key, "has no meaning for a motion by " + given.front() + " and is left unused");
+    }
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/text.h"
+#include "modelfile/check_helper.h"
+#include "modelfile/model_checks.h"
+
+namespace overbend {
+namespace {
+
+struct StructureName {
+  const char* path;
+  const char* word;
+};
+constexpr StructureName kStructures[] = {{"supports.ramp", "ramp"}, {"supports.stinger", "stinger"}};
+
+/// "box 'ramp 3'" or, without a name, "the box before".
+std::string box_words(const FieldValue& box) {
+  const auto name = box.get_text("name");
+  return name ? "box '" + for_display(*name) + "'" : "the box before";
+}
+
+/// Boxes run astern: every x beyond the one before, the first beyond the tensioner, the stinger beyond the ramp.
+void check_order(Checker& check) {
+  const FieldValue* tensioner = check.root().find("tensioner.x");
+  const FieldValue* before = tensioner;
+  std::string before_words = "the tensioner";
+  for (const StructureName& structure : kStructures) {
+    const FieldValue* group = check.root().find(structure.path);
+    if (group == nullptr) continue;
+    for (const FieldValue& box : Checker::items(*group, "boxes")) {
+      const FieldValue* x = box.find("x");
+      if (x == nullptr) continue;
+      if (before != nullptr && x->number <= before->number) {
+        check.error(*x, x->shown, "more than " + before->shown + " of " + before_words,
+                    "supports run astern: x grows from box to box");
+      }
+      before = x;
+      before_words = box_words(box);
+    }
+  }
+}
+
+void check_names(Checker& check) {
+  std::map<std::string, int> lines;
+  for (const StructureName& structure : kStructures) {
+    const FieldValue* group = check.root().find(structure.path);
+    if (group == nullptr) continue;
+    int number = 0;
+    for (const FieldValue& box : Checker::items(*group, "boxes")) {
+      const FieldValue* given = box.find("name");
+      const std::string name =
+          given != nullptr ? given->text : std::string(structure.word) + " " + std::to_string(number + 1);
+      ++number;
+      const auto [first, fresh] = lines.emplace(name, box.line);
+      if (fresh) continue;
+      check.error(given != nullptr ? *given : box, "the name '" + for_display(name) + "' again", "a name of its own",
+                  "it is used already in line " + std::to_string(first->second));
+    }
+  }
+}
+
+std::vector<std::string> roller_kinds(const FieldValue& root) {
+  std::vector<std::string> names;
+  if (const FieldValue* rollers = root.find("rollers")) {
+    for (const FieldValue& kind : rollers->children) names.push_back(kind.key);
+    names.insert(names.end(), rollers->refused.begin(), rollers->refused.end());
+  }
+  return names;
+}
+
+void check_kind_is_known(Checker& check, const FieldValue& roller, const std::vector<std::string>& kinds) {
+  if (std::find(kinds.begin(), kinds.end(), roller.text) != kinds.end()) return;
+  if (kinds.empty()) {
+    check.error(roller, "the unknown kind of roller " + roller.shown, "a kind described under rollers",
+                "there is none; add the group rollers");
+    return;
+  }
+  const std::string near = nearest_word(roller.text, kinds);
+  check.error(roller, "the unknown kind of roller " + roller.shown, one_of(kinds),
+              near.empty() ? "" : "did you mean '" + near + "'?");
+}
+
+void check_rows_have_room(Checker& check, const FieldValue& box, const FieldValue& structure) {
+  const FieldValue* own = box.find("rows");
+  const FieldValue* rows = own != nullptr ? own : structure.find("rows");
+  const FieldValue* length = box.find("length");
+  if (rows == nullptr || length == nullptr || rows->integer <= 1 || length->number > 0.0) return;
+  if (length->given) {
+    check.error(*length, length->shown, "more than 0 m for " + std::to_string(rows->integer) + " rows");
+  } else {
+    check.missing(box, "length", "a length with its unit: " + std::to_string(rows->integer) + " rows stand along it");
+  }
+}
+
+void check_rollers(Checker& check) {
+  if (check.root().find("rollers") == nullptr && check.root().mentions("rollers")) return;
+  const std::vector<std::string> kinds = roller_kinds(check.root());
+  std::set<std::string> used;
+  for (const StructureName& structure : kStructures) {
+    const FieldValue* group = check.root().find(structure.path);
+    if (group == nullptr) continue;
+    const FieldValue* common = group->find("roller");
+    if (common != nullptr) {
+      used.insert(common->text);
+      check_kind_is_known(check, *common, kinds);
+    }
+    for (const FieldValue& box : Checker::items(*group, "boxes")) {
+      const FieldValue* own = box.find("roller");
+      if (own != nullptr) {
+        used.insert(own->text);
+        check_kind_is_known(check, *own, kinds);
+      } else if (!group->mentions("roller") && !box.mentions("roller")) {
+        check.missing(box, "roller", "the name of a kind of roller row",
+                      std::string("give it here or once for all boxes under ") + structure.path);
+      }
+      check_rows_have_room(check, box, *group);
+    }
+  }
+  const FieldValue* rollers = check.root().find("rollers");
+  if (rollers == nullptr) return;
+  for (const FieldValue& kind : rollers->children) {
+    if (used.count(kind.key) == 0) check.warn(kind, "no box has this kind of roller");
+  }
+}
+
+}  // namespace
+
+void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  check_order(check);
+  check_names(check);
+  check_rollers(check);
+}
+
+}  // namespace overbend

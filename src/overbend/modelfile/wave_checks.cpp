@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "base/units.h"
+#include "model/wave_theory.h"
+#include "modelfile/check_helper.h"
+#include "modelfile/model_checks.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Height over depth of the highest waves seen to run over a level bed.
+constexpr double kShallowBreaking = 0.78;
+
+/// Tp/sqrt(Hs) [s/m^1/2] below which JONSWAP is no longer a model of the sea [dnvc205].
+constexpr double kSteepSea = 3.6;
+
+struct WaveKeys {
+  const char* type;
+  std::vector<std::string> needed;   ///< Without them there is no such wave.
+  std::vector<std::string> allowed;  ///< Besides.
+};
+
+const std::vector<WaveKeys>& wave_keys() {
+  static const std::vector<std::string> kSpread{"spreading", "components", "seed"};
+  static const std::vector<WaveKeys> kKeys{
+      {"airy", {"height", "period"}, {"phase"}},
+      {"stokes5", {"height", "period"}, {"phase"}},
+      {"jonswap", {"hs", "tp"}, {"gamma", "spreading", "components", "seed"}},
+      {"pierson_moskowitz", {"hs", "tp"}, kSpread},
+      {"user", {"spectrum_file"}, kSpread},
+  };
+  return kKeys;
+}
+
+bool holds(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
+  for (const std::string& key : keys.needed) {
+    if (!waves.mentions(key)) check.missing(waves, key, std::string("it for waves of type ") + keys.type);
+  }
+  for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
+    const FieldValue* extra = waves.find(key);
+    if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
+    check.warn(*extra, std::string("has no meaning for waves of type ") + keys.type + " and is left unused");
+  }
+}
+
+/// Length of the regular wave by its own theory; none when the theory has no such wave.
+std::optional<double> wave_length(const std::string& type, double height, double period, double depth) {
+  if (type == "airy") return kTurn / linear_wave_number(kTurn / period, depth);
+  try {
+    return kTurn / stokes_wave_number(height, period, depth);
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
+}
+
+void check_regular(Checker& check, const FieldValue& waves, const std::string& type, double depth) {
+  const FieldValue* height = waves.find("height");
+  const auto period = waves.get_number("period");
+  if (height == nullptr || !period) return;
+  const std::string in_depth = " in a water depth of " + format_quantity(depth, "m", "m");
+  const double linear = kTurn / linear_wave_number(kTurn / *period, depth);
+  const double length = wave_length(type, height->number, *period, depth).value_or(linear);
+  const double highest = std::min(highest_wave(length, depth), kShallowBreaking * depth);
+  if (height->number > highest) {
+    check.error(*height, height->shown, "less than " + format_quantity(highest, "m", "m", 3),
+                "a higher wave " + format_quantity(length, "m", "m", 3) + " long breaks" + in_depth);
+    return;
+  }
+  const double ursell = ursell_number(height->number, length, depth);
+  if (type == "stokes5" && ursell > kStokesUrsell) {
+    check.error(*height, height->shown + ", for which H L^2/d^3 is " + format_number(ursell, 3),
+                "at most " + format_number(kStokesUrsell),
+                "so long a wave" + in_depth + " is beyond Stokes' theory; type airy, a lower or a shorter wave is not");
+  }
+}
+
+void check_sea(Checker& check, const FieldValue& waves) {
+  const auto hs = waves.get_number("hs"), tp = waves.get_number("tp");
+  if (!hs || !tp) return;
+  const double ratio = *tp / std::sqrt(*hs);
+  if (ratio >= kSteepSea) return;
+  check.warn(*waves.find("tp"), "the sea is steeper than wind raises it: Tp/sqrt(Hs) is " + format_number(ratio, 3) +
+                                    ", seas have " + format_number(kSteepSea) + " and more");
+}
+
+}  // namespace
+
+void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
+  Checker check(root, file, diagnostics);
+  const FieldValue* waves = root.find("environment.waves");
+  const FieldValue* type = waves != nullptr ? waves->find("type") : nullptr;
+  if (type == nullptr || type->text == "none") return;
+  for (const WaveKeys& keys : wave_keys()) {
+    if (type->text == keys.type) check_keys(check, *waves, keys);
+  }
+  const FieldValue* from = waves->find("from");
+  if (from != nullptr && !from->given) check.warn(*waves, "no direction given (from): the waves come from the north");
+  const auto depth = root.get_number("environment.water_depth");
+  if (type->text == "airy" || type->text == "stokes5") {
+    if (depth) check_regular(check, *waves, type->text, *depth);
+  } else if (type->text != "user") {
+    check_sea(check, *waves);
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,44 @@
+/// Where the parts of a YAML tree stand in its text.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "base/yaml_document.h"
+
+namespace overbend {
+
+/// Offsets of a tree's nodes within the text that it was parsed from. All functions throw std::runtime_error where the
+/// text is not laid out as they expect: a value of several lines, an explicit key.
+class YamlExtent {
+ public:
+  explicit YamlExtent(const std::string& text);
+
+  std::size_t offset(int line, int column) const;
+  std::size_t begin(const YamlNode& node) const { return offset(node.line, node.column); }
+  std::size_t begin(const YamlEntry& entry) const { return offset(entry.line, entry.column); }
+  /// One behind the last character of a value; comments behind it do not belong to it.
+  std::size_t end(const YamlNode& node) const;
+  /// The same of key and value together.
+  std::size_t end(const YamlEntry& entry) const;
+  /// One behind the colon of a key.
+  std::size_t after_colon(const YamlEntry& entry) const;
+  /// True for {a: 1} and [1, 2].
+  bool flow(const YamlNode& node) const;
+  /// The closing bracket of a group or list in flow style.
+  std::size_t closing(const YamlNode& node) const;
+
+  std::size_t line_begin(std::size_t at) const;
+  /// The line break that ends the line, or the end of the text.
+  std::size_t line_end(std::size_t at) const;
+
+ private:
+  std::size_t scalar_end(const YamlNode& node) const;
+  std::size_t quoted_end(std::size_t at) const;
+
+  const std::string& text_;
+  std::vector<std::size_t> lines_;  ///< Where each begins.
+};
+
+}  // namespace overbend

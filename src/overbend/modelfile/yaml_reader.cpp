@@ -1,0 +1,119 @@
+#include "modelfile/yaml_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/yaml_document.h"
+#include "modelfile/field_tree.h"
+#include "modelfile/field_value.h"
+#include "modelfile/model_binder.h"
+#include "modelfile/model_checks.h"
+#include "modelfile/motion_files.h"
+#include "seafiles/spectrum_reader.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 16U << 20U;
+
+ModelReading refused(const std::string& path, const std::string& why, int line = 0) {
+  ModelReading reading;
+  reading.diagnostics.add({Severity::error, path, line, 0, "", why, "", ""});
+  return reading;
+}
+
+int line_of(const std::string& text, std::size_t position) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n'));
+}
+
+/// Length of the UTF-8 character at `i`, 0 when it is none.
+std::size_t utf8_length(const std::string& text, std::size_t i) {
+  const auto byte = static_cast<unsigned char>(text[i]);
+  if (byte < 0x80) return byte >= 0x20 || byte == '\n' || byte == '\r' || byte == '\t' ? 1 : 0;
+  const std::size_t length = byte >= 0xf0 && byte < 0xf5 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc2 ? 2 : 0;
+  if (byte >= 0xf5 || length == 0 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return 0;
+  }
+  return length;
+}
+
+/// Where the text stops being text; npos when all of it is.
+std::size_t first_garbage(const std::string& text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const std::size_t length = utf8_length(text, i);
+    if (length == 0) return i;
+    i += length;
+  }
+  return std::string::npos;
+}
+
+enum class Files { none, all };  ///< Which of the files that the model names are read.
+
+void read_tree(const YamlNode& root, const std::string& path, Files files, ModelReading& reading) {
+  const FieldValue values = read_fields(root, field_tree(), path, reading.diagnostics);
+  check_model(values, path, reading.diagnostics);
+  if (reading.diagnostics.has_errors()) return;
+  reading.description = bind_model(values, path);
+  if (files == Files::all) {
+    read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+    read_motion_file(values, *reading.description, reading.diagnostics);
+  }
+  if (reading.diagnostics.has_errors()) {
+    reading.description.reset();
+    return;
+  }
+  reading.description->warnings = reading.diagnostics.lines(Severity::warning);
+}
+
+}  // namespace
+
+ModelReading read_model_text(const std::string& text, const std::string& path) {
+  const std::size_t garbage = first_garbage(text);
+  if (garbage != std::string::npos) {
+    return refused(path, "not a text file: a byte here is no UTF-8 character; a model file is YAML text",
+                   line_of(text, garbage));
+  }
+  ModelReading reading;
+  const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
+  if (!root) {
+    if (!reading.diagnostics.has_errors()) {
+      return refused(path, "the file is empty; `overbend new` writes one to start from");
+    }
+    return reading;
+  }
+  if (root->kind != YamlNode::Kind::map) {
+    return reading.diagnostics.has_errors()
+               ? std::move(reading)
+               : refused(path, "not a model file: keys such as 'overbend: 1' are expected", root->line);
+  }
+  read_tree(*root, path, Files::all, reading);
+  if (reading.description) reading.description->source_text = text;
+  return reading;
+}
+
+ModelReading read_still_model(const YamlNode& root, const std::string& path) {
+  ModelReading reading;
+  read_tree(root, path, Files::none, reading);
+  return reading;
+}
+
+ModelReading read_model(const std::string& path) {
+  std::error_code fault;
+  const std::filesystem::file_status status = std::filesystem::status(path, fault);
+  if (!std::filesystem::exists(status)) return refused(path, "there is no such file");
+  if (std::filesystem::is_directory(status)) return refused(path, "this is a folder, not a model file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return refused(path, "the file cannot be read");
+  std::string text(kLargestFile + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) return refused(path, "the file cannot be read");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kLargestFile) return refused(path, "larger than 16 MB, which no model file is");
+  return read_model_text(text, path);
+}
+
+}  // namespace overbend

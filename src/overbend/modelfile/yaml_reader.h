@@ -1,0 +1,28 @@
+/// Reads a model file: strict, and with everything that is wrong told at once.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostics.h"
+#include "base/yaml_document.h"
+#include "model/description.h"
+
+namespace overbend {
+
+struct ModelReading {
+  std::optional<Description> description;  ///< Only when there is no error.
+  Diagnostics diagnostics;
+};
+
+/// Reads the file at `path`. Warnings are copied into Description::warnings. Never throws on what the file holds.
+ModelReading read_model(const std::string& path);
+
+/// The same for a text; `path` names it in messages and gives the folder of the files it mentions.
+ModelReading read_model_text(const std::string& text, const std::string& path);
+
+/// The same for a tree, without the file of the vessel's motion: enough for statics, where it is done many times a
+/// second.
+ModelReading read_still_model(const YamlNode& root, const std::string& path);
+
+}  // namespace overbend

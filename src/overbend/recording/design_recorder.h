@@ -1,0 +1,73 @@
+/// Design load effects of the code checks at every node, every accepted step: the largest utilisations of a run.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "checks/check_section.h"
+#include "checks/current_part.h"
+#include "recording/dynamic_stations.h"
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// A step as the design recorder is told of it.
+struct DesignInstant {
+  const NodeValues& nodes;
+  const std::vector<Vec3>& moments;   ///< Bending moment at every node as a vector, W [N m].
+  const std::vector<Vec3>& tangents;  ///< Unit, W.
+  const std::vector<MovingContact>& contacts;
+  double time = 0.0;
+};
+
+class DesignRecorder {
+ public:
+  DesignRecorder(const Model& model, const std::vector<int>& section_of_node);
+
+  /// What the current adds to the static state, at every node: it is taken off the functional load effects. Before
+  /// start(); none where it is not told.
+  void set_current(std::vector<CurrentPart> parts) { current_ = std::move(parts); }
+  /// The static state: the functional load effects.
+  void start(const DesignInstant& at);
+  /// An accepted step after t = 0. Nothing is allocated.
+  void step(const DesignInstant& at);
+
+  /// From node `first` on.
+  void fill(StationDesign& design, std::size_t first) const;
+  std::vector<double> save() const;
+  void restore(std::span<const double> saved);
+
+ private:
+  void find_rollers(const DesignInstant& at);
+  void step_load(const DesignInstant& at, std::size_t node);
+  void step_strain(const DesignInstant& at, std::size_t node);
+  void step_times(const DesignInstant& at, std::size_t node);
+  double overpressure(const DesignInstant& at, std::size_t node) const;
+
+  const Model* model_;
+  std::vector<CheckSection> sections_;
+  std::vector<LoadFactors> combinations_;
+  std::vector<std::size_t> section_;  ///< Of every node.
+  std::size_t first_supported_ = 0;   ///< Lowest node over the supports; one beyond the last without supports.
+
+  struct Functional {
+    Vec3 moment = Vec3::Zero(), strain = Vec3::Zero(), tangent = Vec3::UnitX();
+    double force = 0.0;
+  };
+  std::vector<Functional> functional_;
+  std::vector<CurrentPart> current_;
+  std::vector<double> roller_;  ///< Largest roller force at the node now [N].
+
+  /// Numbers only, in the order of save().
+  struct Peak {
+    double load = 0.0, load_time = 0.0, moment = 0.0, force = 0.0, load_pressure = 0.0, share = 1.0;
+    double largest_force = 0.0;
+    double strain = 0.0, strain_time = 0.0, design_strain = 0.0, strain_pressure = 0.0;
+    double von_mises = -1.0, von_mises_time = 0.0, fibre_strain = -1.0, fibre_strain_time = 0.0;
+    double tension = -1e300, tension_time = 0.0;
+  };
+  static constexpr std::size_t kPeakNumbers = 17;
+  std::vector<Peak> peaks_;
+};
+
+}  // namespace overbend

@@ -1,0 +1,396 @@
+#include "recording/dynamic_recorder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/contact_damage.h"
+#include "recording/dynamic_recorder_layout.h"
+
+namespace overbend {
+namespace {
+
+Vec3 node_place(const DynamicState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
+}
+
+Vec3 node_tangent(const DynamicState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
+}
+
+double inclination(const Vec3& t) {
+  return std::atan2(t.z(), std::hypot(t.x(), t.y()));
+}
+
+/// Node at the lower end of the element that holds `s`.
+int node_below(const LineMesh& mesh, double s) {
+  const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
+  return std::max(0, static_cast<int>(after - mesh.s.begin()) - 1);
+}
+
+/// Clear distance of pipe and roller; not a number where the pipe does not pass it [m].
+double separation(const MovingContact& contact) {
+  return contact.at.found ? -contact.penetration : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Of a least value that nothing was compared with: no value.
+double or_absent(double least) {
+  return std::isinf(least) ? std::numeric_limits<double>::quiet_NaN() : least;
+}
+
+void keep_peak(RegionPeak& peak, double value, double s, double time) {
+  peak.now = std::max(peak.now, value);
+  if (time > 0.0 && value > peak.largest) {
+    peak.largest = value;
+    peak.s = s;
+    peak.time = time;
+  }
+}
+
+int last_stinger_roller(const Supports& supports) {
+  for (std::size_t row = supports.rows.size(); row-- > 0;) {
+    if (supports.boxes[static_cast<std::size_t>(supports.rows[row].box)].structure == Structure::stinger) {
+      return supports.rows[row].first_roller;
+    }
+  }
+  return -1;
+}
+
+}  // namespace
+
+DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
+    : model_(&model),
+      line_(&line),
+      recovery_(model, line),
+      design_(model, recovery_.sections()),
+      tip_roller_(last_stinger_roller(model.supports)),
+      rollers_(model.supports.rollers.size()),
+      boxes_(model.supports.boxes.size()),
+      tensioner_(line.tensioner) {
+  const std::vector<double>& s = line.mesh.s;
+  first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
+  nodes_.resize(s.size());
+  const std::size_t n = s.size() - first_;
+  node_sample_.resize(kNodeQuantities * n);
+  support_sample_.resize(kBoxQuantities * boxes_ + kRollerQuantities * rollers_);
+  key_sample_.resize(kKeyQuantities);
+  node_statistics_ = RunningStatistics(node_sample_.size());
+  support_statistics_ = RunningStatistics(support_sample_.size());
+  key_statistics_ = RunningStatistics(key_sample_.size());
+  reaction_sample_.resize(boxes_);
+  reaction_quantiles_ = RunningQuantiles(boxes_);
+  row_.resize(columns().size());
+  snapshot_.resize(5 * n + 12);
+  impacts_.resize(rollers_);
+  left_.resize(boxes_);
+  largest_reaction_.assign(boxes_, 0.0);
+  least_separation_.assign(boxes_, std::numeric_limits<double>::infinity());
+  largest_key_.assign(kKeyQuantities, -std::numeric_limits<double>::infinity());
+  least_key_.assign(kKeyQuantities, std::numeric_limits<double>::infinity());
+  key_.slack.largest = -kNever;
+  hardest_.reserve(kHardestImpacts + 1);
+}
+
+std::vector<HistoryColumn> DynamicRecorder::columns() const {
+  std::vector<HistoryColumn> columns = {
+      {"time", "s", "Time from the end of the build-up", false, false},
+      {"elevation", "m", "Water surface over the stern shoe's mean place", false, true},
+      {"surge", "m", "Vessel, forward", false, true},
+      {"sway", "m", "Vessel, to port", false, true},
+      {"heave", "m", "Vessel, up", false, true},
+      {"roll", "rad", "Vessel, starboard down", false, true},
+      {"pitch", "rad", "Vessel, bow down", false, true},
+      {"yaw", "rad", "Vessel, bow to port", false, true},
+      {"top_tension", "N", "Effective tension at the tensioner", false, true},
+      {"bottom_tension", "N", "Horizontal tension at touchdown", false, false},
+      {"lay_back", "m", "Horizontal distance from the stern shoe's mean place to touchdown", false, false},
+      {"departure_angle", "rad", "Of the pipe at the last support in contact, from horizontal", false, false},
+      {"stinger_tip_clearance", "m", "Separation at the last row of the stinger", false, false}};
+  const auto region = [&](const std::string& name) {
+    columns.push_back(
+        {name + "_bending_stress", "Pa", "Largest bending stress of the " + name + " at the instant", false, false});
+    columns.push_back(
+        {name + "_von_mises", "Pa", "Largest von Mises stress of the " + name + " at the instant", false, false});
+    columns.push_back(
+        {name + "_strain_peak", "1", "Largest strain of the " + name + " since the row before", true, false});
+    columns.push_back({name + "_von_mises_peak", "Pa",
+                       "Largest von Mises stress of the " + name + " since the row before", true, false});
+  };
+  region(model_->supports.boxes.empty() ? "tower" : "overbend");
+  region("sagbend");
+  columns.push_back({"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false});
+  columns.push_back(
+      {"top_tension_low", "N", "Smallest tension at the tensioner since the row before", false, false, true});
+  columns.push_back({"smallest_tension", "N", "Smallest effective tension anywhere along the line since the row before",
+                     false, false, true});
+  columns.push_back({"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false});
+  columns.push_back({"tensioner/travel", "m", "Paid out by the tensioner, hauled in negative", false, false});
+  columns.push_back({"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false});
+  columns.push_back({"step", "s", "Time step that led here", false, false});
+  columns.push_back({"energy_drift", "1", "Error of the energy balance over the energy that has passed", false, false});
+  for (const SupportBox& box : model_->supports.boxes) {
+    columns.push_back(
+        {"support/" + box.name + "/reaction", "N", "Largest resultant since the row before", true, false});
+    columns.push_back(
+        {"support/" + box.name + "/separation", "m", "Least separation since the row before", false, false});
+  }
+  return columns;
+}
+
+void DynamicRecorder::tell_current(const StaticResults& statics) {
+  if (!tells_current(statics)) return;
+  std::vector<CurrentPart> parts;
+  for (const double s : line_->mesh.s) parts.push_back(current_part(statics, s));
+  design_.set_current(std::move(parts));
+}
+
+void DynamicRecorder::start(const RecordedInstant& at) {
+  static_departure_ = departure(at);
+  recover(at);
+  static_nodes_ = nodes_;
+  static_supports_ = support_sample_;
+  design_.start(design_instant(at));
+}
+
+DesignInstant DynamicRecorder::design_instant(const RecordedInstant& at) const {
+  return {nodes_, recovery_.moments(), recovery_.tangents(), at.system->contacts(), at.state->time};
+}
+
+void DynamicRecorder::recover(const RecordedInstant& at) {
+  recovery_.recover(*at.state, *at.system, nodes_);
+  find_key_values(at);
+  find_support_values(at);
+  find_passed(at);
+  for (std::size_t i = 0; i < kKeyQuantities; ++i) {
+    largest_key_[i] = std::max(largest_key_[i], key_sample_[i]);
+    least_key_[i] = std::min(least_key_[i], key_sample_[i]);
+  }
+}
+
+void DynamicRecorder::find_key_values(const RecordedInstant& at) {
+  const DynamicState& state = *at.state;
+  const int top = line_->mesh.nodes() - 1;
+  key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
+  const SeabedPlane& bed = model_->seabed;
+  const double radius = line_->elements.radius[0];
+  const auto clearance = [&](int node) { return bed.normal_W.dot(node_place(state, node) - bed.point_W) - radius; };
+  int touchdown = 0;
+  for (int node = top; node > 0; --node) {
+    if (clearance(node) <= 0.0) {
+      touchdown = node;
+      break;
+    }
+  }
+  Vec3 landing = node_place(state, touchdown);
+  double landing_s = line_->mesh.s[static_cast<std::size_t>(touchdown)];
+  if (touchdown > 0 && touchdown < top) {
+    const double below = clearance(touchdown), above = clearance(touchdown + 1);
+    landing += below / (below - above) * (node_place(state, touchdown + 1) - landing);
+    landing_s += below / (below - above) * line_->mesh.length[static_cast<std::size_t>(touchdown)];
+  }
+  const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero());
+  key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
+  key_.bottom_tension = nodes_.effective_tension[static_cast<std::size_t>(touchdown)] *
+                        std::cos(inclination(node_tangent(state, touchdown)));
+  const std::optional<double> leaving = departure(at);
+  key_.departure_angle =
+      inclination(node_tangent(state, node_below(line_->mesh, leaving.value_or(line_->mesh.s.back()))));
+  key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.system->contacts()[static_cast<std::size_t>(tip_roller_)]);
+  const bool clamped = model_->description.tensioner.guide == Guide::clamped;
+  find_region_peaks(
+      find_regions({line_->mesh.s, nodes_.bending_moment, nodes_.vertical_moment}, landing_s, leaving, clamped),
+      state.time);
+  find_slack(state.time);
+  key_sample_ = {key_.top_tension,    key_.bottom_tension, key_.lay_back,       key_.departure_angle,
+                 key_.tip_clearance,  key_.upper[0].now,   key_.upper[1].now,   key_.upper[2].now,
+                 key_.upper[3].now,   key_.sagbend[0].now, key_.sagbend[1].now, key_.sagbend[2].now,
+                 key_.sagbend[3].now, -key_.slack.now};
+}
+
+/// Arc length of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
+/// state; none where no support carries in either.
+std::optional<double> DynamicRecorder::departure(const RecordedInstant& at) const {
+  std::optional<double> last;
+  for (const MovingContact& contact : at.system->contacts()) {
+    if (contact.normal <= 0.0) continue;
+    const std::size_t e = static_cast<std::size_t>(contact.at.element);
+    const double s = line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e];
+    last = last ? std::min(*last, s) : s;
+  }
+  return last ? last : static_departure_;
+}
+
+void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
+  const std::vector<double>* quantity[kRegionQuantities] = {&nodes_.bending_moment, &nodes_.bending_stress,
+                                                            &nodes_.von_mises, &nodes_.strain};
+  for (std::size_t i = 0; i < kRegionQuantities; ++i) {
+    key_.upper[i].now = key_.sagbend[i].now = 0.0;
+  }
+  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+    const double s = line_->mesh.s[node];
+    const Region region = regions.of(s);
+    if (region == Region::seabed) continue;
+    RegionPeak* peaks = region == Region::sagbend ? key_.sagbend : key_.upper;
+    for (std::size_t i = 0; i < kRegionQuantities; ++i) {
+      keep_peak(peaks[i], (*quantity[i])[node], s, time);
+    }
+  }
+}
+
+/// Where the effective tension is least.
+void DynamicRecorder::find_slack(double time) {
+  key_.slack.now = -std::numeric_limits<double>::infinity();
+  for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
+    keep_peak(key_.slack, -nodes_.effective_tension[node], line_->mesh.s[node], time);
+  }
+}
+
+/// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
+void DynamicRecorder::find_passed(const RecordedInstant& at) {
+  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  for (std::size_t i = 0; i < rollers_; ++i) {
+    const MovingContact& contact = at.system->contacts()[i];
+    const Roller& roller = model_->supports.rollers[i];
+    BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
+    const double radius = model_->section_over(roller).outer_radius();
+    if (box.time == kNever && lies_beside(roller.position, contact.at, radius)) {
+      const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
+      box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
+    }
+  }
+}
+
+void DynamicRecorder::find_support_values(const RecordedInstant& at) {
+  const Mat3& axes = at.system->surroundings().vessel.pose.R_WV;
+  const Vec3 port = axes.col(1);
+  const std::vector<Roller>& rollers = model_->supports.rollers;
+  double* of_rollers = support_sample_.data() + kBoxQuantities * boxes_;
+  std::size_t roller = 0;
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    const SupportBox& support = model_->supports.boxes[box];
+    const Vec3 along = direction_from_ramp(at.system->surroundings().vessel.pose, support.direction_S);
+    Vec3 force = Vec3::Zero();
+    double nearest = std::numeric_limits<double>::infinity();
+    for (; roller < rollers_ && rollers[roller].box == static_cast<int>(box); ++roller) {
+      const MovingContact& contact = at.system->contacts()[roller];
+      double* out = of_rollers + kRollerQuantities * roller;
+      out[0] = contact.normal;
+      out[1] = separation(contact);
+      out[2] = contact.normal > 0.0 ? 1.0 : 0.0;
+      force += contact.force();
+      if (rollers[roller].position == RollerPosition::bottom) {
+        nearest = std::min(nearest, out[1]);
+      }
+    }
+    least_separation_[box] = std::min(least_separation_[box], nearest);
+    double* out = support_sample_.data() + kBoxQuantities * box;
+    const double size = force.norm();
+    const double values[kBoxQuantities] = {
+        size, force.z(), force.dot(along), force.dot(port), or_absent(nearest), size > 0.0 ? 1.0 : 0.0};
+    std::copy_n(values, kBoxQuantities, out);
+    reaction_sample_[box] = size;
+    largest_reaction_[box] = std::max(largest_reaction_[box], size);
+  }
+}
+
+void DynamicRecorder::step(const RecordedInstant& at) {
+  recover(at);
+  tensioner_.add(*at.state, at.step);
+  crossing_.add(*at.state, at.system->surroundings(), line_->mesh);
+  if (at.state->time <= 0.0) {
+    return;
+  }
+  design_.step(design_instant(at));
+  double* out = node_sample_.data();
+  for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
+                                            &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {
+    out = std::copy(values->begin() + static_cast<std::ptrdiff_t>(first_), values->end(), out);
+  }
+  node_statistics_.add(node_sample_, at.step);
+  support_statistics_.add(support_sample_, at.step);
+  reaction_quantiles_.add(reaction_sample_, at.step);
+  key_statistics_.add(key_sample_, at.step);
+}
+
+std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
+  std::size_t i = 0;
+  const auto put = [&](double value) { row_[i++] = value; };
+  put(at.state->time);
+  put(at.elevation);
+  for (const double freedom : at.system->surroundings().vessel.freedoms) {
+    put(freedom);
+  }
+  for (std::size_t k = 0; k < 5; ++k) {
+    put(key_sample_[k]);
+  }
+  for (const std::size_t first : {std::size_t{5}, std::size_t{9}}) {  // overbend, sagbend
+    put(key_sample_[first + 1]);
+    put(key_sample_[first + 2]);
+    put(largest_key_[first + 3]);
+    put(largest_key_[first + 2]);
+  }
+  put(largest_key_[0]);
+  put(least_key_[0]);
+  put(least_key_[kKeyQuantities - 1]);
+  put(at.state->machine.tension);
+  put(at.state->travel.q);
+  put(static_cast<double>(at.state->machine.state));
+  put(at.step);
+  put(at.drift);
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    put(largest_reaction_[box]);
+    put(or_absent(least_separation_[box]));
+  }
+  forget_interval();
+  return row_;
+}
+
+void DynamicRecorder::forget_interval() {
+  std::fill(largest_reaction_.begin(), largest_reaction_.end(), 0.0);
+  std::fill(least_separation_.begin(), least_separation_.end(), std::numeric_limits<double>::infinity());
+  std::fill(largest_key_.begin(), largest_key_.end(), -std::numeric_limits<double>::infinity());
+  std::fill(least_key_.begin(), least_key_.end(), std::numeric_limits<double>::infinity());
+}
+
+std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
+  double* out = snapshot_.data();
+  for (std::size_t node = first_; node < nodes_.x.size(); ++node) {
+    const double values[5] = {nodes_.x[node], nodes_.y[node], nodes_.z[node], nodes_.effective_tension[node],
+                              nodes_.von_mises[node]};
+    out = std::copy_n(values, 5, out);
+  }
+  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  for (int i = 0; i < 3; ++i) {
+    *out++ = pose.p_WV(i);
+  }
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      *out++ = pose.R_WV(i, j);
+    }
+  }
+  return snapshot_;
+}
+
+void DynamicRecorder::count(Impact& impact) {
+  const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
+  const Section& pipe = model_->section_over(roller);
+  impact.dent_depth = dent_depth(impact.peak_force, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+  impact.line_load =
+      line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
+  if (impact.time <= 0.0) {
+    return;
+  }
+  RollerImpacts& sum = impacts_[static_cast<std::size_t>(impact.roller)];
+  sum.count += 1.0;
+  sum.velocity = std::max(sum.velocity, impact.approach_velocity);
+  sum.force = std::max(sum.force, impact.peak_force);
+  sum.impulse = std::max(sum.impulse, impact.impulse);
+  impact_count_ += 1.0;
+  const auto harder = [](const Impact& a, const Impact& b) { return a.peak_force > b.peak_force; };
+  hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), impact, harder), impact);
+  if (hardest_.size() > kHardestImpacts) {
+    hardest_.pop_back();
+  }
+}
+
+}  // namespace overbend

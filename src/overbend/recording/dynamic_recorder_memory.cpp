@@ -1,0 +1,88 @@
+/// The recorder into a checkpoint and out of it.
+#include <algorithm>
+#include <iterator>
+
+#include "dynamics/dynamic_checkpoint.h"
+#include "recording/dynamic_recorder.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kImpactNumbers = 8;
+
+}  // namespace
+
+void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
+  const auto put = [&](const char* name, std::vector<double> values) {
+    checkpoint.arrays.push_back({name, std::move(values)});
+  };
+  put("record/nodes", node_statistics_.save());
+  put("record/supports", support_statistics_.save());
+  put("record/reactions", reaction_quantiles_.save());
+  put("record/key", key_statistics_.save());
+  put("record/tensioner", tensioner_.save());
+  put("record/design", design_.save());
+  std::vector<double> peaks, impacts{impact_count_}, hardest;
+  const auto put_peak = [&](const RegionPeak& peak) { peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time}); };
+  for (const auto* region : {&key_.upper, &key_.sagbend}) {
+    std::for_each(std::begin(*region), std::end(*region), put_peak);
+  }
+  put_peak(key_.slack);
+  for (const RollerImpacts& i : impacts_) {
+    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
+  }
+  for (const Impact& i : hardest_) {
+    hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
+                                   i.impulse, i.dent_depth, i.line_load});
+  }
+  std::vector<double> left;
+  for (const BoxLeft& box : left_) {
+    left.insert(left.end(), {box.time, box.side});
+  }
+  put("record/left", std::move(left));
+  put("record/crossing", crossing_.save());
+  put("record/peaks", std::move(peaks));
+  put("record/impacts", std::move(impacts));
+  put("record/hardest", std::move(hardest));
+}
+
+void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
+  const auto get = [&](const char* name) -> const std::vector<double>& { return checkpoint_array(checkpoint, name); };
+  forget_interval();  // checkpoints stand right after a row
+  node_statistics_.restore(get("record/nodes"));
+  support_statistics_.restore(get("record/supports"));
+  reaction_quantiles_.restore(get("record/reactions"));
+  key_statistics_.restore(get("record/key"));
+  tensioner_.restore(get("record/tensioner"));
+  crossing_.restore(get("record/crossing"));
+  design_.restore(get("record/design"));
+  std::size_t i = 0;
+  const std::vector<double>& peaks = get("record/peaks");
+  const auto get_peak = [&](RegionPeak& peak) {
+    peak.largest = peaks.at(i++);
+    peak.s = peaks.at(i++);
+    peak.time = peaks.at(i++);
+  };
+  for (auto* region : {&key_.upper, &key_.sagbend}) {
+    std::for_each(std::begin(*region), std::end(*region), get_peak);
+  }
+  get_peak(key_.slack);
+  const std::vector<double>& impacts = get("record/impacts");
+  impact_count_ = impacts.at(0);
+  for (std::size_t r = 0; r < impacts_.size(); ++r) {
+    const double* v = &impacts.at(4 * r + 1);
+    impacts_[r] = {v[0], v[1], v[2], v[3]};
+  }
+  const std::vector<double>& left = get("record/left");
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    left_[box] = {left.at(2 * box), left.at(2 * box + 1)};
+  }
+  const std::vector<double>& hardest = get("record/hardest");
+  hardest_.clear();
+  for (std::size_t k = 0; k + kImpactNumbers <= hardest.size(); k += kImpactNumbers) {
+    hardest_.push_back({static_cast<int>(hardest[k]), hardest[k + 1], hardest[k + 2], hardest[k + 3], hardest[k + 4],
+                        hardest[k + 5], hardest[k + 6], hardest[k + 7]});
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,214 @@
+/// What the recorder knows as results.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/contact_damage.h"
+#include "recording/dynamic_recorder.h"
+#include "recording/dynamic_recorder_layout.h"
+
+namespace overbend {
+namespace {
+
+/// Of the times at which the quantity had a value; not a number where it never had one.
+Spread spread_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t i) {
+  if (statistics.min()[i] > statistics.max()[i]) {
+    constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+    return {kAbsent, kAbsent, kAbsent, kAbsent};
+  }
+  return {statistics.min()[i], statistics.max()[i], statistics.mean()[i], deviation[i]};
+}
+
+Envelope envelope_of(const RunningStatistics& statistics, const std::vector<double>& deviation, std::size_t first,
+                     std::size_t count) {
+  const auto part = [&](std::span<const double> all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first),
+                               all.begin() + static_cast<std::ptrdiff_t>(first + count));
+  };
+  return {part(statistics.min()), part(statistics.max()), part(statistics.mean()), part(deviation)};
+}
+
+}  // namespace
+
+void DynamicRecorder::fill_supports(DynamicResults& results) const {
+  const std::vector<double> deviation = support_statistics_.standard_deviation();
+  std::size_t roller = 0;
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    const SupportBox& support = model_->supports.boxes[box];
+    const std::size_t at = kBoxQuantities * box;
+    const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
+    SupportDynamics out;
+    out.name = support.name;
+    out.stinger = support.structure == Structure::stinger;
+    out.reaction = spread(at);
+    out.reaction_over_time = {reaction_quantiles_.at(box, 0.5), reaction_quantiles_.at(box, 0.9),
+                              reaction_quantiles_.at(box, 0.99)};
+    out.vertical = spread(at + 1);
+    out.longitudinal = spread(at + 2);
+    out.lateral = spread(at + 3);
+    out.separation = spread(at + 4);
+    out.contact_share = spread(at + 5).mean;
+    out.static_reaction = static_supports_[at];
+    out.static_separation = static_supports_[at + 4];
+    for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
+      const Roller& placed = model_->supports.rollers[roller];
+      const Section& pipe = model_->section_over(placed);
+      const std::size_t i = kBoxQuantities * boxes_ + kRollerQuantities * roller;
+      RollerDynamics r;
+      r.roller = static_cast<int>(roller);
+      r.box = placed.box;
+      r.row = placed.row - support.first_row;
+      r.position = placed.position;
+      r.reaction = spread(i);
+      r.separation = spread(i + 1);
+      r.contact_share = spread(i + 2).mean;
+      r.static_reaction = static_supports_[i];
+      r.static_separation = static_supports_[i + 1];
+      r.impact_count = static_cast<std::int64_t>(impacts_[roller].count);
+      r.largest_approach_velocity = impacts_[roller].velocity;
+      r.largest_impact_force = impacts_[roller].force;
+      r.largest_impulse = impacts_[roller].impulse;
+      r.dent_depth = dent_depth(r.reaction.max, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+      r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
+      out.impact_count += r.impact_count;
+      out.rollers.push_back(r);
+    }
+    results.supports.push_back(out);
+  }
+}
+
+DynamicExtreme DynamicRecorder::extreme_of(const RegionPeak& peak, const Spread& over_time) const {
+  DynamicExtreme out;
+  out.over_time = over_time;
+  out.s = peak.s;
+  out.time = peak.time;
+  const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
+  const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
+  out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
+  return out;
+}
+
+void DynamicRecorder::fill_regions(DynamicResults& results) const {
+  const std::vector<double> deviation = key_statistics_.standard_deviation();
+  const auto extreme = [&](const RegionPeak& peak, std::size_t i) {
+    return extreme_of(peak, spread_of(key_statistics_, deviation, i));
+  };
+  const auto region = [&](const RegionPeak(&peaks)[4], std::size_t first) {
+    return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
+                         extreme(peaks[3], first + 3)};
+  };
+  (static_departure_ ? results.overbend : results.tower) = region(key_.upper, 5);
+  results.sagbend = region(key_.sagbend, 9);
+  results.smallest_tension = extreme(key_.slack, kKeyQuantities - 1);
+  Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
+                              &results.departure_angle, &results.stinger_tip_clearance};
+  for (std::size_t i = 0; i < 5; ++i) {
+    *spreads[i] = spread_of(key_statistics_, deviation, i);
+  }
+}
+
+void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
+  const TensionerDynamics& t = results.tensioner;
+  if (t.time_at_limit > 0.0) {
+    results.warnings.push_back(fmt::format(
+        "the tensioner stood at the end of its travel for {:.1f} s, with the tension out of control", t.time_at_limit));
+  }
+  if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
+    const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
+    if (t.travel.max > free) {
+      results.warnings.push_back(
+          fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the pipe's end, which "
+                      "the program moves with the travel, passed it",
+                      t.travel.max, free));
+    }
+  }
+}
+
+void DynamicRecorder::fill_warnings(DynamicResults& results) const {
+  for (std::size_t box = 0; box < boxes_; ++box) {
+    if (left_[box].time < kNever) {
+      results.warnings.push_back(fmt::format("at t = {:.1f} s the pipe left '{}' over its side to {}", left_[box].time,
+                                             model_->supports.boxes[box].name,
+                                             left_[box].side > 0.0 ? "port" : "starboard"));
+    }
+  }
+  bool yields = false;
+  for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
+    const Section& pipe = model_->sections[static_cast<std::size_t>(recovery_.sections()[first_ + node])];
+    yields = yields || (pipe.yield_stress > 0.0 && results.von_mises.max[node] > pipe.yield_stress && !pipe.bending);
+  }
+  if (yields) {
+    results.warnings.emplace_back(
+        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
+        "beyond "
+        "it are those of a pipe that does not yield (pipe.steel.material lets it)");
+  }
+  fill_tensioner_warnings(results);
+}
+
+/// Impact forces hang on a stiffness that is known to a factor: says how much.
+void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
+  if (hardest_.empty()) return;
+  const double force = 1e-3 * hardest_.front().peak_force;
+  const double stiffness = 1e-6 * line_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
+  results.assumptions.push_back(
+      fmt::format("The hardest impact, {:.1f} kN, met a contact of {:.3g} MN/m; with half that stiffness it would be "
+                  "{:.1f} kN, with twice {:.1f} kN (the force goes with its cube root at the same approach velocity).",
+                  force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
+}
+
+/// What slamming, which the equations leave out, would have been at the fastest entry.
+void DynamicRecorder::fill_slamming(DynamicResults& results) const {
+  if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
+  const double from_top = line_->mesh.total_length() - crossing_.s();
+  const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
+  const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());
+  const std::string size = fmt::format(
+      "the fastest entry into the water, {:.2f} m/s across the pipe {:.1f} m from the tensioner at t = {:.1f} s, would "
+      "slam with {:.2f} kN/m at first touch (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {:.2f} kN/m at 1 m/s)",
+      crossing_.speed(), from_top, crossing_.time(), 1e-3 * force,
+      1e-3 * slamming_force(model_->water_density, pipe.outer_diameter, 1.0));
+  results.assumptions.push_back("Slamming and the rate of change of added mass at the surface are left out; " + size +
+                                ".");
+}
+
+void DynamicRecorder::fill(DynamicResults& results) const {
+  const std::size_t n = nodes_.x.size() - first_;
+  const std::vector<double> deviation = node_statistics_.standard_deviation();
+  Envelope* const envelopes[kNodeQuantities] = {&results.effective_tension,
+                                                &results.bending_moment,
+                                                &results.bending_stress,
+                                                &results.von_mises,
+                                                &results.strain,
+                                                &results.x,
+                                                &results.y,
+                                                &results.z};
+  for (std::size_t i = 0; i < kNodeQuantities; ++i) {
+    *envelopes[i] = envelope_of(node_statistics_, deviation, i * n, n);
+  }
+  const auto recorded = [&](const std::vector<double>& all) {
+    return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first_), all.end());
+  };
+  results.station_s = recorded(line_->mesh.s);
+  results.static_tension = recorded(static_nodes_.effective_tension);
+  results.static_moment = recorded(static_nodes_.bending_moment);
+  results.static_bending_stress = recorded(static_nodes_.bending_stress);
+  results.static_von_mises = recorded(static_nodes_.von_mises);
+  results.static_strain = recorded(static_nodes_.strain);
+  for (std::size_t i = first_; i < nodes_.x.size(); ++i) {
+    results.static_place.emplace_back(static_nodes_.x[i], static_nodes_.y[i], static_nodes_.z[i]);
+  }
+  design_.fill(results.design, first_);
+  fill_regions(results);
+  fill_supports(results);
+  results.hardest_impacts = hardest_;
+  results.impact_count = static_cast<std::int64_t>(impact_count_);
+  results.tensioner = tensioner_.results();
+  fill_assumptions(results);
+  fill_slamming(results);
+  fill_warnings(results);
+}
+
+}  // namespace overbend

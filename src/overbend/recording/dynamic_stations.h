@@ -1,0 +1,54 @@
+/// Tension, moment, stress and strain at the nodes of a moving line, every step.
+#pragma once
+
+#include <vector>
+
+#include "model/model.h"
+#include "system/dynamic_line.h"
+
+namespace overbend {
+
+/// Values at all nodes, one array per quantity.
+struct NodeValues {
+  std::vector<double> effective_tension, bending_moment, bending_stress, von_mises, strain;
+  std::vector<double> vertical_moment;    ///< Sagging positive [N m].
+  std::vector<double> curvature;          ///< Magnitude [1/m].
+  std::vector<double> external_pressure;  ///< Of the water, waves included [Pa].
+  std::vector<double> x, y, z;            ///< W [m]
+
+  void resize(std::size_t nodes);
+};
+
+/// Constants of the recovery.
+class NodeRecovery {
+ public:
+  NodeRecovery(const Model& model, const DynamicLine& line);
+
+  /// From the state that `system` evaluated last. Tension and moment are those of cuts: what the line above a node
+  /// exerts on what is below follows from the balance of the element below, inertia and water included, as in statics.
+  /// So they are right where the section changes and the strain of neighbouring elements is not. Where a roller pushes
+  /// inside an element, the moment under it goes to the nearer node if it is larger there. The curvature of steel that
+  /// yields is that of the shape. Nothing is allocated.
+  void recover(const DynamicState& state, const DynamicSystem& system, NodeValues& values);
+
+  // Of the state recovered last, at every node, W.
+  const std::vector<Vec3>& moments() const { return bend_; }      ///< Bending moment [N m].
+  const std::vector<Vec3>& tangents() const { return tangent_; }  ///< Unit.
+  const std::vector<int>& sections() const { return section_; }
+
+ private:
+  void cut_moments(const DynamicState& state, const std::vector<double>& cuts, NodeValues& values);
+  void shape_curvatures(const DynamicState& state, NodeValues& values);
+  void moments_under_rollers(const DynamicState& state, const DynamicSystem& system, NodeValues& values);
+  Vec3 moment_under(const DynamicState& state, const DynamicSystem& system, const MovingContact& contact) const;
+  Vec3 shape_bend(const DynamicState& state, const MovingContact& contact) const;
+
+  const Model* model_;
+  const DynamicLine* line_;
+  std::vector<int> section_;  ///< Of every node.
+  std::vector<Vec3> bend_;
+  std::vector<Vec3> tangent_;
+  std::vector<const MovingContact*> carrying_;
+};
+
+}  // namespace overbend

@@ -1,0 +1,34 @@
+/// What the tensioner did over a run.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "numerics/running_statistics.h"
+#include "results/dynamic_results.h"
+#include "system/dynamic_line.h"
+
+namespace overbend {
+
+/// Counts from t = 0 on.
+class TensionerAccount {
+ public:
+  explicit TensionerAccount(const TensionerLaw& law);
+
+  /// An accepted step of `step` [s].
+  void add(const DynamicState& state, double step);
+  TensionerDynamics results() const;
+
+  std::vector<double> save() const;
+  void restore(const std::vector<double>& saved);
+
+ private:
+  const TensionerLaw* law_;
+  RunningStatistics statistics_{2};  ///< Tension, travel.
+  TensionerState last_ = TensionerState::hold;
+  std::array<double, kTensionerStates> time_{};   ///< In each state [s].
+  std::array<double, kTensionerStates> count_{};  ///< How often it came into each.
+  double out_of_range_ = 0.0;                     ///< [s]
+};
+
+}  // namespace overbend

@@ -1,0 +1,116 @@
+/// Writes results to HDF5 as their fields are visited; see static_columns.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/description.h"
+#include "resultfiles/hdf5_file.h"
+
+namespace overbend {
+
+/// Writes single values into a group as they are visited.
+struct ValueWriter {
+  Hdf5Writer& file;
+  std::string group;
+
+  std::string path(const ResultField& field) const { return group + "/" + field.name; }
+  void operator()(const ResultField& field, double value) { file.write(path(field), field, std::vector{value}, {}); }
+  void operator()(const ResultField& field, int value) { file.write(path(field), field, std::vector{value}, {}); }
+  void operator()(const ResultField& field, std::int64_t value) {
+    file.write(path(field), field, std::vector{value}, {});
+  }
+  void operator()(const ResultField& field, std::uint64_t value) {
+    file.write(path(field), field, std::vector{value}, {});
+  }
+  void operator()(const ResultField& field, const std::string& value) {
+    file.write(path(field), field, std::vector{value}, {});
+  }
+  void operator()(const ResultField& field, const std::vector<std::string>& values) {
+    file.write(path(field), field, values, {values.size()});
+  }
+  void operator()(const ResultField& field, const std::optional<double>& value) {
+    if (value) (*this)(field, *value);  // absent where the question has no sense: no stinger, no clearance
+  }
+  void operator()(const ResultField& field, const Vec3& value) {
+    file.write(path(field), field, std::vector<double>{value.x(), value.y(), value.z()}, {3});
+  }
+  void operator()(const ResultField& field, const Mat3& value) {
+    std::vector<double> rows;
+    for (int i = 0; i < 9; ++i) rows.push_back(value(i / 3, i % 3));
+    file.write(path(field), field, rows, {3, 3});
+  }
+};
+
+/// Gathers the columns of a table row by row, then writes them with the first one as the dimension scale.
+class TableWriter {
+ public:
+  void operator()(const ResultField& field, double value) { column(field).numbers.push_back(value); }
+  void operator()(const ResultField& field, int value) { column(field).integers.push_back(value); }
+  void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
+  void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
+  void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
+  void operator()(const ResultField& field, Region value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, RollerPosition value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, CheckStatus value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, CheckRegion value) { column(field).texts.emplace_back(word(value)); }
+  void operator()(const ResultField& field, const Vec3& value) {
+    for (int i = 0; i < 3; ++i) {
+      (*this)(ResultField{component_name(field, i), field.units, field.description, field.frame}, value(i));
+    }
+  }
+  void end_row() {
+    next_ = 0;
+    ++rows_;
+  }
+  int rows() const { return static_cast<int>(rows_); }
+
+  /// Writes nothing for a table without rows.
+  void write(Hdf5Writer& file, const std::string& group, const std::string& description) const {
+    if (rows_ == 0) return;
+    file.group(group, description);
+    const std::string scale = group + "/" + columns_.front().field.name;
+    for (const Column& c : columns_) {
+      const std::string path = group + "/" + c.field.name;
+      if (!c.numbers.empty()) {
+        file.write(path, c.field, c.numbers, {rows_});
+      } else if (!c.counts.empty()) {
+        file.write(path, c.field, c.counts, {rows_});
+      } else if (!c.integers.empty()) {
+        file.write(path, c.field, c.integers, {rows_});
+      } else {
+        file.write(path, c.field, c.texts, {rows_});
+      }
+      if (path == scale) {
+        file.make_scale(path, c.field.name);
+      } else {
+        file.attach_scale(path, scale);
+      }
+    }
+  }
+
+ private:
+  struct Column {
+    ResultField field;
+    std::vector<double> numbers;
+    std::vector<int> integers;
+    std::vector<std::int64_t> counts;
+    std::vector<std::string> texts;
+  };
+  Column& column(const ResultField& field) {
+    if (rows_ == 0) columns_.push_back({field, {}, {}, {}, {}});
+    return columns_.at(next_++);
+  }
+  std::vector<Column> columns_;
+  std::size_t next_ = 0;
+  hsize_t rows_ = 0;
+};
+
+inline ResultField index_field(const char* description) {
+  return {"index", "1", description, kNoFrame};
+}
+
+/// The groups model and static, and what the file says about itself.
+void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description);
+
+}  // namespace overbend

@@ -1,0 +1,30 @@
+#include "resultfiles/results_writer.h"
+
+#include <span>
+
+#include "resultfiles/check_tables.h"
+#include "resultfiles/finite_check.h"
+#include "runstore/append_file.h"
+#include "runstore/staged_folder.h"
+
+namespace overbend {
+
+void write_static_files(const StaticResults& results, const Description& description,
+                        const std::filesystem::path& folder) {
+  require_finite(results);
+  write_static_hdf5(results, description, folder / "results.h5");
+  write_text(folder / "pipe.csv", pipe_table(results));
+  write_text(folder / "supports.csv", supports_table(results));
+  write_text(folder / "checks.csv", checks_table(results.checks));
+  write_text(folder / "summary.json", static_summary(results));
+}
+
+void write_static_results(const StaticResults& results, const Description& description,
+                          const std::filesystem::path& dir) {
+  require_finite(results);
+  StagedFolder staged(dir);
+  write_static_files(results, description, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

@@ -1,0 +1,29 @@
+/// Writes what several realisations of a sea state gave together: summary.json and seeds.csv.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/seeds_results.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Both files into an existing folder. Throws std::runtime_error when a value is not finite (and names it) or a file
+/// cannot be written.
+void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder);
+
+/// What people read a quantity in, with the factor from SI.
+struct TableUnit {
+  std::string name;
+  double factor = 1.0;
+};
+TableUnit table_unit(const SeedQuantity& quantity);
+
+/// The text of summary.json: what statics writes, and the key `seeds`.
+std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);
+
+/// The text of seeds.csv: a row per seed, engineering units; values of a failed one stay empty.
+std::string seeds_table(const SeedsResults& results);
+
+}  // namespace overbend

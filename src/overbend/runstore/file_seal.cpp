@@ -1,0 +1,108 @@
+#include "runstore/file_seal.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <ctime>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "runstore/append_file.h"
+#include "runstore/checksum.h"
+
+namespace overbend {
+namespace fs = std::filesystem;
+namespace {
+
+struct Seal {
+  std::array<char, 8> mark = {'o', 'v', 'e', 'r', 'b', 'e', 'n', 'd'};
+  std::uint64_t length = 0;  ///< Of what lies before [bytes].
+  std::uint64_t sum = kChecksumStart;
+};
+static_assert(sizeof(Seal) == 24);
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw std::runtime_error("the file '" + file.string() + "' " + why);
+}
+
+/// Checksum of the first `length` bytes; the last word is filled up with zeros.
+std::uint64_t checksum(std::istream& stream, std::uint64_t length) {
+  std::uint64_t sum = kChecksumStart;
+  std::vector<std::uint64_t> words(std::min<std::uint64_t>(length / sizeof(std::uint64_t) + 1, 1U << 17U));
+  while (length > 0 && stream) {
+    const std::uint64_t count = std::min<std::uint64_t>(length, words.size() * sizeof(std::uint64_t));
+    words[(count - 1) / sizeof(std::uint64_t)] = 0;
+    stream.read(reinterpret_cast<char*>(words.data()), static_cast<std::streamsize>(count));
+    for (std::uint64_t i = 0; i < (count + 7) / 8; ++i) sum = add_to_checksum(sum, words[i]);
+    length -= count;
+  }
+  return sum;
+}
+
+/// Tells a file from what it was before.
+struct Identity {
+  dev_t device;
+  ino_t number;
+  off_t length;
+  std::int64_t seconds, nanoseconds;  ///< Of the last change.
+  bool operator==(const Identity&) const = default;
+};
+
+std::optional<Identity> identity(const fs::path& file) {
+  struct stat at {};
+  if (::stat(file.c_str(), &at) != 0) return std::nullopt;
+  return Identity{at.st_dev, at.st_ino, at.st_size, at.st_ctim.tv_sec, at.st_ctim.tv_nsec};
+}
+
+void verify(const fs::path& file) {
+  std::error_code fault;
+  if (fs::is_directory(file, fault)) refuse(file, "is a folder");
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  if (!stream) refuse(file, fs::exists(file, fault) ? "cannot be read" : "is not there");
+  const auto size = static_cast<std::uint64_t>(stream.tellg());
+  const Seal expected;
+  Seal seal;
+  if (size >= sizeof seal) {
+    stream.seekg(-static_cast<std::streamoff>(sizeof seal), std::ios::end);
+    stream.read(reinterpret_cast<char*>(&seal), sizeof seal);
+  }
+  if (!stream || size < sizeof seal || seal.mark != expected.mark) {
+    refuse(file, "has no checksum at its end: it was cut short or changed, or comes from an older version");
+  }
+  stream.seekg(0);
+  if (seal.length != size - sizeof seal || checksum(stream, seal.length) != seal.sum || !stream) {
+    refuse(file, "is damaged: it is not what the program wrote");
+  }
+}
+
+}  // namespace
+
+void seal_file(const fs::path& file) {
+  Seal seal;
+  std::ifstream stream(file, std::ios::binary);
+  seal.length = fs::file_size(file);
+  seal.sum = checksum(stream, seal.length);
+  std::ofstream end(file, std::ios::binary | std::ios::app);
+  end.write(reinterpret_cast<const char*>(&seal), sizeof seal);
+  end.close();
+  if (!stream || !end) refuse_file(file, "written");
+}
+
+void require_sealed(const fs::path& file) {
+  static std::mutex mutex;  // the page asks for one file again and again, and it may be of gigabytes
+  static std::optional<Identity> whole;
+  const std::lock_guard<std::mutex> hold(mutex);
+  const std::optional<Identity> now = identity(file);
+  if (now && whole == now) return;
+  verify(file);
+  // A file changed within the last tick of its clock could be changed again without showing it.
+  if (now && now->seconds + 2 < std::time(nullptr)) whole = now;
+}
+
+}  // namespace overbend

@@ -1,0 +1,132 @@
+#include "runstore/written_files.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <system_error>
+
+#include "runstore/append_file.h"
+
+namespace overbend {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kStaged = ".overbend-staged";
+constexpr const char* kOld = ".overbend-old";
+
+bool is_name(const std::string& text) {
+  return !text.empty() && text != "." && text != ".." && text.find('/') == std::string::npos;
+}
+
+bool holds(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code fault;
+  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end; entry.increment(fault)) {
+    names.push_back(entry->path().filename().string());
+  }
+  return names;
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code fault;
+  return fs::is_directory(fs::symlink_status(path, fault));
+}
+
+bool write_mark(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  return static_cast<bool>(stream);
+}
+
+/// What is not the program's, to the folder that took this one's place; false where something stays behind.
+bool bring_over(const fs::path& old, const fs::path& place) {
+  std::vector<std::string> written = read_written(old).files;
+  const std::vector<std::string> now = read_written(place).files;
+  written.insert(written.end(), now.begin(), now.end());
+  bool whole = true;
+  for (const std::string& name : names_in(old)) {
+    std::error_code fault;
+    if (is_mark(name) || name == kWrittenFiles || holds(written, name)) continue;
+    if (!is_folder(old / name) && fs::equivalent(old / name, place / name, fault)) continue;  // shared
+    fs::rename(old / name, place / name, fault);
+    whole = whole && !fault;
+  }
+  return whole;
+}
+
+}  // namespace
+
+WrittenFiles read_written(const fs::path& folder) {
+  WrittenFiles written;
+  std::ifstream stream(folder / kWrittenFiles, std::ios::binary);
+  for (std::string line; std::getline(stream, line);) {
+    const bool is_folder_name = line.ends_with('/');
+    if (is_folder_name) line.pop_back();
+    if (is_name(line)) (is_folder_name ? written.folders : written.files).push_back(line);
+  }
+  return written;
+}
+
+void write_written(const fs::path& folder, const WrittenFiles& written) {
+  std::string text;
+  for (const std::string& name : written.files) text += name + "\n";
+  for (const std::string& name : written.folders) text += name + "/\n";
+  write_text(folder / kWrittenFiles, text);
+}
+
+bool mark_staged(const fs::path& folder) {
+  return write_mark(folder / kStaged, "");
+}
+
+bool unmark_staged(const fs::path& folder) {
+  return ::unlink((folder / kStaged).c_str()) == 0;
+}
+
+bool is_marked_staged(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::exists(folder / kStaged, ignored);
+}
+
+bool mark_old(const fs::path& folder, const fs::path& place) {
+  return write_mark(folder / kOld, place.string());
+}
+
+void unmark_old(const fs::path& folder) {
+  ::unlink((folder / kOld).c_str());
+}
+
+bool is_mark(const std::string& name) {
+  return name == kStaged || name == kOld;
+}
+
+bool share_others(const fs::path& from, const fs::path& to, const std::vector<std::string>& mine,
+                  std::vector<std::string>& shared) {
+  for (const std::string& name : names_in(from)) {
+    if (is_mark(name) || holds(mine, name) || is_folder(from / name)) continue;
+    if (::linkat(AT_FDCWD, (from / name).c_str(), AT_FDCWD, (to / name).c_str(), 0) != 0) return false;
+    shared.push_back(name);
+  }
+  return true;
+}
+
+void clear_marked(const fs::path& folder) {
+  std::error_code ignored;
+  if (is_marked_staged(folder)) {
+    fs::remove_all(folder, ignored);
+    return;
+  }
+  std::ifstream mark(folder / kOld, std::ios::binary);
+  std::string place;
+  if (!std::getline(mark, place) || !is_folder(place)) return;
+  if (fs::equivalent(folder, place, ignored)) return;
+  if (bring_over(folder, place)) fs::remove_all(folder, ignored);
+}
+
+}  // namespace overbend

@@ -1,0 +1,159 @@
+#include "seafiles/rao_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace overbend {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegrees = 180.0 / kPi;
+constexpr int kMostComplaints = 10;
+constexpr std::size_t kLargestTable = 4'000'000;
+
+/// Sorted values, those closer than `slack` taken as one.
+std::vector<double> axis_of(std::vector<double> values, double slack) {
+  std::sort(values.begin(), values.end());
+  const auto same = [&](double a, double b) { return b - a <= slack; };
+  values.erase(std::unique(values.begin(), values.end(), same), values.end());
+  return values;
+}
+
+std::size_t nearest(const std::vector<double>& axis, double value) {
+  const auto above = std::lower_bound(axis.begin(), axis.end(), value);
+  if (above == axis.begin()) return 0;
+  if (above == axis.end()) return axis.size() - 1;
+  const auto below = above - 1;
+  return static_cast<std::size_t>((value - *below < *above - value ? below : above) - axis.begin());
+}
+
+class Assembly {
+ public:
+  Assembly(const std::vector<RaoRecord>& records, const RaoTranslation& translation, const std::string& file,
+           Diagnostics& diagnostics)
+      : records_(records), translation_(translation), file_(file), diagnostics_(diagnostics) {}
+
+  std::optional<RaoTable> run() {
+    if (records_.empty()) {
+      complain(0, "no rows of numbers", "motion responses by heading and frequency");
+      return std::nullopt;
+    }
+    find_axes();
+    const std::size_t places = table_.headings.size() * table_.omegas.size() * 6;
+    if (places > kLargestTable) {
+      complain(0, fmt::format("{} headings and {} frequencies", table_.headings.size(), table_.omegas.size()),
+               "a table: the same frequencies for every heading");
+      return std::nullopt;
+    }
+    table_.values.assign(places, {});
+    line_.assign(places, 0);
+    for (const RaoRecord& record : records_) enter(record);
+    find_gaps();
+    if (complaints_ > 0) return std::nullopt;
+    remark_on_headings();
+    table_.source = file_;
+    return std::move(table_);
+  }
+
+ private:
+  void complain(int line, const std::string& found, const std::string& expected) {
+    if (complaints_++ < kMostComplaints) diagnostics_.add({Severity::error, file_, line, 0, "", found, expected, ""});
+  }
+
+  void find_axes() {
+    std::vector<double> headings, omegas;
+    for (const RaoRecord& record : records_) {
+      headings.push_back(translation_.heading(record.heading));
+      omegas.push_back(record.omega);
+    }
+    const double highest = *std::max_element(omegas.begin(), omegas.end());
+    table_.omegas = axis_of(std::move(omegas), 1e-7 * highest);
+    const auto starboard = [](double h) { return h == 0.0 || h >= kPi - 1e-7; };
+    mirrored_ = std::all_of(headings.begin(), headings.end(), starboard) &&
+                std::any_of(headings.begin(), headings.end(), [](double h) { return h > kPi + 1e-7; });
+    if (mirrored_) {
+      for (double& h : headings) h = image(h);
+    }
+    table_.headings = axis_of(std::move(headings), 1e-7);
+  }
+
+  static double image(double heading) { return heading == 0.0 ? 0.0 : 2.0 * kPi - heading; }
+
+  std::string place_words(std::size_t heading, std::size_t omega, std::size_t freedom) const {
+    const double h = mirrored_ ? image(table_.headings[heading]) : table_.headings[heading];
+    return fmt::format("{} for waves travelling towards {:.6g} deg at {:.6g} rad/s", kFreedomNames[freedom],
+                       h * kDegrees, table_.omegas[omega]);
+  }
+
+  void enter(const RaoRecord& record) {
+    const double turned = translation_.heading(record.heading);
+    const std::size_t h = nearest(table_.headings, mirrored_ ? image(turned) : turned);
+    const std::size_t w = nearest(table_.omegas, record.omega);
+    const auto k = static_cast<std::size_t>(record.freedom);
+    const std::complex<double> value = (mirrored_ && k % 2 == 1 ? -1.0 : 1.0) * translation_.response(record);
+    const std::size_t at = (h * table_.omegas.size() + w) * 6 + k;
+    if (line_[at] != 0 && std::abs(table_.values[at] - value) > 1e-6 * (1e-3 + std::abs(value))) {
+      complain(record.line, fmt::format("{} a second time, with another value", place_words(h, w, k)),
+               fmt::format("it once; it stands already in line {}", line_[at]));
+      return;
+    }
+    line_[at] = record.line;
+    table_.values[at] = value;
+  }
+
+  void find_gaps() {
+    for (std::size_t k = 0; k < 6; ++k) {
+      const bool given = std::any_of(records_.begin(), records_.end(),
+                                     [&](const RaoRecord& r) { return static_cast<std::size_t>(r.freedom) == k; });
+      if (!given) {
+        table_.assumptions.push_back(
+            fmt::format("The RAOs of {} say nothing of {}; it is taken as zero.", file_, kFreedomNames[k]));
+        continue;
+      }
+      for (std::size_t i = k; i < line_.size(); i += 6) {
+        if (line_[i] != 0) continue;
+        complain(0, "nothing on " + place_words(i / 6 / table_.omegas.size(), i / 6 % table_.omegas.size(), k),
+                 "every heading with every frequency");
+      }
+    }
+  }
+
+  void remark_on_headings() {
+    const std::vector<double>& h = table_.headings;
+    const bool one_sided = table_.one_sided();
+    double widest = one_sided ? 2.0 * std::max(h.front(), kPi - h.back()) : h.front() + 2.0 * kPi - h.back();
+    for (std::size_t i = 1; i < h.size(); ++i) widest = std::max(widest, h[i] - h[i - 1]);
+    if (one_sided) {
+      table_.assumptions.push_back(
+          fmt::format("The RAOs of {} cover one side of the vessel; the other is taken as its mirror image.", file_));
+    }
+    if (widest * kDegrees > 45.1) {
+      diagnostics_.add({Severity::warning, file_, 0, 0, "",
+                        fmt::format("neighbouring headings lie {:.4g} deg apart; between them responses are "
+                                    "interpolated linearly",
+                                    widest * kDegrees),
+                        "", ""});
+    }
+  }
+
+  const std::vector<RaoRecord>& records_;
+  const RaoTranslation& translation_;
+  std::string file_;
+  Diagnostics& diagnostics_;
+  RaoTable table_;
+  std::vector<int> line_;  ///< Of each value, 0 while there is none.
+  bool mirrored_ = false;
+  int complaints_ = 0;
+};
+
+}  // namespace
+
+std::optional<RaoTable> assemble_raos(const std::vector<RaoRecord>& records, const RaoTranslation& translation,
+                                      const std::string& file, Diagnostics& diagnostics) {
+  return Assembly(records, translation, file, diagnostics).run();
+}
+
+}  // namespace overbend

@@ -1,0 +1,103 @@
+#include "seafiles/rao_convention.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "model/rao_table.h"
+#include "model/wave_theory.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+const std::map<std::string, ConventionWords>& differences_from_house() {
+  static const std::map<std::string, ConventionWords> kSets = {
+      {"house", {}},
+      {"wamit", {{"phase", "lead"}, {"rotation", "rad_per_m"}}},
+      {"orcaflex", {}},
+      {"aqwa", {}},
+      {"moses",
+       {{"phase", "lead"},
+        {"positive.surge", "aft"},
+        {"positive.sway", "starboard"},
+        {"positive.roll", "port_down"},
+        {"positive.pitch", "bow_up"}}},
+      {"flexcom", {{"heading_zero", "bow"}}},
+  };
+  return kSets;
+}
+
+}  // namespace
+
+const std::vector<ConventionKey>& convention_keys() {
+  static const std::vector<ConventionKey> kKeys = {
+      {"phase", "Whether a positive phase is behind (lag) or ahead of (lead) the wave.", {"lag", "lead"}},
+      {"phase_zero",
+       "Event of the wave at its origin from which phases count.",
+       {"crest", "trough", "up_crossing", "down_crossing"}},
+      {"heading_zero",
+       "What waves of heading 0 meet first: the stern (they come from astern) or the bow.",
+       {"stern", "bow"}},
+      {"heading_sense", "Sense in which headings count, seen from above.", {"anticlockwise", "clockwise"}},
+      {"rotation",
+       "Unit of roll, pitch and yaw: per wave amplitude, per greatest slope (k a; in the angle's own unit) or per "
+       "steepness (height over length).",
+       {"deg_per_m", "rad_per_m", "per_slope", "rad_per_steepness", "deg_per_steepness"}},
+      {"positive.surge", "Positive surge.", {"forward", "aft"}},
+      {"positive.sway", "Positive sway.", {"port", "starboard"}},
+      {"positive.heave", "Positive heave.", {"up", "down"}},
+      {"positive.roll", "Positive roll.", {"starboard_down", "port_down"}},
+      {"positive.pitch", "Positive pitch.", {"bow_down", "bow_up"}},
+      {"positive.yaw", "Positive yaw.", {"bow_to_port", "bow_to_starboard"}},
+  };
+  return kKeys;
+}
+
+std::vector<std::string> convention_sets() {
+  return {"house", "wamit", "orcaflex", "aqwa", "moses", "flexcom"};
+}
+
+ConventionWords convention_set(const std::string& name) {
+  ConventionWords words;
+  for (const ConventionKey& key : convention_keys()) words[key.key] = key.words.front();
+  const auto set = differences_from_house().find(name);
+  if (set == differences_from_house().end()) return words;
+  for (const auto& [key, word] : set->second) words[key] = word;
+  return words;
+}
+
+RaoTranslation::RaoTranslation(const ConventionWords& words, double length_scale, double depth)
+    : length_scale_(length_scale), depth_(depth) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    const std::string key = std::string("positive.") + kFreedomNames[k];
+    signs_[k] = words.at(key) == convention_set("house").at(key) ? 1.0 : -1.0;
+  }
+  if (words.at("phase") == "lead") lead_ = -1.0;
+  const std::string& zero = words.at("phase_zero");
+  event_ = zero == "trough" ? kPi : zero == "down_crossing" ? 0.5 * kPi : zero == "up_crossing" ? -0.5 * kPi : 0.0;
+  if (words.at("heading_zero") == "bow") zero_ = kPi;
+  if (words.at("heading_sense") == "clockwise") sense_ = -1.0;
+  const std::string& rotation = words.at("rotation");
+  if (rotation.substr(0, 3) == "deg") angle_ = kPi / 180.0;
+  if (rotation == "per_slope") per_slope_ = 1.0;
+  if (rotation.find("steepness") != std::string::npos) per_slope_ = 1.0 / kPi;
+}
+
+double RaoTranslation::heading(double numbered) const {
+  const double turned = std::fmod(zero_ + sense_ * numbered, 2.0 * kPi);
+  const double positive = turned < 0.0 ? turned + 2.0 * kPi : turned;
+  return 2.0 * kPi - positive < 1e-7 ? 0.0 : positive;
+}
+
+std::complex<double> RaoTranslation::response(const RaoRecord& record) const {
+  const auto k = static_cast<std::size_t>(record.freedom);
+  double size = signs_[k] * record.amplitude;
+  if (record.freedom >= 3) {
+    size *= angle_ / length_scale_;
+    if (per_slope_ > 0.0) size *= per_slope_ * linear_wave_number(record.omega, depth_);
+  }
+  return std::polar(1.0, -(lead_ * record.phase + event_)) * size;
+}
+
+}  // namespace overbend

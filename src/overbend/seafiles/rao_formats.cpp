@@ -1,0 +1,198 @@
+#include "seafiles/rao_formats.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "model/rao_table.h"
+#include "seafiles/text_table.h"
+
+namespace overbend::rao_formats {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDeg = kPi / 180.0;
+constexpr int kMostComplaints = 10;
+
+/// Complaints about lines of a table; they stop after a few, for one slip mostly spoils every row.
+class TableFaults {
+ public:
+  TableFaults(std::string file, Diagnostics& diagnostics) : file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  void error(int line, std::string found, std::string expected, std::string hint = {}) {
+    if (count_++ >= kMostComplaints) return;
+    diagnostics_.add({Severity::error, file_, line, 0, "", std::move(found), std::move(expected), std::move(hint)});
+  }
+  bool full() const { return count_ >= kMostComplaints; }
+
+ private:
+  std::string file_;
+  Diagnostics& diagnostics_;
+  int count_ = 0;
+};
+
+std::string quoted(std::string_view cell) {
+  return "'" + for_display(cell) + "'";
+}
+
+std::optional<double> number(const TextRow& row, std::size_t column, const std::string& name, TableFaults& faults) {
+  const std::optional<double> value = cell_number(row.cells[column]);
+  if (!value) faults.error(row.line, quoted(row.cells[column]), "a number for " + name);
+  return value;
+}
+
+/// Frequency [rad/s] from a column that may hold a period or a frequency in Hz.
+std::optional<double> frequency(double value, const std::string& column) {
+  if (value <= 0.0) return std::nullopt;
+  if (column == "omega_rad_s") return value;
+  return column == "period_s" ? 2.0 * kPi / value : 2.0 * kPi * value;
+}
+
+// CSV -------------------------------------------------------------------------------------------------------------
+
+/// "0 0 0.818" or "0 0": a point in metres.
+std::optional<Vec3> point_of(std::string_view text) {
+  const TextTable table = split_table(text, ' ');
+  if (table.rows.size() != 1 || table.rows[0].cells.size() < 2 || table.rows[0].cells.size() > 3) return std::nullopt;
+  Vec3 p = Vec3::Zero();
+  for (std::size_t i = 0; i < table.rows[0].cells.size(); ++i) {
+    const std::optional<double> value = cell_number(table.rows[0].cells[i]);
+    if (!value || std::abs(*value) > 1e4) return std::nullopt;
+    p(static_cast<Eigen::Index>(i)) = *value;
+  }
+  return p;
+}
+
+void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& faults) {
+  point = point_of(remark.cells[1]);
+  if (!point) faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres between blanks, '0 0 0.818'");
+}
+
+/// A remark that settles a key; others are nobody's business.
+void read_remark(const TextRow& remark, RaoSettings& stated, TableFaults& faults) {
+  if (remark.cells.size() != 2) return;
+  const std::string key(remark.cells[0]), word(remark.cells[1]);
+  if (key == "reference") return read_point(remark, stated.reference, faults);
+  if (key == "wave_origin") return read_point(remark, stated.wave_origin, faults);
+  for (const ConventionKey& known : convention_keys()) {
+    if (key != known.key) continue;
+    if (std::find(known.words.begin(), known.words.end(), word) == known.words.end()) {
+      faults.error(remark.line, quoted(word) + " for " + key, one_of(known.words));
+    } else {
+      stated.words[key] = word;
+    }
+  }
+}
+
+/// Places of the columns in the header line.
+struct Columns {
+  std::size_t heading = 0, wave = 0, freedom = 0, amplitude = 0, phase = 0, count = 0;
+  std::string wave_name, phase_name;
+};
+
+std::optional<std::size_t> find_column(const TextRow& header, const std::vector<std::string>& names,
+                                       TableFaults& faults) {
+  for (std::size_t i = 0; i < header.cells.size(); ++i) {
+    if (std::find(names.begin(), names.end(), header.cells[i]) != names.end()) return i;
+  }
+  faults.error(header.line, "a header without a column " + join_words(names, "or"),
+               "heading_deg,omega_rad_s,dof,amplitude,phase_deg");
+  return std::nullopt;
+}
+
+std::optional<Columns> find_columns(const TextRow& header, TableFaults& faults) {
+  const auto heading = find_column(header, {"heading_deg"}, faults);
+  const auto wave = find_column(header, {"omega_rad_s", "frequency_hz", "period_s"}, faults);
+  const auto freedom = find_column(header, {"dof"}, faults);
+  const auto amplitude = find_column(header, {"amplitude"}, faults);
+  const auto phase = find_column(header, {"phase_deg", "phase_rad"}, faults);
+  if (!heading || !wave || !freedom || !amplitude || !phase) return std::nullopt;
+  return Columns{*heading,
+                 *wave,
+                 *freedom,
+                 *amplitude,
+                 *phase,
+                 header.cells.size(),
+                 std::string(header.cells[*wave]),
+                 std::string(header.cells[*phase])};
+}
+
+/// Freedom by name or number; -1 when it is neither.
+int freedom_of(std::string_view cell) {
+  for (std::size_t k = 0; k < 6; ++k) {
+    if (lower_case(cell) == kFreedomNames[k]) return static_cast<int>(k);
+  }
+  return cell.size() == 1 && cell[0] >= '1' && cell[0] <= '6' ? cell[0] - '1' : -1;
+}
+
+bool amplitude_is_right(double amplitude, int line, TableFaults& faults) {
+  if (amplitude >= 0.0) return true;
+  faults.error(line, "an amplitude below zero", "at least 0", "an opposite sign is a phase of 180 deg");
+  return false;
+}
+
+void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRecord>& records, TableFaults& faults) {
+  if (row.cells.size() != columns.count) {
+    faults.error(row.line, std::to_string(row.cells.size()) + " cells",
+                 std::to_string(columns.count) + ", as many as the header has");
+    return;
+  }
+  const auto heading = number(row, columns.heading, "heading_deg", faults);
+  const auto wave = number(row, columns.wave, columns.wave_name, faults);
+  const auto amplitude = number(row, columns.amplitude, "amplitude", faults);
+  const auto phase = number(row, columns.phase, columns.phase_name, faults);
+  const int freedom = freedom_of(row.cells[columns.freedom]);
+  if (freedom < 0) faults.error(row.line, quoted(row.cells[columns.freedom]), "a freedom, surge to yaw or 1 to 6");
+  if (!heading || !wave || !amplitude || !phase || freedom < 0) return;
+  const std::optional<double> omega = frequency(*wave, columns.wave_name);
+  if (!omega) {
+    faults.error(row.line, quoted(row.cells[columns.wave]) + " for " + columns.wave_name, "more than 0");
+    return;
+  }
+  if (!amplitude_is_right(*amplitude, row.line, faults)) return;
+  const double turn = columns.phase_name == "phase_deg" ? kDeg : 1.0;
+  records.push_back({*heading * kDeg, *omega, freedom, *amplitude, *phase * turn, row.line});
+}
+
+}  // namespace
+
+RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+  TableFaults faults(file, diagnostics);
+  const TextTable table = split_table(text, ',');
+  RaoFile content;
+  for (const TextRow& remark : table.remarks) read_remark(remark, content.stated, faults);
+  if (table.rows.empty()) return content;
+  const std::optional<Columns> columns = find_columns(table.rows.front(), faults);
+  if (!columns) return content;
+  for (std::size_t i = 1; i < table.rows.size() && !faults.full(); ++i) {
+    read_csv_row(table.rows[i], *columns, content.records, faults);
+  }
+  return content;
+}
+
+RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics& diagnostics) {
+  TableFaults faults(file, diagnostics);
+  const TextTable table = split_table(text, ' ');
+  RaoFile content;
+  for (std::size_t i = 0; i < table.rows.size() && !faults.full(); ++i) {
+    const TextRow& row = table.rows[i];
+    if (i == 0 && !cell_number(row.cells[0])) continue;  // a headline may stand over the numbers
+    if (row.cells.size() != 7) {
+      faults.error(row.line, std::to_string(row.cells.size()) + " numbers", "seven: PER BETA I MOD PHA RE IM");
+      continue;
+    }
+    const auto period = number(row, 0, "PER", faults);
+    const auto heading = number(row, 1, "BETA", faults);
+    const auto amplitude = number(row, 3, "MOD", faults);
+    const auto phase = number(row, 4, "PHA", faults);
+    const int freedom = freedom_of(row.cells[2]);
+    if (freedom < 0) faults.error(row.line, quoted(row.cells[2]), "a mode from 1 to 6", "one body, rigid modes only");
+    if (!period || !heading || !amplitude || !phase || freedom < 0) continue;
+    if (*period <= 0.0 || !amplitude_is_right(*amplitude, row.line, faults)) continue;
+    content.records.push_back({*heading * kDeg, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDeg, row.line});
+  }
+  return content;
+}
+
+}  // namespace overbend::rao_formats

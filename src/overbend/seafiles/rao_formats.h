@@ -1,0 +1,24 @@
+/// Layouts of RAO files; include seafiles/rao_reader.h instead.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "seafiles/rao_convention.h"
+
+namespace overbend::rao_formats {
+
+/// What a file holds: its numbers, and what it says about them. Angles of records are in rad except amplitudes.
+struct RaoFile {
+  std::vector<RaoRecord> records;
+  RaoSettings stated;
+};
+
+/// Each takes the file's text; faults go to `diagnostics`. `given` chooses among several vessel types and draughts.
+RaoFile read_csv(const std::string& text, const std::string& file, Diagnostics& diagnostics);
+RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics& diagnostics);
+RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& given,
+                      Diagnostics& diagnostics);
+
+}  // namespace overbend::rao_formats

@@ -1,0 +1,267 @@
+// Displacement RAOs in the text data files of OrcaFlex. Layout as files in public use have it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "base/yaml_document.h"
+#include "model/rao_table.h"
+#include "seafiles/rao_formats.h"
+#include "seafiles/text_table.h"
+
+namespace overbend::rao_formats {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+const YamlNode* member(const YamlNode& node, const std::string& key) {
+  for (const YamlEntry& entry : node.entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+/// One of OrcaFlex's settings and what its words mean here; the first is taken when the key is absent.
+struct Setting {
+  const char* theirs;
+  const char* ours;
+  std::vector<std::pair<const char*, const char*>> words;
+};
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> kSettings = {
+      {"RAOPhaseConvention", "phase", {{"lags", "lag"}, {"leads", "lead"}}},
+      {"RAOPhaseRelativeToConvention",
+       "phase_zero",
+       {{"crest", "crest"},
+        {"trough", "trough"},
+        {"zero up-crossing", "up_crossing"},
+        {"zero down-crossing", "down_crossing"}}},
+      {"SurgePositive", "positive.surge", {{"forward", "forward"}, {"aft", "aft"}}},
+      {"SwayPositive", "positive.sway", {{"port", "port"}, {"starboard", "starboard"}}},
+      {"HeavePositive", "positive.heave", {{"up", "up"}, {"down", "down"}}},
+      {"RollPositiveStarboard", "positive.roll", {{"down", "starboard_down"}, {"up", "port_down"}}},
+      {"PitchPositiveBow", "positive.pitch", {{"down", "bow_down"}, {"up", "bow_up"}}},
+      {"YawPositiveBow", "positive.yaw", {{"port", "bow_to_port"}, {"starboard", "bow_to_starboard"}}},
+  };
+  return kSettings;
+}
+
+class OrcaFlexReader {
+ public:
+  OrcaFlexReader(std::string file, const RaoSettings& given, Diagnostics& diagnostics)
+      : file_(std::move(file)), given_(given), diagnostics_(diagnostics) {}
+
+  RaoFile read(const std::string& text) {
+    const std::optional<YamlNode> root = parse_yaml(text, file_, diagnostics_);
+    if (!root || diagnostics_.has_errors()) return {};
+    check_units(*root);
+    const YamlNode* type = choose(*root, "VesselTypes", given_.vessel_type, "vessel_type");
+    const YamlNode* draught = type != nullptr ? choose(*type, "Draughts", given_.draught, "draught") : nullptr;
+    if (draught == nullptr) return {};
+    read_settings(*type);
+    const YamlNode* raos = member(*draught, "DisplacementRAOs");
+    const YamlNode* list = raos != nullptr ? member(*raos, "RAOs") : nullptr;
+    if (list == nullptr || list->items.empty()) {
+      complain(draught->line, "Draughts.DisplacementRAOs.RAOs", "nothing", "a list of RAODirection with its table");
+      return {};
+    }
+    read_points(*raos);
+    for (const YamlNode& direction : list->items) read_direction(direction);
+    return std::move(content_);
+  }
+
+ private:
+  void complain(int line, const std::string& key, const std::string& found, const std::string& expected,
+                const std::string& hint = {}) {
+    diagnostics_.add({Severity::error, file_, line, 0, key, found, expected, hint});
+  }
+
+  void check_units(const YamlNode& root) {
+    const YamlNode* general = member(root, "General");
+    const YamlNode* units = general != nullptr ? member(*general, "UnitsSystem") : nullptr;
+    if (units != nullptr && units->text != "SI") {
+      complain(units->line, "General.UnitsSystem", "'" + for_display(units->text) + "'", "'SI'");
+    }
+  }
+
+  /// The item of a list of named groups that is asked for, or the only one.
+  const YamlNode* choose(const YamlNode& parent, const std::string& key, const std::string& wanted,
+                         const std::string& asked_by) {
+    const YamlNode* list = member(parent, key);
+    if (list == nullptr || list->items.empty()) {
+      complain(parent.line, key, "nothing", "a list of groups with their names",
+               "save a text data file (.yml) with the vessel type in it");
+      return nullptr;
+    }
+    if (wanted.empty() && list->items.size() == 1) return &list->items.front();
+    std::vector<std::string> names;
+    for (const YamlNode& item : list->items) {
+      const YamlNode* name = member(item, "Name");
+      names.push_back(name != nullptr ? for_display(name->text) : "(without name)");
+      if (name != nullptr && !wanted.empty() && name->text == wanted) return &item;
+    }
+    complain(list->line, key, wanted.empty() ? "several" : "none called '" + for_display(wanted) + "'", one_of(names),
+             "choose by vessel.motion.convention." + asked_by);
+    return nullptr;
+  }
+
+  /// Word of a setting of the vessel type, its default where absent; complains about words that are none of `known`.
+  std::string word(const YamlNode& type, const std::string& key, const std::vector<std::string>& known) {
+    const YamlNode* node = member(type, key);
+    if (node == nullptr) return known.front();
+    if (std::find(known.begin(), known.end(), node->text) == known.end()) {
+      complain(node->line, key, "'" + for_display(node->text) + "'", one_of(known));
+      return known.front();
+    }
+    return node->text;
+  }
+
+  void read_settings(const YamlNode& type) {
+    if (member(type, "RAOPhaseConvention") == nullptr && given_.words.count("phase") == 0) {
+      complain(type.line, "RAOPhaseConvention", "nothing (the key is missing)", "lags or leads",
+               "say which by vessel.motion.convention.phase");
+    }
+    for (const Setting& setting : settings()) {
+      std::vector<std::string> known;
+      for (const auto& [theirs, ours] : setting.words) known.emplace_back(theirs);
+      const std::string chosen = word(type, setting.theirs, known);
+      for (const auto& [theirs, ours] : setting.words) {
+        if (chosen == theirs) content_.stated.words[setting.ours] = ours;
+      }
+    }
+    wave_ = word(type, "WavesReferredToBy", {"period (s)", "frequency (rad/s)", "frequency (Hz)"});
+    phase_unit_ = word(type, "RAOPhaseUnitsConvention", {"degrees", "radians"}) == "radians" ? 1.0 : kPi / 180.0;
+    word(type, "Symmetry", {"None", "xz plane"});
+    read_rotation(type);
+  }
+
+  void read_rotation(const YamlNode& type) {
+    const bool degrees = word(type, "RAOResponseUnits", {"degrees", "radians"}) == "degrees";
+    const std::string per = word(type, "RAOWaveUnit", {"amplitude", "wave steepness", "max wave slope"});
+    if (per == "amplitude") {
+      content_.stated.words["rotation"] = degrees ? "deg_per_m" : "rad_per_m";
+    } else if (!degrees) {
+      content_.stated.words["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
+    } else if (given_.words.count("rotation") == 0) {
+      complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per, "per amplitude, or radians",
+               "say which is meant by vessel.motion.convention.rotation");
+    }
+  }
+
+  static std::optional<double> scalar(const YamlNode& node) {
+    return node.kind == YamlNode::Kind::scalar ? cell_number(node.text) : std::nullopt;
+  }
+
+  void read_points(const YamlNode& raos) {
+    content_.stated.reference = point(raos, "RAOOrigin");
+    if (!content_.stated.reference && !diagnostics_.has_errors()) content_.stated.reference = Vec3::Zero();
+    content_.stated.wave_origin = point(raos, "PhaseOrigin");
+    if (!content_.stated.wave_origin) content_.stated.wave_origin = content_.stated.reference;
+  }
+
+  /// `[x, y, z]`; nothing when it is absent or left to its default by '~'.
+  std::optional<Vec3> point(const YamlNode& raos, const std::string& key) {
+    const YamlNode* node = member(raos, key);
+    if (node == nullptr) return std::nullopt;
+    const auto open = [](const YamlNode& item) { return item.kind == YamlNode::Kind::null; };
+    if (node->kind == YamlNode::Kind::null || (!node->items.empty() && open(node->items.front()))) return std::nullopt;
+    Vec3 p = Vec3::Zero();
+    bool right = node->items.size() == 3;
+    for (std::size_t i = 0; right && i < 3; ++i) {
+      const std::optional<double> value = scalar(node->items[i]);
+      right = value && std::abs(*value) < 1e4;
+      if (right) p(static_cast<Eigen::Index>(i)) = *value;
+    }
+    if (right) return p;
+    complain(node->line, key, "no point", "[x, y, z] in metres");
+    return std::nullopt;
+  }
+
+  /// Frequency [rad/s]; 0 for the limits of no and of infinite frequency, which a table does not need.
+  double omega_of(double value) const {
+    if (value <= 0.0) return 0.0;
+    return wave_ == "period (s)" ? 2.0 * kPi / value : wave_ == "frequency (Hz)" ? 2.0 * kPi * value : value;
+  }
+
+  /// Places of amplitude and phase of each freedom in the rows, from the key over them.
+  static std::array<std::array<std::size_t, 2>, 6> columns_of(const std::string& key, bool& complete) {
+    constexpr std::array<const char*, 6> kTheirs = {"Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"};
+    const TextTable names = split_table(key, ',');
+    std::array<std::array<std::size_t, 2>, 6> columns{};
+    complete = names.rows.size() == 1;
+    for (std::size_t k = 0; complete && k < 6; ++k) {
+      for (std::size_t part = 0; part < 2; ++part) {
+        const std::string wanted = std::string("RAO") + kTheirs[k] + (part == 0 ? "Amp" : "Phase");
+        const auto& cells = names.rows[0].cells;
+        const auto found = std::find(cells.begin(), cells.end(), wanted);
+        complete = complete && found != cells.end();
+        columns[k][part] = static_cast<std::size_t>(found - cells.begin());
+      }
+    }
+    return columns;
+  }
+
+  void read_direction(const YamlNode& direction) {
+    const YamlNode* angle = member(direction, "RAODirection");
+    const std::optional<double> heading = angle != nullptr ? scalar(*angle) : std::nullopt;
+    if (!heading) {
+      complain(direction.line, "RAODirection", "nothing", "the direction the waves travel in, in degrees");
+      return;
+    }
+    for (const YamlEntry& entry : direction.entries) {
+      if (entry.key.rfind("RAOPeriodOrFreq", 0) != 0) continue;
+      bool complete = false;
+      const auto columns = columns_of(entry.key, complete);
+      if (!complete) {
+        complain(entry.line, "RAOPeriodOrFrequency", "not all of RAOSurgeAmp, RAOSurgePhase to RAOYawPhase",
+                 "amplitude and phase of the six freedoms");
+        return;
+      }
+      for (const YamlNode& row : entry.value.items) read_row(row, *heading, columns);
+      return;
+    }
+    complain(direction.line, "RAODirection", "no table", "RAOPeriodOrFrequency, RAOSurgeAmp, RAOSurgePhase, ...");
+  }
+
+  void read_row(const YamlNode& row, double heading, const std::array<std::array<std::size_t, 2>, 6>& columns) {
+    const auto limit = [](const YamlNode& cell) { return cell.text == "Infinity" || cell.text == "~"; };
+    if (row.items.empty() || limit(row.items[0])) return;
+    std::vector<double> numbers;
+    for (const YamlNode& cell : row.items) {
+      const std::optional<double> value = scalar(cell);
+      if (!value) {
+        complain(cell.line, "RAOs", "'" + for_display(cell.text) + "'", "a number");
+        return;
+      }
+      numbers.push_back(*value);
+    }
+    const double omega = omega_of(numbers[0]);
+    if (omega <= 0.0) return;
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (std::max(columns[k][0], columns[k][1]) >= numbers.size()) {
+        complain(row.line, "RAOs", std::to_string(numbers.size()) + " numbers", "as many as the key above names");
+        return;
+      }
+      content_.records.push_back({heading * kPi / 180.0, omega, static_cast<int>(k), numbers[columns[k][0]],
+                                  numbers[columns[k][1]] * phase_unit_, row.line});
+    }
+  }
+
+  std::string file_;
+  const RaoSettings& given_;
+  Diagnostics& diagnostics_;
+  RaoFile content_;
+  std::string wave_;
+  double phase_unit_ = kPi / 180.0;
+};
+
+}  // namespace
+
+RaoFile read_orcaflex(const std::string& text, const std::string& file, const RaoSettings& given,
+                      Diagnostics& diagnostics) {
+  return OrcaFlexReader(file, given, diagnostics).read(text);
+}
+
+}  // namespace overbend::rao_formats

@@ -1,0 +1,76 @@
+#include "seafiles/rao_reader.h"
+
+#include <filesystem>
+
+#include "base/text.h"
+#include "seafiles/rao_assembly.h"
+#include "seafiles/rao_formats.h"
+#include "seafiles/text_table.h"
+
+namespace overbend {
+namespace {
+
+/// What is settled, in rising strength: the named set, the file's own words, the user's.
+ConventionWords settle(const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
+  ConventionWords words = convention_set(given.set.empty() ? set : given.set);
+  for (const RaoSettings* from : {&stated, &given}) {
+    for (const auto& [key, word] : from->words) words[key] = word;
+  }
+  return words;
+}
+
+/// The point the motions are of and the one the phases count from; what is assumed is noted in the table.
+void place_points(RaoTable& table, const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
+  const std::string name = "The RAOs of " + table.source;
+  if (given.reference) {
+    table.reference_V = *given.reference;
+  } else if (stated.reference) {
+    table.reference_V = given.file_origin + *stated.reference;
+    if (set == "orcaflex" && !given.file_origin_stated) {
+      table.assumptions.push_back(name +
+                                  " place their origin in the file's vessel axes; the origin of these is taken midship "
+                                  "at the water line.");
+    }
+  } else {
+    table.assumptions.push_back(
+        name + " do not say which point of the vessel they are of; midship at the water line is taken.");
+  }
+  if (given.wave_origin) {
+    table.wave_origin_V = *given.wave_origin;
+  } else if (stated.wave_origin) {
+    table.wave_origin_V = given.file_origin + *stated.wave_origin;
+  } else if (set == "wamit") {
+    table.assumptions.push_back(name + " are taken with phases relative to the wave at midship (X = Y = 0).");
+  } else {
+    table.wave_origin_V = table.reference_V;
+  }
+}
+
+}  // namespace
+
+std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& given, double depth,
+                                  Diagnostics& diagnostics) {
+  const std::string ending = lower_case(std::filesystem::path(file).extension().string());
+  const bool orcaflex = ending == ".yml" || ending == ".yaml";
+  if (ending != ".csv" && ending != ".4" && !orcaflex) {
+    diagnostics.add({Severity::error, file, 0, 0, "", "a file ending in '" + for_display(ending) + "'",
+                     ".csv, .4 (WAMIT) or .yml (OrcaFlex)", ""});
+    return std::nullopt;
+  }
+  const std::optional<std::string> text = read_text_file(file, diagnostics);
+  if (!text) return std::nullopt;
+  Diagnostics faults;
+  const rao_formats::RaoFile content = orcaflex         ? rao_formats::read_orcaflex(*text, file, given, faults)
+                                       : ending == ".4" ? rao_formats::read_wamit(*text, file, faults)
+                                                        : rao_formats::read_csv(*text, file, faults);
+  for (const Diagnostic& fault : faults.sorted()) diagnostics.add(fault);
+  if (faults.has_errors()) return std::nullopt;
+  const std::string type_set = orcaflex ? "orcaflex" : ending == ".4" ? "wamit" : "house";
+  const std::string set = given.set.empty() ? type_set : given.set;
+  const RaoTranslation translation(settle(set, content.stated, given), given.length_scale, depth);
+  std::optional<RaoTable> table = assemble_raos(content.records, translation, file, diagnostics);
+  if (table) place_points(*table, set, content.stated, given);
+  return table;
+}
+
+}  // namespace overbend

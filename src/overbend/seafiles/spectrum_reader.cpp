@@ -1,0 +1,155 @@
+#include "seafiles/spectrum_reader.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <optional>
+#include <sstream>
+#include <string_view>
+
+#include "base/text.h"
+#include "base/units.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 16U << 20U;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// A pair of columns and what turns them into rad/s and m2 s.
+struct Columns {
+  const char *frequency, *density;
+  double to_omega, to_density;
+};
+constexpr Columns kKnown[] = {{"omega_rad_s", "density_m2s", 1.0, 1.0},
+                              {"frequency_hz", "density_m2_hz", kTurn, 1.0 / kTurn}};
+
+class SpectrumReader {
+ public:
+  SpectrumReader(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
+
+  std::vector<SpectrumPoint> read(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string raw; std::getline(lines, raw);) {
+      ++line_;
+      const std::string_view line = trim(raw);
+      if (line.empty() || line.front() == '#') continue;
+      if (columns_ == nullptr) {
+        if (!take_header(line)) return {};
+      } else {
+        take_row(line);
+      }
+    }
+    if (good_) check_whole();
+    return good_ ? points_ : std::vector<SpectrumPoint>{};
+  }
+
+ private:
+  void complain(std::string key, std::string found, std::string expected) {
+    good_ = false;
+    diagnostics_.add(
+        {Severity::error, path_, line_, 0, std::move(key), std::move(found), std::move(expected), std::string()});
+  }
+
+  static std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (std::size_t start = 0; start <= line.size();) {
+      const std::size_t end = std::min(line.find(',', start), line.size());
+      cells.push_back(trim(line.substr(start, end - start)));
+      start = end + 1;
+    }
+    return cells;
+  }
+
+  bool take_header(std::string_view line) {
+    const auto cells = cells_of(line);
+    for (const Columns& known : kKnown) {
+      if (cells.size() == 2 && cells[0] == known.frequency && cells[1] == known.density) columns_ = &known;
+    }
+    if (columns_ == nullptr) {
+      complain("", "'" + for_display(line) + "'",
+               "the header 'omega_rad_s,density_m2s' or 'frequency_hz,density_m2_hz'");
+    }
+    return columns_ != nullptr;
+  }
+
+  std::optional<double> number(std::string_view cell, const char* column) {
+    const auto value = parse_number(cell);
+    if (!value) {
+      complain(column, "'" + for_display(cell) + "'", "a number");
+    } else if (*value < 0.0) {
+      complain(column, format_number(*value), "0 or more");
+      return std::nullopt;
+    }
+    return value;
+  }
+
+  void take_row(std::string_view line) {
+    const auto cells = cells_of(line);
+    if (cells.size() != 2) {
+      complain("", std::to_string(cells.size()) + " columns", "2, as in the header");
+      return;
+    }
+    const auto frequency = number(cells[0], columns_->frequency);
+    const auto density = number(cells[1], columns_->density);
+    if (!frequency || !density) return;
+    if (*frequency == 0.0 && *density > 0.0) {
+      complain(columns_->density, format_number(*density), "0 at frequency 0, where there is no wave");
+    }
+    if (frequency <= last_frequency_) {
+      complain(columns_->frequency, format_number(*frequency),
+               "more than the frequency before it, " + format_number(*last_frequency_));
+    }
+    last_frequency_ = frequency;
+    points_.push_back({*frequency * columns_->to_omega, *density * columns_->to_density});
+  }
+
+  /// Faults of no one line.
+  void check_whole() {
+    line_ = 0;
+    if (columns_ == nullptr) {
+      complain("", "an empty file", "a wave spectrum");
+    } else if (points_.size() < 2) {
+      complain("", std::to_string(points_.size()) + " rows", "2 rows at least");
+    } else {
+      double energy = 0.0;
+      for (const SpectrumPoint& point : points_) energy += point.density;
+      if (!(energy > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
+    }
+  }
+
+  std::string path_;
+  Diagnostics& diagnostics_;
+  int line_ = 0;
+  bool good_ = true;
+  const Columns* columns_ = nullptr;
+  std::optional<double> last_frequency_;
+  std::vector<SpectrumPoint> points_;
+};
+
+}  // namespace
+
+std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std::string& path,
+                                              Diagnostics& diagnostics) {
+  return SpectrumReader(path, diagnostics).read(text);
+}
+
+void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
+  if (waves.type != WaveType::user) return;
+  const std::string& path = waves.spectrum_file;
+  std::error_code fault;
+  if (!std::filesystem::exists(path, fault)) return;
+  const auto refuse = [&](const char* why) {
+    diagnostics.add({Severity::error, path, 0, 0, "environment.waves.spectrum_file", why, "", ""});
+  };
+  if (!std::filesystem::is_regular_file(path, fault)) return refuse("not a file with a wave spectrum");
+  if (std::filesystem::file_size(path, fault) > kLargestFile) return refuse("larger than 16 MB, which no spectrum is");
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) return refuse("the file cannot be read");
+  waves.spectrum = read_spectrum_text(text.str(), path, diagnostics);
+}
+
+}  // namespace overbend

@@ -1,0 +1,92 @@
+#include "seafiles/text_table.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "base/text.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 64U << 20U;
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
+std::vector<std::string_view> split_at(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  std::size_t from = 0;
+  while (from <= line.size()) {
+    const std::size_t to = std::min(line.find(separator, from), line.size());
+    cells.push_back(trim(line.substr(from, to - from)));
+    from = to + 1;
+  }
+  return cells;
+}
+
+std::vector<std::string_view> split_at_white(std::string_view line) {
+  constexpr std::string_view kWhite = " \t";
+  std::vector<std::string_view> cells;
+  std::size_t from = line.find_first_not_of(kWhite);
+  while (from != std::string_view::npos) {
+    const std::size_t to = std::min(line.find_first_of(kWhite, from), line.size());
+    cells.push_back(line.substr(from, to - from));
+    from = line.find_first_not_of(kWhite, to);
+  }
+  return cells;
+}
+
+/// "# key: value" as two cells.
+std::vector<std::string_view> split_remark(std::string_view line) {
+  const std::string_view words = trim(line.substr(1));
+  const std::size_t colon = words.find(':');
+  if (colon == std::string_view::npos) return {words};
+  return {trim(words.substr(0, colon)), trim(words.substr(colon + 1))};
+}
+
+}  // namespace
+
+std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics) {
+  const auto refuse = [&](const char* why) {
+    diagnostics.add({Severity::error, path, 0, 0, "", why, "", ""});
+    return std::nullopt;
+  };
+  std::error_code fault;
+  if (!std::filesystem::is_regular_file(path, fault)) return refuse("this is no file that can be read");
+  const std::uintmax_t size = std::filesystem::file_size(path, fault);
+  if (fault || size > kLargestFile) return refuse("larger than 64 MB, which no such file is");
+  std::ifstream file(path, std::ios::binary);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file) return refuse("the file cannot be read");
+  if (std::string_view(text).substr(0, 3) == kByteOrderMark) text.erase(0, 3);
+  return text;
+}
+
+TextTable split_table(std::string_view text, char separator) {
+  TextTable table;
+  int number = 0;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t to = std::min(text.find('\n', from), text.size());
+    const std::string_view line = trim(text.substr(from, to - from));
+    from = to + 1;
+    ++number;
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      table.remarks.push_back({number, split_remark(line)});
+    } else {
+      table.rows.push_back({number, separator == ' ' ? split_at_white(line) : split_at(line, separator)});
+    }
+  }
+  return table;
+}
+
+std::optional<double> cell_number(std::string_view cell) {
+  if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (fault != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace overbend

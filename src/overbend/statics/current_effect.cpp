@@ -1,0 +1,63 @@
+#include "statics/current_effect.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statics/recovery.h"
+
+namespace overbend {
+namespace {
+
+bool flows(const CurrentProfile& current) {
+  const auto moves = [](double v) { return v != 0.0; };
+  return std::any_of(current.vx.begin(), current.vx.end(), moves) ||
+         std::any_of(current.vy.begin(), current.vy.end(), moves);
+}
+
+/// Values of the still lay at a distance from the tensioner.
+class StillLay {
+ public:
+  explicit StillLay(const StaticResults& results) : stations_(&results.stations), total_(results.total_length) {}
+
+  double at(double from_top, double Station::*member) const {
+    const double s = total_ - from_top;
+    const auto above = std::lower_bound(stations_->begin(), stations_->end(), s,
+                                        [](const Station& station, double v) { return station.s < v; });
+    if (above == stations_->begin()) return (*above).*member;
+    if (above == stations_->end()) return stations_->back().*member;
+    const Station &b = *above, &a = *(above - 1);
+    return a.*member + (s - a.s) / (b.s - a.s) * (b.*member - a.*member);
+  }
+
+ private:
+  const std::vector<Station>* stations_;
+  double total_;
+};
+
+}  // namespace
+
+void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results) {
+  const CheckSettings& checks = model.description.checks;
+  if (checks.current_load != CurrentLoad::environmental || checks.codes == CheckCodes::api || !flows(model.current)) {
+    return;
+  }
+  Description still = model.description;
+  still.environment.current.clear();
+  const Model still_model = build_model(still);
+  const StaticOutcome outcome = solve_statics(still_model, &solution);
+  if (!outcome.solution) {
+    results.warnings.emplace_back(
+        "the lay without its current has no equilibrium: the checks count the current's load effects as functional");
+    return;
+  }
+  const StaticResults without = recover_statics(still_model, *outcome.solution);
+  const StillLay lay(without);
+  for (Station& at : results.stations) {
+    const double from_top = results.total_length - at.s;
+    at.current_vertical_moment = at.vertical_moment - lay.at(from_top, &Station::vertical_moment);
+    at.current_lateral_moment = at.lateral_moment - lay.at(from_top, &Station::lateral_moment);
+    at.current_tension = at.effective_tension - lay.at(from_top, &Station::effective_tension);
+  }
+}
+
+}  // namespace overbend

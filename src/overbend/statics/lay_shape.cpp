@@ -1,0 +1,211 @@
+#include "statics/lay_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/line_elements.h"
+#include "mechanics/rod_element.h"
+
+namespace overbend {
+namespace {
+
+/// A point that the guess passes through, in the lay plane.
+struct Guide2 {
+  double distance, z, dip;
+};
+
+/// Weight per length of a section at height z, buoyancy by the wetted share [N/m].
+double weight_at(const Model& model, const Section& pipe, double z) {
+  return pipe.weight_in_air -
+         model.water_weight_density * pipe.external_area * wetted_fraction(z, pipe.outer_radius()).value;
+}
+
+/// Pipe axis over every row of rollers, from the tensioner astern.
+std::vector<Guide2> support_points(const Model& model, const LayPlane& plane, const VesselPose& pose) {
+  std::vector<Guide2> points{{0.0, plane.tensioner_W.z(), plane.guide_dip}};
+  for (const SupportRow& row : model.supports.rows) {
+    const double radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
+    const SupportBox& box = model.supports.boxes[static_cast<std::size_t>(row.box)];
+    const Vec3 p_W = point_from_ramp(model, pose, row.point_S + radius * box.normal_S);
+    const Vec3 d_W = direction_from_ramp(pose, box.direction_S);
+    const double dip = std::atan2(-d_W.z(), d_W.dot(plane.astern_W));
+    points.push_back({(p_W - plane.tensioner_W).dot(plane.astern_W), p_W.z(), dip});
+  }
+  return points;
+}
+
+/// The free span from touchdown upwards: dense points, first on the bed.
+struct FreeSpan {
+  std::vector<double> length, distance, z, dip;  ///< From touchdown; distance runs towards the barge.
+};
+
+/// Steps up a chain with horizontal tension H and weight w(z) until it reaches `top` above the bed's line.
+FreeSpan hang(const Model& model, double H, double bed_z, double slope, double top) {
+  FreeSpan span;
+  const double step = std::max(0.05, (top - bed_z) / 1500.0);
+  const double start = std::atan(-slope);  // seen towards the barge, the bed falls where it rises astern
+  double x = 0.0, z = bed_z, s = 0.0, V = H * std::tan(start);
+  while (z < top && span.z.size() < 400000) {
+    const double dip = std::atan2(V, H);
+    span.length.push_back(s);
+    span.distance.push_back(x);
+    span.z.push_back(z);
+    span.dip.push_back(dip);
+    V += step * weight_at(model, model.sections.front(), z);
+    const double middle = std::atan2(V, H);
+    x += step * std::cos(0.5 * (dip + middle));
+    z += step * std::sin(0.5 * (dip + middle));
+    s += step;
+  }
+  return span;
+}
+
+double dip_at_height(const FreeSpan& span, double z) {
+  const auto above = std::lower_bound(span.z.begin(), span.z.end(), z);
+  return above == span.z.end() ? span.dip.back() : span.dip[static_cast<std::size_t>(above - span.z.begin())];
+}
+
+void append(LayShape& shape, double distance, double z, double dip) {
+  if (!shape.length.empty()) {
+    const double ds = std::hypot(distance - shape.distance.back(), z - shape.z.back());
+    if (ds < 1e-9) {
+      return;
+    }
+    shape.length.push_back(shape.length.back() + ds);
+    if (shape.waterline < 0.0 && shape.z.back() > 0.0 && z <= 0.0) {
+      shape.waterline = shape.length.back();
+    }
+  } else {
+    shape.length.push_back(0.0);
+  }
+  shape.distance.push_back(distance);
+  shape.z.push_back(z);
+  shape.dip.push_back(dip);
+}
+
+/// Cubic Hermite from the last point to the next, in steps of about a quarter of a metre.
+void append_curve(LayShape& shape, const Guide2& to) {
+  const double x0 = shape.distance.back(), z0 = shape.z.back(), dip0 = shape.dip.back();
+  const double chord = std::hypot(to.distance - x0, to.z - z0);
+  const int steps = std::max(2, static_cast<int>(chord / 0.25));
+  for (int i = 1; i <= steps; ++i) {
+    const double xi = static_cast<double>(i) / steps;
+    const HermiteValues n = hermite(xi, chord);
+    const auto mix = [&](const Eigen::Vector4d& w, double a, double da, double b, double db) {
+      return w(0) * a + w(1) * da + w(2) * b + w(3) * db;
+    };
+    const double dx0 = std::cos(dip0), dz0 = -std::sin(dip0), dx1 = std::cos(to.dip), dz1 = -std::sin(to.dip);
+    const double x = mix(n.value, x0, dx0, to.distance, dx1), z = mix(n.value, z0, dz0, to.z, dz1);
+    const double tx = mix(n.first, x0, dx0, to.distance, dx1), tz = mix(n.first, z0, dz0, to.z, dz1);
+    append(shape, x, z, std::atan2(-tz, tx));
+  }
+}
+
+void append_span(LayShape& shape, const FreeSpan& span) {
+  const double x0 = shape.distance.back(), z0 = shape.z.back();
+  std::size_t i = static_cast<std::size_t>(std::lower_bound(span.z.begin(), span.z.end(), z0) - span.z.begin());
+  i = std::min(i, span.z.size() - 1);
+  const double x_top = span.distance[i];
+  while (i-- > 0) {
+    append(shape, x0 + x_top - span.distance[i], span.z[i], span.dip[i]);
+  }
+  shape.touchdown = shape.length.back();
+}
+
+void append_tail(LayShape& shape, const LayPlane& plane, double tail) {
+  const double dip = -std::atan(plane.bed_slope);
+  const double x0 = shape.distance.back(), z0 = shape.z.back();
+  const int steps = 200;
+  for (int i = 1; i <= steps; ++i) {
+    const double along = tail * i / steps;
+    append(shape, x0 + along * std::cos(dip), z0 - along * std::sin(dip), dip);
+  }
+  shape.total = shape.length.back();
+}
+
+/// Long enough that the moment of touchdown has died out at the anchor, and some of the laid line is in the model.
+double tail_length(const Model& model, double H, double suspended) {
+  const Section& pipe = model.sections.front();
+  const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
+  return 12.0 * soil + 2.0 * std::sqrt(pipe.EI / H) + std::clamp(0.25 * suspended, 30.0, 300.0);
+}
+
+/// The last support over which the pipe still bends down no more than the free span would.
+std::size_t departure(const std::vector<Guide2>& points, const FreeSpan& span) {
+  std::size_t last = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].dip <= dip_at_height(span, points[i].z)) {
+      last = i;
+    }
+  }
+  return last;
+}
+
+}  // namespace
+
+LayPlane lay_plane(const Model& model, const VesselPose& pose) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  LayPlane plane;
+  plane.tensioner_W = point_from_ramp(model, pose, Vec3(tensioner.x, 0.0, tensioner.z));
+  plane.astern_W = astern_direction(pose);
+  plane.port_W = plane.astern_W.cross(Vec3::UnitZ());
+  const Vec3 guide_W = direction_from_ramp(pose, Vec3(std::cos(tensioner.incline), 0.0, -std::sin(tensioner.incline)));
+  plane.guide_dip = std::atan2(-guide_W.z(), guide_W.dot(plane.astern_W));
+  plane.bed_at_tensioner = model.seabed.height(plane.tensioner_W) + model.sections.front().outer_radius();
+  plane.bed_slope = model.seabed.height(plane.tensioner_W + plane.astern_W) - model.seabed.height(plane.tensioner_W);
+  return plane;
+}
+
+double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
+  const int steps = 4000;
+  const double dz = (plane.tensioner_W.z() - bed_z) / steps;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Section& section : model.sections) {
+    double sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
+      sum += dz * weight_at(model, section, bed_z + (i + 0.5) * dz);
+    }
+    least = std::min(least, sum);
+  }
+  return least;
+}
+
+LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
+  const Section& pipe = model.sections.front();
+  LayShape shape;
+  // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
+  // allow.
+  const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
+  double bed_z = plane.bed_at_tensioner;
+  for (int pass = 0; pass < 8; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape
+    shape = LayShape{};
+    const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
+    shape.bottom_tension = H;
+    const std::vector<Guide2> points = support_points(model, plane, model.mean_pose);
+    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope, plane.tensioner_W.z());
+    if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
+      shape.problem = "the seabed falls away astern faster than the pipe hangs down: it never touches down";
+      return shape;
+    }
+    const std::size_t last = departure(points, span);
+    const bool free_top = last == 0 && model.description.tensioner.guide == Guide::pinned;
+    append(shape, 0.0, points[0].z, free_top ? span.dip.back() : points[0].dip);
+    for (std::size_t i = 1; i <= last; ++i) {
+      if (points[i].distance > shape.distance.back() + 1e-6) {
+        append_curve(shape, points[i]);
+      }
+    }
+    shape.last_support = last == 0 ? 0.0 : shape.length.back();
+    append_span(shape, span);
+    const double touchdown_bed = plane.bed(shape.distance.back());
+    if (std::abs(touchdown_bed - bed_z) < 1e-3) {
+      break;
+    }
+    bed_z = touchdown_bed;
+  }
+  append_tail(shape, plane, tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support));
+  return shape;
+}
+
+}  // namespace overbend

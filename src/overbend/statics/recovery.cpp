@@ -1,0 +1,360 @@
+#include "statics/recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/version.h"
+#include "checks/run_checks.h"
+#include "mechanics/point_load.h"
+#include "mechanics/quadrature.h"
+#include "statics/current_effect.h"
+#include "statics/recovery_parts.h"
+#include "statics/static_warnings.h"
+#include "statics/touchdown.h"
+#include "system/find_regions.h"
+
+namespace overbend {
+namespace {
+
+/// One element with its constants alone in a batch.
+LineElements single(const LineElements& all, std::size_t e) {
+  LineElements one;
+  one.count = 1;
+  const auto copy = [&](const AlignedDoubles& from, AlignedDoubles& to) { to.assign(kLanes, from[e]); };
+  copy(all.length, one.length);
+  copy(all.EA, one.EA);
+  copy(all.EI, one.EI);
+  copy(all.weight, one.weight);
+  copy(all.buoyancy, one.buoyancy);
+  copy(all.radius, one.radius);
+  copy(all.drag_normal, one.drag_normal);
+  copy(all.drag_axial, one.drag_axial);
+  copy(all.pressure_constant, one.pressure_constant);
+  copy(all.pressure_slope, one.pressure_slope);
+  copy(all.pressure_external, one.pressure_external);
+  copy(all.mass, one.mass);
+  copy(all.displaced_mass, one.displaced_mass);
+  copy(all.added_normal, one.added_normal);
+  copy(all.added_axial, one.added_axial);
+  return one;
+}
+
+/// Internal minus external forces of one element at its two nodes, roller contacts included.
+ElementVector element_residual(const LineSystem& system, const LineState& state, int element) {
+  const LineShape shape = state.shape();
+  alignas(kLineBytes) double out[12] = {};
+  const LineElements one = single(system.elements(), static_cast<std::size_t>(element));
+  add_line_forces(one, system.environment(),
+                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
+                  {out, nullptr, nullptr, nullptr}, best_isa());
+  ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
+  if (!system.yielding_points().plastic_moment.empty()) {
+    add_element_yielding(system.mesh(), element, shape,
+                         &system.yielding_points().plastic_moment[kGaussPoints * static_cast<std::size_t>(element)],
+                         residual);
+  }
+  const double h = system.mesh().length[static_cast<std::size_t>(element)];
+  for (const RollerState& roller : system.roller_states()) {
+    if (roller.force > 0.0 && roller.at.element == element) {
+      const HermiteValues n = hermite(roller.at.xi, h);
+      for (int j = 0; j < 4; ++j) {
+        residual.segment<3>(3 * j) -= roller.force * n.value(j) * roller.direction;
+      }
+    }
+  }
+  return residual;
+}
+
+Vec3 node_tangent(const LineState& state, int node) {
+  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
+}
+
+/// Forces of the loads on [0, xi] of an element and their moment about the point at xi.
+CutForces loads_before(const LineSystem& system, const LineState& state, int element, double xi) {
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
+  const double h = system.mesh().length[static_cast<std::size_t>(element)];
+  const Vec3 here = centreline(q, xi, h).r;
+  CutForces sum;
+  for (int i = 0; i < kGaussPoints; ++i) {
+    const CentrelinePoint at = centreline(q, kGaussXi[i] * xi, h);
+    const Vec3 f =
+        kGaussWeight[i] * xi * h * point_load(system.elements(), system.environment(), element, at.r, at.a).sum();
+    sum.force += f;
+    sum.moment += (at.r - here).cross(f);
+  }
+  for (const RollerState& roller : system.roller_states()) {
+    if (roller.force > 0.0 && roller.at.element == element && roller.at.xi < xi) {
+      const Vec3 r = centreline(q, roller.at.xi, h).r;
+      sum.force += roller.force * roller.direction;
+      sum.moment += (r - here).cross(roller.force * roller.direction);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<CutForces> cut_forces(LineSystem& system, const LineState& state) {
+  system.evaluate(state, false);
+  const int n = system.mesh().nodes();
+  std::vector<CutForces> cuts(static_cast<std::size_t>(n));
+  for (int e = 0; e + 1 < n; ++e) {
+    const ElementVector g = element_residual(system, state, e);
+    if (e == 0) {
+      cuts[0] = {-g.segment<3>(0), -node_tangent(state, 0).cross(g.segment<3>(3))};
+    }
+    cuts[static_cast<std::size_t>(e) + 1] = {g.segment<3>(6), node_tangent(state, e + 1).cross(g.segment<3>(9))};
+  }
+  return cuts;
+}
+
+CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
+                 double xi) {
+  const CutForces& start = cuts[static_cast<std::size_t>(element)];
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
+  const double h = system.mesh().length[static_cast<std::size_t>(element)];
+  const Vec3 lever = centreline(q, xi, h).r - q.segment<3>(0);
+  const CutForces loads = loads_before(system, state, element, xi);
+  // The stretch [0, xi] is in balance under the cut at its start (reversed), its loads and the cut at its end.
+  const Vec3 force = start.force - loads.force;
+  return {force, start.moment - lever.cross(start.force) - loads.moment};
+}
+
+StationCut make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element,
+                        double xi) {
+  const Model& model = system.model();
+  const std::size_t e = static_cast<std::size_t>(element);
+  const double h = system.mesh().length[e];
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
+  const CentrelinePoint at = centreline(q, xi, h);
+  const Vec3 t = at.a.normalized();
+
+  StationCut result;
+  result.section = system.mesh().section[e];
+  result.tangent = t;
+  Station& station = result.station;
+  station.s = system.mesh().s[e] + xi * h;
+  station.p_W = at.r;
+  station.astern = (at.r - point_from_ramp(model, model.mean_pose, Vec3::Zero())).dot(system.plane().astern_W);
+  station.inclination = std::atan2(t.z(), std::hypot(t.x(), t.y()));
+  station.effective_tension = cut.force.dot(t);
+  const Vec3 moment = cut.moment - cut.moment.dot(t) * t;
+  station.bending_moment = moment.norm();
+  result.bend = moment.cross(t);
+  const Vec3 horizontal(t.x(), t.y(), 0.0);
+  const Vec3 port =
+      horizontal.norm() > 1e-9 ? Vec3(Vec3::UnitZ().cross(horizontal.normalized())) : system.plane().port_W;
+  station.lateral_moment = result.bend.dot(port);
+  station.vertical_moment = result.bend.dot(t.cross(port));
+
+  const PointLoad load = point_load(system.elements(), system.environment(), element, at.r, at.a);
+  station.seabed_reaction = load.seabed_normal;
+  station.penetration = load.penetration;
+  return result;
+}
+
+namespace {
+
+/// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
+std::vector<Station> make_stations(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
+                                   const std::optional<LinePlace>& touchdown) {
+  std::vector<StationCut> stations;
+  for (int e = 0; e < system.mesh().elements(); ++e) {
+    std::vector<double> places{0.0};
+    const double h = system.mesh().length[static_cast<std::size_t>(e)];
+    const int parts = std::max(1, static_cast<int>(std::ceil(h / 2.0)));
+    for (int k = 1; k < parts; ++k) {
+      places.push_back(static_cast<double>(k) / parts);
+    }
+    for (const RollerState& roller : system.roller_states()) {
+      if (roller.force > 0.0 && roller.at.element == e) {
+        places.push_back(roller.at.xi);
+      }
+    }
+    if (touchdown && touchdown->element == e) {
+      places.push_back(touchdown->xi);
+    }
+    std::sort(places.begin(), places.end());
+    for (const double xi : places) {
+      const StationCut station = make_station(system, state, cut_at(system, state, cuts, e, xi), e, xi);
+      if (stations.empty() || station.station.s > stations.back().station.s + 1e-6) {
+        stations.push_back(station);
+      }
+    }
+  }
+  stations.push_back(make_station(system, state, cuts.back(), system.mesh().elements() - 1, 1.0));
+  return finish_stations(system.model(), std::move(stations));
+}
+
+void keep_larger(Extreme& extreme, double value, const Station& at) {
+  if (std::abs(value) > std::abs(extreme.value)) {
+    extreme = {value, at.s, at.p_W, at.astern};
+  }
+}
+
+void keep_larger(RegionResult& region, const Station& at) {
+  keep_larger(region.bending_moment, at.bending_moment, at);
+  keep_larger(region.bending_stress, at.bending_stress, at);
+  keep_larger(region.von_mises, at.von_mises, at);
+  keep_larger(region.strain, at.strain, at);
+  keep_larger(region.effective_tension, at.effective_tension, at);
+}
+
+Regions regions_of(const std::vector<Station>& stations, double touchdown, std::optional<double> departure,
+                   bool clamped) {
+  std::vector<double> s, moment, vertical;
+  for (const Station& at : stations) {
+    s.push_back(at.s);
+    moment.push_back(at.bending_moment);
+    vertical.push_back(at.vertical_moment);
+  }
+  return find_regions({s, moment, vertical}, touchdown, departure, clamped);
+}
+
+void keep_smaller(Extreme& extreme, const Station& at) {
+  if (at.effective_tension < extreme.value) {
+    extreme = {at.effective_tension, at.s, at.p_W, at.astern};
+  }
+}
+
+/// Regions of the stations and what is largest in each.
+void find_extremes(StaticResults& results, const Regions& regions) {
+  results.departure_s = regions.departure;
+  results.inflection_s = regions.inflection;
+  if (regions.carried) results.overbend.emplace();
+  results.largest_tension = results.stations.front().effective_tension;
+  results.smallest_tension.value = std::numeric_limits<double>::infinity();
+  for (Station& station : results.stations) {
+    station.region = regions.of(station.s);
+    if (station.region == Region::tower && !results.tower) results.tower.emplace();
+    if (station.region == Region::tower) keep_larger(*results.tower, station);
+    if (station.region == Region::overbend) keep_larger(*results.overbend, station);
+    if (station.region == Region::sagbend) keep_larger(results.sagbend, station);
+    results.largest_tension = std::max(results.largest_tension, station.effective_tension);
+    keep_smaller(results.smallest_tension, station);
+  }
+}
+
+Station station_at(const std::vector<Station>& stations, double s) {
+  const auto after =
+      std::lower_bound(stations.begin(), stations.end(), s - 1e-9, [](const Station& a, double v) { return a.s < v; });
+  return after == stations.end() ? stations.back() : *after;
+}
+
+/// Sums of everything that acts on the line, each from its own law, so that their balance is a check of the assembly.
+void sum_forces(StaticResults& results, LineSystem& system, const LineState& state) {
+  for (int e = 0; e < system.mesh().elements(); ++e) {
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    const double h = system.mesh().length[static_cast<std::size_t>(e)];
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const CentrelinePoint at = centreline(q, kGaussXi[i], h);
+      const PointLoad load = point_load(system.elements(), system.environment(), e, at.r, at.a);
+      const double w = kGaussWeight[i] * h;
+      results.sum_weight += w * load.weight;
+      results.sum_buoyancy += w * load.buoyancy;
+      results.sum_current += w * load.current;
+      results.sum_seabed += w * load.seabed;
+    }
+  }
+  for (const RollerState& roller : system.roller_states()) {
+    results.sum_rollers += roller.force * roller.direction;
+  }
+  system.evaluate(state, false);
+  results.top_reaction = system.end_reaction(system.mesh().nodes() - 1);
+  results.anchor_reaction = system.end_reaction(0) + state.far_force * system.far_direction();
+  results.total_weight = system.total_weight();
+  const Vec3 sum = results.sum_weight + results.sum_buoyancy + results.sum_current + results.sum_seabed +
+                   results.sum_rollers + results.top_reaction + results.anchor_reaction;
+  results.global_residual = sum.norm() / results.total_weight;
+  system.hold(false);
+  results.force_residual = system.relative_residual();
+}
+
+void copy_model(StaticResults& results, const Model& model) {
+  const VesselDescription& vessel = model.description.vessel;
+  results.title = model.description.title;
+  results.version = kVersion;
+  results.assumptions = assumptions(model);
+  results.warnings = model.description.warnings;
+  for (const Section& s : model.sections) {
+    results.sections.push_back({s.name, s.EA, s.EI, s.weight_in_air, s.weight_submerged, s.steel_area, s.second_moment,
+                                s.outer_diameter, s.mass()});
+  }
+  results.stern_shoe_W = point_from_ramp(model, model.mean_pose, Vec3::Zero());
+  results.tensioner_W = lay_plane(model, model.mean_pose).tensioner_W;
+  results.R_WV = model.mean_pose.R_WV;
+  results.vessel_name = vessel.name;
+  results.vessel_length = vessel.length;
+  results.vessel_beam = vessel.beam;
+  results.vessel_depth = vessel.depth;
+  results.vessel_draught = vessel.draught;
+  results.water_depth = model.description.environment.water_depth;
+  results.pipe_outer_diameter = model.sections.front().outer_diameter;
+  results.steel_outer_diameter = model.sections.front().steel_diameter;
+  results.wanted_tension = model.description.tensioner.tension.value_or(0.0);
+}
+
+}  // namespace
+
+namespace {
+
+/// Rolling would let the bend help in the sagbend; the rod cannot, and one who signs the moments must know.
+void warn_of_roll(StaticResults& results) {
+  constexpr double kWorthSaying = 1e-4;  // strain at the outer fibre; sagbends have three times that and more
+  if (0.5 * results.steel_outer_diameter * results.residual_curvature < kWorthSaying) {
+    return;
+  }
+  results.warnings.push_back(fmt::format(
+      "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {:.5f} 1/m; "
+      "a real pipe rolls until that bend helps, this one does not, so the sagbend's moments are an upper end",
+      results.residual_curvature));
+}
+
+}  // namespace
+
+StaticResults recover_statics(const Model& model, const StaticSolution& solution) {
+  StaticResults results;
+  copy_model(results, model);
+  LineSystem system(model, model.mean_pose, solution.mesh);
+  const LineState& state = solution.state;
+  const std::vector<CutForces> cuts = cut_forces(system, state);
+  const std::optional<LinePlace> touchdown = find_touchdown(system, state);
+  results.stations = make_stations(system, state, cuts, touchdown);
+
+  const Station top = results.stations.back();
+  const Station landing = touchdown ? station_at(results.stations, touchdown->s) : results.stations.front();
+  results.touchdown = {landing.p_W, landing.s, landing.astern};
+  results.lay_back = landing.astern;
+  results.top_to_touchdown = (landing.p_W - top.p_W).head<2>().norm();
+  results.total_length = top.s;
+  results.length_top_to_touchdown = top.s - landing.s;
+  results.top_tension = top.effective_tension;
+  results.residual_curvature = landing.residual_curvature;
+  results.bottom_tension = landing.effective_tension * std::cos(landing.inclination);
+  results.anchor_W = results.stations.front().p_W;
+
+  const Departure departure = recover_supports(results, system, state);
+  const Station leaving = departure.carried ? station_at(results.stations, departure.s) : top;
+  results.departure_angle = leaving.inclination;
+  results.last_support = departure.support;
+  results.suspended_length = leaving.s - landing.s;
+  find_extremes(results,
+                regions_of(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
+                           model.description.tensioner.guide == Guide::clamped));
+  sum_forces(results, system, state);
+  warn_of_roll(results);
+  warn_statics(model, results);
+  warn_of_missed_target(results, model);
+  results.solve = solution.report;
+  results.solve.force_residual = results.force_residual;
+  find_current_effect(model, solution, results);
+  results.checks = check_statics(model, results);
+  results.assumptions.insert(results.assumptions.end(), results.checks.assumptions.begin(),
+                             results.checks.assumptions.end());
+  return results;
+}
+
+}  // namespace overbend

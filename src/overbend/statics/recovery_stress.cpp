@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/plastic_bending.h"
+#include "mechanics/stress.h"
+#include "statics/recovery_parts.h"
+
+namespace overbend {
+namespace {
+
+void set_stress(const Model& model, const Section& section, double largest_curvature, Station& station) {
+  SectionLoads loads;
+  loads.effective_tension = station.effective_tension;
+  loads.bending_moment = station.bending_moment;
+  loads.curvature = station.curvature;
+  loads.largest_curvature = largest_curvature;
+  loads.z = station.p_W.z();
+  loads.external_pressure = model.water_weight_density * std::max(-loads.z, 0.0);
+  loads.internal_pressure = section.internal_pressure - section.contents_weight_density * loads.z;
+  const SectionStress stress = section_stress(section, loads);
+  station.wall_tension = stress.wall_tension;
+  station.axial_stress = stress.axial;
+  station.bending_stress = stress.bending;
+  station.hoop_stress = stress.hoop;
+  station.von_mises = stress.von_mises;
+  station.strain = stress.strain;
+  station.yield_stress = section.yield_stress;
+}
+
+/// A section of pipe on its way from the tensioner.
+class Traveller {
+ public:
+  explicit Traveller(LayHistory history) : history_(history) {}
+
+  void bend_to(const Section& section, StationCut& at) {
+    if (&section != section_ || history_ == LayHistory::monotonic) {
+      memory_ = fresh_memory(at.tangent);
+      section_ = &section;
+    }
+    bring_along(memory_, at.tangent);
+    const LevelMix mix = level_at(*section.bending, at.station.p_W.z());
+    const Vec2 moment = in_axes(memory_, at.bend);
+    at.station.curvature = curvature_for(*section.bending, mix, section.EI, moment, memory_).norm();
+    at.station.residual_curvature = residual_curvature(*section.bending, mix, section.EI, memory_).norm();
+  }
+  double largest_curvature() const { return memory_.largest; }
+
+ private:
+  LayHistory history_;
+  const Section* section_ = nullptr;
+  BendingMemory memory_;
+};
+
+}  // namespace
+
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts) {
+  Traveller traveller(model.description.statics.history);
+  std::vector<Station> stations(cuts.size());
+  for (std::size_t i = cuts.size(); i-- > 0;) {
+    StationCut& at = cuts[i];
+    const Section& section = model.sections[static_cast<std::size_t>(at.section)];
+    at.station.curvature = at.station.bending_moment / section.EI;
+    if (section.bending) traveller.bend_to(section, at);
+    set_stress(model, section, section.bending ? traveller.largest_curvature() : 0.0, at.station);
+    stations[i] = at.station;
+  }
+  return stations;
+}
+
+}  // namespace overbend

@@ -1,0 +1,285 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "mechanics/contact_damage.h"
+#include "statics/recovery_parts.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Axes {
+  Vec3 along, port;  ///< Of a box in W: along its axis astern, across to port.
+};
+
+/// Where the centreline passes the plane through a row, perpendicular to the box axis.
+struct Crossing {
+  int element = 0;
+  double xi = 0.0;
+  Vec3 p_W = Vec3::Zero();
+};
+
+/// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
+std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& state, const Vec3& point_W,
+                                    const Vec3& normal_W) {
+  const LineMesh& mesh = system.mesh();
+  std::optional<Crossing> nearest;
+  const auto height = [&](int node) {
+    return normal_W.dot(Eigen::Map<const Vec3>(state.q.data() + 6 * node) - point_W);
+  };
+  double before = height(0);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double after = height(e + 1);
+    if (before > 0.0 && after <= 0.0) {  // the line runs towards the barge, the box axis astern
+      const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+      const double h = mesh.length[static_cast<std::size_t>(e)];
+      double low = 0.0, high = 1.0;
+      for (int i = 0; i < 55; ++i) {
+        const double middle = 0.5 * (low + high);
+        (normal_W.dot(centreline(q, middle, h).r - point_W) > 0.0 ? low : high) = middle;
+      }
+      const Crossing crossing{e, high, centreline(q, high, h).r};
+      if (!nearest || (crossing.p_W - point_W).norm() < (nearest->p_W - point_W).norm()) {
+        nearest = crossing;
+      }
+    }
+    before = after;
+  }
+  return nearest;
+}
+
+RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
+                            const RollerState& state, const Axes& axes) {
+  RollerResult result;
+  result.position = roller.position;
+  result.reaction = state.force;
+  const Vec3 force = state.force * state.direction;
+  result.vertical = force.z();
+  result.longitudinal = force.dot(axes.along);
+  result.lateral = force.dot(axes.port);
+  result.off_end = state.at.beyond_face ? state.at.off_end : 0.0;
+  result.p_W = placed.center + placed.radius * placed.normal;
+  result.normal_W = placed.normal;
+  result.axis_W = placed.axis;
+  result.radius = roller.radius;
+  result.face = roller.face;
+  result.line_load = line_load(state.force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
+  return result;
+}
+
+/// The pipe as a roller sees it.
+struct Nearest {
+  Vec3 p_W = Vec3::Zero();  ///< Point of the centreline.
+  double gap = 0.0;         ///< Clear distance, negative for penetration [m].
+};
+
+ElementVector dofs_of(const LineState& state, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
+}
+
+/// A pipe that does not pass the roller is nearest with one of its ends.
+Nearest nearest_end(const LineSystem& system, const LineState& state, const PlacedRoller& placed) {
+  Nearest nearest;
+  nearest.gap = kInfinity;
+  for (const int node : {0, system.mesh().elements()}) {
+    const Vec3 end = Eigen::Map<const Vec3>(state.q.data() + 6 * node);
+    const Vec3 from = end - placed.center;
+    const double along = std::clamp(from.dot(placed.axis), -placed.half_face, placed.half_face);
+    const std::size_t e = static_cast<std::size_t>(std::min(node, system.mesh().elements() - 1));
+    const double gap = (from - along * placed.axis).norm() - placed.radius - system.elements().radius[e];
+    if (gap < nearest.gap) nearest = {end, gap};
+  }
+  return nearest;
+}
+
+/// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
+/// penetration.
+Nearest nearest_to(const LineSystem& system, const LineState& state, const PlacedRoller& placed,
+                   const ClosestPoint& met) {
+  const LineMesh& mesh = system.mesh();
+  const ClosestPoint at =
+      met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
+  if (!at.found) return nearest_end(system, state, placed);
+  const std::size_t e = static_cast<std::size_t>(at.element);
+  const ElementVector q = dofs_of(state, at.element);
+  const double distance = roller_distance(placed, at, q, mesh.length[e]).value;
+  return {centreline(q, at.xi, mesh.length[e]).r, distance - placed.radius - system.elements().radius[e]};
+}
+
+struct RowTotals {
+  Vec3 force = Vec3::Zero();
+  bool contact = false;
+  double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
+  double beside = 0.0;        ///< How far the pipe lies beyond the end of the bottom roller, port positive [m].
+};
+
+RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state,
+                      const Axes& axes) {
+  const Model& model = system.model();
+  RowTotals totals;
+  result.p_W = point_from_ramp(model, model.mean_pose, row.point_S);
+  const std::optional<Crossing> crossing = cross_plane(system, state, result.p_W, axes.along);
+  const LineMesh& mesh = system.mesh();
+  result.s = -1.0;
+  double pipe_radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
+  if (crossing) {
+    const std::size_t e = static_cast<std::size_t>(crossing->element);
+    result.s = mesh.s[e] + crossing->xi * mesh.length[e];
+    pipe_radius = system.elements().radius[e];
+  }
+  for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    const RollerState& contact = system.roller_states()[k];
+    RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
+                                         system.rollers()[k], contact, axes);
+    const Nearest nearest = nearest_to(system, state, system.rollers()[k], contact.at);
+    roller.separation = nearest.gap;
+    if (lies_beside(roller.position, contact.at, pipe_radius)) {
+      totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
+    }
+    if (contact.force > 0.0) {
+      const std::size_t e = static_cast<std::size_t>(contact.at.element);
+      totals.force += contact.force * contact.direction;
+      totals.contact = true;
+      totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.at.xi * mesh.length[e]);
+    }
+    result.rollers.push_back(roller);
+  }
+  result.reaction = totals.force.norm();
+  return totals;
+}
+
+/// Largest pipe loads over the box's length.
+void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
+  for (const Station& at : stations) {
+    if (std::abs(at.s - box.s) <= 0.5 * box.length + 0.3) {
+      box.effective_tension = std::max(box.effective_tension, at.effective_tension);
+      box.bending_moment = std::max(box.bending_moment, at.bending_moment);
+      box.bending_stress = std::max(box.bending_stress, at.bending_stress);
+      box.von_mises = std::max(box.von_mises, at.von_mises);
+      box.strain = std::max(box.strain, at.strain);
+    }
+  }
+}
+
+void smallest_separations(SupportResult& box) {
+  double bottom = kInfinity, side = kInfinity;
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      double& least = roller.position == RollerPosition::bottom ? bottom : side;
+      least = std::min(least, roller.separation);
+    }
+  }
+  box.has_sides = side < kInfinity;
+  box.separation = bottom;
+  box.separation_lateral = box.has_sides ? side : 0.0;
+}
+
+void note_runoff(StaticResults& results, const SupportResult& box) {
+  for (const RowResult& row : box.rows) {
+    for (const RollerResult& roller : row.rollers) {
+      if (roller.off_end > 0.0 && roller.reaction > 0.0) {
+        results.warnings.push_back("the pipe runs off the end of a roller: " + box.name + ", " + word(roller.position) +
+                                   " roller, by " +
+                                   std::to_string(static_cast<int>(std::lround(1e3 * roller.off_end))) + " mm");
+      }
+    }
+  }
+}
+
+/// Boxes that the pipe lies beside.
+struct BoxesLeft {
+  std::string first;    ///< Seen from the tensioner.
+  int more = 0;         ///< After it.
+  double beside = 0.0;  ///< The furthest, port positive [m].
+
+  void add(const std::string& box, double distance) {
+    if (distance == 0.0) return;
+    more += first.empty() ? 0 : 1;
+    first = first.empty() ? box : first;
+    beside = std::abs(distance) > std::abs(beside) ? distance : beside;
+  }
+  void note(StaticResults& results) const {
+    if (first.empty()) return;
+    results.warnings.push_back(fmt::format(
+        "the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the bottom rollers, "
+        "which no longer hold it",
+        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "",
+        beside > 0.0 ? "port" : "starboard", std::abs(beside)));
+  }
+};
+
+void note_extremes(StaticResults& results, const LineSystem& system) {
+  results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
+  for (const SupportResult& box : results.supports) {
+    results.smallest_separation = std::min(results.smallest_separation, box.separation);
+    for (const RowResult& row : box.rows) {
+      for (const RollerResult& roller : row.rollers) {
+        if (roller.reaction > results.largest_reaction) {
+          results.largest_reaction = roller.reaction;
+          results.largest_reaction_support = box.name;
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < system.rollers().size(); ++i) {
+    results.roller_stiffness = std::max(results.roller_stiffness, system.rollers()[i].stiffness);
+    results.largest_penetration = std::max(results.largest_penetration, system.roller_states()[i].penetration);
+  }
+}
+
+}  // namespace
+
+Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state) {
+  const Model& model = system.model();
+  Departure departure;
+  departure.s = kInfinity;
+  BoxesLeft left;
+  for (const SupportBox& box : model.supports.boxes) {
+    const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
+                    direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
+    SupportResult result;
+    result.name = box.name;
+    result.stinger = box.structure == Structure::stinger;
+    result.p_W = point_from_ramp(model, model.mean_pose, box.point_S);
+    result.astern = box.point_S.x();
+    result.inclination = box.inclination;
+    result.length = box.length;
+    Vec3 force = Vec3::Zero();
+    double beside = 0.0;
+    for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
+      RowResult row;
+      const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
+      force += totals.force;
+      beside = std::abs(totals.beside) > std::abs(beside) ? totals.beside : beside;
+      if (totals.contact && totals.last_s < departure.s) {
+        departure = {true, totals.last_s, box.name};
+      }
+      result.rows.push_back(row);
+    }
+    result.s = result.rows[result.rows.size() / 2].s;
+    result.reaction = force.norm();
+    result.vertical = force.z();
+    result.longitudinal = force.dot(axes.along);
+    result.lateral = force.dot(axes.port);
+    smallest_separations(result);
+    pipe_over_box(result, results.stations);
+    note_runoff(results, result);
+    left.add(box.name, beside);
+    if (result.stinger) {
+      const auto& last = result.rows.back().rollers;
+      results.stinger_tip_clearance = last.front().separation;
+    }
+    results.supports.push_back(std::move(result));
+  }
+  left.note(results);
+  note_extremes(results, system);
+  return departure;
+}
+
+}  // namespace overbend

@@ -1,0 +1,226 @@
+#include "statics/static_start.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/rod_element.h"
+#include "statics/support_line.h"
+
+namespace overbend {
+namespace {
+
+StaticFailure floats(const Section& pipe) {
+  return {"the pipe floats", "the whole line",
+          fmt::format("its submerged weight is {:.4g} N/m; a pipe is laid on the seabed only if that is positive: add "
+                      "weight coating",
+                      pipe.weight_submerged)};
+}
+
+StaticFailure too_little_tension(double tension, double least) {
+  return {"the tension is too low to carry the pipe", "at the tensioner",
+          fmt::format("{:.1f} kN is given, but the pipe between tensioner and seabed alone hangs with {:.1f} kN "
+                      "(weight in air above the "
+                      "water, submerged weight below); anything less leaves it in compression at the seabed",
+                      1e-3 * tension, 1e-3 * least)};
+}
+
+StaticFailure no_curve(const std::string& problem) {
+  return {"the pipe does not reach the seabed", "sagbend", problem};
+}
+
+/// The key of analysis.mesh without which the mesh has the fewest elements; none where none is given.
+std::string finest_key(const Model& model, const MeshZones& zones) {
+  std::string finest;
+  long fewest = std::numeric_limits<long>::max();
+  const auto try_without = [&](const char* key, std::optional<double> MeshDescription::*value) {
+    if (!(model.description.mesh.*value)) return;
+    Model without = model;
+    (without.description.mesh.*value).reset();
+    const long count = count_elements(without, zones);
+    if (count >= fewest) return;
+    fewest = count;
+    finest = std::string("analysis.mesh.") + key;
+  };
+  try_without("overbend_element", &MeshDescription::overbend_element);
+  try_without("touchdown_element", &MeshDescription::touchdown_element);
+  try_without("longest_element", &MeshDescription::longest_element);
+  return finest;
+}
+
+std::size_t touchdown_index(const LayShape& shape) {
+  return static_cast<std::size_t>(std::lower_bound(shape.length.begin(), shape.length.end(), shape.touchdown) -
+                                  shape.length.begin());
+}
+
+/// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it
+/// exactly).
+double tension_for_anchor(const Model& model, const LayPlane& plane, double least, double distance) {
+  double low = 1.001 * least, high = 50.0 * least;
+  const double length = *model.description.pipe.length;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    const LayShape shape = lay_shape(model, plane, middle);
+    const double slack = length - shape.touchdown;  // the rest lies on the bed
+    const double reach = shape.distance[touchdown_index(shape)] + slack;
+    (reach < distance ? low : high) = middle;
+  }
+  return std::sqrt(low * high);
+}
+
+}  // namespace
+
+std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
+  const long count = count_elements(model, zones);
+  if (count <= kMostElements) return std::nullopt;
+  const std::string key = finest_key(model, zones);
+  const std::string mend = key.empty() ? "the line is too long for its supports and touchdown: look for a length or a "
+                                         "place of a box in the wrong unit"
+                                       : "give longer elements, or leave the key out";
+  return StaticFailure{"the mesh is too fine", key,
+                       fmt::format("a line of {:.0f} m would have {} elements, at most {} are computed; {}",
+                                   zones.total, count, kMostElements, mend),
+                       true};
+}
+
+StartingPoint starting_point(const Model& model, const LayPlane& plane) {
+  const Description& d = model.description;
+  const Section& pipe = model.sections.front();
+  StartingPoint start;
+  if (pipe.weight_submerged <= 0.0) {
+    start.failure = floats(pipe);
+    return start;
+  }
+  if (plane.tensioner_W.z() <= plane.bed_at_tensioner) {
+    start.failure =
+        StaticFailure{"the tensioner stands below the seabed", "at the tensioner", "check water depth and tensioner.z"};
+    return start;
+  }
+  if (auto failure = misplaced_box(model, plane)) {
+    start.failure = std::move(failure);
+    return start;
+  }
+  const double least = hanging_weight(model, plane, plane.bed_at_tensioner);
+  const bool anchored = !d.tensioner.tension && d.pipe.length && d.pipe.anchor;
+  double tension = d.tensioner.tension.value_or(0.0);
+  if (anchored) {
+    const double distance = *d.pipe.anchor - d.tensioner.x;
+    tension = tension_for_anchor(model, plane, least, distance);
+    start.target = {LineTargetValue::Kind::anchor_distance, distance};
+  } else {
+    start.target = {LineTargetValue::Kind::top_tension, tension};
+  }
+  if (tension <= least) {
+    start.failure = too_little_tension(tension, least);
+    return start;
+  }
+  start.shape = lay_shape(model, plane, tension);
+  if (!start.shape.problem.empty()) {
+    start.failure = no_curve(start.shape.problem);
+    return start;
+  }
+  // On a slope the depth where the pipe lands decides.
+  const double landing_z = start.shape.z[touchdown_index(start.shape)];
+  if (const double needed = hanging_weight(model, plane, landing_z); !anchored && tension <= needed) {
+    start.failure = too_little_tension(tension, needed);
+    return start;
+  }
+  start.tail = start.shape.total - start.shape.touchdown;
+  if (d.pipe.length) {
+    start.tail = *d.pipe.length - start.shape.touchdown;
+    if (start.tail <= 0.0) {
+      start.failure = never_touches(model, *d.pipe.length);
+      return start;
+    }
+    start.shape.total = *d.pipe.length;
+  }
+  start.zones = {start.shape.total, start.shape.last_support,  start.shape.touchdown, start.shape.waterline,
+                 tension,           start.shape.bottom_tension};
+  start.failure = too_many_elements(model, start.zones);
+  return start;
+}
+
+LineState sample_shape(const LineSystem& system, const LayShape& shape) {
+  const LayPlane& plane = system.plane();
+  const LineMesh& mesh = system.mesh();
+  LineState state;
+  state.far_force = shape.bottom_tension;
+  state.q.resize(6 * mesh.s.size());
+  for (std::size_t node = 0; node < mesh.s.size(); ++node) {
+    const double u = mesh.total_length() - mesh.s[node];
+    const auto after = std::lower_bound(shape.length.begin() + 1, shape.length.end() - 1, u);
+    const std::size_t i = static_cast<std::size_t>(after - shape.length.begin());
+    const double f = (u - shape.length[i - 1]) / (shape.length[i] - shape.length[i - 1]);
+    const auto mix = [&](const std::vector<double>& v) { return (1.0 - f) * v[i - 1] + f * v[i]; };
+    const double dip = u > shape.length.back() ? shape.dip.back() : mix(shape.dip);
+    Eigen::Map<Vec3> r(state.q.data() + 6 * node), t(state.q.data() + 6 * node + 3);
+    r = plane.tensioner_W + mix(shape.distance) * plane.astern_W;
+    r.z() = mix(shape.z);
+    t = -std::cos(dip) * plane.astern_W + std::sin(dip) * Vec3::UnitZ();
+  }
+  return state;
+}
+
+LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane) {
+  LineState moved;
+  moved.far_force = state.far_force;
+  moved.q.resize(6 * to.s.size());
+  const double shift =
+      from.total_length() - to.total_length();  // arc length counts from the anchor, nodes match from the top
+  const Vec3 along_bed = (plane.astern_W + plane.bed_slope * Vec3::UnitZ()).normalized();
+  for (std::size_t node = 0; node < to.s.size(); ++node) {
+    const double s = to.s[node] + shift;
+    const auto after = std::upper_bound(from.s.begin(), from.s.end(), s);
+    const std::size_t e =
+        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(after - from.s.begin() - 1, 0, from.elements() - 1));
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    const double xi = std::clamp((s - from.s[e]) / from.length[e], 0.0, 1.0);
+    const CentrelinePoint at = centreline(q, xi, from.length[e]);
+    Eigen::Map<Vec3>(moved.q.data() + 6 * node) = at.r + std::max(-s, 0.0) * along_bed;
+    Eigen::Map<Vec3>(moved.q.data() + 6 * node + 3) = at.a;
+  }
+  return moved;
+}
+
+double support_end(const LineSystem& system) {
+  double end = 0.0;
+  for (const RollerState& roller : system.roller_states()) {
+    if (roller.at.found && roller.penetration > 0.0) {
+      const std::size_t e = static_cast<std::size_t>(roller.at.element);
+      const double s = system.mesh().s[e] + roller.at.xi * system.mesh().length[e];
+      end = std::max(end, system.mesh().total_length() - s);
+    }
+  }
+  return end;
+}
+
+std::optional<StaticFailure> check_supports(const Model& model, const LineSystem& system) {
+  const auto& states = system.roller_states();
+  const bool carried = std::any_of(states.begin(), states.end(), [](const RollerState& r) { return r.force > 0.0; });
+  if (model.supports.boxes.empty() || carried) {
+    return std::nullopt;
+  }
+  return StaticFailure{
+      "the pipe lifts off every support", "ramp and stinger",
+      "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
+      "supports stand too low"};
+}
+
+StaticFailure compressed_at_seabed(double tension, double least) {
+  return {
+      "the tension is too low to carry the pipe", "sagbend",
+      fmt::format("{:.6g} kN is given, but with nothing left to hold the laid pipe the tensioner still needs {:.6g} "
+                  "kN: what hangs, the slope of the bed and the current take that much; anything less leaves the "
+                  "pipe in compression at the seabed",
+                  1e-3 * tension, 1e-3 * least)};
+}
+
+StaticFailure never_touches(const Model& model, double length) {
+  const std::string given = model.description.pipe.length ? "pipe.length" : "the length tried";
+  return {"the pipe does not reach the seabed", "sagbend",
+          fmt::format("{} of {:.0f} m ends before touchdown: give more length, or less tension", given, length)};
+}
+
+}  // namespace overbend

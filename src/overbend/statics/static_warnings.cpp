@@ -1,0 +1,142 @@
+#include "statics/static_warnings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "results/regions.h"
+
+namespace overbend {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+void warn_of_slack(Warnings& list, const StaticResults& results) {
+  if (results.smallest_tension.value >= 0.0) return;
+  list.push_back(fmt::format(
+      "compression: the effective tension falls to {:.2f} kN {}; a pipe without tension may buckle, which this one "
+      "does only as far as its mesh lets it",
+      1e-3 * results.smallest_tension.value, pipe_place(results, results.smallest_tension.s)));
+}
+
+void warn_of_yield(Warnings& list, const Model& model, const StaticResults& results) {
+  const Station* worst = nullptr;
+  for (const Station& at : results.stations) {
+    const Section& section = model.sections[static_cast<std::size_t>(model.section_at(results.total_length - at.s))];
+    if (section.bending || at.yield_stress <= 0.0 || at.von_mises <= at.yield_stress) continue;
+    if (worst == nullptr || at.von_mises / at.yield_stress > worst->von_mises / worst->yield_stress) worst = &at;
+  }
+  if (worst == nullptr) return;
+  list.push_back(
+      fmt::format("the von Mises stress of {:.0f} MPa {} passes the yield stress of {:.0f} MPa; the steel is linear "
+                  "here, so stress "
+                  "and moment beyond it are those of a pipe that does not yield (pipe.steel.material lets it)",
+                  1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress));
+}
+
+/// "'a', 'b' and 2 more"
+std::string names_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i == 0 ? "'" : ", '") + names[i] + "'";
+  return names.size() > kShown ? text + fmt::format(" and {} more", names.size() - kShown) : text;
+}
+
+/// Boxes with a roller whose lowest point lies under the bed.
+void warn_of_bed(Warnings& list, const Model& model) {
+  std::vector<std::string> below;
+  for (const SupportBox& box : model.supports.boxes) {
+    const Vec3 point = point_from_ramp(model, model.mean_pose, box.point_S);
+    if (point.z() < model.seabed.height(point)) below.push_back(box.name);
+  }
+  if (below.empty()) return;
+  const bool tip =
+      model.supports.boxes.back().structure == Structure::stinger && below.back() == model.supports.boxes.back().name;
+  list.push_back(fmt::format("rollers stand below the sea bed: {}{}; the bed does not hold them up or move them",
+                             names_of(below), tip ? ", the stinger's tip among them" : ""));
+}
+
+void warn_of_shoe(Warnings& list, const StaticResults& results) {
+  if (results.stern_shoe_W.z() >= 0.0) return;
+  list.push_back(
+      fmt::format("the stern shoe lies {:.2f} m below the water; ramp and stinger hang from it, so check "
+                  "vessel.stern_shoe.z, the trim and the draught",
+                  -results.stern_shoe_W.z()));
+}
+
+/// A box and how far it stands off the line through its neighbours.
+struct Proud {
+  const SupportBox* box = nullptr;
+  double height = 0.0;     ///< Above that line, across it [m].
+  double curvature = 0.0;  ///< Of the circle through the three [1/m].
+};
+
+Proud proud_of(const SupportBox& before, const SupportBox& box, const SupportBox& after) {
+  const auto flat = [](const Vec3& p) { return Eigen::Vector2d(p.x(), p.z()); };
+  const Eigen::Vector2d a = flat(before.point_S), b = flat(box.point_S), c = flat(after.point_S);
+  const double chord = (c - a).norm(), first = (b - a).norm(), second = (c - b).norm();
+  if (std::min({chord, first, second}) <= 0.0) return {};
+  const double twice_area = (c - a).x() * (b - a).y() - (c - a).y() * (b - a).x();
+  return {&box, twice_area / chord, 2.0 * twice_area / (chord * first * second)};
+}
+
+/// Whether no stinger that a pipe is meant to follow is set so: a bend that yields it over a height beyond what is set
+/// out by eye, or one of many times that.
+bool out_of_line(const Proud& proud, double yields_at) {
+  const double bend = std::abs(proud.curvature) / yields_at, height = std::abs(proud.height);
+  return (bend > 2.0 && height > 0.2) || (bend > 5.0 && height > 0.05);
+}
+
+/// The box that stands furthest out of line. One out of line bends the circles through its neighbours too, each half as
+/// much the other way: of these it is the one that bends most.
+void warn_of_proud_box(Warnings& list, const Model& model) {
+  const SectionDescription& pipe = model.description_of(static_cast<std::size_t>(model.section_at(0.0)));
+  const double yields_at = 2.0 * pipe.steel.yield_stress / (pipe.steel.youngs_modulus * pipe.steel.outside_diameter);
+  const std::vector<SupportBox>& boxes = model.supports.boxes;
+  Proud worst;
+  for (std::size_t i = 1; i + 1 < boxes.size(); ++i) {
+    const Proud proud = proud_of(boxes[i - 1], boxes[i], boxes[i + 1]);
+    if (std::abs(proud.curvature) > std::abs(worst.curvature)) worst = proud;
+  }
+  if (worst.box == nullptr || yields_at <= 0.0 || !out_of_line(worst, yields_at)) return;
+  list.push_back(
+      fmt::format("the box '{}' stands {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} "
+                  "times that at "
+                  "which the pipe yields; check its z and the sign of its offset",
+                  worst.box->name, std::abs(worst.height), worst.height > 0.0 ? "above" : "below",
+                  std::abs(worst.curvature), std::abs(worst.curvature) / yields_at));
+}
+
+/// Concrete that stops at the field joints makes the pipe bend most there.
+void warn_of_field_joints(Warnings& list, const Model& model) {
+  const SectionDescription& pipe = model.description.pipe.section;
+  constexpr double kConcrete = 15e3;  // foam and rubber weigh less [N/m3]
+  if (!pipe.joint || pipe.joint->field_joint <= 0.0) return;
+  if (pipe.coatings.empty() || pipe.coatings.back().weight_density < kConcrete) return;
+  if (pipe.joint->strain_factor || pipe.joint->coated_stiffness > 1.0) return;
+  list.emplace_back(
+      "the strain concentration at the field joints is missing: the coating between them stiffens the pipe and gathers "
+      "strain at the joints, but neither pipe.joint.strain_factor nor pipe.joint.coated_stiffness is given; the strain "
+      "checks count a factor of 1");
+}
+
+}  // namespace
+
+std::string pipe_place(const StaticResults& results, double s) {
+  constexpr const char* kWords[] = {"tower", "overbend", "sagbend", "seabed"};
+  return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s,
+                     kWords[static_cast<std::size_t>(regions(results).of(s))]);
+}
+
+void warn_statics(const Model& model, StaticResults& results) {
+  Warnings& list = results.warnings;
+  warn_of_slack(list, results);
+  warn_of_yield(list, model, results);
+  warn_of_bed(list, model);
+  warn_of_shoe(list, results);
+  warn_of_proud_box(list, model);
+  warn_of_field_joints(list, model);
+}
+
+}  // namespace overbend

@@ -1,0 +1,316 @@
+#include "statics/static_ways.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "statics/newton.h"
+#include "statics/relaxation.h"
+#include "statics/static_start.h"
+
+namespace overbend {
+namespace {
+
+using Target = LineTargetValue;
+
+constexpr int kRememberingMore = 3;   ///< Times as many iterations where steel remembers: they converge linearly.
+constexpr double kMostWork = 2e6;     ///< What a case may cost, in Newton steps times elements: 3 s or so.
+constexpr double kMostLooks = 150.0;  ///< Newton steps that it may cost in any case, however fine its mesh.
+constexpr double kLookWithout = 0.2;  ///< What a look at the residual alone costs beside a Newton step.
+constexpr double kShareOfRelaxation =
+    0.75;                               ///< Of what is left when all else has failed; the rest is Newton's, to finish.
+constexpr double kHigherTension = 3.0;  ///< Times the wanted tension, at which the line is nearly straight.
+
+/// Roller stiffness that lets a pipe sink by decimetres: weight and curvature load of ten metres of pipe over 0.3 m.
+double soft_roller(const StaticCase& at, double tension) {
+  return 40.0 * std::max(at.model.sections.front().weight_in_air, tension / 150.0);
+}
+
+/// Stiffness of a bed in which the pipe sinks by half its diameter [N/m2].
+double soft_bed(const StaticCase& at) {
+  const Section& pipe = at.model.sections.front();
+  return pipe.weight_submerged / (0.5 * pipe.outer_diameter);
+}
+
+bool run_newton(StaticCase& at, NewtonSettings settings, const char* stage) {
+  if (at.spent()) {
+    return false;
+  }
+  settings.remembers = at.system.remembers();
+  settings.max_iterations = at.model.description.statics.max_iterations * (settings.remembers ? kRememberingMore : 1);
+  const NewtonReport r = newton(at.system, at.state, at.target, settings);
+  at.work += at.system.mesh().elements() * (r.iterations + kLookWithout * r.trials);
+  at.report.iterations += r.iterations;
+  at.report.force_residual = r.residual;
+  at.report.history.push_back(fmt::format("{}: {} iterations, residual {:.2e}{}", stage, r.iterations, r.residual,
+                                          r.converged() ? "" : ", not converged"));
+  if (r.end == NewtonEnd::slack && settings.tolerance <= at.model.description.statics.tolerance) {
+    at.least_found = at.target.value + at.system.target_error(at.state, at.target);
+  }
+  return r.converged();
+}
+
+NewtonSettings loosely() {
+  NewtonSettings settings;
+  settings.tolerance = 1e-3;
+  return settings;
+}
+
+NewtonSettings loosely(const StaticCase& at) {
+  NewtonSettings settings = loosely();
+  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
+  return settings;
+}
+
+NewtonSettings finally(const StaticCase& at) {
+  NewtonSettings settings;
+  settings.tolerance = at.model.description.statics.tolerance;
+  settings.entering = 0.25 * at.model.sections.front().outer_diameter;
+  return settings;
+}
+
+/// For one of several steps towards an end.
+NewtonSettings nearly(const StaticCase& at) {
+  NewtonSettings settings = finally(at);
+  settings.tolerance = std::max(settings.tolerance, 1e-6);
+  return settings;
+}
+
+/// How a continuation from 0 to 1 chooses its steps.
+struct Steps {
+  double first = 0.25, growth = 1.5, least = 1e-3;
+};
+
+/// Follows the solutions from where `set(0)` was solved to `set(1)`: a step that fails is taken back and halved, one
+/// that works lets the next be longer.
+bool follow_in_steps(StaticCase& at, const char* stage, const Steps& steps, const std::function<void(double)>& set) {
+  double reached = 0.0, step = steps.first;
+  while (reached < 1.0 && step > steps.least && !at.spent()) {
+    const LineState before = at.state;
+    const double next = std::min(1.0, reached + step);
+    set(next);
+    if (run_newton(at, next < 1.0 ? nearly(at) : finally(at), stage)) {
+      reached = next;
+      step *= steps.growth;
+    } else {
+      at.state = before;
+      step *= 0.5;
+    }
+  }
+  return reached >= 1.0;
+}
+
+/// Soft rollers, then harder ones, in the vertical plane: no side rollers, no current.
+bool settle_in_plane(StaticCase& at) {
+  const double soft = soft_roller(at, at.target.value);
+  at.system.use_side_rollers(false);
+  at.system.scale_current(0.0);
+  at.system.limit_roller_stiffness(soft);
+  NewtonSettings settings = loosely();
+  settings.free_far_force = false;
+  run_newton(at, settings, "soft rollers");
+  at.system.limit_roller_stiffness(10.0 * soft);
+  return run_newton(at, loosely(), "harder rollers");
+}
+
+/// Whether any roller carries the pipe; a line without supports needs none.
+bool carried(const StaticCase& at) {
+  return !check_supports(at.model, at.system);
+}
+
+bool spatial(const StaticCase& at) {
+  return !at.model.current.z.empty() ||
+         std::any_of(at.model.supports.rollers.begin(), at.model.supports.rollers.end(),
+                     [](const Roller& r) { return r.position != RollerPosition::bottom; });
+}
+
+/// Everything acts as the model says it.
+void set_whole(StaticCase& at) {
+  at.system.use_side_rollers(true);
+  at.system.scale_current(1.0);
+  at.system.limit_roller_stiffness(1e300);
+  at.system.limit_bed_stiffness(1e300);
+}
+
+/// Rollers from soft to hard, first in the vertical plane, then with side rollers and current.
+bool harden(StaticCase& at) {
+  if (!settle_in_plane(at)) {
+    return false;
+  }
+  at.system.use_side_rollers(true);
+  at.system.scale_current(1.0);
+  at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
+  run_newton(at, loosely(at), spatial(at) ? "side rollers and current" : "hard rollers");
+  at.system.limit_roller_stiffness(1e300);
+  return run_newton(at, finally(at), "full stiffness") && carried(at);
+}
+
+/// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently.
+bool ease_in_current(StaticCase& at) {
+  if (at.model.current.z.empty() || !settle_in_plane(at)) {
+    return false;
+  }
+  at.system.use_side_rollers(true);
+  at.system.limit_roller_stiffness(1e300);
+  double scale = 0.02;
+  while (scale < 1.0) {
+    at.system.scale_current(scale);
+    scale *= 1.5;
+    if (!run_newton(at, finally(at), "rising current")) {
+      return false;
+    }
+  }
+  return follow(at, "full current") && carried(at);
+}
+
+/// From a much larger tension, where the line is nearly straight, down to the wanted one.
+bool descend(StaticCase& at) {
+  const double wanted = at.target.value;
+  const LayShape high = lay_shape(at.model, at.system.plane(), kHigherTension * wanted);
+  at.state = sample_shape(at.system, high);
+  at.target.value = kHigherTension * wanted;
+  bool solved = harden(at);
+  double ratio = 0.8;
+  while (solved && at.target.value > wanted) {
+    const LineState before = at.state;
+    const double tension_before = at.target.value;
+    at.target.value = std::max(wanted, tension_before * ratio);
+    if (!follow(at, "lower tension")) {
+      at.state = before;
+      at.target.value = tension_before;
+      ratio = std::sqrt(ratio);
+      solved = ratio <= 0.99;
+    }
+  }
+  at.target.value = wanted;  // whatever became of it: no other way may look for three times the tension
+  return solved;
+}
+
+/// Rollers and bed from ten times a soft roller and a soft bed, which the state is the solution of, to what they are.
+bool harden_in_steps(StaticCase& at) {
+  double hardest = 0.0;
+  for (const PlacedRoller& roller : at.system.rollers()) {
+    hardest = std::max(hardest, roller.stiffness);
+  }
+  const double soft = 10.0 * soft_roller(at, at.target.value), bed = soft_bed(at);
+  const double rollers = std::max(hardest / soft, 1.0), beds = std::max(at.model.seabed.stiffness / bed, 1.0);
+  return follow_in_steps(at, "hardening in steps", Steps{}, [&](double reached) {
+    at.system.limit_roller_stiffness(reached < 1.0 ? soft * std::pow(rollers, reached) : 1e300);
+    at.system.limit_bed_stiffness(reached < 1.0 ? bed * std::pow(beds, reached) : 1e300);
+  });
+}
+
+/// On soft rollers and a soft bed, which no step strikes hard, the current rises in steps; then both harden in steps.
+bool ease_in_everything(StaticCase& at) {
+  at.system.limit_bed_stiffness(soft_bed(at));
+  if (!settle_in_plane(at)) {
+    return false;
+  }
+  at.system.use_side_rollers(true);
+  return follow_in_steps(at, "rising current on soft rollers", Steps{},
+                         [&](double reached) { at.system.scale_current(reached); }) &&
+         harden_in_steps(at) && carried(at);
+}
+
+bool relax_and_finish(StaticCase& at) {
+  set_whole(at);
+  at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
+  RelaxationSettings settings;
+  if (at.model.description.statics.method == StaticMethod::newton) {  // one who asks for relaxation shall have it all
+    const double step = kLookWithout * at.system.mesh().elements();
+    const double steps = kShareOfRelaxation * (at.most_work() - at.work) / step;
+    settings.max_steps = static_cast<int>(std::clamp(steps, 0.0, 1.0 * settings.max_steps));
+    at.work += step * settings.max_steps;
+  }
+  const RelaxationReport r = relax(at.system, at.state, settings);
+  at.report.relaxation_steps += r.steps;
+  at.report.history.push_back(fmt::format("dynamic relaxation: {} steps, residual {:.2e}{}", r.steps, r.residual,
+                                          r.diverged ? ", diverged" : ""));
+  if (r.diverged || !std::isfinite(r.residual)) {
+    return false;
+  }
+  run_newton(at, loosely(at), "Newton after relaxation");
+  return follow(at, "full stiffness");
+}
+
+void note_left(StaticCase& at) {
+  const std::vector<Roller>& rollers = at.model.supports.rollers;
+  for (std::size_t i = 0; i < rollers.size(); ++i) {
+    const ClosestPoint& closest = at.system.roller_states()[i].at;
+    if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
+      at.left = fmt::format(". When a try ended the pipe lay beside '{}', {:.2f} m off the end of its roller",
+                            at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
+      return;
+    }
+  }
+}
+
+}  // namespace
+
+double StaticCase::most_work() const {
+  return std::max(kMostWork, kMostLooks * system.mesh().elements());
+}
+
+bool follow(StaticCase& at, const char* stage) {
+  set_whole(at);
+  return run_newton(at, finally(at), stage);
+}
+
+bool follow_softly(StaticCase& at) {
+  set_whole(at);
+  at.system.limit_roller_stiffness(10.0 * soft_roller(at, at.target.value));
+  at.system.limit_bed_stiffness(soft_bed(at));
+  return run_newton(at, nearly(at), "softened") && harden_in_steps(at);
+}
+
+bool solve_elastic(StaticCase& at, const LayShape& shape) {
+  const auto works = [&](bool found) {
+    if (!found) note_left(at);
+    return found;
+  };
+  const StaticMethod wanted = at.model.description.statics.method;
+  at.state = sample_shape(at.system, shape);
+  if (wanted == StaticMethod::newton) {
+    at.report.method = "newton";
+    if (works(harden(at))) {
+      return true;
+    }
+    at.report.method = "newton, current raised in steps";
+    at.state = sample_shape(at.system, shape);
+    if (works(ease_in_current(at))) {
+      return true;
+    }
+    at.report.method = "newton, hardened in steps";
+    at.state = sample_shape(at.system, shape);
+    at.least_found = 0.0;
+    if (works(ease_in_everything(at))) {
+      return true;
+    }
+    if (at.least_found > 0.0) {
+      return false;  // the gentlest way, too, ends in a line that lies slack: no other tells more
+    }
+    at.system.limit_bed_stiffness(1e300);
+    at.report.method = "newton, tension lowered in steps";
+    if (at.target.kind == Target::Kind::top_tension && works(descend(at))) {
+      return true;
+    }
+    at.state = sample_shape(at.system, shape);
+  }
+  at.report.method = "dynamic relaxation, then newton";
+  return works(relax_and_finish(at));
+}
+
+bool let_yield(StaticCase& at) {
+  at.system.let_yield(1.0);
+  const LineState elastic = at.state;
+  if (!at.system.yielding().any || follow(at, "yielding steel")) {
+    return true;
+  }
+  at.state = elastic;
+  return follow_in_steps(at, "yielding in steps", Steps{.first = 0.25, .growth = 1.0, .least = 0.0025},
+                         [&](double reached) { at.system.let_yield(reached); });
+}
+
+}  // namespace overbend

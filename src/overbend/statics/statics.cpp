@@ -1,0 +1,175 @@
+#include "statics/statics.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "statics/static_start.h"
+#include "statics/static_ways.h"
+#include "statics/touchdown.h"
+
+namespace overbend {
+namespace {
+
+constexpr int kMeshPasses = 6;         ///< Times the mesh may follow the touchdown found.
+constexpr double kLargestMiss = 0.01;  ///< Of what is wanted; ordinary lays miss it by 2e-4 at most.
+
+bool solve_from_shape(StaticCase& at, const LayShape& shape) {
+  at.system.let_yield(0.0);
+  return solve_elastic(at, shape) && let_yield(at);
+}
+
+/// On another mesh than the one the state was solved on.
+bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
+  const LineState moved = at.state;
+  if (follow(at, "mesh moved to the touchdown found")) {
+    return true;
+  }
+  at.state = moved;
+  at.system.let_yield(0.0);
+  at.least_found = 0.0;
+  const bool solved = follow_softly(at) && let_yield(at);
+  return solved || (at.least_found == 0.0 && solve_from_shape(at, shape));
+}
+
+/// Zones of the mesh as the solution has them.
+MeshZones zones_of(const StaticCase& at, const MeshZones& built) {
+  MeshZones zones = built;
+  const double total = at.system.mesh().total_length();
+  if (const auto touchdown = find_touchdown(at.system, at.state)) {
+    zones.touchdown = total - touchdown->s;
+  }
+  if (const auto waterline = find_waterline(at.system, at.state)) {
+    zones.waterline = total - waterline->s;
+  }
+  zones.last_support = std::max(zones.last_support, support_end(at.system));
+  zones.bottom_tension = at.state.far_force;
+  return zones;
+}
+
+/// Whether the fine zone and the tail still stand where the pipe touches down.
+bool mesh_serves(const StaticCase& at, const MeshZones& built, const MeshZones& now) {
+  const MeshSizes sizes = mesh_sizes(at.model, built);
+  const double moved = now.touchdown - built.touchdown;
+  const bool fine_zone = moved < 0.6 * sizes.touchdown_after && -moved < 0.4 * sizes.touchdown_before;
+  const bool supports = now.last_support < built.last_support + 2.0 * sizes.overbend;
+  const bool tail = at.model.description.pipe.length || now.total - now.touchdown > 1.5 * sizes.touchdown_after;
+  return fine_zone && supports && tail;
+}
+
+StaticOutcome fail(StaticFailure failure) {
+  return {std::nullopt, std::move(failure)};
+}
+
+StaticOutcome give_up(const StaticCase& at, double least_tension) {
+  const int node = at.system.singular_node();
+  const std::string where = node < 0 ? "the whole line"
+                                     : fmt::format("node {} at s = {:.1f} m from the anchor", node,
+                                                   at.system.mesh().s[static_cast<std::size_t>(node)]);
+  if (at.least_found > 0.0) {
+    return fail(compressed_at_seabed(at.target.value, at.least_found));
+  }
+  return fail({"no equilibrium found", where,
+               fmt::format("neither Newton's method, nor hardening the rollers, raising the current or lowering the "
+                           "tension in steps, nor dynamic relaxation settled{} (last residual {:.1e} of the line's "
+                           "weight). The tension is "
+                           "{:.2f} times the weight that hangs from it; near 1 the pipe goes into compression at the "
+                           "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
+                           "strong for so light a pipe{}",
+                           at.spent() ? " within what a case may cost" : "", at.report.force_residual,
+                           at.target.value / least_tension, at.left)});
+}
+
+/// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
+double found(StaticCase& at, const LineTargetValue& wanted) {
+  if (wanted.kind == LineTargetValue::Kind::anchor_distance) {
+    return wanted.value + at.system.target_error(at.state, wanted);
+  }
+  at.system.evaluate(at.state, false);
+  const int last = at.system.mesh().nodes() - 1;
+  const Vec3 tangent = Eigen::Map<const Vec3>(at.state.q.data() + 6 * last + 3);
+  return at.system.end_reaction(last).dot(tangent.normalized());
+}
+
+/// What was asked for, looked at once more by itself: the ways change the target while they follow a solution, and
+/// strains miss the forces where the pipe bends more sharply than its elements can.
+std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wanted) {
+  const double value = found(at, wanted);
+  if (std::abs(value - wanted.value) <= kLargestMiss * std::abs(wanted.value)) {
+    return std::nullopt;
+  }
+  const bool tension = wanted.kind == LineTargetValue::Kind::top_tension;
+  const double unit = tension ? 1e-3 : 1.0;
+  return StaticFailure{
+      tension ? "the wanted tension is not reached" : "the anchor is not reached", "at the tensioner",
+      fmt::format("{:.2f} {unit} is wanted and {:.2f} {unit} found, though the forces balance: look for "
+                  "boxes far off the pipe's line, over which it bends too sharply",
+                  unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
+}
+
+}  // namespace
+
+StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
+  const auto begin = std::chrono::steady_clock::now();
+  const LayPlane plane = lay_plane(model, model.mean_pose);
+  StartingPoint from = starting_point(model, plane);
+  if (from.failure) {
+    return fail(*from.failure);
+  }
+  if (auto failure = too_many_elements(model, from.zones)) {
+    return fail(*failure);
+  }
+  StaticCase at{model,
+                LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
+                {},
+                from.target,
+                {}};
+  bool solved = false;
+  if (start != nullptr) {
+    from.zones.total = start->mesh.total_length();
+    at.state = start->state;
+    at.report.method = "newton, from the last solution";
+    solved = follow(at, "from the last solution");
+    if (!solved) {
+      return solve_statics(model, nullptr);
+    }
+  } else {
+    solved = solve_from_shape(at, from.shape);
+  }
+  for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
+    const MeshZones now = zones_of(at, from.zones);
+    const bool touches = find_touchdown(at.system, at.state).has_value();
+    if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
+      return fail(never_touches(model, at.system.mesh().total_length()));
+    }
+    if (touches && mesh_serves(at, from.zones, now)) {
+      break;
+    }
+    from.zones = now;
+    from.zones.touchdown = touches ? now.touchdown : 1.2 * at.system.mesh().total_length();
+    from.zones.total = model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
+    if (auto failure = too_many_elements(model, from.zones)) {
+      return fail(*failure);
+    }
+    LineMesh mesh = build_mesh(model, from.zones);
+    LineState moved = interpolate(at.system.mesh(), at.state, mesh, plane);
+    at.system = LineSystem(model, model.mean_pose, std::move(mesh));
+    at.state = std::move(moved);
+    solved = solve_on_new_mesh(at, from.shape);
+  }
+  if (!solved) {
+    return give_up(at, hanging_weight(model, plane, plane.bed_at_tensioner));
+  }
+  if (auto failure = check_supports(model, at.system)) {
+    return fail(*failure);
+  }
+  if (auto failure = missed(at, from.target)) {
+    return fail(*failure);
+  }
+  at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return {StaticSolution{at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state)}, std::nullopt};
+}
+
+}  // namespace overbend

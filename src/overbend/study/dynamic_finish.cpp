@@ -1,0 +1,76 @@
+#include "study/dynamic_finish.h"
+
+#include <algorithm>
+
+#include "numerics/extremes.h"
+#include "numerics/welch.h"
+#include "runstore/dynamic_histories.h"
+#include "study/run_warnings.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kThreeHours = 10800.0;  ///< [s]
+
+/// Values from t = 0 on.
+std::span<const double> after_build_up(const std::vector<double>& time, const std::vector<double>& values) {
+  const auto first = std::lower_bound(time.begin(), time.end(), 0.0) - time.begin();
+  return std::span<const double>(values).subspan(static_cast<std::size_t>(first));
+}
+
+std::vector<double> tension_of(const RunStore& store) {
+  for (std::size_t i = 1; i < store.columns().size(); ++i) {
+    if (store.columns()[i].name == "tensioner/tension") return store.column(i);
+  }
+  return {};
+}
+
+ExtremeEstimate estimate(const HistoryColumn& column, const ExtremeFit& fit) {
+  ExtremeEstimate out;
+  out.name = column.name;
+  out.units = column.units;
+  out.smallest = column.smallest;
+  out.peaks = fit.peaks;
+  out.observed = fit.observed;
+  out.enough = fit.enough;
+  out.weibull = fit.weibull.value;
+  out.weibull_low = fit.weibull.low;
+  out.weibull_high = fit.weibull.high;
+  out.gumbel = fit.gumbel.value;
+  out.gumbel_low = fit.gumbel.low;
+  out.gumbel_high = fit.gumbel.high;
+  return out;
+}
+
+}  // namespace
+
+void finish_histories(DynamicResults& results, const RunStore& store) {
+  results.histories = summarise_histories(store);
+  const std::vector<double> time = store.column(0);
+  for (std::size_t i = 1; i < store.columns().size(); ++i) {
+    const HistoryColumn& column = store.columns()[i];
+    if (!column.extreme && !column.smallest && !column.spectrum) {
+      continue;
+    }
+    const std::vector<double> values = store.column(i);
+    const std::span<const double> counted = after_build_up(time, values);
+    const auto [least, largest] = std::minmax_element(counted.begin(), counted.end());
+    if (counted.empty() || *least == *largest) {  // what never changes has neither
+      continue;
+    }
+    if (column.spectrum) {
+      const PowerSpectrum spectrum = power_spectrum(counted, results.output_step);
+      results.spectra.push_back({column.name, column.units, spectrum.frequency, spectrum.density});
+    }
+    if (column.extreme) {
+      results.extremes.push_back(estimate(column, fit_extremes(counted, results.output_step, kThreeHours)));
+    }
+    if (column.smallest) {
+      results.extremes.push_back(estimate(column, fit_smallest(counted, results.output_step, kThreeHours)));
+    }
+  }
+  const std::vector<double> tension = tension_of(store);
+  if (!tension.empty()) warn_of_run(results, after_build_up(time, tension));
+}
+
+}  // namespace overbend

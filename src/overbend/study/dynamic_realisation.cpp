@@ -1,0 +1,129 @@
+#include "study/dynamic_realisation.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "report/report.h"
+#include "resultfiles/dynamic_writer.h"
+#include "runstore/run_store.h"
+#include "runstore/staged_folder.h"
+#include "study/dynamic_finish.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// Where the run's data go, and the state to go on from.
+struct Begun {
+  RunStore store;
+  std::optional<DynamicCheckpoint> state;
+};
+
+Begun begin(const fs::path& folder, const std::string& input, std::uint64_t seed, bool resume) {
+  if (resume) {
+    if (std::optional<ResumedRun> resumed = RunStore::resume(folder, input, seed)) {
+      return {std::move(resumed->store), std::move(resumed->state)};
+    }
+  }
+  return {RunStore::create(folder, input, seed), std::nullopt};
+}
+
+void write_results(const DynamicCase& shared, const DynamicResults& results, const RunStore& store,
+                   const fs::path& folder) {
+  StagedFolder staged(folder);
+  write_dynamic_files(shared.statics, results, store, shared.description, staged.path());
+  write_report(shared.statics, results, shared.description.source_text, staged.path() / "report.html");
+  staged.commit("summary.json");
+}
+
+/// Hands everything on to the store, and rows to who looks on as well.
+class WatchedStore : public DynamicSink {
+ public:
+  WatchedStore(RunStore& store, const RowWatch& rows) : store_(store), rows_(rows) {}
+
+  void begin(const std::vector<HistoryColumn>& columns, int stations) override { store_.begin(columns, stations); }
+  void row(std::span<const double> values) override {
+    store_.row(values);
+    if (rows_) rows_(store_.columns(), values);
+  }
+  void snapshot(double time, std::span<const double> values) override { store_.snapshot(time, values); }
+  void impact(const Impact& impact) override { store_.impact(impact); }
+  void checkpoint(const DynamicCheckpoint& state) override { store_.checkpoint(state); }
+
+ private:
+  RunStore& store_;
+  const RowWatch& rows_;
+};
+
+}  // namespace
+
+std::string input_text(const Description& d) {
+  std::string text = d.source_text;
+  // What the files hold, not where they lie: that depends on how the model's own path was written.
+  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
+    if (!file.empty()) {
+      text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
+    }
+  }
+  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
+}
+
+std::string failure_line(const StaticFailure& failure) {
+  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
+  return failure.what + where + ": " + failure.why;
+}
+
+RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
+                               const std::function<DynamicControl(const DynamicProgress&)>& control,
+                               std::mutex& writing, const RowWatch& rows) {
+  std::optional<Begun> begun;
+  try {
+    begun.emplace(begin(folder, shared.input, seed, resume));
+  } catch (const std::runtime_error& fault) {  // a folder that cannot be, or a run of something else in it
+    return {kWrongInput, fault.what(), std::nullopt};
+  }
+  DynamicOptions options = dynamic_options(shared.model);
+  options.seed = seed;
+  DynamicOutcome outcome;
+  try {
+    WatchedStore sink(begun->store, rows);
+    outcome = run_dynamics(shared.model, shared.start, shared.statics, options, sink,
+                           begun->state ? &*begun->state : nullptr, control);
+  } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
+    begun->store.remove();
+    return {kWrongInput, fault.what(), std::nullopt};
+  }
+  if (outcome.stopped) {
+    return {kInterrupted, "interrupted; the run goes on with --resume", std::move(outcome.results)};
+  }
+  if (outcome.failure) {
+    begun->store.remove();
+    return {kNoSolution, "no solution: " + failure_line(*outcome.failure), std::nullopt};
+  }
+  finish_histories(*outcome.results, begun->store);
+  {
+    const std::lock_guard<std::mutex> hold(writing);
+    write_results(shared, *outcome.results, begun->store, folder);
+  }
+  begun->store.remove();
+  return {kDone, "", std::move(outcome.results)};
+}
+
+void write_so_far(const DynamicCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
+  const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
+  if (!run) return;
+  finish_histories(results, run->store);
+  const std::lock_guard<std::mutex> hold(writing);
+  write_results(shared, results, run->store, folder);
+}
+
+}  // namespace overbend

@@ -1,0 +1,110 @@
+#include "study/run_warnings.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace overbend {
+namespace {
+
+constexpr double kThreeHours = 10800.0;  ///< [s]
+constexpr double kOffMean = 0.02;        ///< Of the wanted tension, worth a word [-].
+constexpr double kDrift = 0.01;          ///< Likewise, over the run [-].
+constexpr double kMostDrift = 1e-3;      ///< Of the energy balance: beyond it, the run is not resolved [-].
+constexpr double kStandsStill = 1e-9;    ///< [m, rad]
+constexpr std::size_t kBlocks = 8;
+constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
+
+const HistorySummary* history(const DynamicResults& results, const std::string& name) {
+  for (const HistorySummary& h : results.histories) {
+    if (h.name == name) return &h;
+  }
+  return nullptr;
+}
+
+double deviation(const DynamicResults& results, const std::string& name) {
+  const HistorySummary* h = history(results, name);
+  return h == nullptr ? 0.0 : h->over_time.std;
+}
+
+void warn_of_short_run(DynamicResults& results) {
+  if (results.duration >= kThreeHours || results.extremes.empty()) return;
+  results.warnings.push_back(
+      fmt::format("the extremes of three hours are extrapolated from a run of {0:.3g} min, and the largest values of "
+                  "the run are those "
+                  "of {0:.3g} min alone",
+                  results.duration / 60.0));
+}
+
+void warn_of_still_vessel(DynamicResults& results) {
+  if (deviation(results, "elevation") <= kStandsStill) return;
+  for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
+    if (deviation(results, freedom) > kStandsStill) return;
+  }
+  results.warnings.emplace_back(
+      "the vessel does not move in this sea: vessel.motion gives it none, and all that acts on the pipe is the water");
+}
+
+void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
+  const TensionerDynamics& t = results.tensioner;
+  if (t.wanted <= 0.0) return;
+  const double off = t.tension.mean / t.wanted - 1.0;
+  if (std::abs(off) > kOffMean) {
+    results.warnings.push_back(
+        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
+                    1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
+  }
+  const double change = trend(tension);
+  if (std::abs(change) > kDrift * t.wanted) {
+    results.warnings.push_back(fmt::format(
+        "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
+        "wanted; statistics are those of a record that is not steady",
+        change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
+  }
+}
+
+void warn_of_energy(DynamicResults& results) {
+  const double drift = results.energy.drift();
+  if (std::abs(drift) <= kMostDrift) return;
+  results.warnings.push_back(
+      fmt::format("the energy balance of the run is off by {:.2g} of the energy that has passed: the motion is not "
+                  "resolved; give a "
+                  "shorter step (analysis.dynamic.max_step), or leave a fixed step out",
+                  std::abs(drift)));
+}
+
+}  // namespace
+
+double trend(std::span<const double> values) {
+  const std::size_t each = values.size() / kBlocks;
+  if (each == 0) return 0.0;
+  constexpr double n = kBlocks;
+  std::array<double, kBlocks> mean{};
+  double all = 0.0;
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    const std::span<const double> block = values.subspan(b * each, each);
+    mean[b] = std::accumulate(block.begin(), block.end(), 0.0) / static_cast<double>(each);
+    all += mean[b] / n;
+  }
+  double squares = 0.0, product = 0.0, left = 0.0;
+  const auto from_middle = [](std::size_t b) { return static_cast<double>(b) - 0.5 * (n - 1.0); };
+  for (std::size_t b = 0; b < kBlocks; ++b) {
+    squares += from_middle(b) * from_middle(b);
+    product += from_middle(b) * (mean[b] - all);
+  }
+  const double slope = product / squares;
+  for (std::size_t b = 0; b < kBlocks; ++b) left += std::pow(mean[b] - all - slope * from_middle(b), 2);
+  const double error = std::sqrt(left / (n - 2.0) / squares);
+  return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
+}
+
+void warn_of_run(DynamicResults& results, std::span<const double> tension) {
+  warn_of_short_run(results);
+  warn_of_still_vessel(results);
+  warn_of_tension(results, tension);
+  warn_of_energy(results);
+}
+
+}  // namespace overbend

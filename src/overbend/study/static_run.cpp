@@ -1,0 +1,17 @@
+#include "study/static_run.h"
+
+#include "report/report.h"
+#include "resultfiles/results_writer.h"
+#include "runstore/staged_folder.h"
+
+namespace overbend {
+
+void write_static_run(const StaticResults& results, const Description& description,
+                      const std::filesystem::path& folder) {
+  StagedFolder staged(folder);
+  write_static_files(results, description, staged.path());
+  write_report(results, description.source_text, staged.path() / "report.html");
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

@@ -1,0 +1,16 @@
+/// Statics into one folder.
+#pragma once
+
+#include <filesystem>
+
+#include "model/description.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Writes the files of a static analysis and its report, whole or not at all. Throws UnusableFolder
+/// (runstore/staged_folder.h) when the folder cannot be.
+void write_static_run(const StaticResults& results, const Description& description,
+                      const std::filesystem::path& folder);
+
+}  // namespace overbend

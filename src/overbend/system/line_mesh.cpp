@@ -1,0 +1,159 @@
+#include "system/line_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace overbend {
+namespace {
+
+constexpr double kGrowth = 0.25;          ///< Element length may grow by this per unit of distance from a fine zone.
+constexpr double kShortestElement = 0.1;  ///< [m]
+
+/// Closest distance of two rows of rollers along the supports [m].
+double row_spacing(const Supports& supports) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < supports.rows.size(); ++i) {
+    least = std::min(least, (supports.rows[i].point_S - supports.rows[i - 1].point_S).norm());
+  }
+  return least;
+}
+
+const Section& section_of(const Model& model, double from_top) {
+  return model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+}
+
+/// Least EI of the pipe at the tensioner and over the rows of rollers.
+double softest_over_supports(const Model& model) {
+  double EI = section_of(model, 0.0).EI;
+  for (const SupportRow& row : model.supports.rows) EI = std::min(EI, section_of(model, row.from_top).EI);
+  return EI;
+}
+
+/// A stretch with a wanted element length, in distance from the tensioner.
+struct Zone {
+  double from, to, size;
+};
+
+double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
+  double size = longest;
+  for (const Zone& zone : zones) {
+    const double away = std::max({zone.from - u, u - zone.to, 0.0});
+    size = std::min(size, zone.size + kGrowth * away);
+  }
+  return size;
+}
+
+/// Where nodes are wanted, in distances from the tensioner.
+struct MeshPlan {
+  std::vector<Zone> fine;
+  std::vector<double> fixed;  ///< Ends of the stretches; a node on each.
+  double longest = 0.0;
+};
+
+/// Lengths of elements from `from` on until they reach `to`, each handed to `take`; false from it ends the walk.
+template <class Take>
+void walk(const MeshPlan& plan, double from, double to, Take take) {
+  double at = from;
+  while (at < to - 1e-9) {
+    const double first = wanted_size(plan.fine, plan.longest, at);
+    const double step = std::min(first, wanted_size(plan.fine, plan.longest, at + 0.5 * first));
+    if (!take(step)) return;
+    at += step;
+  }
+}
+
+/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
+/// second.
+void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
+  const double from = u.back();
+  double at = from;
+  std::vector<double> steps;
+  walk(plan, from, to, [&](double step) {
+    steps.push_back(step);
+    at += step;
+    return true;
+  });
+  const double scale = (to - from) / (at - from);
+  for (const double step : steps) {
+    u.push_back(u.back() + scale * step);
+  }
+  u.back() = to;
+}
+
+MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
+  const MeshSizes sizes = mesh_sizes(model, zones);
+  MeshPlan plan;
+  plan.longest = sizes.longest;
+  plan.fine = {{0.0, zones.last_support, sizes.overbend},
+               {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  if (zones.waterline > zones.last_support) {
+    const double diameter = section_of(model, zones.waterline).outer_diameter;
+    plan.fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
+  }
+  for (const SectionSpan& span : model.spans) {
+    for (const double end : {span.from, span.to}) {
+      const double last = plan.fixed.empty() ? 0.0 : plan.fixed.back();
+      if (end > last && end < zones.total - kShortestElement) {
+        plan.fixed.push_back(end);
+      }
+    }
+  }
+  plan.fixed.push_back(zones.total);
+  return plan;
+}
+
+}  // namespace
+
+MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
+  const MeshDescription& given = model.description.mesh;
+  const double top_EI = softest_over_supports(model);
+  const double bottom_EI = section_of(model, zones.touchdown).EI;
+  const double top_bending = std::sqrt(top_EI / zones.top_tension);
+  const double bottom_bending = std::sqrt(bottom_EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
+  const double soil = std::pow(4.0 * bottom_EI / model.seabed.stiffness, 0.25);
+
+  MeshSizes sizes;
+  sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.4 * row_spacing(model.supports)));
+  sizes.touchdown = std::max(kShortestElement, std::min(bottom_bending / 20.0, soil / 8.0));
+  const double suspended = std::max(zones.touchdown - zones.last_support, 1.0);
+  sizes.longest =
+      std::max({sizes.overbend, sizes.touchdown, std::min(bottom_bending, suspended / 10.0) / 4.0, suspended / 300.0});
+  sizes.overbend = given.overbend_element.value_or(sizes.overbend);
+  sizes.touchdown = given.touchdown_element.value_or(sizes.touchdown);
+  sizes.longest = given.longest_element.value_or(sizes.longest);
+  sizes.touchdown_before = 1.5 * std::min(bottom_bending, 0.2 * suspended) + 2.0 * soil;
+  sizes.touchdown_after = 4.0 * soil;
+  return sizes;
+}
+
+long count_elements(const Model& model, const MeshZones& zones) {
+  constexpr long kEnough = 10'000'000;
+  const MeshPlan plan = plan_mesh(model, zones);
+  long count = 0;
+  double from = 0.0;
+  for (const double to : plan.fixed) {
+    walk(plan, from, to, [&](double) { return ++count < kEnough; });
+    from = to;
+  }
+  return count;
+}
+
+LineMesh build_mesh(const Model& model, const MeshZones& zones) {
+  const MeshPlan plan = plan_mesh(model, zones);
+  std::vector<double> u{0.0};
+  for (const double to : plan.fixed) {
+    fill(u, plan, to);
+  }
+  LineMesh mesh;
+  for (auto it = u.rbegin(); it != u.rend(); ++it) {
+    mesh.s.push_back(zones.total - *it);
+  }
+  for (std::size_t i = 0; i + 1 < mesh.s.size(); ++i) {
+    mesh.length.push_back(mesh.s[i + 1] - mesh.s[i]);
+    mesh.section.push_back(model.section_at(zones.total - 0.5 * (mesh.s[i] + mesh.s[i + 1])));
+  }
+  return mesh;
+}
+
+}  // namespace overbend

@@ -1,0 +1,199 @@
+#include "system/yielding.h"
+
+#include <algorithm>
+#include <array>
+
+namespace overbend {
+namespace {
+
+/// Unknowns of an element as seen from its first node: derivatives need no more, and the difference keeps digits that
+/// positions of hundreds of metres lose.
+ElementVector dofs(const LineShape& shape, std::size_t element) {
+  ElementVector q(Eigen::Map<const ElementVector>(shape.q + 6 * element));
+  q.segment<3>(6) -= q.segment<3>(0).eval();
+  if (shape.low != nullptr) {
+    const double* low = shape.low + 6 * element;
+    q.segment<3>(6) += Vec3(low[6] - low[0], low[7] - low[1], low[8] - low[2]);
+  }
+  q.segment<3>(0).setZero();
+  return q;
+}
+
+void scatter(const ElementVector& force, const ElementMatrix& k, int element, const YieldingTarget& target) {
+  double* residual = target.residual->data() + 6 * element;
+  for (int i = 0; i < 12; ++i) residual[i] += force(i);
+  if (target.cuts != nullptr) {
+    double* cuts = target.cuts->data() + 6 * element;
+    for (int i = 6; i < 12; ++i) cuts[i] += force(i);
+  }
+  if (target.tangent != nullptr) add_element(*target.tangent, element, k);
+}
+
+/// Sums up the points of one element.
+class ElementSum {
+ public:
+  explicit ElementSum(bool with_tangent) : with_tangent_(with_tangent) {}
+
+  void add(const HermiteValues& shape, const CentrelinePoint& at, double weight, const BendingMemory& memory,
+           const BendingAnswer& answer, Vec3& moment) {
+    moment = from_axes(memory, answer.plastic_moment);
+    if (answer.plastic_moment.isZero(0.0)) return;
+    const bool slides = with_tangent_ && answer.sliding;
+    Mat3 tangent;
+    if (slides) {
+      Eigen::Matrix<double, 3, 2> axes;
+      axes << memory.axis, memory.tangent.cross(memory.axis);
+      tangent = axes * answer.plastic_tangent * axes.transpose();
+    }
+    add_plastic_point(shape, at, weight, moment, slides ? &tangent : nullptr, force_,
+                      with_tangent_ ? &stiffness_ : nullptr);
+    any_ = true;
+  }
+  void scatter_to(int element, const YieldingTarget& target) const {
+    if (any_) scatter(force_, stiffness_, element, target);
+  }
+
+ private:
+  bool with_tangent_, any_ = false;
+  ElementVector force_ = ElementVector::Zero();
+  ElementMatrix stiffness_ = ElementMatrix::Zero();
+};
+
+/// Derivatives of the Hermite functions at a Gauss point; values are left out.
+HermiteValues gauss_shape(int point, double h) {
+  static const std::array<HermiteValues, kGaussPoints> unit = {hermite(kGaussXi[0], 1.0), hermite(kGaussXi[1], 1.0),
+                                                               hermite(kGaussXi[2], 1.0), hermite(kGaussXi[3], 1.0)};
+  const HermiteValues& of = unit[static_cast<std::size_t>(point)];
+  const double by_h = 1.0 / h;
+  HermiteValues shape;
+  shape.first << by_h * of.first(0), of.first(1), by_h * of.first(2), of.first(3);
+  shape.second << by_h * by_h * of.second(0), by_h * of.second(1), by_h * by_h * of.second(2), by_h * of.second(3);
+  return shape;
+}
+
+/// Derivatives of the centreline there.
+CentrelinePoint point_at(const ElementVector& q, const HermiteValues& shape) {
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());
+  return {Vec3::Zero(), nodes * shape.first, nodes * shape.second};
+}
+
+}  // namespace
+
+YieldingElements yielding_elements(const Model& model, const LineMesh& mesh) {
+  YieldingElements elements;
+  for (const int section : mesh.section) {
+    const Section& of = model.sections[static_cast<std::size_t>(section)];
+    elements.law.push_back(of.bending ? &*of.bending : nullptr);
+    elements.any = elements.any || of.bending;
+  }
+  elements.mix.resize(mesh.section.size());
+  return elements;
+}
+
+void choose_levels(YieldingElements& elements, const double* q) {
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    if (elements.law[e] != nullptr) {
+      elements.mix[e] = level_at(*elements.law[e], 0.5 * (q[6 * e + 2] + q[6 * e + 8]));
+    }
+  }
+}
+
+std::vector<BendingMemory> fresh_memories(const LineMesh& mesh, const double* q) {
+  std::vector<BendingMemory> memories;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      memories.push_back(fresh_memory(point_at(at_nodes, gauss_shape(i, mesh.length[e])).a.normalized()));
+    }
+  }
+  return memories;
+}
+
+void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
+                         const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target) {
+  const std::size_t count = elements.law.size();
+  points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
+  points.memory.resize(keep_memory ? kGaussPoints * count : 0);
+  const BendingLaw* last = nullptr;
+  BendingMemory memory;
+  for (std::size_t e = count; e-- > 0;) {
+    const BendingLaw* law = elements.law[e];
+    const ElementVector at_nodes = dofs(q, e);
+    ElementSum sum(target.tangent != nullptr);
+    for (int i = kGaussPoints - 1; i >= 0; --i) {
+      const HermiteValues shape = gauss_shape(i, mesh.length[e]);
+      const CentrelinePoint at = point_at(at_nodes, shape);
+      const Vec3 tangent = at.a.normalized();
+      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
+      if (law == nullptr || law != last || how.history == LayHistory::monotonic) {
+        memory = fresh_memory(tangent);
+        last = law;
+      } else {
+        bring_along(memory, tangent);
+      }
+      if (law != nullptr) {
+        const Vec2 k = in_axes(memory, curvature_vector(at));
+        BendingAnswer answer = bend(*law, elements.mix[e], k, memory);
+        answer.plastic_moment *= how.share;
+        answer.plastic_tangent *= how.share;
+        sum.add(shape, at, kGaussWeight[i] * mesh.length[e], memory, answer, points.plastic_moment[index]);
+      }
+      if (keep_memory) points.memory[index] = memory;
+    }
+    sum.scatter_to(static_cast<int>(e), target);
+  }
+}
+
+double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
+                           const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
+                           std::vector<Vec3>& plastic_moment, const YieldingTarget& target) {
+  double loss = 0.0;
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    const BendingLaw* law = elements.law[e];
+    if (law == nullptr) continue;
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
+    ElementSum sum(target.tangent != nullptr);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
+      const HermiteValues shape = gauss_shape(i, mesh.length[e]);
+      const CentrelinePoint at = point_at(at_nodes, shape);
+      BendingMemory& memory = after[index];
+      memory = before[index];
+      bring_along(memory, at.a.normalized());
+      const BendingAnswer answer = bend(*law, elements.mix[e], in_axes(memory, curvature_vector(at)), memory);
+      const double weight = kGaussWeight[i] * mesh.length[e];
+      loss += weight * answer.loss;
+      sum.add(shape, at, weight, memory, answer, plastic_moment[index]);
+    }
+    sum.scatter_to(static_cast<int>(e), target);
+  }
+  return loss;
+}
+
+double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
+                          const std::vector<BendingMemory>& memory) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    if (elements.law[e] == nullptr) continue;
+    const ElementVector at_nodes = dofs({q, nullptr}, e);
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const BendingMemory& at = memory[kGaussPoints * e + static_cast<std::size_t>(i)];
+      const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, gauss_shape(i, mesh.length[e]))));
+      sum += kGaussWeight[i] * mesh.length[e] * stored_beyond_elastic(k, at);
+    }
+  }
+  return sum;
+}
+
+void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,
+                          ElementVector& force) {
+  const std::size_t e = static_cast<std::size_t>(element);
+  const ElementVector at_nodes = dofs(q, e);
+  for (int i = 0; i < kGaussPoints; ++i) {
+    const HermiteValues shape = gauss_shape(i, mesh.length[e]);
+    add_plastic_point(shape, point_at(at_nodes, shape), kGaussWeight[i] * mesh.length[e], plastic_moment[i], nullptr,
+                      force, nullptr);
+  }
+}
+
+}  // namespace overbend

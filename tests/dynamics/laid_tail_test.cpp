@@ -1,0 +1,56 @@
+#include "dynamics/laid_tail.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/bgl1_in_time.h"
+#include "support/memory_sink.h"
+
+namespace overbend {
+namespace {
+
+using testing::Case;
+using testing::EmptySink;
+using testing::workable;
+
+TEST(laid_tail, carries_the_line_on_straight_along_the_bed) {
+  const Case c(workable());
+  const StaticSolution longer = with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0);
+  EXPECT_LT(longer.mesh.s.front(), -0.99 * tail_to_hold(c.model, c.statics.top_tension));
+  EXPECT_EQ(longer.mesh.s.back(), c.start.mesh.s.back());
+  EXPECT_EQ(longer.state.q.size(), 6 * longer.mesh.s.size());
+  const std::size_t added = longer.mesh.s.size() - c.start.mesh.s.size();
+  for (std::size_t i = 0; i < added; ++i) {
+    EXPECT_NEAR(longer.state.q[6 * i + 2], c.start.state.q[2], 1e-9);  // as deep in the level bed
+    EXPECT_GT(longer.mesh.s[i + 1], longer.mesh.s[i]);
+  }
+}
+
+TEST(laid_tail, is_not_added_where_the_anchor_is_real_or_nothing_holds_the_pipe) {
+  Description given = workable();
+  given.pipe.length = 700.0;
+  Description slippery = workable();
+  slippery.environment.seabed.friction_axial = 0.0;
+  for (const Description& d : {given, slippery}) {
+    const Case c(d);
+    EXPECT_EQ(with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0).mesh.s, c.start.mesh.s);
+  }
+}
+
+TEST(laid_tail, twice_as_long_changes_nothing) {
+  Description d = workable();
+  d.dynamics->duration = 40.0;
+  d.tensioner.mode = TensionerMode::locked;
+  const Case c(d);
+  DynamicOptions options = dynamic_options(c.model);
+  EmptySink a, b;
+  const DynamicResults once = c.run(a, options).results.value();
+  options.tail_reach = 2.0;
+  const DynamicResults twice = c.run(b, options).results.value();
+  EXPECT_NEAR(twice.top_tension.std, once.top_tension.std, 0.002 * once.top_tension.std);
+  EXPECT_EQ(once.station_s, twice.station_s);  // neither is recorded
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,90 @@
+#include "recording/dynamic_recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/dynamic_warnings.h"
+#include "support/bgl1_in_time.h"
+#include "support/memory_sink.h"
+
+namespace overbend {
+namespace {
+
+using testing::Case;
+using testing::MemorySink;
+
+/// The example with a box behind the tensioner, which no pipe passes.
+Description with_a_box_out_of_the_way() {
+  Description d = testing::workable();
+  d.dynamics->duration = 3.0;
+  d.dynamics->build_up = 1.0;
+  BoxDescription box = d.supports.boxes.front();
+  box.name = "behind";
+  box.x = d.tensioner.x - 6.0;
+  box.incline = 0.0;
+  d.supports.boxes.insert(d.supports.boxes.begin(), box);
+  return d;
+}
+
+TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
+  const Case c(with_a_box_out_of_the_way());
+  EXPECT_GT(c.statics.supports.front().separation, 1.0);  // in statics that of the pipe's end
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_TRUE(std::isnan(r.supports.front().separation.min));
+  EXPECT_TRUE(std::isnan(r.supports.front().rollers.front().separation.mean));
+  const auto finite = [](double value) { return std::isfinite(value); };
+  const std::vector<double> behind = sink.column("support/behind/separation");
+  EXPECT_TRUE(std::none_of(behind.begin(), behind.end(), finite));
+  for (std::size_t box = 1; box < r.supports.size(); ++box) {
+    const std::vector<double> others = sink.column("support/" + r.supports[box].name + "/separation");
+    EXPECT_TRUE(std::all_of(others.begin(), others.end(), finite)) << r.supports[box].name;
+    EXPECT_TRUE(std::isfinite(r.supports[box].separation.mean));
+  }
+}
+
+TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time) {
+  const Case c(testing::workable());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  const double least = *std::min_element(r.effective_tension.min.begin(), r.effective_tension.min.end());
+  EXPECT_DOUBLE_EQ(r.smallest_tension.over_time.min, least);
+  const auto at = std::find(r.station_s.begin(), r.station_s.end(), r.smallest_tension.s);
+  ASSERT_NE(at, r.station_s.end());
+  EXPECT_DOUBLE_EQ(r.effective_tension.min[static_cast<std::size_t>(at - r.station_s.begin())], least);
+  EXPECT_GT(r.smallest_tension.time, 0.0);
+  const std::vector<double> line = sink.column("smallest_tension"), top = sink.column("top_tension_low"),
+                            now = sink.column("top_tension");
+  EXPECT_LE(*std::min_element(line.begin(), line.end()), least);
+  for (std::size_t i = 0; i < top.size(); ++i) {
+    EXPECT_LE(line[i], top[i]);
+    EXPECT_LE(top[i], now[i]);
+  }
+}
+
+TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_in_waves) {
+  const Case c(testing::workable());
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  const auto says = [](const std::string& s) {
+    return s.find("Slamming") == 0 && s.find("1.29 kN/m at 1 m/s") != std::string::npos;
+  };
+  EXPECT_TRUE(std::any_of(r.assumptions.begin(), r.assumptions.end(), says));
+}
+
+TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
+  DynamicResults r;
+  r.smallest_tension.over_time.min = -8e3;
+  r.smallest_tension.time = 12.5;
+  const Case c(testing::workable());
+  r.smallest_tension.s = c.statics.touchdown.s;
+  warn_of_slack(c.statics, r);
+  ASSERT_EQ(r.warnings.size(), 1U);
+  EXPECT_NE(r.warnings[0].find("falls to -8.00 kN at t = 12.5 s"), std::string::npos) << r.warnings[0];
+  EXPECT_NE(r.warnings[0].find("from the tensioner (sagbend)"), std::string::npos) << r.warnings[0];
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,53 @@
+#include "seafiles/motion_history_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/rao_files.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kDeg = std::numbers::pi / 180.0;
+using testing::WrittenFile;
+
+TEST(motion_history_reader, columns_stand_in_any_order_and_missing_ones_are_zero) {
+  const WrittenFile file("motion.csv", "# measured\npitch_deg,time_s,heave_m\n1,0,0.5\r\n-2,0.5,0.25\n\n3,1.5,0\n");
+  Diagnostics diagnostics;
+  const auto history = read_motion_history(file.path(), diagnostics);
+  ASSERT_TRUE(history.has_value()) << diagnostics.lines(Severity::error)[0];
+  EXPECT_EQ(history->time, (std::vector<double>{0.0, 0.5, 1.5}));
+  EXPECT_EQ(history->freedoms[1], (std::array<double, 6>{0.0, 0.0, 0.25, 0.0, -2.0 * kDeg, 0.0}));
+}
+
+TEST(motion_history_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {
+  struct Fault {
+    std::string text;
+    int line;
+    const char* words;
+  };
+  const std::vector<Fault> faults = {
+      {"", 0, "no rows"},
+      {"time_s,heave\n0,1\n", 1, "a column 'heave', expected one of time_s, surge_m"},
+      {"heave_m\n1\n", 1, "without time_s"},
+      {"time_s,heave_m,heave_m\n0,1,1\n", 1, "a second time"},
+      {"time_s,heave_m\n0,1\n1,x\n", 3, "'x', expected a number for heave_m"},
+      {"time_s,heave_m\n0,1\n1,inf\n", 3, "'inf'"},
+      {"time_s,heave_m\n0,1\n1\n", 3, "1 cells, expected 2"},
+      {"time_s,heave_m\n1,1\n1,2\n", 3, "more than in the row before"},
+      {"time_s,heave_m\n0,1\n", 2, "at least two"},
+  };
+  for (const Fault& fault : faults) {
+    const WrittenFile file("motion.csv", fault.text);
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_motion_history(file.path(), diagnostics).has_value());
+    ASSERT_EQ(diagnostics.error_count(), 1) << fault.words;
+    const Diagnostic first = diagnostics.sorted().front();
+    EXPECT_EQ(first.line, fault.line) << render(first);
+    EXPECT_NE(render(first).find(fault.words), std::string::npos) << render(first);
+  }
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,139 @@
+#include "seafiles/spectrum_reader.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "modelfile/model_texts.h"
+#include "modelfile/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+TEST(spectrum_reader, reads_angular_frequencies_as_they_stand) {
+  Diagnostics diagnostics;
+  const auto points =
+      read_spectrum_text("# measured\n\n omega_rad_s , density_m2s\r\n0, 0\n0.5,1.25\r\n0.9,0\n", "a.csv", diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_EQ(points.size(), 3U);
+  EXPECT_EQ(points[1].omega, 0.5);
+  EXPECT_EQ(points[1].density, 1.25);
+}
+
+TEST(spectrum_reader, turns_hertz_into_rad_per_s_and_keeps_the_energy) {
+  Diagnostics diagnostics;
+  const auto points = read_spectrum_text("frequency_hz,density_m2_hz\n0.1,10\n0.2,10", "a.csv", diagnostics);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_DOUBLE_EQ(points[1].omega, 0.4 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ((points[1].omega - points[0].omega) * points[0].density, 1.0);  // 0.1 Hz times 10 m2/Hz
+}
+
+TEST(spectrum_reader, every_fault_is_told_with_file_line_and_column) {
+  struct Fault {
+    const char *text, *place, *words;
+  };
+  const Fault faults[] = {
+      {"", "a.csv: ", "empty file"},
+      {"f,S\n1,2\n", "a.csv:1: ", "frequency_hz,density_m2_hz"},
+      {"omega_rad_s,density_m2_hz\n1,2\n", "a.csv:1: ", "the header"},
+      {"omega_rad_s,density_m2s\n0.1,1\n", "a.csv: ", "2 rows at least"},
+      {"omega_rad_s,density_m2s\n0.1,1\n0.2,x\n", "a.csv:3: density_m2s: ", "'x'"},
+      {"omega_rad_s,density_m2s\n0.1,1\n0.2,nan\n", "a.csv:3: density_m2s: ", "'nan'"},
+      {"omega_rad_s,density_m2s\n0.1,1\n0.2,-1\n", "a.csv:3: density_m2s: ", "0 or more"},
+      {"omega_rad_s,density_m2s\n0.1,1\n0.2\n", "a.csv:3: ", "2, as in the header"},
+      {"omega_rad_s,density_m2s\n# once\n0.3,1\n0.3,2\n", "a.csv:4: omega_rad_s: ", "more than the frequency before"},
+      {"omega_rad_s,density_m2s\n0.0,1\n0.3,2\n", "a.csv:2: density_m2s: ", "0 at frequency 0"},
+      {"omega_rad_s,density_m2s\n0.1,0\n0.3,0\n", "a.csv: density_m2s: ", "with energy"},
+  };
+  for (const Fault& fault : faults) {
+    Diagnostics diagnostics;
+    EXPECT_TRUE(read_spectrum_text(fault.text, "a.csv", diagnostics).empty()) << fault.text;
+    ASSERT_EQ(diagnostics.error_count(), 1) << fault.text;
+    const std::string line = diagnostics.lines(Severity::error)[0];
+    EXPECT_EQ(line.find(fault.place), 0U) << line;
+    EXPECT_NE(line.find(fault.words), std::string::npos) << line;
+  }
+}
+
+class SpectrumFile : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  ModelReading read(const std::string& waves) const {
+    std::string text = testing::kGoodModel;
+    const std::string sea = "{type: jonswap, hs: 4 m, tp: 12.9 s, from: 180 deg, seed: 7}";
+    text.replace(text.find(sea), sea.size(), waves);
+    return read_model_text(text, (folder / "model.yaml").string());
+  }
+  void write(const std::string& text) const { std::ofstream(folder / "sea.csv") << text; }
+
+  const std::filesystem::path folder =
+      std::filesystem::path(::testing::TempDir()) / ("overbend_spectrum_" + std::to_string(::getpid()));
+  const std::string user = "{type: user, spectrum_file: sea.csv, from: 180 deg}";
+};
+
+TEST_F(SpectrumFile, beside_the_model_is_part_of_it) {
+  write("frequency_hz,density_m2_hz\n0.05,0\n0.1,10\n0.3,0\n");
+  const ModelReading reading = read(user);
+  ASSERT_TRUE(reading.description.has_value());
+  EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
+  EXPECT_TRUE(reading.description->warnings.empty());
+}
+
+TEST_F(SpectrumFile, with_a_fault_stops_the_model_at_its_own_line) {
+  write("frequency_hz,density_m2_hz\n0.05,0\n0.1,ten\n");
+  const ModelReading reading = read(user);
+  EXPECT_FALSE(reading.description.has_value());
+  ASSERT_EQ(reading.diagnostics.error_count(), 1);
+  EXPECT_NE(reading.diagnostics.lines(Severity::error)[0].find("sea.csv:3: density_m2_hz: found 'ten'"),
+            std::string::npos);
+}
+
+TEST_F(SpectrumFile, that_is_not_there_is_told_but_does_not_stop_statics) {
+  const ModelReading reading = read(user);
+  ASSERT_TRUE(reading.description.has_value());
+  ASSERT_EQ(reading.description->warnings.size(), 1U);
+  EXPECT_NE(reading.description->warnings[0].find("dynamics will need it"), std::string::npos);
+}
+
+TEST_F(SpectrumFile, that_is_a_folder_is_refused) {
+  std::filesystem::create_directories(folder / "sea.csv");
+  EXPECT_FALSE(read(user).description.has_value());
+}
+
+TEST_F(SpectrumFile, waves_of_the_file_are_bound_with_all_their_keys) {
+  const ModelReading reading = read("{type: stokes5, height: 6 m, period: 11 s, phase: 90 deg, from: 180 deg}");
+  ASSERT_TRUE(reading.description.has_value());
+  const WavesDescription& waves = reading.description->environment.waves;
+  EXPECT_EQ(waves.type, WaveType::stokes5);
+  EXPECT_DOUBLE_EQ(waves.phase, 0.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(waves.height, 6.0);
+  EXPECT_TRUE(reading.description->warnings.empty());
+}
+
+TEST_F(SpectrumFile, doubtful_waves_are_told) {
+  struct Doubt {
+    const char *waves, *words;
+  };
+  const Doubt doubts[] = {
+      {"{type: jonswap, hs: 8 m, tp: 8 s, from: 0 deg}", "steeper than wind raises it"},
+      {"{type: airy, height: 2 m, period: 8 s, gamma: 2, from: 0 deg}", "has no meaning for waves of type airy"},
+      {"{type: pierson_moskowitz, hs: 2 m, tp: 8 s, gamma: 2, from: 0 deg}", "no meaning"},
+      {"{type: jonswap, hs: 2 m, tp: 8 s, phase: 20 deg, from: 0 deg}", "no meaning"},
+      {"{type: jonswap, hs: 2 m, tp: 8 s}", "from the north"},
+  };
+  for (const Doubt& doubt : doubts) {
+    const ModelReading reading = read(doubt.waves);
+    ASSERT_TRUE(reading.description.has_value()) << doubt.waves;
+    ASSERT_EQ(reading.description->warnings.size(), 1U) << doubt.waves;
+    const std::string& line = reading.description->warnings[0];
+    EXPECT_NE(line.find(doubt.words), std::string::npos) << line;
+  }
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,108 @@
+#include "statics/static_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+using testing::solved_case;
+
+/// Warnings of a solved lay after a change of its model or of its results.
+std::vector<std::string> warnings_with(const std::function<void(Description&, StaticResults&)>& change) {
+  auto [description, results] = solved_case("S16-T300");
+  results.warnings.clear();
+  change(description, results);
+  warn_statics(build_model(description), results);
+  return results.warnings;
+}
+
+int mentions(const std::vector<std::string>& list, const std::string& words) {
+  return static_cast<int>(std::count_if(list.begin(), list.end(),
+                                        [&](const std::string& s) { return s.find(words) != std::string::npos; }));
+}
+
+TEST(static_warnings, a_sound_lay_has_none) {
+  const std::vector<std::string> list =
+      warnings_with([](Description& d, StaticResults&) { d.pipe.section.joint->strain_factor = 1.1; });
+  EXPECT_TRUE(list.empty()) << list.front();
+}
+
+TEST(static_warnings, compression_says_where_and_how_much) {
+  const std::vector<std::string> list = warnings_with([](Description&, StaticResults& r) {
+    r.smallest_tension = {-8e3, r.touchdown.s, r.touchdown.p_W, r.touchdown.astern};
+  });
+  EXPECT_EQ(mentions(list, "the effective tension falls to -8.00 kN"), 1);
+  EXPECT_EQ(mentions(list, "from the tensioner (sagbend)"), 1);
+}
+
+TEST(static_warnings, the_smallest_tension_is_that_of_the_stations) {
+  const StaticResults& r = solved_case("S16-T300").results;
+  for (const Station& at : r.stations) EXPECT_GE(at.effective_tension, r.smallest_tension.value);
+}
+
+TEST(static_warnings, stress_past_yield_is_told_of_linear_steel_alone) {
+  const auto weak = [](Description& d, StaticResults& r) {
+    d.pipe.section.steel.yield_stress = 200e6;
+    for (Station& at : r.stations) at.yield_stress = 200e6;
+  };
+  EXPECT_EQ(mentions(warnings_with(weak), "passes the yield stress of 200 MPa"), 1);
+  const auto yielding = [&](Description& d, StaticResults& r) {
+    weak(d, r);
+    d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
+    d.pipe.section.steel.material.hardening_exponent = 20.0;
+  };
+  EXPECT_EQ(mentions(warnings_with(yielding), "passes the yield stress"), 0);
+}
+
+TEST(static_warnings, supports_below_the_bed_are_named) {
+  const auto shallow = [](Description& d, StaticResults&) { d.environment.water_depth = 8.0; };
+  const std::vector<std::string> list = warnings_with(shallow);
+  EXPECT_EQ(mentions(list, "below the sea bed: '"), 1);
+  EXPECT_EQ(mentions(list, "the stinger's tip among them"), 1);
+}
+
+TEST(static_warnings, a_stern_shoe_below_the_water_is_told) {
+  const std::vector<std::string> list =
+      warnings_with([](Description&, StaticResults& r) { r.stern_shoe_W.z() = -1.5; });
+  EXPECT_EQ(mentions(list, "the stern shoe lies 1.50 m below the water"), 1);
+}
+
+TEST(static_warnings, a_box_out_of_line_is_named) {
+  const std::size_t box = solved_case("S16-T300").description.supports.boxes.size() - 4;
+  for (const double shift : {1.0, -1.0}) {
+    const std::vector<std::string> list =
+        warnings_with([&](Description& d, StaticResults&) { d.supports.boxes.at(box).z += shift; });
+    const std::string name = "the box '" + solved_case("S16-T300").description.supports.boxes.at(box).name + "' stands";
+    EXPECT_EQ(mentions(list, name), 1) << shift;
+    EXPECT_EQ(mentions(list, shift > 0.0 ? "m above the line" : "m below the line"), 1);
+  }
+}
+
+TEST(static_warnings, strain_at_field_joints_that_nobody_told_is_missing) {
+  const auto joint = [](Description& d, StaticResults&) {
+    d.pipe.section.coatings = {{"concrete", 0.04, 22e3}};
+    d.pipe.section.joint = JointDescription{12.0, 0.6, 10e3};
+  };
+  const char* words = "the strain concentration at the field joints is missing";
+  EXPECT_EQ(mentions(warnings_with(joint), words), 1);
+  for (const bool stiff : {false, true}) {
+    EXPECT_EQ(mentions(warnings_with([&](Description& d, StaticResults& r) {
+                         joint(d, r);
+                         if (stiff) {
+                           d.pipe.section.joint->coated_stiffness = 1.3;
+                         } else {
+                           d.pipe.section.joint->strain_factor = 1.0;
+                         }
+                       }),
+                       words),
+              0);
+  }
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,116 @@
+// Lays that plain Newton and its first ways out do not solve, and lays that none can.
+#include "statics/static_ways.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/relaxation.h"
+#include "statics/static_start.h"
+#include "statics/statics.h"
+
+namespace overbend {
+namespace {
+
+Description read(const std::string& file) {
+  return read_model(OVERBEND_SOURCE_DIR + file).description.value();
+}
+
+StaticFailure failure_of(const Description& d) {
+  return solve_statics(build_model(d)).failure.value_or(StaticFailure{"solved", "", ""});
+}
+
+/// A frictionless rod in normal loads keeps N + EI kappa^2 / 2 + what hangs below: by hand, without the solver's
+/// forces.
+double bottom_tension_by_hand(const StaticResults& r) {
+  const DerivedSection& pipe = r.sections.front();
+  const Station& top = r.stations.back();
+  const double bending = 0.5 * top.bending_moment * top.bending_moment / pipe.EI;
+  return r.top_tension + bending - pipe.weight_in_air * top.p_W.z() + pipe.weight_submerged * r.touchdown.p_W.z();
+}
+
+TEST(static_ways, lays_that_need_their_rollers_hardened_in_steps_are_solved) {
+  for (const char* file : {"slope-without-sides", "light-jlay-in-current"}) {
+    const Description d = read(std::string("/tests/statics/lays/") + file + ".yaml");
+    const Model model = build_model(d);
+    const StaticOutcome outcome = solve_statics(model);
+    ASSERT_TRUE(outcome.solution.has_value()) << file << ": " << outcome.failure->why;
+    const StaticResults r = recover_statics(model, *outcome.solution);
+    EXPECT_LT(r.force_residual, 1e-9) << file;
+    EXPECT_LT(r.global_residual, 1e-8) << file;  // loads summed by a second code
+    EXPECT_NEAR(r.top_tension, *d.tensioner.tension, 1e-4 * *d.tensioner.tension) << file;
+    // The tail's friction and the penetration of the bed do the small rest of the work.
+    EXPECT_NEAR(r.bottom_tension, bottom_tension_by_hand(r), 0.005 * r.top_tension) << file;
+  }
+}
+
+TEST(static_ways, a_solution_does_not_depend_on_the_way_to_it) {
+  Description d = read("/tests/statics/lays/slope-without-sides.yaml");
+  const Model model = build_model(d);
+  const StaticSolution found = solve_statics(model).solution.value();
+  d.tensioner.tension = 1.01 * *d.tensioner.tension;
+  const Model higher = build_model(d);
+  const StaticSolution beside = solve_statics(higher, &found).solution.value();
+  const StaticSolution back = solve_statics(model, &beside).solution.value();
+  const StaticResults a = recover_statics(model, found), b = recover_statics(model, back);
+  EXPECT_NEAR(a.bottom_tension, b.bottom_tension, 1e-5 * a.bottom_tension);
+  EXPECT_NEAR(a.lay_back, b.lay_back, 1e-3);
+}
+
+TEST(static_ways, a_tension_that_only_a_pushed_anchor_would_allow_is_too_low) {
+  Description d = read("/validation/static_cases/BGL1-T250.yaml");
+  d.environment.seabed.slope = 2.0 * std::numbers::pi / 180.0;
+  d.environment.seabed.slope_towards = 1.5 * std::numbers::pi;  // the bed falls away astern
+  d.environment.seabed.friction_axial = 0.5;
+  d.tensioner.tension = 46.4e3;  // what hangs weighs less, 46.2 kN; from 46.55 kN on it is solved
+  const StaticFailure f = failure_of(d);
+  EXPECT_NE(f.what.find("too low"), std::string::npos) << f.what << f.why;
+  EXPECT_NE(f.why.find("nothing left to hold the laid pipe"), std::string::npos) << f.why;
+}
+
+/// Every way fails where Newton is allowed one step: what is wanted must be the same afterwards.
+TEST(static_ways, a_way_that_fails_leaves_what_is_wanted_alone) {
+  Description d = read("/validation/static_cases/BGL1-T250.yaml");
+  d.statics.max_iterations = 1;
+  d.mesh.overbend_element = 2.0;
+  d.mesh.touchdown_element = 6.0;
+  d.mesh.longest_element = 10.0;
+  const Model model = build_model(d);
+  const LayPlane plane = lay_plane(model, model.mean_pose);
+  const StartingPoint from = starting_point(model, plane);
+  StaticCase at{model, LineSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
+  EXPECT_FALSE(solve_elastic(at, from.shape));
+  EXPECT_EQ(at.target.value, 250e3);
+}
+
+TEST(static_ways, what_a_case_may_cost_is_counted_in_steps_and_elements) {
+  Description d = read("/validation/static_cases/BGL1-T250.yaml");
+  d.statics.max_iterations = 1000000;  // the file's word does not unbind it
+  const Model model = build_model(d);
+  const LayPlane plane = lay_plane(model, model.mean_pose);
+  const StartingPoint from = starting_point(model, plane);
+  ASSERT_FALSE(from.failure.has_value());
+  StaticCase at{model, LineSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
+  at.work = at.most_work();
+  EXPECT_FALSE(solve_elastic(at, from.shape));
+  EXPECT_EQ(at.report.iterations, 0);
+  EXPECT_EQ(at.report.relaxation_steps, 0);
+}
+
+TEST(relaxation, a_pipe_torn_apart_is_given_up_at_the_next_look) {
+  const Model model = build_model(read("/validation/static_cases/BGL1-T250.yaml"));
+  const LayPlane plane = lay_plane(model, model.mean_pose);
+  const StartingPoint from = starting_point(model, plane);
+  LineSystem system(model, model.mean_pose, build_mesh(model, from.zones));
+  LineState state = sample_shape(system, from.shape);
+  for (double& x : state.q) x *= 3.0;  // a line three times as long as its steel
+  const RelaxationReport r = relax(system, state, RelaxationSettings{});
+  EXPECT_TRUE(r.diverged);
+  EXPECT_LE(r.steps, 200);
+}
+
+}  // namespace
+}  // namespace overbend

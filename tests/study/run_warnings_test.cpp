@@ -1,0 +1,84 @@
+#include "study/run_warnings.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Three hours in which everything moves and the tension stays where it is wanted.
+DynamicResults sound() {
+  DynamicResults r;
+  r.duration = 10800.0;
+  r.output_step = 0.5;
+  r.extremes.resize(1);
+  r.histories = {{"elevation", "m", "", {-1.0, 1.0, 0.0, 0.5}, {}, {}},
+                 {"heave", "m", "", {-0.1, 0.1, 0.0, 0.1}, {}, {}}};
+  r.tensioner.wanted = 250e3;
+  r.tensioner.tension = {200e3, 300e3, 251e3, 15e3};
+  return r;
+}
+
+std::vector<double> swinging(std::size_t count, double rise) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i) / static_cast<double>(count);
+    values.push_back(250e3 + 15e3 * std::sin(0.37 * static_cast<double>(i)) + rise * t);
+  }
+  return values;
+}
+
+std::vector<std::string> warnings_of(DynamicResults r, double rise = 0.0) {
+  warn_of_run(r, swinging(4000, rise));
+  return r.warnings;
+}
+
+bool only(const std::vector<std::string>& list, const std::string& words) {
+  return list.size() == 1 && list[0].find(words) != std::string::npos;
+}
+
+TEST(run_warnings, a_sound_run_has_none) {
+  EXPECT_TRUE(warnings_of(sound()).empty());
+}
+
+TEST(run_warnings, three_hours_from_minutes_say_how_many) {
+  DynamicResults r = sound();
+  r.duration = 300.0;
+  EXPECT_TRUE(only(warnings_of(r), "from a run of 5 min"));
+}
+
+TEST(run_warnings, a_vessel_that_stands_still_in_a_sea_is_told) {
+  DynamicResults r = sound();
+  r.histories[1].over_time = {};
+  EXPECT_TRUE(only(warnings_of(r), "the vessel does not move in this sea"));
+  r.histories[0].over_time = {};  // calm water
+  EXPECT_TRUE(warnings_of(r).empty());
+}
+
+TEST(run_warnings, a_mean_off_the_wanted_tension_is_told_and_so_is_a_drift) {
+  DynamicResults r = sound();
+  r.tensioner.tension.mean = 240e3;
+  EXPECT_TRUE(only(warnings_of(r), "4.0 % below the 250.0 kN wanted"));
+  EXPECT_TRUE(only(warnings_of(sound(), 8e3), "drifts: it rises by 8"));
+  EXPECT_TRUE(only(warnings_of(sound(), -8e3), "drifts: it falls by"));
+}
+
+TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
+  DynamicResults r = sound();
+  r.energy.throughput = 1e6;
+  r.energy.error = 2e3;
+  EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run is off by 0.002"));
+}
+
+TEST(run_warnings, a_trend_is_a_trend_only_beyond_chance) {
+  EXPECT_NEAR(trend(swinging(4000, 5e3)), 5e3, 300.0);
+  std::vector<double> noise;  // eight blocks that scatter
+  for (std::size_t i = 0; i < 800; ++i) noise.push_back(i / 100 % 2 == 0 ? 1.0 : -1.0);
+  EXPECT_EQ(trend(noise), 0.0);
+  EXPECT_EQ(trend({}), 0.0);
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,278 @@
+/// Rollers and bed under a moving pipe: sticking, sliding, and finding the rollers it meets.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "modelfile/yaml_reader.h"
+#include "support/dynamic_benchmarks.h"
+#include "support/solved_case.h"
+
+namespace overbend {
+namespace {
+
+using namespace testing;
+
+constexpr double kMass = 100.0, kLength = 4.0, kNormalStiffness = 1e7, kTangential = 1e5;
+// So hard that the pipe stays level when it shifts: a slope of 6e-5 pushes along it with half a thousandth of friction.
+constexpr double kAxial = 0.1, kLateral = 0.3;
+constexpr double kRollerLoad = 0.5 * kMass * kLength * kGravity;
+
+/// A stiff pipe at rest on two rollers, one at each quarter of it.
+DynamicLine pipe_on_rollers() {
+  DynamicLine line = rod_line({1e9, 1e8, kMass, kMass * kGravity}, kLength, 2);
+  ContactLaw law;
+  law.stiffness = kNormalStiffness;
+  law.damping = 9e4;  // critical: what the pipe bounces at first dies out
+  law.tangential_stiffness = kTangential;
+  law.friction_axial = kAxial;
+  law.friction_lateral = kLateral;
+  line.rollers = {roller_under(1.0, 0.01, law), roller_under(3.0, 0.01, law)};
+  line.cells = endless_cells();
+  line.force_scale = kMass * kLength * kGravity;
+  return line;
+}
+
+Vec3 start() {
+  return {0.0, 0.0, -kRollerLoad / kNormalStiffness};
+}
+
+/// Both ends led along `direction` at a steady 20 mm/s from rest, started gently.
+DynamicLine led_pipe(const Vec3& direction) {
+  DynamicLine line = pipe_on_rollers();
+  line.anchor.hold_place = line.top.hold_place = true;
+  line.surroundings = [direction](double t, Surroundings& now) {
+    constexpr double kSpeed = 0.02, kRise = 0.05;
+    const double rate = t < kRise ? t / kRise : 1.0, way = t < kRise ? 0.5 * t * t / kRise : t - 0.5 * kRise;
+    now.anchor.place = start() + kSpeed * way * direction;
+    now.anchor.velocity = kSpeed * rate * direction;
+    now.anchor.acceleration = t < kRise ? Vec3(kSpeed / kRise * direction) : Vec3(Vec3::Zero());
+    now.top = now.anchor;
+    now.top.place += Vec3(kLength, 0.0, 0.0);
+  };
+  return line;
+}
+
+TEST(pipe_on_rollers, led_across_sticks_to_the_stretch_of_the_limit_and_then_slides) {
+  const DynamicLine line = led_pipe(Vec3::UnitY());
+  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  rod.begin();
+  const double limit = kLateral * kRollerLoad, stretch = limit / kTangential;  // 5.9 mm
+  double way = 0.0, stuck_until = 0.0;
+  rod.run(1e-3, 800, [&] {
+    way = rod.r(1).y();
+    for (const MovingContact& contact : rod.system().contacts()) {
+      // The pipe bends between its ends: by 3e-6 m under these forces; slip is summed over steps.
+      if (way < 0.98 * stretch) {
+        EXPECT_NEAR(contact.lateral, -kTangential * way, 0.01 * limit);
+        stuck_until = way;
+      } else if (way > 1.05 * stretch) {
+        EXPECT_NEAR(contact.lateral, -kLateral * contact.normal, 1e-9 * limit);
+      }
+    }
+  });
+  EXPECT_GT(stuck_until, 0.9 * stretch);
+  EXPECT_GT(way, 2.0 * stretch);
+}
+
+TEST(pipe_on_rollers, pulled_along_is_held_by_the_rolling_resistance_of_the_rollers) {
+  const DynamicLine line = led_pipe(Vec3::UnitX());
+  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  rod.begin();
+  rod.run(1e-3, 50);  // 0.5 mm: a quarter of the stretch of the limit, 2 mm
+  for (const MovingContact& contact : rod.system().contacts()) {
+    EXPECT_NEAR(contact.axial, -kTangential * 5e-4, 0.02 * kAxial * kRollerLoad);  // the pipe's own stretching swings
+  }
+  rod.run(1e-3, 450);
+  double sum = 0.0;
+  for (const MovingContact& contact : rod.system().contacts()) {
+    EXPECT_NEAR(contact.axial, -kAxial * contact.normal, 1e-9 * kRollerLoad);
+    EXPECT_NEAR(contact.lateral, 0.0, 1e-9 * kRollerLoad);
+    sum += contact.normal;
+  }
+  EXPECT_NEAR(sum, 2.0 * kRollerLoad, 0.04 * kRollerLoad);  // the held ends bear a hundredth of the weight
+}
+
+/// How far the pipe's middle gets until it turns back.
+double slide(MovingRod& rod, const Vec3& velocity, double h) {
+  push(rod.now, velocity);
+  rod.begin();
+  const Vec3 from = rod.r(1), direction = velocity.normalized();
+  double furthest = 0.0;
+  rod.run(h, static_cast<int>(1.2 / h), [&] { furthest = std::max(furthest, (rod.r(1) - from).dot(direction)); });
+  return furthest;
+}
+
+TEST(pipe_on_rollers, sent_along_them_it_slides_until_friction_has_spent_its_speed) {
+  const DynamicLine line = pipe_on_rollers();
+  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  const double speed = 0.8;
+  // m v2/2 = mu W (d - s/2): the first stretch s of the springs takes half the force on the average.
+  const double stretch = kAxial * kRollerLoad / kTangential;
+  const double exact = speed * speed / (2.0 * kAxial * kGravity) + 0.5 * stretch;
+  EXPECT_NEAR(slide(rod, Vec3(speed, 0.0, 0.0), 1e-3), exact, 1e-3 * exact);  // a step's way at the start is 0.25 %
+}
+
+/// A pipe at rest on the bed in water, free to slide.
+struct PipeOnBed {
+  static constexpr double kSubmerged = 600.0, kAdded = 80.0, kBed = 1e5, kFriction = 0.4;
+  DynamicLine line;
+  std::vector<double> q;
+
+  PipeOnBed() {
+    RodMaterial pipe{1e9, 1e7, kMass, kMass * kGravity, kMass * kGravity - kSubmerged, 0.1};
+    pipe.displaced_mass = pipe.added_normal = kAdded;
+    line = rod_line(pipe, kLength, 2);
+    line.force_scale = kMass * kLength * kGravity;
+    line.environment.bed_offset = -20.1 + kSubmerged / kBed;
+    line.environment.bed_stiffness = line.environment.bed_stick = kBed;
+    line.environment.bed_friction_lateral = line.environment.bed_friction_axial = kFriction;
+    q = straight(line, Vec3(0.0, 0.0, -20.0), Vec3::UnitX());
+  }
+  /// With `mass` moving per length.
+  double slip(double mass, double speed) const {
+    return mass * speed * speed / (2.0 * kFriction * kSubmerged) + 0.5 * kFriction * kSubmerged / kBed;
+  }
+};
+
+TEST(pipe_on_bed, sent_across_it_slides_until_friction_has_spent_its_speed) {
+  const PipeOnBed pipe;
+  MovingRod rod(pipe.line, pipe.q);
+  const double exact = pipe.slip(kMass + PipeOnBed::kAdded, 0.8);
+  EXPECT_NEAR(slide(rod, Vec3(0.0, 0.8, 0.0), 1e-3), exact, 1e-3 * exact);  // a step's way at the start is 0.33 %
+}
+
+TEST(pipe_on_bed, sent_along_it_moves_no_water) {
+  const PipeOnBed pipe;
+  MovingRod rod(pipe.line, pipe.q);
+  const double exact = pipe.slip(kMass, 0.8);
+  EXPECT_NEAR(slide(rod, Vec3(0.8, 0.0, 0.0), 1e-3), exact, 2e-3 * exact);  // a step's way at the start is 0.6 %
+}
+
+TEST(pipe_on_bed, at_rest_it_stays) {
+  const PipeOnBed pipe;
+  MovingRod rod(pipe.line, pipe.q);
+  rod.begin();
+  rod.run(0.05, 100);
+  for (int node = 0; node <= 2; ++node) {
+    EXPECT_LT((rod.r(node) - place(pipe.q, node)).norm(), 1e-9);  // tolerance of the balance over the bed's stiffness
+  }
+}
+
+/// The barge of the BGL-1 case with a pipe over its rollers.
+struct Deck {
+  Model model = build_model(read_model(case_file("BGL1-T250")).description.value());
+  double pipe_radius = 0.5 * model.sections.front().outer_diameter;
+  Vec3 shoe_V{-40.0, 0.0, 3.0};
+  std::vector<MovingRoller> rollers;
+  std::vector<double> length;
+  AlignedDoubles radius;
+  std::vector<double> q_V;  ///< In the frame of the vessel.
+
+  Deck() {
+    for (const Roller& roller : model.supports.rollers) {
+      MovingRoller moving;
+      moving.center_V = shoe_V + to_V(roller.center_S);
+      moving.axis_V = to_V(roller.axis_S);
+      moving.normal_V = to_V(roller.normal_S);
+      moving.half_face = 0.5 * roller.face;
+      moving.radius = roller.radius;
+      moving.box = roller.box;
+      moving.law.stiffness = 1e6;
+      rollers.push_back(moving);
+    }
+    lay_pipe();
+  }
+  /// S runs astern and to starboard, V ahead and to port.
+  static Vec3 to_V(const Vec3& v_S) { return {-v_S.x(), -v_S.y(), v_S.z()}; }
+
+ private:
+  /// A parabola a hand above the rows, from far astern to ahead of them all.
+  void lay_pipe() {
+    double low = 1e30, high = -1e30;
+    Eigen::MatrixXd a(static_cast<Eigen::Index>(model.supports.rows.size()), 3);
+    Eigen::VectorXd z(a.rows());
+    for (Eigen::Index i = 0; i < a.rows(); ++i) {
+      const Vec3 p = shoe_V + to_V(model.supports.rows[static_cast<std::size_t>(i)].point_S);
+      a.row(i) << 1.0, p.x(), p.x() * p.x();
+      z(i) = p.z() + pipe_radius;
+      low = std::min(low, p.x());
+      high = std::max(high, p.x());
+    }
+    const Eigen::Vector3d c = a.colPivHouseholderQr().solve(z);
+    const int count = 100;
+    const double step = (high - low + 40.0) / count;
+    for (int i = 0; i <= count; ++i) {
+      const double x = low - 20.0 + i * step;
+      q_V.insert(q_V.end(), {x, 0.0, c(0) + x * (c(1) + x * c(2)), 1.0, 0.0, c(1) + 2.0 * x * c(2)});
+    }
+    length.assign(count, step);
+    radius.assign(count, pipe_radius);
+  }
+};
+
+/// Places along the line in `turn` about the origin, then moved by `shift`.
+std::vector<double> moved(const std::vector<double>& q, const Mat3& turn, const Vec3& shift) {
+  std::vector<double> result(q.size());
+  for (std::size_t i = 0; i < q.size(); i += 6) {
+    Eigen::Map<Vec3>(result.data() + i) = turn * Eigen::Map<const Vec3>(q.data() + i) + shift;
+    Eigen::Map<Vec3>(result.data() + i + 3) = turn * Eigen::Map<const Vec3>(q.data() + i + 3);
+  }
+  return result;
+}
+
+TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_found_in_any_pose) {
+  const Deck deck;
+  MovingContacts contacts(deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V, deck.length,
+                          deck.radius);
+  std::mt19937_64 generator(11);
+  const auto random = [&](double size) {
+    return size * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
+  };
+  const std::vector<double> v(deck.q_V.size(), 0.0);
+  const std::vector<ContactMemory> fresh(deck.rollers.size());
+  std::vector<double> residual(deck.q_V.size()), cuts(deck.q_V.size());
+  int touching = 0, apart = 0;
+  for (int pose = 0; pose < 200; ++pose) {
+    RigidMotion vessel;
+    vessel.pose.R_WV = (Eigen::AngleAxisd(random(3.0), Vec3::UnitZ()) * Eigen::AngleAxisd(random(0.1), Vec3::UnitY()) *
+                        Eigen::AngleAxisd(random(0.2), Vec3::UnitX()))
+                           .toRotationMatrix();
+    vessel.pose.p_WV = Vec3(random(500.0), random(500.0), random(5.0));
+    // The pipe has not followed the vessel all the way.
+    const Mat3 lag = (Eigen::AngleAxisd(random(0.02), Vec3::UnitY()) * Eigen::AngleAxisd(random(0.02), Vec3::UnitZ()))
+                         .toRotationMatrix();
+    const Vec3 offset(random(1.0), random(0.5), random(0.5));
+    const std::vector<double> q = moved(moved(deck.q_V, lag, offset), vessel.pose.R_WV, vessel.pose.p_WV);
+    contacts.place(vessel, q.data(), 0.0);
+    std::vector<ContactMemory> after = fresh;
+    contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, {residual, cuts});
+    for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
+      const MovingRoller& roller = deck.rollers[i];
+      const PlacedRoller placed{vessel.pose.p_WV + vessel.pose.R_WV * roller.center_V,
+                                vessel.pose.R_WV * roller.axis_V,
+                                vessel.pose.R_WV * roller.normal_V,
+                                roller.half_face,
+                                roller.radius,
+                                1e6};
+      const ClosestPoint at =
+          closest_point(placed, q.data(), deck.length.data(), 0, static_cast<int>(deck.length.size()));
+      ASSERT_TRUE(at.found);
+      // In time the pipe is where it is: behind a roller's face its distance is that to the far side.
+      const double distance = std::abs(roller_distance(placed, at, element_dofs(q, at.element), deck.length[0]).value);
+      const double penetration = deck.pipe_radius + roller.radius - distance;
+      if (penetration > 0.0) {
+        ++touching;
+        ASSERT_NEAR(contacts.contacts()[i].penetration, penetration, 1e-9) << "pose " << pose << " roller " << i;
+      } else {
+        ++apart;
+        ASSERT_LE(contacts.contacts()[i].normal, 0.0);
+      }
+    }
+  }
+  EXPECT_GT(touching, 200);
+  EXPECT_GT(apart, 200);
+}
+
+}  // namespace
+}  // namespace overbend
