@@ -14,7 +14,7 @@ Lay::Lay(Model model) : model_(std::make_unique<Model>(std::move(model))) {
   }
   solution_ = std::move(*outcome.solution);
   results_ = recover_statics(*model_, solution_);
-  system_ = std::make_unique<LineSystem>(*model_, model_->mean_pose, solution_.mesh);
+  system_ = std::make_unique<StaticSystem>(*model_, model_->mean_pose, solution_.mesh);
   cuts_ = cut_forces(*system_, solution_.state);
 }
 
@@ -33,7 +33,7 @@ Station Lay::at(double from_top) const {
 }
 
 Station Lay::at_roller(std::size_t roller) const {
-  const ClosestPoint& at = system_->roller_states()[roller].at;
+  const ClosestPoint& at = system_->contacts()[roller].at;
   return station(at.element, at.xi);
 }
 

@@ -17,7 +17,7 @@ class Lay {
   explicit Lay(Model model);
 
   const StaticResults& results() const { return results_; }
-  const LineSystem& system() const { return *system_; }
+  const StaticSystem& system() const { return *system_; }
   const StaticSolution& solution() const { return solution_; }
 
   /// The line at an unstressed length from the top, by the balance of what lies beside it [m].
@@ -31,7 +31,7 @@ class Lay {
   std::unique_ptr<Model> model_;  ///< Its address is kept by the system.
   StaticSolution solution_;
   StaticResults results_;
-  std::unique_ptr<LineSystem> system_;
+  std::unique_ptr<StaticSystem> system_;
   std::vector<CutForces> cuts_;
 };
 

@@ -115,9 +115,9 @@ void Rod::add_end_moment() {
 }
 
 void Rod::add_rollers(bool with_tangent) {
-  contacts_.assign(rollers.size(), RollerState{});
+  contacts_.assign(rollers.size(), RollerContact{});
   for (std::size_t i = 0; i < rollers.size(); ++i) {
-    RollerState& contact = contacts_[i];
+    RollerContact& contact = contacts_[i];
     contact.at = closest_point(rollers[i], state.q.data(), lengths_.data(), 0, elements_.count);
     if (!contact.at.found) {
       continue;
@@ -126,20 +126,20 @@ void Rod::add_rollers(bool with_tangent) {
     const double h = lengths_[static_cast<std::size_t>(node)];
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * node));
     const RollerDistance distance = roller_distance(rollers[i], contact.at, q, h);
-    contact.direction = distance.direction;
+    contact.normal_direction = distance.direction;
     contact.penetration = pipe_.radius + rollers[i].radius - distance.value;
     if (contact.penetration <= 0.0) {
       continue;
     }
-    contact.force = rollers[i].stiffness * contact.penetration;
+    contact.normal = rollers[i].stiffness * contact.penetration;
     const RollerDistanceDerivatives d = roller_distance_derivatives(rollers[i], contact.at, distance, q, h);
     for (int k = 0; k < 12; ++k) {
-      residual_[static_cast<std::size_t>(6 * node + k)] -= contact.force * d.gradient(k);
+      residual_[static_cast<std::size_t>(6 * node + k)] -= contact.normal * d.gradient(k);
     }
     if (!with_tangent) {
       continue;
     }
-    const ElementMatrix k = rollers[i].stiffness * d.gradient * d.gradient.transpose() - contact.force * d.hessian;
+    const ElementMatrix k = rollers[i].stiffness * d.gradient * d.gradient.transpose() - contact.normal * d.hessian;
     add_element(tangent_, node, k);
   }
 }
@@ -211,11 +211,11 @@ ElementVector Rod::element_residual(int element) const {
   add_line_forces(one, surrounds, {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
                   {out, nullptr, nullptr, nullptr}, best_isa());
   ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
-  for (const RollerState& contact : contacts_) {
-    if (contact.force > 0.0 && contact.at.element == element) {
+  for (const RollerContact& contact : contacts_) {
+    if (contact.normal > 0.0 && contact.at.element == element) {
       const HermiteValues n = hermite(contact.at.xi, lengths_[static_cast<std::size_t>(element)]);
       for (int j = 0; j < 4; ++j) {
-        residual.segment<3>(3 * j) -= contact.force * n.value(j) * contact.direction;
+        residual.segment<3>(3 * j) -= contact.normal * n.value(j) * contact.normal_direction;
       }
     }
   }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend::validation {
 
@@ -47,7 +47,7 @@ class Rod {
   Vec3 reaction(int node);
   /// Bending moment vector at an end of an element, by the balance of the element [N m].
   Vec3 moment_at(int node) const;
-  double roller_force(std::size_t roller) const { return contacts_[roller].force; }
+  double roller_force(std::size_t roller) const { return contacts_[roller].normal; }
   double roller_gap(std::size_t roller) const { return -contacts_[roller].penetration; }
   /// Moment where a roller pushes.
   Vec3 moment_at_roller(std::size_t roller) const;
@@ -64,7 +64,7 @@ class Rod {
   std::vector<char> held_;
   std::vector<double> residual_;
   BlockTridiagonal tangent_;
-  std::vector<RollerState> contacts_;
+  std::vector<RollerContact> contacts_;
 };
 
 /// `count` elements of equal length.

@@ -12,18 +12,18 @@ namespace {
 using namespace testing;
 
 /// A soft chain hung from one end: its fastest vibrations are slow enough for the steps used.
-DynamicLine soft_pendulum(double EI, int elements) {
-  DynamicLine line = rod_line({400.0, EI, 1.2, 1.2 * kGravity}, 2.0, elements);
-  line.anchor.hold_place = true;
-  line.force_scale = 2.4 * kGravity;
-  return line;
+System soft_pendulum(double EI, int elements) {
+  System system = rod_system({400.0, EI, 1.2, 1.2 * kGravity}, 2.0, elements);
+  first_end(system).hold_place = true;
+  rod_of(system).force_scale = 2.4 * kGravity;
+  return system;
 }
 
-std::vector<double> swung(const DynamicLine& line, const std::function<double(int)>& step_at, int steps) {
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()), {0.8, 1e-11, 20});
+std::vector<double> swung(const System& system, const std::function<double(int)>& step_at, int steps) {
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()), {0.8, 1e-11, 20});
   rod.begin();
   for (int i = 0; i < steps; ++i) rod.step(step_at(i));
-  return rod.now.q;
+  return rod.line_now().q;
 }
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -34,12 +34,12 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 /// Orders seen at two halvings of the step, where `step_of(n)` gives n steps over half a second.
 void expect_second_order(const std::function<std::function<double(int)>(int)>& step_of) {
-  const DynamicLine line = soft_pendulum(1.0, 2);
+  const System system = soft_pendulum(1.0, 2);
   const std::vector<double> exact = swung(
-      line, [](int) { return 0.5 / 6400; }, 6400);
+      system, [](int) { return 0.5 / 6400; }, 6400);
   double before = 0.0;
   for (const int n : {200, 400, 800}) {
-    const double error = largest_difference(swung(line, step_of(n), n), exact);
+    const double error = largest_difference(swung(system, step_of(n), n), exact);
     if (before > 0.0) {
       EXPECT_NEAR(std::log2(before / error), 2.0, 0.15) << n;  // the next order, and the error of the finest: 1/64
     }
@@ -65,8 +65,8 @@ struct EnergyRecord {
 
 /// Of a free flexible pendulum: no force but its own weight, so that the energy stays.
 EnergyRecord pendulum_energy(double spectral_radius, double h) {
-  const DynamicLine line = soft_pendulum(5.0, 3);
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()), {spectral_radius, 1e-11, 20});
+  const System system = soft_pendulum(5.0, 3);
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()), {spectral_radius, 1e-11, 20});
   rod.begin();
   const double start = stored(rod.energy());
   EnergyRecord record;
@@ -98,21 +98,21 @@ double sagbend_imbalance(double h) {
   RodMaterial pipe{2e7, 2e5, 200.0, 200.0 * kGravity, 1400.0, 0.2};
   pipe.drag_normal = 0.5 * 1025.0 * 1.2 * 0.4;
   pipe.displaced_mass = pipe.added_normal = 140.0;
-  DynamicLine line = rod_line(pipe, 40.0, 20);
-  line.environment.bed_offset = -30.2;
-  line.environment.bed_stiffness = 2e4;
-  line.environment.bed_friction_lateral = 0.5;
-  line.environment.bed_stick = 2e4;
-  line.anchor.hold_place = line.top.hold_place = true;
-  line.force_scale = 40.0 * pipe.weight;
-  line.surroundings = [](double t, Surroundings& now) {
+  System system = rod_system(pipe, 40.0, 20);
+  rod_of(system).environment.bed_offset = -30.2;
+  rod_of(system).environment.bed_stiffness = 2e4;
+  rod_of(system).environment.bed_friction_lateral = 0.5;
+  rod_of(system).environment.bed_stick = 2e4;
+  first_end(system).hold_place = last_end(system).hold_place = true;
+  rod_of(system).force_scale = 40.0 * pipe.weight;
+  system.surroundings = [](double t, Surroundings& now) {
     const double w = 3.0;
-    now.anchor.place = Vec3(0.0, 0.0, -30.0);
-    now.top.place = Vec3(40.0, 0.0, -30.0 + 0.5 * (1.0 - std::cos(w * t)));
-    now.top.velocity = Vec3(0.0, 0.0, 0.5 * w * std::sin(w * t));
-    now.top.acceleration = Vec3(0.0, 0.0, 0.5 * w * w * std::cos(w * t));
+    now.ends[0].place = Vec3(0.0, 0.0, -30.0);
+    now.ends[1].place = Vec3(40.0, 0.0, -30.0 + 0.5 * (1.0 - std::cos(w * t)));
+    now.ends[1].velocity = Vec3(0.0, 0.0, 0.5 * w * std::sin(w * t));
+    now.ends[1].acceleration = Vec3(0.0, 0.0, 0.5 * w * w * std::cos(w * t));
   };
-  MovingRod rod(line, straight(line, Vec3(0.0, 0.0, -30.0), Vec3::UnitX()), {0.8, 1e-10, 20});
+  MovingRod rod(system, straight(system, Vec3(0.0, 0.0, -30.0), Vec3::UnitX()), {0.8, 1e-10, 20});
   rod.begin();
   rod.step(1e-6);  // so that the first energy is that of a state in balance, contacts and all
   InstantEnergy before = rod.energy();
@@ -137,22 +137,22 @@ TEST(dynamic_accuracy, energy_balance_with_drag_and_bed_closes_to_second_order) 
 }
 
 TEST(dynamic_accuracy, a_bent_pipe_turned_as_a_whole_keeps_its_strain_energy_and_turns_its_forces) {
-  const DynamicLine line = rod_line({2e7, 2e5, 200.0}, 11.0, 10);
-  DynamicSystem system(line);
+  const System system = rod_system({2e7, 2e5, 200.0}, 11.0, 10);
+  Assembly assembly(system);
   const std::vector<double> q = wavy_line(11, 1.1, Vec3(0.0, 0.0, 0.0), 3);
   const auto evaluated = [&](const Mat3& turn) {
     std::vector<double> turned(q.size());
     for (std::size_t i = 0; i < q.size(); i += 3) {
       Eigen::Map<Vec3>(turned.data() + i) = turn * Eigen::Map<const Vec3>(q.data() + i);
     }
-    DynamicState state = state_at_rest(line, turned, 0.0);
-    system.set_time(0.0, state);
-    const DynamicState before = state;
-    system.evaluate(state, before, {}, false);
-    return system.energy(state).line.strain;
+    SystemState state = state_at_rest(system, {turned}, 0.0);
+    assembly.set_time(0.0, state);
+    const SystemState before = state;
+    assembly.evaluate(state, before, {}, false);
+    return assembly.energy(state).line.strain;
   };
   const double energy = evaluated(Mat3::Identity());
-  const std::vector<double> force = system.residual();
+  const std::vector<double> force = assembly.line(0).residual();
   for (const double angle : {0.4, 1.9, 3.0}) {
     const Mat3 turn = Eigen::AngleAxisd(angle, Vec3(1.0, -2.0, 0.5).normalized()).toRotationMatrix();
     EXPECT_NEAR(evaluated(turn), energy, 1e-12 * energy);  // rounding
@@ -160,7 +160,8 @@ TEST(dynamic_accuracy, a_bent_pipe_turned_as_a_whole_keeps_its_strain_energy_and
     for (std::size_t i = 0; i < force.size(); i += 3) {
       const Vec3 expected = turn * Eigen::Map<const Vec3>(force.data() + i);
       size = std::max(size, expected.norm());
-      difference = std::max(difference, (Eigen::Map<const Vec3>(system.residual().data() + i) - expected).norm());
+      difference =
+          std::max(difference, (Eigen::Map<const Vec3>(assembly.line(0).residual().data() + i) - expected).norm());
     }
     EXPECT_LT(difference, 1e-11 * size);
   }

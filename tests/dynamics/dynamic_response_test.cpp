@@ -39,19 +39,19 @@ double difference_from_linear_response(double added_mass, double h) {
   constexpr int kElements = 20;
   TensionedBeam beam(false, kElements, added_mass);
   const DrivenBeam exact(TensionedBeam::kMass + added_mass);
-  const auto still = beam.line.surroundings;
-  beam.line.surroundings = [still](double t, Surroundings& now) {
+  const auto still = beam.system.surroundings;
+  beam.system.surroundings = [still](double t, Surroundings& now) {
     still(t, now);
-    now.top.place.z() += kAmplitude * std::sin(kOmega * t);
-    now.top.velocity = Vec3(0.0, 0.0, kAmplitude * kOmega * std::cos(kOmega * t));
-    now.top.acceleration = Vec3(0.0, 0.0, -kAmplitude * kOmega * kOmega * std::sin(kOmega * t));
+    now.ends[1].place.z() += kAmplitude * std::sin(kOmega * t);
+    now.ends[1].velocity = Vec3(0.0, 0.0, kAmplitude * kOmega * std::cos(kOmega * t));
+    now.ends[1].acceleration = Vec3(0.0, 0.0, -kAmplitude * kOmega * kOmega * std::sin(kOmega * t));
   };
-  MovingRod rod(beam.line, beam.q, {0.8, 1e-9, 12});
+  MovingRod rod(beam.system, beam.q, {0.8, 1e-9, 12});
   for (int node = 0; node <= kElements; ++node) {
     const double x = TensionedBeam::kLength * node / kElements;
     const std::size_t dof = 6 * static_cast<std::size_t>(node);
-    rod.now.v[dof + 2] = kAmplitude * kOmega * exact.value(x);
-    rod.now.v[dof + 5] = kAmplitude * kOmega * exact.slope(x) * (1.0 + TensionedBeam::kStretch);
+    rod.line_now().v[dof + 2] = kAmplitude * kOmega * exact.value(x);
+    rod.line_now().v[dof + 5] = kAmplitude * kOmega * exact.slope(x) * (1.0 + TensionedBeam::kStretch);
   }
   rod.begin();
   double largest = 0.0;
@@ -79,42 +79,42 @@ TEST(dynamic_response, lateral_motion_of_an_end_in_water_moves_the_added_mass_to
 
 /// A pipe in water between a held end on the bed and a top that is led down: drag, bed with friction and damping, and
 /// a roller that it hits.
-DynamicLine coarse_sagbend() {
+System coarse_sagbend() {
   RodMaterial pipe{2e6, 5e5, 150.0, 150.0 * kGravity, 1000.0, 0.2};
   pipe.drag_normal = 0.5 * 1025.0 * 1.2 * 0.4;
   pipe.displaced_mass = pipe.added_normal = 130.0;
-  DynamicLine line = rod_line(pipe, 30.0, 10);
-  line.environment.bed_offset = -30.2;
-  line.environment.bed_stiffness = 2e4;
-  line.environment.bed_stick = 2e4;
-  line.environment.bed_friction_lateral = 0.5;
-  line.environment.bed_damping = 1e3;
-  line.anchor.hold_place = line.anchor.hold_direction = line.top.hold_place = true;
-  line.force_scale = 30.0 * pipe.weight;
+  System system = rod_system(pipe, 30.0, 10);
+  rod_of(system).environment.bed_offset = -30.2;
+  rod_of(system).environment.bed_stiffness = 2e4;
+  rod_of(system).environment.bed_stick = 2e4;
+  rod_of(system).environment.bed_friction_lateral = 0.5;
+  rod_of(system).environment.bed_damping = 1e3;
+  first_end(system).hold_place = first_end(system).hold_direction = last_end(system).hold_place = true;
+  rod_of(system).force_scale = 30.0 * pipe.weight;
   ContactLaw law;
   law.stiffness = 5e4;
   law.damping = 2e3;
   law.tangential_stiffness = 1e4;
   law.friction_axial = 0.1;
   law.friction_lateral = 0.3;
-  line.rollers = {roller_under(20.0, 0.2, law)};
-  line.rollers[0].center_V.z() += -28.1;
-  line.cells = endless_cells();
-  line.surroundings = [](double t, Surroundings& now) {
+  system.bodies[0].rollers = {roller_under(20.0, 0.2, law)};
+  system.bodies[0].rollers[0].center_V.z() += -28.1;
+  system.bodies[0].cells = endless_cells();
+  system.surroundings = [](double t, Surroundings& now) {
     constexpr double kRate = 3.0;
-    now.anchor.place = Vec3(0.0, 0.0, -30.0);
-    now.anchor.direction = Vec3::UnitX();
-    now.top.place = Vec3(29.0, 0.5 * std::sin(kRate * t), -26.0 - 0.6 * (1.0 - std::cos(kRate * t)));
-    now.top.velocity = Vec3(0.0, 0.5 * kRate * std::cos(kRate * t), -0.6 * kRate * std::sin(kRate * t));
-    now.top.acceleration = kRate * kRate * Vec3(0.0, -0.5 * std::sin(kRate * t), -0.6 * std::cos(kRate * t));
+    now.ends[0].place = Vec3(0.0, 0.0, -30.0);
+    now.ends[0].direction = Vec3::UnitX();
+    now.ends[1].place = Vec3(29.0, 0.5 * std::sin(kRate * t), -26.0 - 0.6 * (1.0 - std::cos(kRate * t)));
+    now.ends[1].velocity = Vec3(0.0, 0.5 * kRate * std::cos(kRate * t), -0.6 * kRate * std::sin(kRate * t));
+    now.ends[1].acceleration = kRate * kRate * Vec3(0.0, -0.5 * std::sin(kRate * t), -0.6 * std::cos(kRate * t));
   };
-  return line;
+  return system;
 }
 
 /// A cubic from the bed to the top.
-std::vector<double> sagging(const DynamicLine& line) {
+std::vector<double> sagging(const System& system) {
   std::vector<double> q;
-  for (const double s : line.mesh.s) {
+  for (const double s : rod_of(system).mesh.s) {
     const double u = s / 30.0;
     q.insert(q.end(), {29.0 * u, 0.0, -30.0 + 4.0 * u * u * (1.5 - 0.5 * u), 29.0 / 30.0, 0.0,
                        4.0 / 30.0 * u * (3.0 - 1.5 * u)});
@@ -129,33 +129,33 @@ struct Ride {
 };
 
 void record(MovingRod& rod, Ride& ride) {
-  if (ride.first_hit == 0.0 && rod.system().contacts()[0].normal > 0.0) ride.first_hit = rod.now.time;
+  if (ride.first_hit == 0.0 && rod.contacts()[0].normal > 0.0) ride.first_hit = rod.now.time;
 }
 
 Ride implicit_ride(double h) {
-  const DynamicLine line = coarse_sagbend();
-  MovingRod rod(line, sagging(line), {0.9, 1e-8, 20});
-  rod.now.v[rod.now.v.size() - 5] = 1.5;
+  const System system = coarse_sagbend();
+  MovingRod rod(system, sagging(system), {0.9, 1e-8, 20});
+  rod.line_now().v[rod.line_now().v.size() - 5] = 1.5;
   rod.begin();
   Ride ride;
   rod.run(h, static_cast<int>(std::lround(1.0 / h)), [&] { record(rod, ride); });
-  ride.q = rod.now.q;
+  ride.q = rod.line_now().q;
   return ride;
 }
 
 Ride explicit_ride(double h) {
-  const DynamicLine line = coarse_sagbend();
-  MovingRod rod(line, sagging(line));
-  rod.now.v[rod.now.v.size() - 5] = 1.5;
+  const System system = coarse_sagbend();
+  MovingRod rod(system, sagging(system));
+  rod.line_now().v[rod.line_now().v.size() - 5] = 1.5;
   rod.begin();
-  DynamicState next = rod.now;
+  SystemState next = rod.now;
   Ride ride;
   for (int i = 0; i < static_cast<int>(std::lround(1.0 / h)); ++i) {
-    if (!explicit_step(rod.system(), rod.now, h, next)) throw std::runtime_error("unstable");
+    if (!explicit_step(rod.assembly(), rod.now, h, next)) throw std::runtime_error("unstable");
     std::swap(rod.now, next);
     record(rod, ride);
   }
-  ride.q = rod.now.q;
+  ride.q = rod.line_now().q;
   return ride;
 }
 
@@ -186,17 +186,17 @@ TEST(explicit_step, tends_to_what_the_implicit_scheme_tends_to) {
 
 /// A soft chain let go level, after half a second, in `steps` steps of central differences.
 std::vector<double> explicit_pendulum(int steps) {
-  DynamicLine line = rod_line({400.0, 1.0, 1.2, 1.2 * kGravity}, 2.0, 2);
-  line.anchor.hold_place = true;
-  line.force_scale = 2.4 * kGravity;
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()));
+  System system = rod_system({400.0, 1.0, 1.2, 1.2 * kGravity}, 2.0, 2);
+  first_end(system).hold_place = true;
+  rod_of(system).force_scale = 2.4 * kGravity;
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
-  DynamicState next = rod.now;
+  SystemState next = rod.now;
   for (int i = 0; i < steps; ++i) {
-    if (!explicit_step(rod.system(), rod.now, 0.5 / steps, next)) throw std::runtime_error("unstable");
+    if (!explicit_step(rod.assembly(), rod.now, 0.5 / steps, next)) throw std::runtime_error("unstable");
     std::swap(rod.now, next);
   }
-  return rod.now.q;
+  return rod.line_now().q;
 }
 
 TEST(explicit_step, error_falls_with_the_square_of_the_step) {
@@ -208,13 +208,13 @@ TEST(explicit_step, error_falls_with_the_square_of_the_step) {
 }
 
 TEST(explicit_step, says_so_when_steps_are_too_long_to_be_stable) {
-  const DynamicLine line = coarse_sagbend();
-  MovingRod rod(line, sagging(line));
+  const System system = coarse_sagbend();
+  MovingRod rod(system, sagging(system));
   rod.begin();
-  DynamicState next = rod.now;
+  SystemState next = rod.now;
   bool finite = true;
   for (int i = 0; i < 1000 && finite; ++i) {
-    finite = explicit_step(rod.system(), rod.now, 0.05, next);
+    finite = explicit_step(rod.assembly(), rod.now, 0.05, next);
     std::swap(rod.now, next);
   }
   EXPECT_FALSE(finite);

@@ -51,11 +51,11 @@ RodMaterial jumper_pipe() {
 
 /// The elastic catenary between the ends: horizontal force and vertical force at the lower end of the published static
 /// state.
-std::vector<double> catenary(const DynamicLine& line, double EA) {
+std::vector<double> catenary(const System& system, double EA) {
   constexpr double kHorizontal = 11.472e3, kVertical = -24.028e3;
-  const double w = (kVertical * -1.0 + 45.722e3) / line.mesh.s.back();
+  const double w = (kVertical * -1.0 + 45.722e3) / rod_of(system).mesh.s.back();
   std::vector<double> q;
-  for (const double s : line.mesh.s) {
+  for (const double s : rod_of(system).mesh.s) {
     const double v = kVertical + w * s, size = std::hypot(kHorizontal, v);
     const double x =
         kHorizontal / w * (std::asinh(v / kHorizontal) - std::asinh(kVertical / kHorizontal)) + kHorizontal * s / EA;
@@ -69,6 +69,12 @@ std::vector<double> catenary(const DynamicLine& line, double EA) {
 struct Series {
   std::vector<double> time, tension;  ///< [s], [kN]
 };
+
+/// Force on the line by what holds its last end [N].
+double end_pull(MovingRod& rod) {
+  const std::array<double, 6>& force = rod.assembly().line(0).end_force(LineEnd::last);
+  return Vec3(force[0], force[1], force[2]).norm();
+}
 
 /// The last period: the published line starts from rest, and its first differs from those after it.
 Series published(const std::string& name) {
@@ -102,33 +108,33 @@ void advance(MovingRod& rod, double h) {
 double difference(const std::string& name, const LinearWave& wave) {
   constexpr double kStep = 0.02, kSettle = 20.0, kRamp = 20.0;
   const auto steps = [](double time) { return static_cast<int>(std::lround(time / kStep)); };
-  DynamicLine line = rod_line(jumper_pipe(), 170.0, 170);
-  line.anchor = line.top = {true, false};
-  line.force_scale = 170.0 * 165.0 * kG;
+  System system = rod_system(jumper_pipe(), 170.0, 170);
+  hold_ends(system, true, false);
+  rod_of(system).force_scale = 170.0 * 165.0 * kG;
   MovingRod* moving = nullptr;
-  line.surroundings = [&](double time, Surroundings& now) {
-    now.anchor.place = Vec3(-100.0, 0.0, -55.0);
-    now.top.place = Vec3(0.0, 0.0, -5.0);
+  system.surroundings = [&](double time, Surroundings& now) {
+    now.ends[0].place = Vec3(-100.0, 0.0, -55.0);
+    now.ends[1].place = Vec3(0.0, 0.0, -5.0);
     if (moving == nullptr) return;
     const double share = std::clamp((time - kSettle) / kRamp, 0.0, 1.0);
-    now.water.resize(moving->now.q.size() / 6 * kWaterValues);
+    now.water[0].resize(moving->line_now().q.size() / 6 * kWaterValues);
     for (int node = 0; node <= moving->last(); ++node) {
-      wave.water_at(moving->r(node), time, share, now.water.data() + kWaterValues * node);
+      wave.water_at(moving->r(node), time, share, now.water[0].data() + kWaterValues * node);
     }
   };
-  MovingRod rod(line, catenary(line, line.elements.EA[0]), {0.6, 1e-7, 40});
+  MovingRod rod(system, catenary(system, rod_of(system).elements.EA[0]), {0.6, 1e-7, 40});
   moving = &rod;
   rod.begin();
   for (int i = 0; i < 40; ++i) {  // the guess rings in its stretch: taken out by stopping it again and again
     rod.run(1e-3, 7);
-    rod.now = state_at_rest(line, rod.now.q, 0.0);
+    rod.now = state_at_rest(system, {rod.line_now().q}, 0.0);
     rod.begin();
   }
   for (int i = 0; i < steps(kSettle + kRamp + 3.0 * kPeriod); ++i) advance(rod, kStep);
   std::vector<double> tension;
   for (int i = 0; i <= steps(kPeriod); ++i) {
     advance(rod, kStep);
-    tension.push_back(1e-3 * rod.system().top_force().norm());
+    tension.push_back(1e-3 * end_pull(rod));
   }
   const Series reference = published(name);
   double sum = 0.0, least = 1e9, most = -1e9;
@@ -165,33 +171,33 @@ TEST(line_at_rest_in_a_wave, carries_the_dynamic_pressure_on_its_cross_section) 
   constexpr double kAcceleration = 0.4;
   RodMaterial pipe = jumper_pipe();
   pipe.weight = pipe.buoyancy = pipe.drag_normal = 0.0;
-  DynamicLine line = rod_line(pipe, 40.0, 8);
+  System system = rod_system(pipe, 40.0, 8);
   const Vec3 along = Vec3(0.6, 0.0, 0.8);
-  line.surroundings = [&](double, Surroundings& now) {
-    now.water.assign(9 * kWaterValues, 0.0);
+  system.surroundings = [&](double, Surroundings& now) {
+    now.water[0].assign(9 * kWaterValues, 0.0);
     for (std::size_t node = 0; node < 9; ++node) {
       for (int i = 0; i < 3; ++i)
-        now.water[kWaterValues * node + 3 + static_cast<std::size_t>(i)] = kAcceleration * along(i);
+        now.water[0][kWaterValues * node + 3 + static_cast<std::size_t>(i)] = kAcceleration * along(i);
     }
   };
   // rho a = -dp/ds, so that N = p A with the pressure zero at the far end
   const double by_length = -pipe.displaced_mass * kAcceleration;
   std::vector<double> q;
-  for (const double s : line.mesh.s) {
+  for (const double s : rod_of(system).mesh.s) {
     const double stretch = by_length * (s - 40.0) / pipe.EA;
     const Vec3 r = Vec3(0.0, 0.0, -60.0) + (s + by_length * (0.5 * s * s - 40.0 * s) / pipe.EA) * along;
     const Vec3 t = (1.0 + stretch) * along;
     q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
   }
-  DynamicSystem system(line);
-  DynamicState state = state_at_rest(line, q, 0.0), before = state;
-  system.set_time(0.0, state);
-  system.evaluate(state, before, {}, false);
+  Assembly assembly(system);
+  SystemState state = state_at_rest(system, {q}, 0.0), before = state;
+  assembly.set_time(0.0, state);
+  assembly.evaluate(state, before, {}, false);
   for (std::size_t node = 0; node < 9; ++node) {
-    const Vec3 tension = Eigen::Map<const Vec3>(system.cuts().data() + 6 * node);
-    EXPECT_NEAR(tension.dot(along), by_length * (line.mesh.s[node] - 40.0), 1e-3);
+    const Vec3 tension = Eigen::Map<const Vec3>(assembly.line(0).cuts().data() + 6 * node);
+    EXPECT_NEAR(tension.dot(along), by_length * (rod_of(system).mesh.s[node] - 40.0), 1e-3);
     if (node > 0 && node < 8) {
-      EXPECT_LT(Vec3(Eigen::Map<const Vec3>(system.residual().data() + 6 * node)).norm(), 1e-3);
+      EXPECT_LT(Vec3(Eigen::Map<const Vec3>(assembly.line(0).residual().data() + 6 * node)).norm(), 1e-3);
     }
   }
 }

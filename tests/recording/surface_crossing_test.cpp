@@ -10,9 +10,8 @@ namespace overbend {
 namespace {
 
 /// Two nodes 2 m apart along x, inclined by `slope`, the middle at the surface; falling with 2 m/s.
-DynamicState falling(double slope) {
-  DynamicState state;
-  state.time = 3.0;
+LineState falling(double slope) {
+  LineState state;
   const double c = std::cos(slope), s = std::sin(slope);
   for (const double side : {-1.0, 1.0}) {
     for (const double value : {side * c, 0.0, side * s, c, 0.0, s}) state.q.push_back(value);
@@ -25,26 +24,25 @@ const LineMesh kMesh = {{10.0, 12.0}, {2.0}, {0}};
 
 TEST(surface_crossing, is_the_speed_across_the_pipe_where_it_goes_through_the_surface) {
   SurfaceCrossing crossing;
-  crossing.add(falling(0.3), {}, kMesh);
+  crossing.add(falling(0.3), 3.0, {}, kMesh);
   EXPECT_NEAR(crossing.speed(), 2.0 * std::cos(0.3), 1e-12);
   EXPECT_NEAR(crossing.s(), 11.0, 1e-12);
   EXPECT_EQ(crossing.time(), 3.0);
 }
 
 TEST(surface_crossing, counts_what_rises_towards_the_pipe_and_nothing_that_leaves_the_water) {
-  Surroundings rising;
-  rising.water.assign(2 * kWaterValues, 0.0);
-  rising.water[2] = rising.water[kWaterValues + 2] = 0.5;
+  std::vector<double> rising(2 * kWaterValues, 0.0);
+  rising[2] = rising[kWaterValues + 2] = 0.5;
   SurfaceCrossing crossing;
-  crossing.add(falling(0.3), rising, kMesh);
+  crossing.add(falling(0.3), 3.0, rising, kMesh);
   EXPECT_NEAR(crossing.speed(), 2.5 * std::cos(0.3), 1e-12);
   SurfaceCrossing leaving;
-  DynamicState up = falling(0.3);
+  LineState up = falling(0.3);
   up.v[2] = up.v[8] = 2.0;
-  leaving.add(up, {}, kMesh);
+  leaving.add(up, 3.0, {}, kMesh);
   EXPECT_EQ(leaving.speed(), 0.0);
-  for (std::size_t node = 0; node < 2; ++node) rising.water[kWaterValues * node + 6] = 5.0;  // all under water
-  leaving.add(falling(0.3), rising, kMesh);
+  for (std::size_t node = 0; node < 2; ++node) rising[kWaterValues * node + 6] = 5.0;  // all under water
+  leaving.add(falling(0.3), 3.0, rising, kMesh);
   EXPECT_EQ(leaving.speed(), 0.0);
 }
 

@@ -16,7 +16,7 @@ struct Start {
   Model model =
       build_model(read_model(OVERBEND_SOURCE_DIR "/validation/static_cases/J12-D400-T560.yaml").description.value());
   StartingPoint from = starting_point(model, lay_plane(model, model.mean_pose));
-  LineSystem system{model, model.mean_pose, build_mesh(model, from.zones)};
+  StaticSystem system{model, model.mean_pose, build_mesh(model, from.zones)};
   LineState state = sample_shape(system, from.shape);
 };
 

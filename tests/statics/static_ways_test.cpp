@@ -81,7 +81,7 @@ TEST(static_ways, a_way_that_fails_leaves_what_is_wanted_alone) {
   const Model model = build_model(d);
   const LayPlane plane = lay_plane(model, model.mean_pose);
   const StartingPoint from = starting_point(model, plane);
-  StaticCase at{model, LineSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
+  StaticCase at{model, StaticSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
   EXPECT_FALSE(solve_elastic(at, from.shape));
   EXPECT_EQ(at.target.value, 250e3);
 }
@@ -93,7 +93,7 @@ TEST(static_ways, what_a_case_may_cost_is_counted_in_steps_and_elements) {
   const LayPlane plane = lay_plane(model, model.mean_pose);
   const StartingPoint from = starting_point(model, plane);
   ASSERT_FALSE(from.failure.has_value());
-  StaticCase at{model, LineSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
+  StaticCase at{model, StaticSystem(model, model.mean_pose, build_mesh(model, from.zones)), {}, from.target, {}};
   at.work = at.most_work();
   EXPECT_FALSE(solve_elastic(at, from.shape));
   EXPECT_EQ(at.report.iterations, 0);
@@ -104,7 +104,7 @@ TEST(relaxation, a_pipe_torn_apart_is_given_up_at_the_next_look) {
   const Model model = build_model(read("/validation/static_cases/BGL1-T250.yaml"));
   const LayPlane plane = lay_plane(model, model.mean_pose);
   const StartingPoint from = starting_point(model, plane);
-  LineSystem system(model, model.mean_pose, build_mesh(model, from.zones));
+  StaticSystem system(model, model.mean_pose, build_mesh(model, from.zones));
   LineState state = sample_shape(system, from.shape);
   for (double& x : state.q) x *= 3.0;  // a line three times as long as its steel
   const RelaxationReport r = relax(system, state, RelaxationSettings{});

@@ -15,15 +15,15 @@ namespace overbend::testing {
 struct StiffnessAndMass {
   Eigen::MatrixXd stiffness, mass;
 };
-inline StiffnessAndMass stiffness_and_mass(DynamicSystem& system, const DynamicState& state) {
-  DynamicState at = state, after = state;
-  system.set_time(at.time, at);
-  system.evaluate(after, at, {0.0, 0.0, 0.0}, true);
+inline StiffnessAndMass stiffness_and_mass(Assembly& assembly, const SystemState& state) {
+  SystemState at = state, after = state;
+  assembly.set_time(at.time, at);
+  assembly.evaluate(after, at, {0.0, 0.0, 0.0}, true);
   StiffnessAndMass both;
-  both.stiffness = dense(system.tangent());
+  both.stiffness = dense(assembly.line(0).tangent());
   constexpr double kShare = 1e8;  // so large that taking the stiffness away again costs no digits of the mass [1/s2]
-  system.evaluate(after, at, {0.0, kShare, 0.0}, true);
-  both.mass = (dense(system.tangent()) - both.stiffness) / kShare;
+  assembly.evaluate(after, at, {0.0, kShare, 0.0}, true);
+  both.mass = (dense(assembly.line(0).tangent()) - both.stiffness) / kShare;
   return both;
 }
 
@@ -33,7 +33,7 @@ struct TensionedBeam {
   static constexpr double kEA = 2859.694e6;
   static constexpr double kStretch = kTension / kEA;
 
-  DynamicLine line;
+  System system;
   std::vector<double> q;
 
   TensionedBeam(bool clamped, int elements, double added_mass = 0.0) {
@@ -42,14 +42,14 @@ struct TensionedBeam {
     // Stretched it is 60 m long and has 800 kg/m.
     pipe.mass *= 1.0 + kStretch;
     pipe.added_normal *= 1.0 + kStretch;
-    line = rod_line(pipe, kLength / (1.0 + kStretch), elements);
+    system = rod_system(pipe, kLength / (1.0 + kStretch), elements);
     const double depth = added_mass > 0.0 ? -10.0 : 0.0;
-    q = straight(line, Vec3(0.0, 0.0, depth), Vec3::UnitX(), kStretch);
-    line.anchor = line.top = {true, clamped};
-    line.force_scale = kTension;
-    line.surroundings = [depth](double, Surroundings& now) {
-      now.anchor.place = Vec3(0.0, 0.0, depth);
-      now.top.place = Vec3(kLength, 0.0, depth);
+    q = straight(system, Vec3(0.0, 0.0, depth), Vec3::UnitX(), kStretch);
+    hold_ends(system, true, clamped);
+    rod_of(system).force_scale = kTension;
+    system.surroundings = [depth](double, Surroundings& now) {
+      now.ends[0].place = Vec3(0.0, 0.0, depth);
+      now.ends[1].place = Vec3(kLength, 0.0, depth);
     };
   }
 };
@@ -57,8 +57,8 @@ struct TensionedBeam {
 /// Frequencies of vibration in the vertical plane, rising [Hz].
 inline std::vector<double> beam_frequencies(bool clamped, int elements) {
   const TensionedBeam beam(clamped, elements);
-  DynamicSystem system(beam.line);
-  const StiffnessAndMass full = stiffness_and_mass(system, state_at_rest(beam.line, beam.q, 0.0));
+  Assembly assembly(beam.system);
+  const StiffnessAndMass full = stiffness_and_mass(assembly, state_at_rest(beam.system, {beam.q}, 0.0));
   std::vector<int> free;
   for (int node = 0; node <= elements; ++node) {
     const bool end = node == 0 || node == elements;
@@ -110,11 +110,11 @@ class ZeroCrossings {
 /// Frequency of the first mode of the pinned beam let go from its shape, from the record of its middle [Hz].
 inline double first_frequency_in_time(int elements, double h) {
   TensionedBeam beam(false, elements);
-  MovingRod rod(beam.line, beam.q, {1.0, 1e-9, 12});
+  MovingRod rod(beam.system, beam.q, {1.0, 1e-9, 12});
   for (int node = 0; node <= elements; ++node) {
     const double x = std::numbers::pi * node / elements;
-    rod.now.v[static_cast<std::size_t>(6 * node + 2)] = 1e-3 * std::sin(x);
-    rod.now.v[static_cast<std::size_t>(6 * node + 5)] =
+    rod.line_now().v[static_cast<std::size_t>(6 * node + 2)] = 1e-3 * std::sin(x);
+    rod.line_now().v[static_cast<std::size_t>(6 * node + 5)] =
         1e-3 * (1.0 + TensionedBeam::kStretch) * std::numbers::pi / TensionedBeam::kLength * std::cos(x);
   }
   rod.begin();
@@ -129,21 +129,21 @@ inline double first_frequency_in_time(int elements, double h) {
 /// Extension of the end of a beam that is spun up in its plane within 15 s to 6 rad/s [m]; Simo and Vu-Quoc (1986).
 inline double spin_up_extension(int elements, double h) {
   static constexpr double kLength = 10.0, kRise = 15.0, kSpeed = 6.0;
-  DynamicLine line = rod_line({2.8e7, 1.4e4, 1.2}, kLength, elements);
-  line.anchor = {true, true};
-  line.force_scale = 1e3;  // the pull at the hub is 2160 N
-  line.surroundings = [](double t, Surroundings& now) {
+  System system = rod_system({2.8e7, 1.4e4, 1.2}, kLength, elements);
+  hold(first_end(system), true, true);
+  rod_of(system).force_scale = 1e3;  // the pull at the hub is 2160 N
+  system.surroundings = [](double t, Surroundings& now) {
     const double w = 2.0 * std::numbers::pi / kRise;
     const double s = std::min(t, kRise);
     const double angle = kSpeed / kRise * (0.5 * s * s + (std::cos(w * s) - 1.0) / (w * w)) + kSpeed * (t - s);
     const double rate = kSpeed / kRise * (s - std::sin(w * s) / w);
     const double acceleration = kSpeed / kRise * (1.0 - std::cos(w * s));
     const Vec3 along(std::cos(angle), std::sin(angle), 0.0), across(-along.y(), along.x(), 0.0);
-    now.anchor.direction = along;
-    now.anchor.direction_rate = rate * across;
-    now.anchor.direction_acceleration = acceleration * across - rate * rate * along;
+    now.ends[0].direction = along;
+    now.ends[0].direction_rate = rate * across;
+    now.ends[0].direction_acceleration = acceleration * across - rate * rate * along;
   };
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()));
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
   rod.run(h, static_cast<int>(std::lround(kRise / h)));
   // The mean of a turn: what the end still swings is left out.
@@ -155,11 +155,11 @@ inline double spin_up_extension(int elements, double h) {
 
 /// Period of a stiff bar hung from its end, let go at `angle` from hanging, in steps of a 400th of `expected` [s].
 inline double bar_pendulum_period(double angle, double expected) {
-  DynamicLine line = rod_line({1e8, 1e9, 1.0, kGravity}, 10.0, 1);
-  line.top.hold_place = false;
-  line.anchor.hold_place = true;
-  line.force_scale = 10.0 * kGravity;
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle))));
+  System system = rod_system({1e8, 1e9, 1.0, kGravity}, 10.0, 1);
+  last_end(system).hold_place = false;
+  first_end(system).hold_place = true;
+  rod_of(system).force_scale = 10.0 * kGravity;
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3(std::sin(angle), 0.0, -std::cos(angle))));
   rod.begin();
   ZeroCrossings crossings;
   rod.run(expected / 400.0, 320, [&] { crossings.add(rod.now.time, rod.r(1).x(), rod.v(1).x()); });
@@ -168,10 +168,10 @@ inline double bar_pendulum_period(double angle, double expected) {
 
 /// Places of the free end of the flexible pendulum of benchmark B07d every 0.25 s, up to 1.5 s.
 inline std::vector<Vec3> flexible_pendulum_tip(int elements, double h) {
-  DynamicLine line = rod_line({1e6, 50.0, 1.2, 1.2 * kGravity}, 2.0, elements);
-  line.anchor.hold_place = true;
-  line.force_scale = 2.4 * kGravity;
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()));
+  System system = rod_system({1e6, 50.0, 1.2, 1.2 * kGravity}, 2.0, elements);
+  first_end(system).hold_place = true;
+  rod_of(system).force_scale = 2.4 * kGravity;
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   rod.begin();
   std::vector<Vec3> places;
   for (int i = 0; i < 6; ++i) {
@@ -190,9 +190,9 @@ inline SinkingPipe sinking_pipe(double h) {
   RodMaterial pipe{2.86e9, 55.9e6, kMass, kMass * kGravity, kMass * kGravity - kSubmerged, 0.5 * kD};
   pipe.drag_normal = 0.5 * kRho * kCd * kD;
   pipe.displaced_mass = pipe.added_normal = kRho * 0.25 * std::numbers::pi * kD * kD;
-  DynamicLine line = rod_line(pipe, 12.0, 3);
-  line.force_scale = 12.0 * pipe.weight;
-  MovingRod rod(line, straight(line, Vec3(0.0, 0.0, -20.0), Vec3::UnitX()));
+  System system = rod_system(pipe, 12.0, 3);
+  rod_of(system).force_scale = 12.0 * pipe.weight;
+  MovingRod rod(system, straight(system, Vec3(0.0, 0.0, -20.0), Vec3::UnitX()));
   rod.begin();
   SinkingPipe result;
   const int second = static_cast<int>(std::lround(1.0 / h));
@@ -213,19 +213,19 @@ struct Impact {
 inline Impact roller_impact(double damping, double h) {
   constexpr double kStiffness = 5e7, kMass = 500.0;
   // As short and stiff as a point: its first own frequency is 500 times that of the contact.
-  DynamicLine line = rod_line({1e12, 2.5e10, kMass}, 1.0, 1);
+  System system = rod_system({1e12, 2.5e10, kMass}, 1.0, 1);
   ContactLaw law;
   law.stiffness = kStiffness;
   law.damping = damping;
-  line.rollers = {roller_under(0.5, 0.01, law)};
-  line.cells = endless_cells();
-  line.force_scale = 1e5;
-  MovingRod rod(line, straight(line, Vec3::Zero(), Vec3::UnitX()));
+  system.bodies[0].rollers = {roller_under(0.5, 0.01, law)};
+  system.bodies[0].cells = endless_cells();
+  rod_of(system).force_scale = 1e5;
+  MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   push(rod.now, Vec3(0.0, 0.0, -1.0));
   rod.begin();
   Impact impact;
   rod.run(h, static_cast<int>(0.02 / h), [&] {
-    const MovingContact& contact = rod.system().contacts()[0];
+    const RollerContact& contact = rod.contacts()[0];
     if (contact.normal > 0.0) impact.duration = rod.now.time;
     impact.penetration = std::max(impact.penetration, contact.penetration);
     impact.force = std::max(impact.force, contact.normal);

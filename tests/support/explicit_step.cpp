@@ -7,66 +7,85 @@ namespace {
 
 constexpr double kMassDominates = 1e16;  ///< Share of acceleration at which stiffness is rounding [1/s2].
 
-void predict(const DynamicState& now, double h, DynamicState& next) {
+void predict(const SystemState& now, double h, SystemState& next) {
   next = now;  // same sizes: nothing is allocated
   next.time = now.time + h;
   next.last_step = h;
-  for (std::size_t i = 0; i < now.q.size(); ++i) {
-    next.q[i] = now.q[i] + h * (now.v[i] + 0.5 * h * now.acc[i]);
-    next.v[i] = now.v[i] + h * now.acc[i];
+  for (std::size_t line = 0; line < now.lines.size(); ++line) {
+    const LineState& from = now.lines[line];
+    LineState& to = next.lines[line];
+    for (std::size_t i = 0; i < from.q.size(); ++i) {
+      to.q[i] = from.q[i] + h * (from.v[i] + 0.5 * h * from.acc[i]);
+      to.v[i] = from.v[i] + h * from.acc[i];
+    }
   }
-  for (GuideValues* guide : {&next.anchor_guide, &next.top_guide, &next.travel}) {
-    guide->q += h * (guide->v + 0.5 * h * guide->acc);
-    guide->v += h * guide->acc;
+  for (AttachmentState& end : next.attachments) {
+    for (MotionValues* values : {&end.guide, &end.travel}) {
+      values->q += h * (values->v + 0.5 * h * values->acc);
+      values->v += h * values->acc;
+    }
   }
 }
 
 /// Adds to the accelerations what the balance lacks: inertia is linear in them.
-bool balance(DynamicSystem& system, const DynamicState& now, double h, DynamicState& next, std::vector<double>& dq) {
-  system.evaluate(next, now, {0.0, kMassDominates, h}, true);
-  system.hold(true);
-  if (!system.solve_factored(dq)) {
+bool balance(Assembly& assembly, const SystemState& now, double h, SystemState& next) {
+  assembly.evaluate(next, now, {0.0, kMassDominates, h}, true);
+  assembly.hold(true);
+  Increments dq = assembly.increments();
+  if (!assembly.solve_factored(dq)) {
     return false;
   }
-  for (std::size_t i = 0; i < dq.size(); ++i) {
-    next.acc[i] += kMassDominates * dq[i];
+  for (std::size_t line = 0; line < dq.size(); ++line) {
+    for (std::size_t i = 0; i < dq[line].size(); ++i) {
+      next.lines[line].acc[i] += kMassDominates * dq[line][i];
+    }
   }
-  const auto along = [&](const Vec3& direction, std::size_t first) {
-    return kMassDominates * (direction.x() * dq[first] + direction.y() * dq[first + 1] + direction.z() * dq[first + 2]);
-  };
-  next.anchor_guide.acc += along(system.surroundings().anchor.direction, 3);
-  next.top_guide.acc += along(system.surroundings().top.direction, dq.size() - 3);
-  if (system.line().tensioner.mode == TensionerMode::constant) {
-    next.travel.acc -= along(system.surroundings().top.direction, dq.size() - 6);
+  const System& system = assembly.system();
+  for (std::size_t i = 0; i < next.attachments.size(); ++i) {
+    const Attachment& held = system.attachments[i];
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const double* at = dq[line].data() + 6 * assembly.line(line).end_node(held.end);
+    const Vec3& direction = assembly.surroundings().ends[i].direction;
+    next.attachments[i].guide.acc += kMassDominates * direction.dot(Vec3(Eigen::Map<const Vec3>(at + 3)));
+    if (static_cast<int>(i) == system.machine && held.tensioner.mode == TensionerMode::constant) {
+      next.attachments[i].travel.acc -= kMassDominates * direction.dot(Vec3(Eigen::Map<const Vec3>(at)));
+    }
   }
   return true;
 }
 
+void finish(const MotionValues& now, double h, MotionValues& next) {
+  next.v = now.v + 0.5 * h * (now.acc + next.acc);
+  next.alg = next.acc;
+}
+
 }  // namespace
 
-bool explicit_step(DynamicSystem& system, const DynamicState& now, double h, DynamicState& next) {
-  std::vector<double> dq(now.q.size());
+bool explicit_step(Assembly& assembly, const SystemState& now, double h, SystemState& next) {
   predict(now, h, next);
-  system.set_time(next.time, next);
-  system.set_drive(first_drive(system.line().tensioner, now.machine));
-  system.impose_ends(next);
-  if (!balance(system, now, h, next, dq)) {
+  assembly.set_time(next.time, next);
+  const std::size_t machine = static_cast<std::size_t>(assembly.system().machine);
+  assembly.set_drive(first_drive(tensioner_of(assembly.system()), now.attachments[machine].machine));
+  assembly.impose_ends(next);
+  if (!balance(assembly, now, h, next)) {
     return false;
   }
   bool finite = true;
-  for (std::size_t i = 0; i < dq.size(); ++i) {
-    next.v[i] = now.v[i] + 0.5 * h * (now.acc[i] + next.acc[i]);
-    finite = finite && std::isfinite(next.v[i]);
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
+    const LineState& from = now.lines[line];
+    LineState& to = next.lines[line];
+    for (std::size_t i = 0; i < to.v.size(); ++i) {
+      to.v[i] = from.v[i] + 0.5 * h * (from.acc[i] + to.acc[i]);
+      finite = finite && std::isfinite(to.v[i]);
+    }
+    to.alg = to.acc;
   }
-  next.anchor_guide.v = now.anchor_guide.v + 0.5 * h * (now.anchor_guide.acc + next.anchor_guide.acc);
-  next.top_guide.v = now.top_guide.v + 0.5 * h * (now.top_guide.acc + next.top_guide.acc);
-  next.travel.v = now.travel.v + 0.5 * h * (now.travel.acc + next.travel.acc);
-  next.alg = next.acc;
-  next.anchor_guide.alg = next.anchor_guide.acc;
-  next.top_guide.alg = next.top_guide.acc;
-  next.travel.alg = next.travel.acc;
-  system.impose_ends(next);
-  system.evaluate(next, now, {0.0, 0.0, h}, false);  // energies and forces at the ends belong to the state now
+  for (std::size_t i = 0; i < next.attachments.size(); ++i) {
+    finish(now.attachments[i].guide, h, next.attachments[i].guide);
+    finish(now.attachments[i].travel, h, next.attachments[i].travel);
+  }
+  assembly.impose_ends(next);
+  assembly.evaluate(next, now, {0.0, 0.0, h}, false);  // energies and forces at the ends belong to the state now
   return finite;
 }
 

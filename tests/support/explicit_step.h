@@ -1,7 +1,7 @@
 /// A second integrator, to hold the first against: explicit central differences.
 #pragma once
 
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -16,6 +16,6 @@ namespace overbend {
 /// Second order, no damping of its own, and stable only while h is below 2 over the highest frequency of the line and
 /// its contacts. Memories of contact and friction go forward as with the implicit scheme. The system is left evaluated
 /// at `next`. False where the mass is singular or a number is no longer finite.
-bool explicit_step(DynamicSystem& system, const DynamicState& now, double h, DynamicState& next);
+bool explicit_step(Assembly& assembly, const SystemState& now, double h, SystemState& next);
 
 }  // namespace overbend

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dynamics/time_step.h"
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend::testing {
 
@@ -24,9 +24,36 @@ struct RodMaterial {
   double displaced_mass = 0.0, added_normal = 0.0;  ///< [kg/m]
 };
 
-/// `count` elements of equal length, free at both ends, no rollers, nothing around.
-inline DynamicLine rod_line(const RodMaterial& material, double length, int count) {
-  DynamicLine line;
+inline Line& rod_of(System& system) {
+  return system.lines.front();
+}
+inline const Line& rod_of(const System& system) {
+  return system.lines.front();
+}
+inline Attachment& first_end(System& system) {
+  return system.attachments[0];
+}
+inline Attachment& last_end(System& system) {
+  return system.attachments[1];
+}
+inline void hold(Attachment& end, bool place, bool direction) {
+  end.hold_place = place;
+  end.hold_direction = direction;
+}
+inline void hold_ends(System& system, bool place, bool direction) {
+  hold(first_end(system), place, direction);
+  hold(last_end(system), place, direction);
+}
+
+/// `count` elements of equal length, free at both ends, a body without rollers, nothing around.
+inline System rod_system(const RodMaterial& material, double length, int count) {
+  System system;
+  system.bodies.resize(1);
+  system.attachments.resize(2);
+  last_end(system).end = LineEnd::last;
+  system.machine = 1;
+  system.lines.resize(1);
+  Line& line = rod_of(system);
   const double h = length / count;
   line.mesh.s.push_back(0.0);
   for (int i = 1; i <= count; ++i) {
@@ -59,8 +86,8 @@ inline DynamicLine rod_line(const RodMaterial& material, double length, int coun
   for (const auto& [values, value] : constants) {
     fill(*values, value, 0.0);
   }
-  line.surroundings = [](double, Surroundings&) {};
-  return line;
+  system.surroundings = [](double, Surroundings&) {};
+  return system;
 }
 
 /// A cell that leaves nothing out, so that every roller is looked for along the whole rod.
@@ -70,8 +97,8 @@ inline ContactCells endless_cells() {
 }
 
 /// A roller across x, its axis along y, under a rod of `pipe_radius` at z = 0 which it just touches at `x`.
-inline MovingRoller roller_under(double x, double pipe_radius, const ContactLaw& law) {
-  MovingRoller roller;
+inline BodyRoller roller_under(double x, double pipe_radius, const ContactLaw& law) {
+  BodyRoller roller;
   roller.radius = 0.1;
   roller.half_face = 5.0;
   roller.center_V = Vec3(x, 0.0, -pipe_radius - roller.radius);
@@ -80,10 +107,10 @@ inline MovingRoller roller_under(double x, double pipe_radius, const ContactLaw&
 }
 
 /// Unknowns of a straight rod from `start` in a unit vector, evenly stretched.
-inline std::vector<double> straight(const DynamicLine& line, const Vec3& start, const Vec3& direction,
+inline std::vector<double> straight(const System& system, const Vec3& start, const Vec3& direction,
                                     double stretch = 0.0) {
   std::vector<double> q;
-  for (const double s : line.mesh.s) {
+  for (const double s : rod_of(system).mesh.s) {
     const Vec3 r = start + (1.0 + stretch) * s * direction;
     const Vec3 t = (1.0 + stretch) * direction;
     q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
@@ -96,10 +123,11 @@ inline Vec3 place(const std::vector<double>& values, int node) {
 }
 
 /// Adds a velocity to every node: a rigid translation.
-inline void push(DynamicState& state, const Vec3& velocity) {
-  for (std::size_t i = 0; i < state.v.size(); i += 6) {
+inline void push(SystemState& state, const Vec3& velocity) {
+  std::vector<double>& v = state.lines.front().v;
+  for (std::size_t i = 0; i < v.size(); i += 6) {
     for (std::size_t k = 0; k < 3; ++k) {
-      state.v[i + k] += velocity(static_cast<int>(k));
+      v[i + k] += velocity(static_cast<int>(k));
     }
   }
 }
@@ -111,28 +139,35 @@ inline double stored(const InstantEnergy& e) {
 /// The rod with its integrator. Set `now`, call `begin`, then `step` or `run`.
 class MovingRod {
  public:
-  MovingRod(DynamicLine line, const std::vector<double>& q, const StepSettings& settings = {})
-      : line_(std::move(line)), system_(line_), stepper_(system_, settings), now(state_at_rest(line_, q, 0.0)) {
+  MovingRod(System system, const std::vector<double>& q, const StepSettings& settings = {})
+      : system_(std::move(system)),
+        assembly_(system_),
+        stepper_(assembly_, settings),
+        now(state_at_rest(system_, {q}, 0.0)) {
     next_ = now;
   }
   MovingRod(const MovingRod&) = delete;
   MovingRod& operator=(const MovingRod&) = delete;
 
-  DynamicSystem& system() { return system_; }
-  int last() const { return line_.mesh.nodes() - 1; }
-  Vec3 r(int node) const { return place(now.q, node); }
-  Vec3 v(int node) const { return place(now.v, node); }
-  InstantEnergy energy() const { return system_.energy(now); }
+  Assembly& assembly() { return assembly_; }
+  const std::vector<RollerContact>& contacts() const { return assembly_.line(0).contacts().contacts(); }
+  LineState& line_now() { return now.lines.front(); }
+  const LineState& line_now() const { return now.lines.front(); }
+  int last() const { return rod_of(system_).mesh.nodes() - 1; }
+  Vec3 r(int node) const { return place(line_now().q, node); }
+  Vec3 v(int node) const { return place(line_now().v, node); }
+  InstantEnergy energy() const { return assembly_.energy(now); }
 
   /// Accelerations of the state set, true and algorithmic.
   void begin() {
-    system_.set_time(now.time, now);
-    if (!system_.find_accelerations(now)) {
+    assembly_.set_time(now.time, now);
+    if (!assembly_.find_accelerations(now)) {
       throw std::runtime_error("the mass is singular");
     }
-    now.alg = now.acc;
-    now.anchor_guide.alg = now.anchor_guide.acc;
-    now.top_guide.alg = now.top_guide.acc;
+    line_now().alg = line_now().acc;
+    for (AttachmentState& end : now.attachments) {
+      end.guide.alg = end.guide.acc;
+    }
   }
 
   void step(double h) {
@@ -156,13 +191,13 @@ class MovingRod {
   }
 
  private:
-  DynamicLine line_;
-  DynamicSystem system_;
+  System system_;
+  Assembly assembly_;
   TimeStepper stepper_;
-  DynamicState next_;
+  SystemState next_;
 
  public:
-  DynamicState now;
+  SystemState now;
 };
 
 }  // namespace overbend::testing

@@ -11,7 +11,7 @@ constexpr std::size_t kContactNumbers = 7;
 constexpr std::size_t kWaterNumbers = 8;
 constexpr std::size_t kBendingNumbers = 17 + kSliders * kDirections;
 
-void put(DynamicCheckpoint& checkpoint, const char* name, std::vector<double> values) {
+void put(DynamicCheckpoint& checkpoint, const std::string& name, std::vector<double> values) {
   checkpoint.arrays.push_back({name, std::move(values)});
 }
 
@@ -57,57 +57,98 @@ const std::vector<double>& checkpoint_array(const DynamicCheckpoint& checkpoint,
   return found->values;
 }
 
-void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state) {
-  put(checkpoint, "state/q", state.q);
-  put(checkpoint, "state/v", state.v);
-  put(checkpoint, "state/acc", state.acc);
-  put(checkpoint, "state/alg", state.alg);
-  put(checkpoint, "state/bed_slip", {state.bed_slip.begin(), state.bed_slip.end()});
-  const GuideValues &a = state.anchor_guide, &t = state.top_guide;
-  put(checkpoint, "state/scalars", {state.time, state.last_step, a.q, a.v, a.acc, a.alg, t.q, t.v, t.acc, t.alg});
-  const TensionerMachine& m = state.machine;
-  put(checkpoint, "state/tensioner",
-      {static_cast<double>(m.state), static_cast<double>(m.drive), static_cast<double>(m.side), m.timer, m.tension,
-       state.travel.q, state.travel.v, state.travel.acc, state.travel.alg});
+namespace {
+
+void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const LineState& line) {
+  put(checkpoint, name + "q", line.q);
+  put(checkpoint, name + "v", line.v);
+  put(checkpoint, name + "acc", line.acc);
+  put(checkpoint, name + "alg", line.alg);
+  put(checkpoint, name + "bed_slip", {line.bed_slip.begin(), line.bed_slip.end()});
   std::vector<double> contacts;
-  for (const ContactMemory& c : state.contacts) {
+  for (const ContactMemory& c : line.contacts) {
     contacts.insert(contacts.end(), {c.slip_axial, c.slip_lateral, c.carries ? 1.0 : 0.0, static_cast<double>(c.axial),
                                      static_cast<double>(c.lateral), static_cast<double>(c.element), c.xi});
   }
-  put(checkpoint, "state/contacts", std::move(contacts));
-  if (!state.bending.empty()) {
-    put(checkpoint, "state/bending", bending_numbers(state.bending));
-    put(checkpoint, "state/bending_heat", {state.bending_heat});
+  put(checkpoint, name + "contacts", std::move(contacts));
+  if (!line.bending.empty()) {
+    put(checkpoint, name + "bending", bending_numbers(line.bending));
+    put(checkpoint, name + "bending_heat", {line.bending_heat});
   }
 }
 
-void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state) {
-  state.q = checkpoint_array(checkpoint, "state/q");
-  state.v = checkpoint_array(checkpoint, "state/v");
-  state.acc = checkpoint_array(checkpoint, "state/acc");
-  state.alg = checkpoint_array(checkpoint, "state/alg");
-  const std::vector<double>& slip = checkpoint_array(checkpoint, "state/bed_slip");
-  state.bed_slip.assign(slip.begin(), slip.end());
-  const std::vector<double>& s = checkpoint_array(checkpoint, "state/scalars");
-  state.time = s.at(0);
-  state.last_step = s.at(1);
-  state.anchor_guide = {s.at(2), s.at(3), s.at(4), s.at(5)};
-  state.top_guide = {s.at(6), s.at(7), s.at(8), s.at(9)};
-  const std::vector<double>& t = checkpoint_array(checkpoint, "state/tensioner");
-  state.machine = {static_cast<TensionerState>(std::lround(t.at(0))), static_cast<TensionerDrive>(std::lround(t.at(1))),
-                   static_cast<int>(std::lround(t.at(2))), t.at(3), t.at(4)};
-  state.travel = {t.at(5), t.at(6), t.at(7), t.at(8)};
-  const std::vector<double>& contacts = checkpoint_array(checkpoint, "state/contacts");
-  for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, LineState& line) {
+  line.q = checkpoint_array(checkpoint, name + "q");
+  line.v = checkpoint_array(checkpoint, name + "v");
+  line.acc = checkpoint_array(checkpoint, name + "acc");
+  line.alg = checkpoint_array(checkpoint, name + "alg");
+  const std::vector<double>& slip = checkpoint_array(checkpoint, name + "bed_slip");
+  line.bed_slip.assign(slip.begin(), slip.end());
+  const std::vector<double>& contacts = checkpoint_array(checkpoint, name + "contacts");
+  for (std::size_t i = 0; i < line.contacts.size(); ++i) {
     const double* v = &contacts.at(kContactNumbers * i);
-    state.contacts[i] = {v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6]};
+    line.contacts[i] = {v[0], v[1], v[2] != 0.0, slip_of(v[3]), slip_of(v[4]), static_cast<int>(v[5]), v[6]};
   }
-  if (!state.bending.empty()) {
-    const std::vector<double>& bending = checkpoint_array(checkpoint, "state/bending");
-    for (std::size_t i = 0; i < state.bending.size(); ++i) {
-      state.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
+  if (!line.bending.empty()) {
+    const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");
+    for (std::size_t i = 0; i < line.bending.size(); ++i) {
+      line.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
     }
-    state.bending_heat = checkpoint_array(checkpoint, "state/bending_heat").at(0);
+    line.bending_heat = checkpoint_array(checkpoint, name + "bending_heat").at(0);
+  }
+}
+
+std::vector<double> attachment_numbers(const AttachmentState& at) {
+  const TensionerMachine& m = at.machine;
+  return {at.guide.q,
+          at.guide.v,
+          at.guide.acc,
+          at.guide.alg,
+          at.travel.q,
+          at.travel.v,
+          at.travel.acc,
+          at.travel.alg,
+          static_cast<double>(m.state),
+          static_cast<double>(m.drive),
+          static_cast<double>(m.side),
+          m.timer,
+          m.tension};
+}
+
+AttachmentState attachment_of(const std::vector<double>& v) {
+  AttachmentState at;
+  at.guide = {v.at(0), v.at(1), v.at(2), v.at(3)};
+  at.travel = {v.at(4), v.at(5), v.at(6), v.at(7)};
+  at.machine = {static_cast<TensionerState>(std::lround(v.at(8))), static_cast<TensionerDrive>(std::lround(v.at(9))),
+                static_cast<int>(std::lround(v.at(10))), v.at(11), v.at(12)};
+  return at;
+}
+
+std::string numbered(const char* what, std::size_t index) {
+  return "state/" + (what + std::to_string(index));
+}
+
+}  // namespace
+
+void save_state(DynamicCheckpoint& checkpoint, const SystemState& state) {
+  put(checkpoint, "state/time", {state.time, state.last_step});
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    save_line(checkpoint, numbered("line ", i) + "/", state.lines[i]);
+  }
+  for (std::size_t i = 0; i < state.attachments.size(); ++i) {
+    put(checkpoint, numbered("attachment ", i), attachment_numbers(state.attachments[i]));
+  }
+}
+
+void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state) {
+  const std::vector<double>& time = checkpoint_array(checkpoint, "state/time");
+  state.time = time.at(0);
+  state.last_step = time.at(1);
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    restore_line(checkpoint, numbered("line ", i) + "/", state.lines[i]);
+  }
+  for (std::size_t i = 0; i < state.attachments.size(); ++i) {
+    state.attachments[i] = attachment_of(checkpoint_array(checkpoint, numbered("attachment ", i)));
   }
 }
 

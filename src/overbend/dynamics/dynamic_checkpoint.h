@@ -6,16 +6,16 @@
 
 #include "dynamics/water_field.h"
 #include "results/dynamic_sink.h"
-#include "system/dynamic_line.h"
+#include "system/state.h"
 
 namespace overbend {
 
 /// An array of a checkpoint. Throws std::runtime_error where there is none of the name.
 const std::vector<double>& checkpoint_array(const DynamicCheckpoint& checkpoint, const std::string& name);
 
-void save_state(DynamicCheckpoint& checkpoint, const DynamicState& state);
+void save_state(DynamicCheckpoint& checkpoint, const SystemState& state);
 /// Into a state of the same line.
-void restore_state(const DynamicCheckpoint& checkpoint, DynamicState& state);
+void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state);
 
 void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& water);
 void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& water);

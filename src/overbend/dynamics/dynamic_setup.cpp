@@ -4,31 +4,12 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/impact_mass.h"
 #include "mechanics/quadrature.h"
+#include "statics/lay_shape.h"
+#include "system/vessel_body.h"
 
 namespace overbend {
 namespace {
-
-RestitutionForm restitution_form(RollerDamping damping) {
-  return damping == RollerDamping::textbook ? RestitutionForm::textbook : RestitutionForm::clipped;
-}
-
-/// Effective mass per length of the pipe at a roller [kg/m].
-double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W) {
-  const double added = pipe.added_mass_normal * model.water_density * pipe.external_area;
-  return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
-}
-
-/// Weight in air without the laid tail that is carried on behind the static line [N]: how well forces are balanced does
-/// not hang on its length.
-double weight_from_static_end(const DynamicLine& line) {
-  double weight = 0.0;
-  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
-    if (line.mesh.s[e] >= 0.0) weight += line.elements.weight[e] * line.mesh.length[e];
-  }
-  return weight;
-}
 
 /// Stretch of the bed's friction at a point that statics holds with these forces: across the route, along it.
 struct StaticStretch {
@@ -49,37 +30,38 @@ StaticStretch static_stretch(const LineEnvironment& env, const Vec3& r, double r
   return {std::clamp(off, -limit_across, limit_across), -std::clamp(pull, -limit_along, limit_along)};
 }
 
-}  // namespace
-
-std::vector<MovingRoller> moving_rollers(const Model& model, const std::vector<PlacedRoller>& placed) {
-  const VesselPose& mean = model.mean_pose;
-  const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
-  std::vector<MovingRoller> rollers;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    const Roller& roller = model.supports.rollers[i];
-    MovingRoller moving;
-    moving.center_V = to_V(placed[i].center - mean.p_WV);
-    moving.axis_V = to_V(placed[i].axis);
-    moving.normal_V = to_V(placed[i].normal);
-    moving.half_face = placed[i].half_face;
-    moving.radius = placed[i].radius;
-    moving.box = roller.box;
-    const Section& pipe = model.section_over(roller);
-    const double mass = impact_mass(moved_mass(model, pipe, placed[i].center), pipe.EI, placed[i].stiffness);
-    const double zeta = damping_ratio(roller.restitution, restitution_form(roller.damping));
-    ContactLaw& law = moving.law;
-    law.stiffness = placed[i].stiffness;
-    law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
-    law.tangential_stiffness =
-        roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * law.stiffness;
-    law.tangential_damping = 2.0 * zeta * std::sqrt(mass * law.tangential_stiffness);
-    law.friction_axial = roller.friction_axial;
-    law.friction_lateral = roller.friction_lateral;
-    moving.mass = mass;
-    rollers.push_back(moving);
-  }
-  return rollers;
+/// The far end stays where statics put it.
+Attachment anchor_of(const StaticSolution& start) {
+  const std::vector<double>& q = start.state.q;
+  Attachment anchor;
+  anchor.end = LineEnd::first;
+  anchor.hold_place = anchor.hold_direction = true;
+  anchor.place = Vec3(q[0], q[1], q[2]);
+  anchor.direction = Vec3(q[3], q[4], q[5]).normalized();
+  return anchor;
 }
+
+/// Behind a guide that lets the pipe turn the machine stands in line with the pipe at rest.
+Attachment tensioner_of(const Model& model, const StaticSolution& start, double static_tension) {
+  const TensionerDescription& t = model.description.tensioner;
+  const VesselDescription& v = model.description.vessel;
+  Attachment top;
+  top.end = LineEnd::last;
+  top.hold_place = true;
+  top.hold_direction = t.guide == Guide::clamped;
+  top.body = 0;
+  // The ramp's X runs astern, its Z up; the pipe's tangent points from the anchor to the tensioner.
+  top.place = Vec3(v.stern_shoe_x - t.x, 0.0, v.stern_shoe_z + t.z);
+  top.direction = Vec3(std::cos(t.incline), 0.0, std::sin(t.incline));
+  if (t.guide == Guide::pinned) {
+    const Vec3 tangent(Eigen::Map<const Vec3>(start.state.q.data() + start.state.q.size() - 3));
+    top.direction = model.mean_pose.R_WV.transpose() * tangent.normalized();
+  }
+  top.tensioner = tensioner_law(t, static_tension);
+  return top;
+}
+
+}  // namespace
 
 TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_tension) {
   constexpr double kToSpeed = 0.5;      // [s]
@@ -98,43 +80,42 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
   return law;
 }
 
-DynamicLine dynamic_line(const Model& model, const StaticSolution& solution) {
-  const LineSystem system(model, model.mean_pose, solution.mesh);
-  DynamicLine line;
-  line.mesh = solution.mesh;
-  line.elements = system.elements();
-  line.environment = system.environment();
-  line.yielding = system.yielding();
+System pipe_system(const Model& model, const StaticSolution& solution, double static_tension) {
+  const LayPlane plane = lay_plane(model, model.mean_pose);
+  System system;
+  Line line = pipe_line(model, solution.mesh, plane.tensioner_W, plane.port_W);
   choose_levels(line.yielding, solution.state.q.data());
-  line.anchor = {true, true};
-  line.top = {true, model.description.tensioner.guide == Guide::clamped};
-  line.rollers = moving_rollers(model, system.rollers());
-  double radius = 0.0;
-  for (int e = 0; e < line.elements.count; ++e) {
-    radius = std::max(radius, line.elements.radius[static_cast<std::size_t>(e)]);
-  }
-  line.cells = contact_cells(model.supports, radius);
-  line.shoe_V = Vec3(model.description.vessel.stern_shoe_x, 0.0, model.description.vessel.stern_shoe_z);
-  line.force_scale = weight_from_static_end(line);
-  return line;
+  // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
+  // length.
+  line.force_scale = weight_from(line.mesh, line.elements, 0.0);
+  const double radius =
+      *std::max_element(line.elements.radius.begin(), line.elements.radius.begin() + line.elements.count);
+  const double shortest = *std::min_element(line.mesh.length.begin(), line.mesh.length.end());
+  system.bodies.push_back(vessel_body(model, shortest, radius));
+  system.lines.push_back(std::move(line));
+  system.attachments = {anchor_of(solution), tensioner_of(model, solution, static_tension)};
+  system.machine = 1;
+  return system;
 }
 
-DynamicState static_state(const DynamicLine& line, const StaticSolution& solution, double time) {
-  DynamicState state = state_at_rest(line, solution.state.q, time);
+SystemState static_state(const System& system, const StaticSolution& solution, double time) {
+  SystemState state = state_at_rest(system, {solution.state.q}, time);
+  const Line& line = system.lines.front();
+  LineState& pipe = state.lines.front();
   if (!solution.bending.empty()) {
-    state.bending = solution.bending;
+    pipe.bending = solution.bending;
   }
   const std::size_t padded = line.elements.padded();
   for (int e = 0; e < line.elements.count; ++e) {
     const std::size_t i = static_cast<std::size_t>(e);
-    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    const ElementVector q(Eigen::Map<const ElementVector>(pipe.q.data() + 6 * e));
     for (int point = 0; point < kGaussPoints; ++point) {
       const Vec3 r = centreline(q, kGaussXi[point], line.mesh.length[i]).r;
       const StaticStretch stretch = static_stretch(line.environment, r, line.elements.radius[i],
                                                    line.elements.weight[i] - line.elements.buoyancy[i]);
       const std::size_t at = static_cast<std::size_t>(point * kBedDirections) * padded + i;
-      state.bed_slip[at] = stretch.across;
-      state.bed_slip[at + padded] = stretch.along;
+      pipe.bed_slip[at] = stretch.across;
+      pipe.bed_slip[at + padded] = stretch.along;
     }
   }
   return state;

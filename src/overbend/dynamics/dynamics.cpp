@@ -28,8 +28,9 @@ std::string place_text(double time, double s) {
   return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
 }
 
-StaticFailure step_failure(const StepReport& report, const DynamicLine& line, double time) {
-  const double s = line.mesh.s[static_cast<std::size_t>(report.worst_node)];
+StaticFailure step_failure(const StepReport& report, const System& system, double time) {
+  const auto [line, node] = report.worst_place;
+  const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
   return {"the time step cannot be solved", place_text(time, s),
           report.end == StepEnd::singular ? "the equations have no solution there"
                                           : "forces stay out of balance however short the step is"};
@@ -41,19 +42,17 @@ class Run {
       : model_(model),
         options_(options),
         setup_(make_setup(model, start, static_tension, options)),
-        anchor_(anchor_motion(start)),
-        tensioner_(tensioner_place(model, start)),
         clock_(make_clock(options, setup_.interval)),
         water_(setup_.sea, start.mesh, start.state.q, options.build_up, setup_.interval),
         shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
-    setup_.line.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
-    system_.emplace(setup_.line);
+    setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
+    system_.emplace(setup_.system);
     stepper_.emplace(*system_, options.step);
-    tracker_.emplace(setup_.line.rollers, options.impacts);
-    recorder_.emplace(model, setup_.line);
-    state_ = static_state(setup_.line, start, clock_.time());
+    tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
+    recorder_.emplace(model, setup_.system);
+    state_ = static_state(setup_.system, start, clock_.time());
     chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
-    ended_.reserve(setup_.line.rollers.size());
+    ended_.reserve(setup_.system.bodies.front().rollers.size());
   }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -62,6 +61,11 @@ class Run {
                     const std::function<DynamicControl(const DynamicProgress&)>& control);
 
  private:
+  const Line& pipe() const { return setup_.system.lines.front(); }
+  const std::vector<RollerContact>& contacts() const { return system_->line(0).contacts().contacts(); }
+  AttachmentState& tensioner(SystemState& state) const {
+    return state.attachments[static_cast<std::size_t>(setup_.system.machine)];
+  }
   void surroundings(double time, Surroundings& now);
   bool begin();
   void resume(const DynamicCheckpoint& checkpoint);
@@ -69,9 +73,9 @@ class Run {
   std::optional<StaticFailure> to_next_tick(DynamicSink& sink);
   void accept(DynamicSink& sink, double h);
   void adapt(double h);
-  void observe_tension(DynamicState& state, double h);
-  double to_timed_event() const;
-  double step_to_tensioner(double h) const;
+  void observe_tension(SystemState& state, double h);
+  double to_timed_event();
+  double step_to_tensioner(double h);
   RecordedInstant instant() const;
   void write_row(DynamicSink& sink);
   DynamicResults results(const StaticResults& statics) const;
@@ -79,18 +83,16 @@ class Run {
   const Model& model_;
   DynamicOptions options_;
   RunSetup setup_;
-  EndMotion anchor_;
-  TensionerPlace tensioner_;
   Clock clock_;
   WaterField water_;
   WaterMemory water_memory_;
   Vec3 shoe_;
-  std::optional<DynamicSystem> system_;
+  std::optional<Assembly> system_;
   std::optional<TimeStepper> stepper_;
   std::optional<ImpactTracker> tracker_;
   std::optional<DynamicRecorder> recorder_;
   EnergyAccount energy_;
-  DynamicState state_, next_;
+  SystemState state_, next_;
   StepChooser chooser_;
   TensionWatch watch_;
   std::vector<Impact> ended_;
@@ -98,15 +100,12 @@ class Run {
 };
 
 void Run::surroundings(double time, Surroundings& now) {
-  now.vessel = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
-  const PointMotion place = point_motion(now.vessel, tensioner_.place_V);
-  const DirectionMotion direction = direction_motion(now.vessel, tensioner_.direction_V);
-  now.top = {place.place,         place.velocity, place.acceleration,
-             direction.direction, direction.rate, direction.acceleration};
-  now.anchor = anchor_;
+  now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+  lead_attachments(setup_.system, now);
   if (!water_.calm()) {
-    now.water.resize(static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(setup_.line.mesh.nodes()));
-    water_.nodes_at(water_memory_, time, now.water);
+    std::vector<double>& water = now.water.front();
+    water.resize(static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(pipe().mesh.nodes()));
+    water_.nodes_at(water_memory_, time, water);
   }
 }
 
@@ -118,24 +117,27 @@ RecordedInstant Run::instant() const {
 
 bool Run::begin() {
   if (!water_.calm()) {
-    water_.start(water_memory_, clock_.time(), state_.q, state_.v);
+    water_.start(water_memory_, clock_.time(), state_.lines.front().q, state_.lines.front().v);
   }
   system_->set_time(state_.time, state_);
-  system_->set_drive(first_drive(setup_.line.tensioner, state_.machine));
+  system_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
   system_->impose_ends(state_);
   if (!system_->find_accelerations(state_)) {
     return false;
   }
-  state_.alg = state_.acc;
-  state_.top_guide.alg = state_.top_guide.acc;
-  state_.anchor_guide.alg = state_.anchor_guide.acc;
-  const DynamicState before = state_;
+  for (LineState& line : state_.lines) {
+    line.alg = line.acc;
+  }
+  for (AttachmentState& attachment : state_.attachments) {
+    attachment.guide.alg = attachment.guide.acc;
+  }
+  const SystemState before = state_;
   system_->evaluate(state_, before, {}, false);
   observe_tension(state_, 0.0);
   watch_.start(system_->machine_tension());
-  energy_.start(system_->energy(state_), kLeastMotion * setup_.line.force_scale);
+  energy_.start(system_->energy(state_), kLeastMotion * pipe().force_scale);
   ended_.clear();
-  tracker_->accept(system_->contacts(), state_.time, 1.0, ended_);
+  tracker_->accept(contacts(), state_.time, 1.0, ended_);
   recorder_->start(instant());
   report_.smallest_step = options_.max_step;
   return true;
@@ -157,7 +159,7 @@ void Run::accept(DynamicSink& sink, double h) {
   adapt(h);
   energy_.add(system_->energy(next_), h);
   ended_.clear();
-  tracker_->accept(system_->contacts(), next_.time, h, ended_);
+  tracker_->accept(contacts(), next_.time, h, ended_);
   observe_tension(next_, h);
   std::swap(state_, next_);
   for (Impact& impact : ended_) {
@@ -171,31 +173,33 @@ void Run::accept(DynamicSink& sink, double h) {
 }
 
 /// The tensioner takes the tension at the end of a step of `h`, and stops or starts.
-void Run::observe_tension(DynamicState& state, double h) {
-  const Travel travel{state.travel.q, state.travel.v, state.travel.acc};
-  const Travel after = observe(setup_.line.tensioner, system_->machine_tension(), h, travel, state.machine);
+void Run::observe_tension(SystemState& state, double h) {
+  AttachmentState& machine = tensioner(state);
+  const Travel travel{machine.travel.q, machine.travel.v, machine.travel.acc};
+  const Travel after = observe(tensioner_of(setup_.system), system_->machine_tension(), h, travel, machine.machine);
   if (after.length != travel.length || after.speed != travel.speed) {
-    state.travel = {after.length, after.speed, after.acceleration, after.acceleration};
+    machine.travel = {after.length, after.speed, after.acceleration, after.acceleration};
   }
 }
 
 /// Until the tensioner's delay is over [s].
-double Run::to_timed_event() const {
-  const TensionerLaw& law = setup_.line.tensioner;
+double Run::to_timed_event() {
+  const TensionerLaw& law = tensioner_of(setup_.system);
   if (law.mode != TensionerMode::controlled || options_.fixed_step) {
     return 1e300;
   }
-  return std::max(time_to_move(law, state_.machine), kShortestToEvent);
+  return std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent);
 }
 
 /// How long the step just tried may be to meet the moment at which its tension makes the tensioner change [s].
-double Run::step_to_tensioner(double h) const {
-  const TensionerLaw& law = setup_.line.tensioner;
+double Run::step_to_tensioner(double h) {
+  const TensionerLaw& law = tensioner_of(setup_.system);
   if (law.mode != TensionerMode::controlled || options_.fixed_step) {
     return h;
   }
-  return step_to_event(law, excess(law, state_.machine, state_.machine.tension, state_.travel.v),
-                       excess(law, next_.machine, system_->machine_tension(), next_.travel.v), h, kShortestToEvent);
+  const AttachmentState &now = tensioner(state_), &next = tensioner(next_);
+  return step_to_event(law, excess(law, now.machine, now.machine.tension, now.travel.v),
+                       excess(law, next.machine, system_->machine_tension(), next.travel.v), h, kShortestToEvent);
 }
 
 std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
@@ -212,11 +216,11 @@ std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
       ++report_.rejected_steps;
       chooser_.wanted = 0.5 * h;
       if (chooser_.wanted < kSmallestStep) {
-        return step_failure(step, setup_.line, state_.time);
+        return step_failure(step, setup_.system, state_.time);
       }
       continue;
     }
-    const ImpactLimit impact = tracker_->check(system_->contacts(), h);
+    const ImpactLimit impact = tracker_->check(contacts(), h);
     if (impact.reject && !options_.fixed_step) {
       ++report_.rejected_steps;
       chooser_.wanted = impact.step;
@@ -235,7 +239,7 @@ std::optional<StaticFailure> Run::to_next_tick(DynamicSink& sink) {
   }
   ++clock_.tick;
   if (!water_.calm()) {
-    water_.advance(water_memory_, state_.q, state_.v);
+    water_.advance(water_memory_, state_.lines.front().q, state_.lines.front().v);
   }
   return std::nullopt;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "results/dynamic_results.h"
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 

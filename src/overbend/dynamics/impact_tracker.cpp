@@ -14,7 +14,7 @@ constexpr int kSaved = 8;               ///< Numbers per roller.
 
 }  // namespace
 
-ImpactTracker::ImpactTracker(const std::vector<MovingRoller>& rollers, const ImpactSettings& settings)
+ImpactTracker::ImpactTracker(const std::vector<BodyRoller>& rollers, const ImpactSettings& settings)
     : rollers_(&rollers), settings_(settings), tracks_(rollers.size()) {
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     tracks_[i].penetration = 0.0;  // what lies on rollers at the start has not struck them
@@ -22,16 +22,16 @@ ImpactTracker::ImpactTracker(const std::vector<MovingRoller>& rollers, const Imp
 }
 
 double ImpactTracker::contact_time(std::size_t roller) const {
-  const MovingRoller& r = (*rollers_)[roller];
+  const BodyRoller& r = (*rollers_)[roller];
   return std::numbers::pi * std::sqrt(r.mass / r.law.stiffness);
 }
 
 bool ImpactTracker::hard(std::size_t roller, double velocity) const {
-  const MovingRoller& r = (*rollers_)[roller];
+  const BodyRoller& r = (*rollers_)[roller];
   return velocity * std::sqrt(r.law.stiffness * r.mass) > settings_.least_force;
 }
 
-ImpactLimit ImpactTracker::check(const std::vector<MovingContact>& contacts, double h) const {
+ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, double h) const {
   ImpactLimit limit;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const double before = tracks_[i].penetration, now = contacts[i].penetration;
@@ -49,12 +49,12 @@ ImpactLimit ImpactTracker::check(const std::vector<MovingContact>& contacts, dou
   return limit;
 }
 
-void ImpactTracker::accept(const std::vector<MovingContact>& contacts, double time, double h,
+void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double time, double h,
                            std::vector<Impact>& ended) {
   step_limit_ = 1e300;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Track& track = tracks_[i];
-    const MovingContact& contact = contacts[i];
+    const RollerContact& contact = contacts[i];
     const double penetration = contact.at.found ? contact.penetration : -1.0;
     if (!track.open && track.penetration < 0.0 && penetration > 0.0) {
       const double velocity = std::max(contact.rate, (penetration - track.penetration) / h);

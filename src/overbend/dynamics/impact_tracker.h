@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "results/dynamic_results.h"
-#include "system/moving_contacts.h"
+#include "system/roller_contacts.h"
 
 namespace overbend {
 
@@ -22,12 +22,12 @@ struct ImpactLimit {
 
 class ImpactTracker {
  public:
-  ImpactTracker(const std::vector<MovingRoller>& rollers, const ImpactSettings& settings);
+  ImpactTracker(const std::vector<BodyRoller>& rollers, const ImpactSettings& settings);
 
   /// Looks at a step of `h` that led to `contacts`, before it is accepted.
-  ImpactLimit check(const std::vector<MovingContact>& contacts, double h) const;
+  ImpactLimit check(const std::vector<RollerContact>& contacts, double h) const;
   /// Takes an accepted step; impacts that end with it are appended to `ended` (which has room for all rollers).
-  void accept(const std::vector<MovingContact>& contacts, double time, double h, std::vector<Impact>& ended);
+  void accept(const std::vector<RollerContact>& contacts, double time, double h, std::vector<Impact>& ended);
   /// Longest step while impacts go on [s].
   double step_limit() const { return step_limit_; }
 
@@ -45,7 +45,7 @@ class ImpactTracker {
   double contact_time(std::size_t roller) const;
   bool hard(std::size_t roller, double velocity) const;
 
-  const std::vector<MovingRoller>* rollers_;
+  const std::vector<BodyRoller>* rollers_;
   ImpactSettings settings_;
   std::vector<Track> tracks_;
   double step_limit_ = 1e300;

@@ -12,7 +12,7 @@ constexpr int kOldestFactors = 20;        ///< Steps that factors may serve.
 constexpr int kSlowStep = 5;              ///< Iterations after which old factors no longer serve.
 
 /// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
-std::vector<double> lumped_mass(const DynamicLine& line) {
+std::vector<double> lumped_mass(const Line& line) {
   std::vector<double> mass(6 * static_cast<std::size_t>(line.mesh.nodes()), 0.0);
   for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
     const double h = line.mesh.length[e];
@@ -27,28 +27,43 @@ std::vector<double> lumped_mass(const DynamicLine& line) {
   return mass;
 }
 
-GuideValues corrected_for_step(GuideValues guide, double ratio) {
+MotionValues corrected_for_step(MotionValues guide, double ratio) {
   guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
   return guide;
 }
 
 }  // namespace
 
-TimeStepper::TimeStepper(DynamicSystem& system, const StepSettings& settings)
-    : system_(&system),
-      settings_(settings),
-      scheme_(settings.spectral_radius),
-      dq_(system.residual().size()),
-      lumped_mass_(lumped_mass(system.line())) {}
+TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
+    : assembly_(&assembly), settings_(settings), scheme_(settings.spectral_radius), dq_(assembly.increments()) {
+  for (const Line& line : assembly.system().lines) {
+    lumped_mass_.push_back(lumped_mass(line));
+  }
+}
 
-void TimeStepper::predict(const DynamicState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
-                          DynamicState& next) const {
+void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
+                          SystemState& next) const {
   next = now;  // same sizes: nothing is allocated
-  next.machine.drive = drive;
   next.time = now.time + h;
   next.last_step = h;
-  // The algorithmic acceleration stands apart from the true one in proportion to the step it was made with.
   const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;
+  for (std::size_t i = 0; i < now.lines.size(); ++i) {
+    predict_line(now.lines[i], h, ratio, next.lines[i]);
+  }
+  for (std::size_t i = 0; i < now.attachments.size(); ++i) {
+    const MotionValues& guide = now.attachments[i].guide;
+    next.attachments[i].guide = advance(scheme_, corrected_for_step(guide, ratio), h, guide.acc);
+  }
+  if (assembly_->system().machine >= 0) {
+    const std::size_t machine = static_cast<std::size_t>(assembly_->system().machine);
+    next.attachments[machine].machine.drive = drive;
+    predict_travel(now.attachments[machine], h, ratio, bounds, next.attachments[machine]);
+  }
+}
+
+/// The algorithmic acceleration stands apart from the true one in proportion to the step it was made with: `ratio` is
+/// that of the steps.
+void TimeStepper::predict_line(const LineState& now, double h, double ratio, LineState& next) const {
   const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
   for (std::size_t i = 0; i < now.q.size(); ++i) {
     const double alg = now.acc[i] + ratio * (now.alg[i] - now.acc[i]);
@@ -57,17 +72,13 @@ void TimeStepper::predict(const DynamicState& now, double h, TensionerDrive driv
     next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
     next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
   }
-  next.anchor_guide = advance(scheme_, corrected_for_step(now.anchor_guide, ratio), h, now.anchor_guide.acc);
-  next.top_guide = advance(scheme_, corrected_for_step(now.top_guide, ratio), h, now.top_guide.acc);
-  predict_travel(now, h, bounds, next);
 }
 
-void TimeStepper::predict_travel(const DynamicState& now, double h, const SpeedBounds& bounds,
-                                 DynamicState& next) const {
-  const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;
+void TimeStepper::predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
+                                 AttachmentState& next) const {
   const Travel from{now.travel.q, now.travel.v, now.travel.acc};
   const auto drive_to = [&](double speed) {
-    const Travel to = driven(system_->line().tensioner, from, speed, h);
+    const Travel to = driven(tensioner_of(assembly_->system()), from, speed, h);
     next.travel = {to.length, to.speed, to.acceleration, to.acceleration};
   };
   switch (next.machine.drive) {
@@ -86,26 +97,36 @@ void TimeStepper::predict_travel(const DynamicState& now, double h, const SpeedB
   }
 }
 
-void TimeStepper::correct(DynamicState& next, double h) const {
+void TimeStepper::correct(SystemState& next, double h) const {
   const double velocity = scheme_.velocity_share(h), acceleration = scheme_.acceleration_share(h);
   const double algorithmic = 1.0 / (h * h * scheme_.beta);
-  for (std::size_t i = 0; i < next.q.size(); ++i) {
-    next.q[i] += dq_[i];
-    next.v[i] += velocity * dq_[i];
-    next.acc[i] += acceleration * dq_[i];
-    next.alg[i] += algorithmic * dq_[i];
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
+    LineState& at = next.lines[line];
+    const std::vector<double>& dq = dq_[line];
+    for (std::size_t i = 0; i < at.q.size(); ++i) {
+      at.q[i] += dq[i];
+      at.v[i] += velocity * dq[i];
+      at.acc[i] += acceleration * dq[i];
+      at.alg[i] += algorithmic * dq[i];
+    }
   }
-  const auto correct_guide = [&](MotionValues& guide, const Vec3& direction, std::size_t first) {
-    const double d = direction.x() * dq_[first] + direction.y() * dq_[first + 1] + direction.z() * dq_[first + 2];
-    guide.q += d;
-    guide.v += velocity * d;
-    guide.acc += acceleration * d;
-    guide.alg += algorithmic * d;
+  const auto correct_values = [&](MotionValues& values, const Vec3& direction, const double* dq) {
+    const double d = direction.x() * dq[0] + direction.y() * dq[1] + direction.z() * dq[2];
+    values.q += d;
+    values.v += velocity * d;
+    values.acc += acceleration * d;
+    values.alg += algorithmic * d;
   };
-  correct_guide(next.anchor_guide, system_->surroundings().anchor.direction, 3);
-  correct_guide(next.top_guide, system_->surroundings().top.direction, dq_.size() - 3);
-  if (next.machine.drive == TensionerDrive::governor) {
-    correct_guide(next.travel, -system_->surroundings().top.direction, dq_.size() - 6);
+  const System& system = assembly_->system();
+  for (std::size_t i = 0; i < next.attachments.size(); ++i) {
+    const Attachment& held = system.attachments[i];
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const Vec3& direction = assembly_->surroundings().ends[i].direction;
+    const double* dq = dq_[line].data() + 6 * assembly_->line(line).end_node(held.end);
+    correct_values(next.attachments[i].guide, direction, dq + 3);
+    if (static_cast<int>(i) == system.machine && next.attachments[i].machine.drive == TensionerDrive::governor) {
+      correct_values(next.attachments[i].travel, -direction, dq);
+    }
   }
 }
 
@@ -114,24 +135,30 @@ bool TimeStepper::must_factor(double h) const {
 }
 
 /// Whether another correction may be made with the factors there are, brought up to the contacts.
-bool TimeStepper::factors_serve(const StepReport& report, double residual_before, const DynamicState& next,
-                                const StepShares& shares) {
+bool TimeStepper::factors_serve(const StepReport& report, double residual_before, const SystemState& next,
+                                const Weights& weights) {
   if (report.iterations >= kSlowStep) {
     return false;
   }
-  if (system_->contact_signature() != factored_contacts_) {
-    return system_->renew_contacts(next, shares);
+  if (assembly_->contact_signature() != factored_contacts_) {
+    return assembly_->renew_contacts(next, weights);
   }
   return report.residual <= kPoorContraction * residual_before;
 }
 
-StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& next) {
+StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
   constexpr int kMostDrives = 4;  // two that each ask for the other differ by nothing
-  const TensionerLaw& law = system_->line().tensioner;
-  const Travel travel{now.travel.q, now.travel.v, now.travel.acc};
-  const double authority = tensioner_authority(system_->line(), now.time + 0.5 * h);
-  const SpeedBounds bounds = reachable_speeds(law, now.machine, travel, authority, h);
-  TensionerDrive drive = first_drive(law, now.machine);
+  const System& system = assembly_->system();
+  if (system.machine < 0) {
+    return step_with(TensionerDrive::brake, {}, now, h, next);
+  }
+  const std::size_t machine = static_cast<std::size_t>(system.machine);
+  const AttachmentState& held = now.attachments[machine];
+  const TensionerLaw& law = tensioner_of(system);
+  const Travel travel{held.travel.q, held.travel.v, held.travel.acc};
+  const double authority = tensioner_authority(system, now.time + 0.5 * h);
+  const SpeedBounds bounds = reachable_speeds(law, held.machine, travel, authority, h);
+  TensionerDrive drive = first_drive(law, held.machine);
   StepReport report;
   for (int tries = 0; tries < kMostDrives; ++tries) {
     const StepReport part = step_with(drive, bounds, now, h, next);
@@ -140,7 +167,8 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
     report = part;
     report.iterations = iterations;
     report.factorisations = factorisations;
-    const TensionerDrive fitting = fitting_drive(law, bounds, drive, next.travel.v, system_->machine_tension());
+    const TensionerDrive fitting =
+        fitting_drive(law, bounds, drive, next.attachments[machine].travel.v, assembly_->machine_tension());
     if (!report.converged() || fitting == drive) {
       break;
     }
@@ -149,34 +177,34 @@ StepReport TimeStepper::step(const DynamicState& now, double h, DynamicState& ne
   return report;
 }
 
-StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bounds, const DynamicState& now, double h,
-                                  DynamicState& next) {
+StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bounds, const SystemState& now, double h,
+                                  SystemState& next) {
   StepReport report;
   const bool governed = drive == TensionerDrive::governor;
   factored_ = factored_ && governed == factored_governed_;
   factored_governed_ = governed;
   predict(now, h, drive, bounds, next);
-  system_->set_time(next.time, next);
-  system_->set_drive(drive);
-  system_->impose_ends(next);
-  const StepShares shares{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
+  assembly_->set_time(next.time, next);
+  assembly_->set_drive(drive);
+  assembly_->impose_ends(next);
+  const Weights weights{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);
   double before = std::numeric_limits<double>::infinity();
   while (report.iterations <= settings_.max_iterations) {
     const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
-    system_->evaluate(next, now, shares, factor, contacts);
-    system_->hold(factor);
-    report.residual = system_->relative_residual();
-    report.worst_node = system_->worst_node();
+    assembly_->evaluate(next, now, weights, factor, contacts);
+    assembly_->hold(factor);
+    report.residual = assembly_->relative_residual();
+    report.worst_place = assembly_->worst_place();
     if (!(report.residual < 1e6)) {
       report.end = StepEnd::lost;
       break;
     }
-    if (report.residual < settings_.tolerance && system_->contacts_settled()) {
+    if (report.residual < settings_.tolerance && assembly_->contacts_settled()) {
       report.end = StepEnd::converged;
       break;
     }
-    if (!factor && !factors_serve(report, before, next, shares)) {
+    if (!factor && !factors_serve(report, before, next, weights)) {
       factor = true;
       continue;
     }
@@ -184,21 +212,21 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
     before = report.residual;
     if (factor) {
       ++report.factorisations;
-      if (!system_->solve_factored(dq_)) {
+      if (!assembly_->solve_factored(dq_)) {
         report.end = StepEnd::singular;
         break;
       }
       factors_age_ = 0;
     } else {
-      system_->solve_again(dq_);
+      assembly_->solve_again(dq_);
     }
     factored_ = true;
-    factored_contacts_ = system_->contact_signature();
+    factored_contacts_ = assembly_->contact_signature();
     factored_step_ = h;
     factor = false;
-    system_->end_iteration(next);
+    assembly_->end_iteration(next);
     correct(next, h);
-    system_->impose_ends(next);
+    assembly_->impose_ends(next);
   }
   ++factors_age_;
   if (!report.converged() || report.iterations > kSlowStep) {
@@ -207,19 +235,26 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
   return report;
 }
 
-double TimeStepper::local_error(const DynamicState& now, const DynamicState& next) {
+double TimeStepper::local_error(const SystemState& now, const SystemState& next) {
   const double h = next.last_step;
   const double factor = std::abs(1.0 / 6.0 - scheme_.beta) * h * h * scheme_.acceleration_share(h);
-  for (std::size_t i = 0; i < dq_.size(); ++i) {
-    dq_[i] = factor * lumped_mass_[i] * (next.acc[i] - now.acc[i]);
+  for (std::size_t line = 0; line < dq_.size(); ++line) {
+    for (std::size_t i = 0; i < dq_[line].size(); ++i) {
+      dq_[line][i] = factor * lumped_mass_[line][i] * (next.lines[line].acc[i] - now.lines[line].acc[i]);
+    }
   }
-  const std::size_t top = dq_.size() - 6;
-  std::fill_n(dq_.begin(), system_->line().anchor.hold_place ? 6 : 0, 0.0);
-  std::fill_n(dq_.begin() + static_cast<std::ptrdiff_t>(top), system_->line().top.hold_place ? 6 : 0, 0.0);
-  resolve(system_->tangent(), dq_.data());
+  for (const Attachment& held : assembly_->system().attachments) {
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const auto node = dq_[line].begin() + 6 * assembly_->line(line).end_node(held.end);
+    std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
+  }
   double worst = 0.0;
-  for (std::size_t i = 0; i < dq_.size(); i += 6) {
-    worst = std::max(worst, dq_[i] * dq_[i] + dq_[i + 1] * dq_[i + 1] + dq_[i + 2] * dq_[i + 2]);
+  for (std::size_t line = 0; line < dq_.size(); ++line) {
+    std::vector<double>& dq = dq_[line];
+    resolve(assembly_->line(line).tangent(), dq.data());
+    for (std::size_t i = 0; i < dq.size(); i += 6) {
+      worst = std::max(worst, dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
+    }
   }
   return std::sqrt(worst);
 }

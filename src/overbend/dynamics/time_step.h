@@ -1,7 +1,7 @@
-/// One step in time of a line: generalized-alpha with Newton's method.
+/// One step of a system in time: generalized-alpha with Newton's method.
 #pragma once
 
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -18,38 +18,39 @@ struct StepReport {
   int iterations = 0;
   int factorisations = 0;
   double residual = 0.0;
-  int worst_node = 0;
+  std::pair<int, int> worst_place{0, 0};  ///< Line and node.
   bool converged() const { return end == StepEnd::converged; }
 };
 
 /// Takes steps; holds factors of the last tangent, which serve as long as step size, contacts and convergence allow.
 class TimeStepper {
  public:
-  TimeStepper(DynamicSystem& system, const StepSettings& settings);
+  TimeStepper(Assembly& assembly, const StepSettings& settings);
 
   /// From `now` over `h` to `next`; the system is left evaluated at `next`. On failure `next` is of no use.
-  StepReport step(const DynamicState& now, double h, DynamicState& next);
+  StepReport step(const SystemState& now, double h, SystemState& next);
 
   /// Estimate of the error that the last step made in the place of any node [m]: the change of acceleration over the
   /// step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far faster than the step, which
   /// the scheme damps, do not count (after Shampine 1984).
-  double local_error(const DynamicState& now, const DynamicState& next);
+  double local_error(const SystemState& now, const SystemState& next);
 
   /// What comes next depends on the state alone: for checkpoints.
   void forget_factors() { factored_ = false; }
 
  private:
-  void predict(const DynamicState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
-               DynamicState& next) const;
-  void predict_travel(const DynamicState& now, double h, const SpeedBounds& bounds, DynamicState& next) const;
-  StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const DynamicState& now, double h,
-                       DynamicState& next);
-  void correct(DynamicState& next, double h) const;
+  void predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
+               SystemState& next) const;
+  void predict_line(const LineState& now, double h, double ratio, LineState& next) const;
+  void predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
+                      AttachmentState& next) const;
+  StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const SystemState& now, double h,
+                       SystemState& next);
+  void correct(SystemState& next, double h) const;
   bool must_factor(double h) const;
-  bool factors_serve(const StepReport& report, double residual_before, const DynamicState& next,
-                     const StepShares& shares);
+  bool factors_serve(const StepReport& report, double residual_before, const SystemState& next, const Weights& weights);
 
-  DynamicSystem* system_;
+  Assembly* assembly_;
   StepSettings settings_;
   GeneralizedAlpha scheme_;
   bool factored_ = false;
@@ -57,7 +58,8 @@ class TimeStepper {
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;
-  std::vector<double> dq_, lumped_mass_;
+  Increments dq_;
+  std::vector<std::vector<double>> lumped_mass_;  ///< Line by line.
 };
 
 }  // namespace overbend

@@ -45,7 +45,7 @@ void DesignRecorder::start(const DesignInstant& at) {
     functional_[node].strain -= 0.5 * section.steel_diameter / section.EI * moment;
     functional_[node].force -= current_[node].tension;
   }
-  for (const MovingContact& contact : at.contacts) {
+  for (const RollerContact& contact : at.contacts) {
     if (contact.normal > 0.0) {
       first_supported_ = std::min(first_supported_, static_cast<std::size_t>(contact.at.element));
     }
@@ -54,7 +54,7 @@ void DesignRecorder::start(const DesignInstant& at) {
 
 void DesignRecorder::find_rollers(const DesignInstant& at) {
   std::fill(roller_.begin(), roller_.end(), 0.0);
-  for (const MovingContact& contact : at.contacts) {
+  for (const RollerContact& contact : at.contacts) {
     if (contact.normal > 0.0) {
       double& force = roller_[static_cast<std::size_t>(contact.at.element + (contact.at.xi < 0.5 ? 0 : 1))];
       force = std::max(force, contact.normal);

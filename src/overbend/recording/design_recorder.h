@@ -16,7 +16,7 @@ struct DesignInstant {
   const NodeValues& nodes;
   const std::vector<Vec3>& moments;   ///< Bending moment at every node as a vector, W [N m].
   const std::vector<Vec3>& tangents;  ///< Unit, W.
-  const std::vector<MovingContact>& contacts;
+  const std::vector<RollerContact>& contacts;
   double time = 0.0;
 };
 

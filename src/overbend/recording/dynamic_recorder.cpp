@@ -10,11 +10,11 @@
 namespace overbend {
 namespace {
 
-Vec3 node_place(const DynamicState& state, int node) {
+Vec3 node_place(const LineState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
 }
 
-Vec3 node_tangent(const DynamicState& state, int node) {
+Vec3 node_tangent(const LineState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3)).normalized();
 }
 
@@ -29,7 +29,7 @@ int node_below(const LineMesh& mesh, double s) {
 }
 
 /// Clear distance of pipe and roller; not a number where the pipe does not pass it [m].
-double separation(const MovingContact& contact) {
+double separation(const RollerContact& contact) {
   return contact.at.found ? -contact.penetration : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -58,16 +58,17 @@ int last_stinger_roller(const Supports& supports) {
 
 }  // namespace
 
-DynamicRecorder::DynamicRecorder(const Model& model, const DynamicLine& line)
+DynamicRecorder::DynamicRecorder(const Model& model, const System& system)
     : model_(&model),
-      line_(&line),
-      recovery_(model, line),
+      line_(&system.lines.front()),
+      vessel_(&system.bodies.front()),
+      recovery_(model, *line_),
       design_(model, recovery_.sections()),
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
-      tensioner_(line.tensioner) {
-  const std::vector<double>& s = line.mesh.s;
+      tensioner_(tensioner_of(system)) {
+  const std::vector<double>& s = line_->mesh.s;
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
   const std::size_t n = s.size() - first_;
@@ -153,11 +154,11 @@ void DynamicRecorder::start(const RecordedInstant& at) {
 }
 
 DesignInstant DynamicRecorder::design_instant(const RecordedInstant& at) const {
-  return {nodes_, recovery_.moments(), recovery_.tangents(), at.system->contacts(), at.state->time};
+  return {nodes_, recovery_.moments(), recovery_.tangents(), at.contacts(), at.state->time};
 }
 
 void DynamicRecorder::recover(const RecordedInstant& at) {
-  recovery_.recover(*at.state, *at.system, nodes_);
+  recovery_.recover(at.pipe(), at.system->line(0), at.water(), nodes_);
   find_key_values(at);
   find_support_values(at);
   find_passed(at);
@@ -168,7 +169,7 @@ void DynamicRecorder::recover(const RecordedInstant& at) {
 }
 
 void DynamicRecorder::find_key_values(const RecordedInstant& at) {
-  const DynamicState& state = *at.state;
+  const LineState& state = at.pipe();
   const int top = line_->mesh.nodes() - 1;
   key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
   const SeabedPlane& bed = model_->seabed;
@@ -195,12 +196,12 @@ void DynamicRecorder::find_key_values(const RecordedInstant& at) {
   const std::optional<double> leaving = departure(at);
   key_.departure_angle =
       inclination(node_tangent(state, node_below(line_->mesh, leaving.value_or(line_->mesh.s.back()))));
-  key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.system->contacts()[static_cast<std::size_t>(tip_roller_)]);
+  key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.contacts()[static_cast<std::size_t>(tip_roller_)]);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
   find_region_peaks(
       find_regions({line_->mesh.s, nodes_.bending_moment, nodes_.vertical_moment}, landing_s, leaving, clamped),
-      state.time);
-  find_slack(state.time);
+      at.state->time);
+  find_slack(at.state->time);
   key_sample_ = {key_.top_tension,    key_.bottom_tension, key_.lay_back,       key_.departure_angle,
                  key_.tip_clearance,  key_.upper[0].now,   key_.upper[1].now,   key_.upper[2].now,
                  key_.upper[3].now,   key_.sagbend[0].now, key_.sagbend[1].now, key_.sagbend[2].now,
@@ -211,7 +212,7 @@ void DynamicRecorder::find_key_values(const RecordedInstant& at) {
 /// state; none where no support carries in either.
 std::optional<double> DynamicRecorder::departure(const RecordedInstant& at) const {
   std::optional<double> last;
-  for (const MovingContact& contact : at.system->contacts()) {
+  for (const RollerContact& contact : at.contacts()) {
     if (contact.normal <= 0.0) continue;
     const std::size_t e = static_cast<std::size_t>(contact.at.element);
     const double s = line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e];
@@ -247,9 +248,9 @@ void DynamicRecorder::find_slack(double time) {
 
 /// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
 void DynamicRecorder::find_passed(const RecordedInstant& at) {
-  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  const VesselPose& pose = at.vessel().pose;
   for (std::size_t i = 0; i < rollers_; ++i) {
-    const MovingContact& contact = at.system->contacts()[i];
+    const RollerContact& contact = at.contacts()[i];
     const Roller& roller = model_->supports.rollers[i];
     BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
     const double radius = model_->section_over(roller).outer_radius();
@@ -261,18 +262,18 @@ void DynamicRecorder::find_passed(const RecordedInstant& at) {
 }
 
 void DynamicRecorder::find_support_values(const RecordedInstant& at) {
-  const Mat3& axes = at.system->surroundings().vessel.pose.R_WV;
+  const Mat3& axes = at.vessel().pose.R_WV;
   const Vec3 port = axes.col(1);
   const std::vector<Roller>& rollers = model_->supports.rollers;
   double* of_rollers = support_sample_.data() + kBoxQuantities * boxes_;
   std::size_t roller = 0;
   for (std::size_t box = 0; box < boxes_; ++box) {
     const SupportBox& support = model_->supports.boxes[box];
-    const Vec3 along = direction_from_ramp(at.system->surroundings().vessel.pose, support.direction_S);
+    const Vec3 along = direction_from_ramp(at.vessel().pose, support.direction_S);
     Vec3 force = Vec3::Zero();
     double nearest = std::numeric_limits<double>::infinity();
     for (; roller < rollers_ && rollers[roller].box == static_cast<int>(box); ++roller) {
-      const MovingContact& contact = at.system->contacts()[roller];
+      const RollerContact& contact = at.contacts()[roller];
       double* out = of_rollers + kRollerQuantities * roller;
       out[0] = contact.normal;
       out[1] = separation(contact);
@@ -295,8 +296,8 @@ void DynamicRecorder::find_support_values(const RecordedInstant& at) {
 
 void DynamicRecorder::step(const RecordedInstant& at) {
   recover(at);
-  tensioner_.add(*at.state, at.step);
-  crossing_.add(*at.state, at.system->surroundings(), line_->mesh);
+  tensioner_.add(at.tensioner(), at.state->time, at.step);
+  crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;
   }
@@ -317,7 +318,7 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
   const auto put = [&](double value) { row_[i++] = value; };
   put(at.state->time);
   put(at.elevation);
-  for (const double freedom : at.system->surroundings().vessel.freedoms) {
+  for (const double freedom : at.vessel().freedoms) {
     put(freedom);
   }
   for (std::size_t k = 0; k < 5; ++k) {
@@ -332,9 +333,9 @@ std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
   put(largest_key_[0]);
   put(least_key_[0]);
   put(least_key_[kKeyQuantities - 1]);
-  put(at.state->machine.tension);
-  put(at.state->travel.q);
-  put(static_cast<double>(at.state->machine.state));
+  put(at.tensioner().machine.tension);
+  put(at.tensioner().travel.q);
+  put(static_cast<double>(at.tensioner().machine.state));
   put(at.step);
   put(at.drift);
   for (std::size_t box = 0; box < boxes_; ++box) {
@@ -359,7 +360,7 @@ std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
                               nodes_.von_mises[node]};
     out = std::copy_n(values, 5, out);
   }
-  const VesselPose& pose = at.system->surroundings().vessel.pose;
+  const VesselPose& pose = at.vessel().pose;
   for (int i = 0; i < 3; ++i) {
     *out++ = pose.p_WV(i);
   }

@@ -34,16 +34,24 @@ inline constexpr double kNever = 1e300;
 
 /// One instant as the recorder is told of it.
 struct RecordedInstant {
-  const DynamicState* state = nullptr;
-  const DynamicSystem* system = nullptr;
+  const SystemState* state = nullptr;
+  const Assembly* system = nullptr;
   double step = 0.0;       ///< That led here [s].
   double elevation = 0.0;  ///< Of the water at the stern shoe's mean place [m].
   double drift = 0.0;      ///< Of energy, relative.
+
+  const LineState& pipe() const { return state->lines.front(); }
+  const std::vector<RollerContact>& contacts() const { return system->line(0).contacts().contacts(); }
+  const RigidMotion& vessel() const { return system->surroundings().bodies.front(); }
+  const std::vector<double>& water() const { return system->surroundings().water.front(); }
+  const AttachmentState& tensioner() const {
+    return state->attachments[static_cast<std::size_t>(system->system().machine)];
+  }
 };
 
 class DynamicRecorder {
  public:
-  DynamicRecorder(const Model& model, const DynamicLine& line);
+  DynamicRecorder(const Model& model, const System& system);
 
   std::vector<HistoryColumn> columns() const;
   /// Nodes of the static line: the laid tail behind it is not recorded.
@@ -87,7 +95,8 @@ class DynamicRecorder {
   DynamicExtreme extreme_of(const RegionPeak& peak, const Spread& over_time) const;
 
   const Model* model_;
-  const DynamicLine* line_;
+  const Line* line_;
+  const Body* vessel_;
   NodeRecovery recovery_;
   DesignRecorder design_;
   NodeValues nodes_, static_nodes_;

@@ -152,7 +152,7 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
 void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = 1e-3 * hardest_.front().peak_force;
-  const double stiffness = 1e-6 * line_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
+  const double stiffness = 1e-6 * vessel_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
   results.assumptions.push_back(
       fmt::format("The hardest impact, {:.1f} kN, met a contact of {:.3g} MN/m; with half that stiffness it would be "
                   "{:.1f} kN, with twice {:.1f} kN (the force goes with its cube root at the same approach velocity).",

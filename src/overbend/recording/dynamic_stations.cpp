@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/stress.h"
+#include "system/cut_forces.h"
 
 namespace overbend {
 namespace {
@@ -48,20 +49,12 @@ Vec3 bend_of(const Vec3& moment, const Vec3& t) {
   return (moment - moment.dot(t) * t).cross(t);
 }
 
-Vec3 place_of(const DynamicState& state, std::size_t node) {
+Vec3 place_of(const LineState& state, std::size_t node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
 }
 
-Vec3 tangent_of(const DynamicState& state, std::size_t node) {
+Vec3 tangent_of(const LineState& state, std::size_t node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
-}
-
-Vec3 cut_force(const std::vector<double>& cuts, std::size_t node) {
-  return Vec3(Eigen::Map<const Vec3>(cuts.data() + 6 * node));
-}
-
-Vec3 cut_moment(const DynamicState& state, const std::vector<double>& cuts, std::size_t node) {
-  return tangent_of(state, node).cross(Vec3(Eigen::Map<const Vec3>(cuts.data() + 6 * node + 3)));
 }
 
 }  // namespace
@@ -73,22 +66,23 @@ void NodeValues::resize(std::size_t nodes) {
   }
 }
 
-NodeRecovery::NodeRecovery(const Model& model, const DynamicLine& line) : model_(&model), line_(&line) {
+NodeRecovery::NodeRecovery(const Model& model, const Line& line) : model_(&model), line_(&line) {
   const std::size_t nodes = static_cast<std::size_t>(line.mesh.nodes());
   for (std::size_t node = 0; node < nodes; ++node) {
     section_.push_back(line.mesh.section[std::min(node, line.mesh.section.size() - 1)]);
   }
   bend_.resize(nodes);
   tangent_.resize(nodes);
-  carrying_.reserve(line.rollers.size());
+  carrying_.reserve(model.supports.rollers.size());
 }
 
-void NodeRecovery::cut_moments(const DynamicState& state, const std::vector<double>& cuts, NodeValues& values) {
+void NodeRecovery::cut_moments(const LineState& state, const std::vector<double>& cuts, NodeValues& values) {
   for (std::size_t node = 0; node < bend_.size(); ++node) {
     const Vec3 t = tangent_of(state, node).normalized();
     tangent_[node] = t;
-    bend_[node] = bend_of(cut_moment(state, cuts, node), t);
-    values.effective_tension[node] = cut_force(cuts, node).dot(t);
+    const CutForces cut = cut_at_node(cuts, state.q, node);
+    bend_[node] = bend_of(cut.moment, t);
+    values.effective_tension[node] = cut.force.dot(t);
     values.bending_moment[node] = bend_[node].norm();
     values.vertical_moment[node] = bend_[node].dot(up_across(t));
     values.curvature[node] =
@@ -98,7 +92,7 @@ void NodeRecovery::cut_moments(const DynamicState& state, const std::vector<doub
 
 /// EI times the curvature at a node is the mean of those of the cubics on both sides, with the fixed-end moments of the
 /// roller forces inside the elements added: exact for small bending between nodes.
-void NodeRecovery::shape_curvatures(const DynamicState& state, NodeValues& values) {
+void NodeRecovery::shape_curvatures(const LineState& state, NodeValues& values) {
   const std::vector<double>& length = line_->mesh.length;
   const std::size_t last = length.size();
   for (std::size_t node = 0; node <= last; ++node) {
@@ -107,7 +101,7 @@ void NodeRecovery::shape_curvatures(const DynamicState& state, NodeValues& value
     const auto add_element = [&](std::size_t e, bool upper) {
       const ElementBends bends = bends_of(state.q.data() + 6 * e, length[e], line_->elements.EI[e]);
       bend += upper ? bends.second : bends.first;
-      for (const MovingContact* contact : carrying_) {
+      for (const RollerContact* contact : carrying_) {
         if (static_cast<std::size_t>(contact->at.element) == e) {
           const double x = contact->at.xi, y = 1.0 - x;
           bend += (length[e] * x * y * (upper ? x : y)) * contact->force();
@@ -124,16 +118,15 @@ void NodeRecovery::shape_curvatures(const DynamicState& state, NodeValues& value
 
 /// The part of the element below the roller is in balance under the cut at its lower node, the rollers on it, the cut
 /// under this roller and what is spread along the element, evenly as far as the cuts at its ends tell.
-Vec3 NodeRecovery::moment_under(const DynamicState& state, const DynamicSystem& system,
-                                const MovingContact& contact) const {
+Vec3 NodeRecovery::moment_under(const LineState& state, const LineAssembly& line, const RollerContact& contact) const {
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
   const double h = line_->mesh.length[e], x = contact.at.xi;
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
   const CentrelinePoint here = centreline(q, x, h);
-  const Vec3 below = cut_force(system.cuts(), e);
-  Vec3 spread = below - cut_force(system.cuts(), e + 1);
-  Vec3 moment = cut_moment(state, system.cuts(), e) - (here.r - place_of(state, e)).cross(below);
-  for (const MovingContact* other : carrying_) {
+  const Vec3 below = cut_at_node(line.cuts(), state.q, e).force;
+  Vec3 spread = below - cut_at_node(line.cuts(), state.q, e + 1).force;
+  Vec3 moment = cut_at_node(line.cuts(), state.q, e).moment - (here.r - place_of(state, e)).cross(below);
+  for (const RollerContact* other : carrying_) {
     if (other->at.element != contact.at.element) continue;
     spread -= other->force();
     if (other->at.xi < x) moment -= (centreline(q, other->at.xi, h).r - here.r).cross(other->force());
@@ -143,7 +136,7 @@ Vec3 NodeRecovery::moment_under(const DynamicState& state, const DynamicSystem& 
 }
 
 /// EI times the curvature under a roller.
-Vec3 NodeRecovery::shape_bend(const DynamicState& state, const MovingContact& contact) const {
+Vec3 NodeRecovery::shape_bend(const LineState& state, const RollerContact& contact) const {
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
   const double h = line_->mesh.length[e], x = contact.at.xi, y = 1.0 - x;
   const ElementBends bends = bends_of(state.q.data() + 6 * e, h, line_->elements.EI[e]);
@@ -152,12 +145,12 @@ Vec3 NodeRecovery::shape_bend(const DynamicState& state, const MovingContact& co
   return all - all.dot(a) / a.squaredNorm() * a;
 }
 
-void NodeRecovery::moments_under_rollers(const DynamicState& state, const DynamicSystem& system, NodeValues& values) {
-  for (const MovingContact* contact : carrying_) {
+void NodeRecovery::moments_under_rollers(const LineState& state, const LineAssembly& line, NodeValues& values) {
+  for (const RollerContact* contact : carrying_) {
     const std::size_t e = static_cast<std::size_t>(contact->at.element);
     const std::size_t node = contact->at.xi < 0.5 ? e : e + 1;
     const Section& section = model_->sections[static_cast<std::size_t>(line_->mesh.section[e])];
-    const Vec3 bend = moment_under(state, system, *contact);
+    const Vec3 bend = moment_under(state, line, *contact);
     const double moment = bend.norm();
     const double curvature =
         section.bending ? shape_bend(state, *contact).norm() / line_->elements.EI[e] : moment / section.EI;
@@ -169,15 +162,15 @@ void NodeRecovery::moments_under_rollers(const DynamicState& state, const Dynami
   }
 }
 
-void NodeRecovery::recover(const DynamicState& state, const DynamicSystem& system, NodeValues& values) {
+void NodeRecovery::recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water,
+                           NodeValues& values) {
   carrying_.clear();
-  for (const MovingContact& contact : system.contacts()) {
+  for (const RollerContact& contact : line.contacts().contacts()) {
     if (contact.normal > 0.0) carrying_.push_back(&contact);
   }
-  cut_moments(state, system.cuts(), values);
+  cut_moments(state, line.cuts(), values);
   if (line_->yielding.any) shape_curvatures(state, values);
-  moments_under_rollers(state, system, values);
-  const std::vector<double>& water = system.surroundings().water;
+  moments_under_rollers(state, line, values);
   for (std::size_t node = 0; node < section_.size(); ++node) {
     const Section& section = model_->sections[static_cast<std::size_t>(section_[node])];
     const double* q = state.q.data() + 6 * node;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -22,14 +22,14 @@ struct NodeValues {
 /// Constants of the recovery.
 class NodeRecovery {
  public:
-  NodeRecovery(const Model& model, const DynamicLine& line);
+  NodeRecovery(const Model& model, const Line& line);
 
-  /// From the state that `system` evaluated last. Tension and moment are those of cuts: what the line above a node
-  /// exerts on what is below follows from the balance of the element below, inertia and water included, as in statics.
-  /// So they are right where the section changes and the strain of neighbouring elements is not. Where a roller pushes
-  /// inside an element, the moment under it goes to the nearer node if it is larger there. The curvature of steel that
-  /// yields is that of the shape. Nothing is allocated.
-  void recover(const DynamicState& state, const DynamicSystem& system, NodeValues& values);
+  /// From the state that `line` evaluated last, `water` as it was given then. Tension and moment are those of cuts:
+  /// what the line above a node exerts on what is below follows from the balance of the element below, inertia and
+  /// water included, as in statics. So they are right where the section changes and the strain of neighbouring elements
+  /// is not. Where a roller pushes inside an element, the moment under it goes to the nearer node if it is larger
+  /// there. The curvature of steel that yields is that of the shape. Nothing is allocated.
+  void recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water, NodeValues& values);
 
   // Of the state recovered last, at every node, W.
   const std::vector<Vec3>& moments() const { return bend_; }      ///< Bending moment [N m].
@@ -37,18 +37,18 @@ class NodeRecovery {
   const std::vector<int>& sections() const { return section_; }
 
  private:
-  void cut_moments(const DynamicState& state, const std::vector<double>& cuts, NodeValues& values);
-  void shape_curvatures(const DynamicState& state, NodeValues& values);
-  void moments_under_rollers(const DynamicState& state, const DynamicSystem& system, NodeValues& values);
-  Vec3 moment_under(const DynamicState& state, const DynamicSystem& system, const MovingContact& contact) const;
-  Vec3 shape_bend(const DynamicState& state, const MovingContact& contact) const;
+  void cut_moments(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
+  void shape_curvatures(const LineState& state, NodeValues& values);
+  void moments_under_rollers(const LineState& state, const LineAssembly& line, NodeValues& values);
+  Vec3 moment_under(const LineState& state, const LineAssembly& line, const RollerContact& contact) const;
+  Vec3 shape_bend(const LineState& state, const RollerContact& contact) const;
 
   const Model* model_;
-  const DynamicLine* line_;
+  const Line* line_;
   std::vector<int> section_;  ///< Of every node.
   std::vector<Vec3> bend_;
   std::vector<Vec3> tangent_;
-  std::vector<const MovingContact*> carrying_;
+  std::vector<const RollerContact*> carrying_;
 };
 
 }  // namespace overbend

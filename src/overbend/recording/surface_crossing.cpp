@@ -13,9 +13,9 @@ struct OverSurface {
   double height = 0.0, rising = 0.0, across = 0.0;
 };
 
-OverSurface over_surface(const DynamicState& state, const Surroundings& now, std::size_t node) {
+OverSurface over_surface(const LineState& state, const std::vector<double>& waves, std::size_t node) {
   const double* q = state.q.data() + 6 * node;
-  const double* water = now.water.empty() ? nullptr : now.water.data() + kWaterValues * node;
+  const double* water = waves.empty() ? nullptr : waves.data() + kWaterValues * node;
   const double elevation = water != nullptr ? water[6] : 0.0, upwards = water != nullptr ? water[2] : 0.0;
   const double slope = std::hypot(q[3], q[4]) / std::hypot(q[3], q[4], q[5]);
   return {q[2] - elevation, state.v[6 * node + 2] - upwards, slope};
@@ -23,11 +23,11 @@ OverSurface over_surface(const DynamicState& state, const Surroundings& now, std
 
 }  // namespace
 
-void SurfaceCrossing::add(const DynamicState& state, const Surroundings& now, const LineMesh& mesh) {
-  if (state.time <= 0.0) return;
-  OverSurface below = over_surface(state, now, 0);
+void SurfaceCrossing::add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh) {
+  if (time <= 0.0) return;
+  OverSurface below = over_surface(state, water, 0);
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
-    const OverSurface above = over_surface(state, now, e + 1);
+    const OverSurface above = over_surface(state, water, e + 1);
     if ((below.height < 0.0) != (above.height < 0.0)) {
       const double share = below.height / (below.height - above.height);
       const auto between = [&](double a, double b) { return a + share * (b - a); };
@@ -35,7 +35,7 @@ void SurfaceCrossing::add(const DynamicState& state, const Surroundings& now, co
       if (speed > speed_) {
         speed_ = speed;
         s_ = mesh.s[e] + share * mesh.length[e];
-        time_ = state.time;
+        time_ = time;
       }
     }
     below = above;

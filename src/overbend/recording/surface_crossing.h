@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -11,7 +11,8 @@ namespace overbend {
 class SurfaceCrossing {
  public:
   /// Looks where the line goes through the surface, at an accepted state with its surroundings; counts from t > 0.
-  void add(const DynamicState& state, const Surroundings& now, const LineMesh& mesh);
+  /// `water` as Surroundings::water of the line.
+  void add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh);
 
   /// Of the pipe into the water, vertical and relative to the surface, its part across the pipe; 0 without an entry
   /// [m/s].

@@ -6,7 +6,7 @@
 
 #include "numerics/running_statistics.h"
 #include "results/dynamic_results.h"
-#include "system/dynamic_line.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -16,7 +16,7 @@ class TensionerAccount {
   explicit TensionerAccount(const TensionerLaw& law);
 
   /// An accepted step of `step` [s].
-  void add(const DynamicState& state, double step);
+  void add(const AttachmentState& tensioner, double time, double step);
   TensionerDynamics results() const;
 
   std::vector<double> save() const;

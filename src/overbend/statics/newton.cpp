@@ -17,7 +17,7 @@ constexpr double kMostDamping = 1e8;       ///< [N/m2]
 constexpr double kSearchGoal = 0.8;        ///< A step is good when the work left along it has fallen to this share.
 
 /// Length that a node may move in one step [m].
-double largest_move(const LineSystem& system) {
+double largest_move(const StaticSystem& system) {
   return 2.0 + 0.02 * system.mesh().total_length();
 }
 
@@ -80,7 +80,7 @@ class StepMixing {
 };
 
 struct Search {
-  LineSystem& system;
+  StaticSystem& system;
   const LineState& from;
   const std::vector<double>& dq;
   LineState& trial;
@@ -119,13 +119,13 @@ double search_along(Search& search, double work_start, double limit) {
 
 }  // namespace
 
-double relative_target_error(const LineSystem& system, const LineState& state, const LineTargetValue& target) {
+double relative_target_error(const StaticSystem& system, const LineState& state, const LineTargetValue& target) {
   const bool tension = target.kind == LineTargetValue::Kind::top_tension;
   const double scale = tension ? std::min(system.total_weight(), target.value) : system.mesh().total_length();
   return std::abs(system.target_error(state, target)) / scale;
 }
 
-NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
+NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValue& target,
                     const NewtonSettings& settings) {
   NewtonReport report;
   std::vector<double> dq(state.q.size());

@@ -1,9 +1,9 @@
-/// Newton's method with line search on a LineSystem.
+/// Newton's method with line search on a StaticSystem.
 #pragma once
 
 #include <string>
 
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend {
 
@@ -29,7 +29,7 @@ struct NewtonReport {
 
 /// What the state lacks of what is wanted: of a tension, over it or the total weight, whichever is less; of the
 /// anchor's distance, over the total length.
-double relative_target_error(const LineSystem& system, const LineState& state, const LineTargetValue& target);
+double relative_target_error(const StaticSystem& system, const LineState& state, const LineTargetValue& target);
 
 /// Iterates `state` towards equilibrium. Each step is limited in length and searched along for the point where the
 /// unbalanced forces do no more work (Crisfield 1991, section 9.2), which needs no potential and so serves contact,
@@ -38,7 +38,7 @@ double relative_target_error(const LineSystem& system, const LineState& state, c
 /// Where a step leads uphill (past a limit point: the pipe is about to snap to another place) or the search hardly
 /// moves, a viscous resistance per length is added to the step and H stays, until steps lead downhill again; it fades
 /// as they work.
-NewtonReport newton(LineSystem& system, LineState& state, const LineTargetValue& target,
+NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValue& target,
                     const NewtonSettings& settings);
 
 }  // namespace overbend

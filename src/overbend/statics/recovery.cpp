@@ -19,61 +19,8 @@
 namespace overbend {
 namespace {
 
-/// One element with its constants alone in a batch.
-LineElements single(const LineElements& all, std::size_t e) {
-  LineElements one;
-  one.count = 1;
-  const auto copy = [&](const AlignedDoubles& from, AlignedDoubles& to) { to.assign(kLanes, from[e]); };
-  copy(all.length, one.length);
-  copy(all.EA, one.EA);
-  copy(all.EI, one.EI);
-  copy(all.weight, one.weight);
-  copy(all.buoyancy, one.buoyancy);
-  copy(all.radius, one.radius);
-  copy(all.drag_normal, one.drag_normal);
-  copy(all.drag_axial, one.drag_axial);
-  copy(all.pressure_constant, one.pressure_constant);
-  copy(all.pressure_slope, one.pressure_slope);
-  copy(all.pressure_external, one.pressure_external);
-  copy(all.mass, one.mass);
-  copy(all.displaced_mass, one.displaced_mass);
-  copy(all.added_normal, one.added_normal);
-  copy(all.added_axial, one.added_axial);
-  return one;
-}
-
-/// Internal minus external forces of one element at its two nodes, roller contacts included.
-ElementVector element_residual(const LineSystem& system, const LineState& state, int element) {
-  const LineShape shape = state.shape();
-  alignas(kLineBytes) double out[12] = {};
-  const LineElements one = single(system.elements(), static_cast<std::size_t>(element));
-  add_line_forces(one, system.environment(),
-                  {shape.q + 6 * element, shape.low == nullptr ? nullptr : shape.low + 6 * element},
-                  {out, nullptr, nullptr, nullptr}, best_isa());
-  ElementVector residual(Eigen::Map<const ElementVector>(static_cast<const double*>(out)));
-  if (!system.yielding_points().plastic_moment.empty()) {
-    add_element_yielding(system.mesh(), element, shape,
-                         &system.yielding_points().plastic_moment[kGaussPoints * static_cast<std::size_t>(element)],
-                         residual);
-  }
-  const double h = system.mesh().length[static_cast<std::size_t>(element)];
-  for (const RollerState& roller : system.roller_states()) {
-    if (roller.force > 0.0 && roller.at.element == element) {
-      const HermiteValues n = hermite(roller.at.xi, h);
-      for (int j = 0; j < 4; ++j) {
-        residual.segment<3>(3 * j) -= roller.force * n.value(j) * roller.direction;
-      }
-    }
-  }
-  return residual;
-}
-
-Vec3 node_tangent(const LineState& state, int node) {
-  return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
-}
-
 /// Forces of the loads on [0, xi] of an element and their moment about the point at xi.
-CutForces loads_before(const LineSystem& system, const LineState& state, int element, double xi) {
+CutForces loads_before(const StaticSystem& system, const LineState& state, int element, double xi) {
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
   const double h = system.mesh().length[static_cast<std::size_t>(element)];
   const Vec3 here = centreline(q, xi, h).r;
@@ -85,11 +32,11 @@ CutForces loads_before(const LineSystem& system, const LineState& state, int ele
     sum.force += f;
     sum.moment += (at.r - here).cross(f);
   }
-  for (const RollerState& roller : system.roller_states()) {
-    if (roller.force > 0.0 && roller.at.element == element && roller.at.xi < xi) {
+  for (const RollerContact& roller : system.contacts()) {
+    if (roller.normal > 0.0 && roller.at.element == element && roller.at.xi < xi) {
       const Vec3 r = centreline(q, roller.at.xi, h).r;
-      sum.force += roller.force * roller.direction;
-      sum.moment += (r - here).cross(roller.force * roller.direction);
+      sum.force += roller.force();
+      sum.moment += (r - here).cross(roller.force());
     }
   }
   return sum;
@@ -97,21 +44,16 @@ CutForces loads_before(const LineSystem& system, const LineState& state, int ele
 
 }  // namespace
 
-std::vector<CutForces> cut_forces(LineSystem& system, const LineState& state) {
+std::vector<CutForces> cut_forces(StaticSystem& system, const LineState& state) {
   system.evaluate(state, false);
-  const int n = system.mesh().nodes();
-  std::vector<CutForces> cuts(static_cast<std::size_t>(n));
-  for (int e = 0; e + 1 < n; ++e) {
-    const ElementVector g = element_residual(system, state, e);
-    if (e == 0) {
-      cuts[0] = {-g.segment<3>(0), -node_tangent(state, 0).cross(g.segment<3>(3))};
-    }
-    cuts[static_cast<std::size_t>(e) + 1] = {g.segment<3>(6), node_tangent(state, e + 1).cross(g.segment<3>(9))};
+  std::vector<CutForces> cuts;
+  for (std::size_t node = 0; node < system.mesh().s.size(); ++node) {
+    cuts.push_back(cut_at_node(system.cuts(), state.q, node));
   }
   return cuts;
 }
 
-CutForces cut_at(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
+CutForces cut_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
                  double xi) {
   const CutForces& start = cuts[static_cast<std::size_t>(element)];
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
@@ -123,7 +65,7 @@ CutForces cut_at(const LineSystem& system, const LineState& state, const std::ve
   return {force, start.moment - lever.cross(start.force) - loads.moment};
 }
 
-StationCut make_station(const LineSystem& system, const LineState& state, const CutForces& cut, int element,
+StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
                         double xi) {
   const Model& model = system.model();
   const std::size_t e = static_cast<std::size_t>(element);
@@ -159,8 +101,8 @@ StationCut make_station(const LineSystem& system, const LineState& state, const 
 namespace {
 
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
-std::vector<Station> make_stations(const LineSystem& system, const LineState& state, const std::vector<CutForces>& cuts,
-                                   const std::optional<LinePlace>& touchdown) {
+std::vector<Station> make_stations(const StaticSystem& system, const LineState& state,
+                                   const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown) {
   std::vector<StationCut> stations;
   for (int e = 0; e < system.mesh().elements(); ++e) {
     std::vector<double> places{0.0};
@@ -169,8 +111,8 @@ std::vector<Station> make_stations(const LineSystem& system, const LineState& st
     for (int k = 1; k < parts; ++k) {
       places.push_back(static_cast<double>(k) / parts);
     }
-    for (const RollerState& roller : system.roller_states()) {
-      if (roller.force > 0.0 && roller.at.element == e) {
+    for (const RollerContact& roller : system.contacts()) {
+      if (roller.normal > 0.0 && roller.at.element == e) {
         places.push_back(roller.at.xi);
       }
     }
@@ -245,7 +187,7 @@ Station station_at(const std::vector<Station>& stations, double s) {
 }
 
 /// Sums of everything that acts on the line, each from its own law, so that their balance is a check of the assembly.
-void sum_forces(StaticResults& results, LineSystem& system, const LineState& state) {
+void sum_forces(StaticResults& results, StaticSystem& system, const LineState& state) {
   for (int e = 0; e < system.mesh().elements(); ++e) {
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
     const double h = system.mesh().length[static_cast<std::size_t>(e)];
@@ -259,8 +201,8 @@ void sum_forces(StaticResults& results, LineSystem& system, const LineState& sta
       results.sum_seabed += w * load.seabed;
     }
   }
-  for (const RollerState& roller : system.roller_states()) {
-    results.sum_rollers += roller.force * roller.direction;
+  for (const RollerContact& roller : system.contacts()) {
+    results.sum_rollers += roller.force();
   }
   system.evaluate(state, false);
   results.top_reaction = system.end_reaction(system.mesh().nodes() - 1);
@@ -318,7 +260,7 @@ void warn_of_roll(StaticResults& results) {
 StaticResults recover_statics(const Model& model, const StaticSolution& solution) {
   StaticResults results;
   copy_model(results, model);
-  LineSystem system(model, model.mean_pose, solution.mesh);
+  StaticSystem system(model, model.mean_pose, solution.mesh);
   const LineState& state = solution.state;
   const std::vector<CutForces> cuts = cut_forces(system, state);
   const std::optional<LinePlace> touchdown = find_touchdown(system, state);

@@ -25,7 +25,7 @@ struct Crossing {
 };
 
 /// The passage nearest to the row: a pipe passes such a plane once unless it turns back.
-std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& state, const Vec3& point_W,
+std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState& state, const Vec3& point_W,
                                     const Vec3& normal_W) {
   const LineMesh& mesh = system.mesh();
   std::optional<Crossing> nearest;
@@ -54,11 +54,11 @@ std::optional<Crossing> cross_plane(const LineSystem& system, const LineState& s
 }
 
 RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
-                            const RollerState& state, const Axes& axes) {
+                            const RollerContact& state, const Axes& axes) {
   RollerResult result;
   result.position = roller.position;
-  result.reaction = state.force;
-  const Vec3 force = state.force * state.direction;
+  result.reaction = state.normal;
+  const Vec3 force = state.force();
   result.vertical = force.z();
   result.longitudinal = force.dot(axes.along);
   result.lateral = force.dot(axes.port);
@@ -68,7 +68,7 @@ RollerResult recover_roller(const Roller& roller, const Section& pipe, const Pla
   result.axis_W = placed.axis;
   result.radius = roller.radius;
   result.face = roller.face;
-  result.line_load = line_load(state.force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
+  result.line_load = line_load(state.normal, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
   return result;
 }
 
@@ -83,7 +83,7 @@ ElementVector dofs_of(const LineState& state, int element) {
 }
 
 /// A pipe that does not pass the roller is nearest with one of its ends.
-Nearest nearest_end(const LineSystem& system, const LineState& state, const PlacedRoller& placed) {
+Nearest nearest_end(const StaticSystem& system, const LineState& state, const PlacedRoller& placed) {
   Nearest nearest;
   nearest.gap = kInfinity;
   for (const int node : {0, system.mesh().elements()}) {
@@ -99,7 +99,7 @@ Nearest nearest_end(const LineSystem& system, const LineState& state, const Plac
 
 /// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
 /// penetration.
-Nearest nearest_to(const LineSystem& system, const LineState& state, const PlacedRoller& placed,
+Nearest nearest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
                    const ClosestPoint& met) {
   const LineMesh& mesh = system.mesh();
   const ClosestPoint at =
@@ -118,7 +118,7 @@ struct RowTotals {
   double beside = 0.0;        ///< How far the pipe lies beyond the end of the bottom roller, port positive [m].
 };
 
-RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem& system, const LineState& state,
+RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSystem& system, const LineState& state,
                       const Axes& axes) {
   const Model& model = system.model();
   RowTotals totals;
@@ -134,17 +134,17 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const LineSystem
   }
   for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    const RollerState& contact = system.roller_states()[k];
+    const RollerContact& contact = system.contacts()[k];
     RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
-                                         system.rollers()[k], contact, axes);
-    const Nearest nearest = nearest_to(system, state, system.rollers()[k], contact.at);
+                                         system.rollers().placed(i), contact, axes);
+    const Nearest nearest = nearest_to(system, state, system.rollers().placed(i), contact.at);
     roller.separation = nearest.gap;
     if (lies_beside(roller.position, contact.at, pipe_radius)) {
       totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
     }
-    if (contact.force > 0.0) {
+    if (contact.normal > 0.0) {
       const std::size_t e = static_cast<std::size_t>(contact.at.element);
-      totals.force += contact.force * contact.direction;
+      totals.force += contact.force();
       totals.contact = true;
       totals.last_s = std::min(totals.last_s, mesh.s[e] + contact.at.xi * mesh.length[e]);
     }
@@ -214,7 +214,7 @@ struct BoxesLeft {
   }
 };
 
-void note_extremes(StaticResults& results, const LineSystem& system) {
+void note_extremes(StaticResults& results, const StaticSystem& system) {
   results.smallest_separation = results.supports.empty() ? 0.0 : kInfinity;
   for (const SupportResult& box : results.supports) {
     results.smallest_separation = std::min(results.smallest_separation, box.separation);
@@ -227,15 +227,17 @@ void note_extremes(StaticResults& results, const LineSystem& system) {
       }
     }
   }
-  for (std::size_t i = 0; i < system.rollers().size(); ++i) {
-    results.roller_stiffness = std::max(results.roller_stiffness, system.rollers()[i].stiffness);
-    results.largest_penetration = std::max(results.largest_penetration, system.roller_states()[i].penetration);
+  for (int i = 0; i < system.rollers().count(); ++i) {
+    results.roller_stiffness = std::max(results.roller_stiffness, system.rollers().roller(i).law.stiffness);
+  }
+  for (const RollerContact& contact : system.contacts()) {
+    results.largest_penetration = std::max(results.largest_penetration, contact.penetration);
   }
 }
 
 }  // namespace
 
-Departure recover_supports(StaticResults& results, const LineSystem& system, const LineState& state) {
+Departure recover_supports(StaticResults& results, const StaticSystem& system, const LineState& state) {
   const Model& model = system.model();
   Departure departure;
   departure.s = kInfinity;

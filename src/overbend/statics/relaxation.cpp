@@ -9,7 +9,7 @@ namespace {
 constexpr int kMassRenewal = 200;  ///< Steps between two looks at the tangent.
 
 /// Masses for a unit step: dt^2 k_max / m < 4 for every row sum, with a margin of two for stiffening between renewals.
-void renew_masses(LineSystem& system, const LineState& state, std::vector<double>& mass) {
+void renew_masses(StaticSystem& system, const LineState& state, std::vector<double>& mass) {
   system.evaluate(state, true);
   system.hold(true);
   BlockTridiagonal& k = system.tangent();
@@ -28,7 +28,7 @@ void renew_masses(LineSystem& system, const LineState& state, std::vector<double
 
 /// Whether an element is stretched or squeezed by more than half its length, or a node's tangent is: steel pipes bear a
 /// hundredth of that.
-bool torn(const LineSystem& system, const LineState& state) {
+bool torn(const StaticSystem& system, const LineState& state) {
   const auto far_from = [](double value, double wanted) { return !(std::abs(value - wanted) <= 0.5 * wanted); };
   const auto vector = [&](std::size_t first) { return Eigen::Map<const Vec3>(state.q.data() + first); };
   for (std::size_t e = 0; e < system.mesh().length.size(); ++e) {
@@ -42,7 +42,7 @@ bool torn(const LineSystem& system, const LineState& state) {
 
 }  // namespace
 
-RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSettings& settings) {
+RelaxationReport relax(StaticSystem& system, LineState& state, const RelaxationSettings& settings) {
   RelaxationReport report;
   const std::size_t n = state.q.size();
   std::vector<double> velocity(n, 0.0), mass(n, 1.0);

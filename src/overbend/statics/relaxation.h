@@ -1,7 +1,7 @@
 /// Dynamic relaxation with kinetic damping: the way the source work finds its first equilibrium.
 #pragma once
 
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend {
 
@@ -20,6 +20,6 @@ struct RelaxationReport {
 /// tangent) and sets all velocities to zero at every peak of the kinetic energy (Cundall 1976; Barnes 1999).
 /// Matrix-free between the renewals of the masses, at which it is also seen whether the motion diverges. The far force
 /// stays.
-RelaxationReport relax(LineSystem& system, LineState& state, const RelaxationSettings& settings);
+RelaxationReport relax(StaticSystem& system, LineState& state, const RelaxationSettings& settings);
 
 }  // namespace overbend

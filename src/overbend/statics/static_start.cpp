@@ -142,7 +142,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   return start;
 }
 
-LineState sample_shape(const LineSystem& system, const LayShape& shape) {
+LineState sample_shape(const StaticSystem& system, const LayShape& shape) {
   const LayPlane& plane = system.plane();
   const LineMesh& mesh = system.mesh();
   LineState state;
@@ -184,9 +184,9 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
   return moved;
 }
 
-double support_end(const LineSystem& system) {
+double support_end(const StaticSystem& system) {
   double end = 0.0;
-  for (const RollerState& roller : system.roller_states()) {
+  for (const RollerContact& roller : system.contacts()) {
     if (roller.at.found && roller.penetration > 0.0) {
       const std::size_t e = static_cast<std::size_t>(roller.at.element);
       const double s = system.mesh().s[e] + roller.at.xi * system.mesh().length[e];
@@ -196,9 +196,9 @@ double support_end(const LineSystem& system) {
   return end;
 }
 
-std::optional<StaticFailure> check_supports(const Model& model, const LineSystem& system) {
-  const auto& states = system.roller_states();
-  const bool carried = std::any_of(states.begin(), states.end(), [](const RollerState& r) { return r.force > 0.0; });
+std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system) {
+  const auto& states = system.contacts();
+  const bool carried = std::any_of(states.begin(), states.end(), [](const RollerContact& r) { return r.normal > 0.0; });
   if (model.supports.boxes.empty() || carried) {
     return std::nullopt;
   }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "statics/lay_shape.h"
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 #include "statics/statics.h"
 #include "system/line_mesh.h"
 
@@ -21,17 +21,17 @@ struct StartingPoint {
 StartingPoint starting_point(const Model& model, const LayPlane& plane);
 
 /// The guess at the nodes of the system's mesh.
-LineState sample_shape(const LineSystem& system, const LayShape& shape);
+LineState sample_shape(const StaticSystem& system, const LayShape& shape);
 
 /// A state carried over to another mesh; nodes are matched by their distance from the tensioner, a longer tail goes on
 /// along the bed.
 LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane);
 
 /// Length from the tensioner to the last roller that the pipe passes [m]; from the contacts of the last evaluation.
-double support_end(const LineSystem& system);
+double support_end(const StaticSystem& system);
 
 /// A pipe that touches none of its supports is not held by them: says so. Uses the contacts of the last evaluation.
-std::optional<StaticFailure> check_supports(const Model& model, const LineSystem& system);
+std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system);
 
 /// A mesh beyond what is built says so before it is.
 std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones);

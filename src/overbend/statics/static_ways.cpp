@@ -191,8 +191,8 @@ bool descend(StaticCase& at) {
 /// Rollers and bed from ten times a soft roller and a soft bed, which the state is the solution of, to what they are.
 bool harden_in_steps(StaticCase& at) {
   double hardest = 0.0;
-  for (const PlacedRoller& roller : at.system.rollers()) {
-    hardest = std::max(hardest, roller.stiffness);
+  for (int i = 0; i < at.system.rollers().count(); ++i) {
+    hardest = std::max(hardest, at.system.rollers().roller(i).law.stiffness);
   }
   const double soft = 10.0 * soft_roller(at, at.target.value), bed = soft_bed(at);
   const double rollers = std::max(hardest / soft, 1.0), beds = std::max(at.model.seabed.stiffness / bed, 1.0);
@@ -238,7 +238,7 @@ bool relax_and_finish(StaticCase& at) {
 void note_left(StaticCase& at) {
   const std::vector<Roller>& rollers = at.model.supports.rollers;
   for (std::size_t i = 0; i < rollers.size(); ++i) {
-    const ClosestPoint& closest = at.system.roller_states()[i].at;
+    const ClosestPoint& closest = at.system.contacts()[i].at;
     if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
       at.left = fmt::format(". When a try ended the pipe lay beside '{}', {:.2f} m off the end of its roller",
                             at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
@@ -305,7 +305,7 @@ bool solve_elastic(StaticCase& at, const LayShape& shape) {
 bool let_yield(StaticCase& at) {
   at.system.let_yield(1.0);
   const LineState elastic = at.state;
-  if (!at.system.yielding().any || follow(at, "yielding steel")) {
+  if (!at.system.line().yielding.any || follow(at, "yielding steel")) {
     return true;
   }
   at.state = elastic;

@@ -5,14 +5,14 @@
 
 #include "results/static_results.h"
 #include "statics/lay_shape.h"
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend {
 
 /// One case on one mesh, on its way to equilibrium.
 struct StaticCase {
   const Model& model;
-  LineSystem system;
+  StaticSystem system;
   LineState state;
   LineTargetValue target;
   SolveReport report;

@@ -122,7 +122,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     return fail(*failure);
   }
   StaticCase at{model,
-                LineSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
+                StaticSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
                 {},
                 from.target,
                 {}};
@@ -155,7 +155,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     }
     LineMesh mesh = build_mesh(model, from.zones);
     LineState moved = interpolate(at.system.mesh(), at.state, mesh, plane);
-    at.system = LineSystem(model, model.mean_pose, std::move(mesh));
+    at.system = StaticSystem(model, model.mean_pose, std::move(mesh));
     at.state = std::move(moved);
     solved = solve_on_new_mesh(at, from.shape);
   }

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "results/static_results.h"
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend {
 

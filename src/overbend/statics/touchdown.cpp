@@ -11,7 +11,7 @@ ElementVector dofs_of(const LineState& state, int element) {
 
 /// First passage of `value(element, xi)` from above to below zero, from the tensioner down; bisected to rounding.
 template <class Function>
-std::optional<LinePlace> first_passage(const LineSystem& system, const Function& value) {
+std::optional<LinePlace> first_passage(const StaticSystem& system, const Function& value) {
   const LineMesh& mesh = system.mesh();
   for (int e = mesh.elements() - 1; e >= 0; --e) {
     if (value(e, 1.0) <= 0.0 || value(e, 0.0) > 0.0) {
@@ -29,18 +29,18 @@ std::optional<LinePlace> first_passage(const LineSystem& system, const Function&
 
 }  // namespace
 
-double bed_clearance(const LineSystem& system, const LineState& state, int element, double xi) {
+double bed_clearance(const StaticSystem& system, const LineState& state, int element, double xi) {
   const SeabedPlane& bed = system.model().seabed;
   const std::size_t e = static_cast<std::size_t>(element);
   const Vec3 r = centreline(dofs_of(state, element), xi, system.mesh().length[e]).r;
   return bed.normal_W.dot(r - bed.point_W) - system.elements().radius[e];
 }
 
-std::optional<LinePlace> find_touchdown(const LineSystem& system, const LineState& state) {
+std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) { return bed_clearance(system, state, e, xi); });
 }
 
-std::optional<LinePlace> find_waterline(const LineSystem& system, const LineState& state) {
+std::optional<LinePlace> find_waterline(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) {
     return centreline(dofs_of(state, e), xi, system.mesh().length[static_cast<std::size_t>(e)]).r.z();
   });

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "statics/line_system.h"
+#include "statics/static_system.h"
 
 namespace overbend {
 
@@ -15,12 +15,12 @@ struct LinePlace {
 };
 
 /// Clear height of the pipe's underside over the bed, along the bed's normal [m].
-double bed_clearance(const LineSystem& system, const LineState& state, int element, double xi);
+double bed_clearance(const StaticSystem& system, const LineState& state, int element, double xi);
 
 /// First place from the tensioner where the underside reaches the bed; none when it never does.
-std::optional<LinePlace> find_touchdown(const LineSystem& system, const LineState& state);
+std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state);
 
 /// First place from the tensioner where the axis goes under water, none when it starts there or never does.
-std::optional<LinePlace> find_waterline(const LineSystem& system, const LineState& state);
+std::optional<LinePlace> find_waterline(const StaticSystem& system, const LineState& state);
 
 }  // namespace overbend

@@ -11,7 +11,7 @@ namespace overbend {
 
 /// Unit vectors in which a position or a tangent is held; at most three.
 struct HeldVectors {
-  std::array<Vec3, 3> direction;
+  std::array<Vec3, 3> direction = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   int count = 0;
 
   const Vec3* begin() const { return direction.data(); }

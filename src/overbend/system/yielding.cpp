@@ -25,6 +25,9 @@ void scatter(const ElementVector& force, const ElementMatrix& k, int element, co
   if (target.cuts != nullptr) {
     double* cuts = target.cuts->data() + 6 * element;
     for (int i = 6; i < 12; ++i) cuts[i] += force(i);
+    if (element == 0) {  // the cut at the first node is minus what the first element adds
+      for (int i = 0; i < 6; ++i) cuts[i] -= force(i);
+    }
   }
   if (target.tangent != nullptr) add_element(*target.tangent, element, k);
 }

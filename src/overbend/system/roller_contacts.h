@@ -1,15 +1,16 @@
-/// Contact of a moving line with rollers that move with the vessel.
+/// Contact of a line with the rollers of bodies, at rest and in motion: one search, one gap, one law.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
-#include "mechanics/contact_cells.h"
 #include "mechanics/contact_law.h"
-#include "mechanics/line_elements.h"
 #include "mechanics/roller_contact.h"
 #include "mechanics/vessel_motion.h"
-#include "model/model.h"
 #include "numerics/block_tridiagonal.h"
+#include "system/body.h"
+#include "system/line.h"
+#include "system/weights.h"
 
 namespace overbend {
 
@@ -23,7 +24,7 @@ struct ContactMemory {
 };
 
 /// One roller as the line meets it at one instant.
-struct MovingContact {
+struct RollerContact {
   ClosestPoint at;
   double penetration = -1.0;                        ///< Negative: the gap [m].
   double rate = 0.0;                                ///< Of penetration [m/s].
@@ -35,23 +36,15 @@ struct MovingContact {
   Vec3 force() const { return normal * normal_direction + axial * axial_direction + lateral * lateral_direction; }
 };
 
-/// A roller in the frame of the vessel with its law.
-struct MovingRoller {
-  Vec3 center_V = Vec3::Zero(), axis_V = Vec3::UnitY(), normal_V = Vec3::UnitZ();
-  double half_face = 0.0, radius = 0.0;  ///< [m]
-  int box = 0;
-  double mass = 0.0;  ///< Of the pipe that the contact moves [kg].
-  ContactLaw law;
-};
-
-/// Shares of the integrator and the step, see LineMotion.
-struct StepShares {
-  double velocity = 0.0, acceleration = 0.0, step = 0.0;
-};
-
 /// Whether contacts open, close, stick and slide as they will, or stay as they were before the step. The first
 /// iteration of a step keeps them: a predictor knows nothing of stiff springs, and would open contacts that carry.
 enum class ContactMode { free, kept };
+
+/// What a continuation in statics makes easier.
+struct ContactEasing {
+  double most_stiffness = 1e300;  ///< Limit of the normal stiffness [N/m].
+  bool sides = true;              ///< Whether side rollers act.
+};
 
 /// Where the forces of contacts are added: six per node, both as in LineTarget.
 struct ContactTarget {
@@ -59,28 +52,34 @@ struct ContactTarget {
   std::vector<double>& cuts;
 };
 
-class MovingContacts {
+class RollerContacts {
  public:
-  MovingContacts() = default;
-  /// `pipe_radius` and `length` by element; the vectors must outlive this.
-  MovingContacts(std::vector<MovingRoller> rollers, ContactCells cells, const Vec3& shoe_V,
-                 const std::vector<double>& length, const AlignedDoubles& pipe_radius);
+  /// `line` and `bodies` must outlive this.
+  RollerContacts(const Line& line, const std::vector<Body>& bodies);
 
   int count() const { return static_cast<int>(rollers_.size()); }
-  const std::vector<MovingRoller>& rollers() const { return rollers_; }
-  const std::vector<MovingContact>& contacts() const { return contacts_; }
+  const BodyRoller& roller(int index) const { return *rollers_[static_cast<std::size_t>(index)].roller; }
+  const PlacedRoller& placed(int index) const { return placed_[static_cast<std::size_t>(index)]; }
+  /// In the order of the bodies and of their rollers.
+  const std::vector<RollerContact>& contacts() const { return contacts_; }
 
-  /// Moves the rollers with the vessel and looks, by the cells, which elements may meet which box. Elements are taken
-  /// where `q` has them, grown by `reach` for what they may still move.
-  void place(const RigidMotion& vessel, const double* q, double reach);
+  /// Moves the rollers with their bodies and looks, by the cells, which elements may meet which box. Elements are taken
+  /// where `q` has them, grown by `reach` for what they may still move [m].
+  void place(const std::vector<RigidMotion>& bodies, const double* q, double reach);
 
-  /// Forces of all rollers that the line may meet, added to the line's. `before` is the memory at the start of the
+  void ease(const ContactEasing& easing) { easing_ = easing; }
+
+  /// Forces on a line at rest: normal springs alone, every roller on the side that it is meant for, wherever along the
+  /// line the closest point is. Rollers out of reach are not looked at.
+  void evaluate_at_rest(const double* q, const ContactTarget& target);
+
+  /// Forces of all rollers that a moving line may meet, added to the line's. `before` is the memory at the start of the
   /// step, `after` receives that at its end.
-  void evaluate(const double* q, const double* v, const StepShares& shares, const std::vector<ContactMemory>& before,
+  void evaluate(const double* q, const double* v, const Weights& weights, const std::vector<ContactMemory>& before,
                 std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
 
   /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
-  void add_tangent(const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
+  void add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
 
   /// The first element that a roller may meet before the rollers are placed again; `beyond` where there is none.
   int first_within_reach(int beyond) const;
@@ -97,20 +96,10 @@ class MovingContacts {
   bool settled() const { return settled_; }
 
  private:
-  void evaluate_one(std::size_t roller, const double* q, const double* v, const StepShares& shares,
-                    const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
-  void add_tangent_of(std::size_t roller, const double* q, const StepShares& shares, BlockTridiagonal& tangent) const;
-
-  std::vector<MovingRoller> rollers_;
-  ContactCells cells_;
-  Vec3 shoe_V_ = Vec3::Zero();
-  const std::vector<double>* length_ = nullptr;
-  const AlignedDoubles* pipe_radius_ = nullptr;
-
-  std::vector<PlacedRoller> placed_;
-  std::vector<ElementBounds> bounds_;
-  std::vector<ElementRange> ranges_;
-  std::vector<MovingContact> contacts_;
+  struct Member {
+    const BodyRoller* roller = nullptr;
+    std::size_t body = 0;
+  };
   /// What the tangent needs of a contact.
   struct CarryingContact {
     bool carries = false;
@@ -118,12 +107,32 @@ class MovingContacts {
     NormalForce normal;
     FrictionForce axial, lateral;
   };
-  std::vector<CarryingContact> carrying_;
   struct SlipStates {
     Slip axial = Slip::stick, lateral = Slip::stick;
   };
+
+  ElementRange within_reach(const Member& member) const {
+    return ranges_[member.body][static_cast<std::size_t>(member.roller->box)];
+  }
+  void search(std::size_t body, const double* q, double reach);
+  RollerDistance measure(std::size_t index, const double* q, bool on_meant_side);
+  void push(std::size_t index, const HermiteValues& n, const ContactTarget& target);
+  void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
+  void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
+                    const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
+  void add_tangent_of(std::size_t index, const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
+
+  const Line* line_;
+  const std::vector<Body>* bodies_;
+  ContactEasing easing_;
+  std::vector<Member> rollers_;
+  std::vector<PlacedRoller> placed_;
+  std::vector<ElementBounds> bounds_;
+  std::vector<std::vector<ElementRange>> ranges_;  ///< Body by body, of its boxes.
+  std::vector<RollerContact> contacts_;
+  std::vector<CarryingContact> carrying_;
   std::vector<SlipStates> iterate_;
-  RigidMotion vessel_;
+  std::vector<RigidMotion> motions_;
   std::uint64_t signature_ = 0;
   bool settled_ = true;
 };

@@ -1,4 +1,4 @@
-/// The equations of a line on its supports: one assembly of residual and tangent.
+/// The equations of statics: a line on its supports, at rest.
 ///
 /// Unknowns: position and tangent of every node, and the horizontal force H that holds the far end. The far end may
 /// slide along the bed under H; the top node stands at the tensioner, held in the guide's direction. The extra equation
@@ -7,27 +7,13 @@
 ///     EA (|t_top| - 1) + pressure part = T
 #pragma once
 
+#include <memory>
 #include <vector>
 
-#include "mechanics/contact_cells.h"
-#include "mechanics/line_elements.h"
-#include "mechanics/roller_contact.h"
-#include "numerics/block_tridiagonal.h"
 #include "statics/lay_shape.h"
-#include "system/held_directions.h"
-#include "system/line_mesh.h"
-#include "system/yielding.h"
+#include "system/line_assembly.h"
 
 namespace overbend {
-
-/// Unknowns of a line.
-struct LineState {
-  std::vector<double> q;    ///< Six per node: r [m], t [-]; W.
-  std::vector<double> low;  ///< What rounding cut off `q`; empty means zero.
-  double far_force = 0.0;   ///< H, away from the barge, along the bed [N].
-
-  LineShape shape() const { return {q.data(), low.empty() ? nullptr : low.data()}; }
-};
 
 /// `to` = `from` + share * dq, digits beyond a double kept in `low` (two-sum, Knuth 1969).
 void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share);
@@ -38,53 +24,49 @@ struct LineTargetValue {
   double value = 0.0;  ///< [N], or horizontal distance from tensioner to anchor [m].
 };
 
-/// One roller and where the pipe passes it.
-struct RollerState {
-  ClosestPoint at;
-  double penetration = 0.0;       ///< Positive in contact [m].
-  Vec3 direction = Vec3::Zero();  ///< In which the roller pushes the pipe.
-  double force = 0.0;             ///< Normal force [N].
-};
-
-class LineSystem {
+class StaticSystem {
  public:
-  LineSystem(const Model& model, const VesselPose& pose, LineMesh mesh);
+  StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh);
 
   const Model& model() const { return *model_; }
-  const LineMesh& mesh() const { return mesh_; }
+  const Line& line() const { return parts_->line; }
+  const LineMesh& mesh() const { return line().mesh; }
+  const LineElements& elements() const { return line().elements; }
   const LayPlane& plane() const { return plane_; }
-  const std::vector<PlacedRoller>& rollers() const { return rollers_; }
-  const std::vector<RollerState>& roller_states() const { return roller_states_; }
-  const std::vector<double>& residual() const { return residual_; }
-  const LineElements& elements() const { return elements_; }
-  const LineEnvironment& environment() const { return environment_; }
-  const YieldingElements& yielding() const { return yielding_; }
-  const StaticYielding& yielding_points() const { return yielding_points_; }
-  BlockTridiagonal& tangent() { return tangent_; }
+  const LineEnvironment& environment() const { return assembly_.environment(); }
+  const StaticYielding& yielding_points() const { return assembly_.yielding_at_rest(); }
+  const RollerContacts& rollers() const { return assembly_.contacts(); }
+  const std::vector<RollerContact>& contacts() const { return assembly_.contacts().contacts(); }
+  const std::vector<double>& residual() const { return assembly_.residual(); }
+  const std::vector<double>& cuts() const { return assembly_.cuts(); }
+  BlockTridiagonal& tangent() { return assembly_.tangent(); }
   Vec3 far_direction() const { return far_direction_; }
-  double total_weight() const { return total_weight_; }  ///< In air [N].
+  double total_weight() const { return line().force_scale; }  ///< In air [N].
 
+  /// Continuation: what acts less than the model says.
+  const Easing& easing() const { return easing_; }
+  void ease(const Easing& easing);
   /// Roller stiffness is limited to this [N/m]: continuation from soft to hard.
-  void limit_roller_stiffness(double limit) { roller_limit_ = limit; }
+  void limit_roller_stiffness(double limit);
   /// Stiffness of the bed, normal and in friction, is limited to this [N/m2]: continuation from soft to hard.
   void limit_bed_stiffness(double limit);
   /// Whether side rollers act.
-  void use_side_rollers(bool use) { use_side_rollers_ = use; }
-  /// Share of the plastic moments that acts: 0 is linear steel, 1 is what the model says.
-  void let_yield(double share) { yield_share_ = share; }
+  void use_side_rollers(bool use);
+  /// Factor on the plastic moments: 0 is linear steel, 1 is what the model says.
+  void let_yield(double factor);
+  /// Factor on the current's speed.
+  void scale_current(double scale);
   /// Whether steel that may yield keeps what bent it upstream: the tangent does not know that.
-  bool remembers() const { return yielding_.any && yield_share_ > 0.0; }
+  bool remembers() const { return assembly_.remembers(); }
   /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
-  /// Share of the current's speed that acts.
-  void scale_current(double scale) { environment_.current_scale = scale; }
 
   /// Internal minus external forces; with `with_tangent` also the blocks. Held directions are left in: see hold().
   void evaluate(const LineState& state, bool with_tangent);
 
   /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the
   /// node.
-  double relative_residual() const;
+  double relative_residual() const { return assembly_.unbalance().force / total_weight(); }
   /// What the extra equation lacks: value minus target, and its gradient, which acts on one node only.
   double target_error(const LineState& state, const LineTargetValue& target) const;
 
@@ -104,40 +86,26 @@ class LineSystem {
   Vec3 end_reaction(int node) const;
 
  private:
-  void place_rollers(const VesselPose& pose);
-  void find_contacts(const LineState& state);
-  void add_contacts(const LineState& state, bool with_tangent);
-  void hold_ends();
-  void add_yielding(const LineState& state, bool with_tangent, bool keep_memory);
+  void hold_ends(const VesselPose& pose);
+  void add_damping(double damping);
+
+  /// What the assembly points to: it stays where it is when the system moves.
+  struct Parts {
+    Line line;
+    std::vector<Body> bodies;
+    std::vector<RigidMotion> motions;  ///< Of the bodies, at rest.
+  };
+  static std::unique_ptr<const Parts> parts_of(const Model& model, const VesselPose& pose, LineMesh mesh,
+                                               const LayPlane& plane);
 
   const Model* model_;
-  LineMesh mesh_;
   LayPlane plane_;
-  VesselPose pose_;
-  LineElements elements_;
-  LineEnvironment environment_;
-  YieldingElements yielding_;
-  StaticYielding yielding_points_;
-  double yield_share_ = 1.0;
-  ContactCells cells_;
-  std::vector<PlacedRoller> rollers_;
-  std::vector<int> roller_box_;
-  double roller_limit_ = 1e300;
-  bool use_side_rollers_ = true;
+  std::unique_ptr<const Parts> parts_;
+  LineAssembly assembly_;
+  Easing easing_;
   Vec3 far_direction_ = Vec3::UnitX();
   HeldDirections held_far_, held_top_;
-  double total_weight_ = 0.0;
-
-  std::vector<double> residual_;
-  BlockTridiagonal tangent_;
   BlockSolveReport solve_report_;
-  std::vector<ElementBounds> bounds_;
-  std::vector<ElementRange> ranges_;
-  std::vector<RollerState> roller_states_;
 };
-
-/// Normal penalty of `default_stiffness: penalty`: EI / h^3, h the length of the elements over the supports
-/// but not less than the diameter: the order of an element's own stiffness across the pipe [N/m].
-double penalty_stiffness(const Section& pipe, double element_length);
 
 }  // namespace overbend

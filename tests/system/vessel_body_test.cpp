@@ -1,4 +1,4 @@
-#include "dynamics/dynamic_setup.h"
+#include "system/vessel_body.h"
 
 #include <gtest/gtest.h>
 
@@ -22,16 +22,8 @@ Description one_row() {
   return d;
 }
 
-MovingRoller only_roller(const Description& d) {
-  const Model model = build_model(d);
-  const Roller& roller = model.supports.rollers.at(0);
-  const PlacedRoller placed{point_from_ramp(model, model.mean_pose, roller.center_S),
-                            direction_from_ramp(model.mean_pose, roller.axis_S),
-                            direction_from_ramp(model.mean_pose, roller.normal_S),
-                            0.5 * roller.face,
-                            roller.radius,
-                            roller.stiffness};
-  return moving_rollers(model, {placed}).at(0);
+BodyRoller only_roller(const Description& d) {
+  return vessel_rollers(build_model(d), 0.5).at(0);
 }
 
 /// Damping for a share of critical damping and the mass of the pipe in air that an impact moves.
@@ -40,7 +32,7 @@ double damping(double zeta, double stiffness) {
   return 2.0 * zeta * std::sqrt(pipe.mass() * std::cbrt(16.0 * pipe.EI / stiffness) * stiffness);
 }
 
-TEST(moving_rollers, damp_so_that_the_mass_an_impact_moves_leaves_with_the_restitution_given) {
+TEST(vessel_rollers, damp_so_that_the_mass_an_impact_moves_leaves_with_the_restitution_given) {
   const ContactLaw law = only_roller(one_row()).law;
   EXPECT_DOUBLE_EQ(law.stiffness, 4e6);
   EXPECT_NEAR(law.damping, damping(0.355, 4e6), 0.002 * law.damping);  // printed table: zeta to three digits
@@ -48,14 +40,14 @@ TEST(moving_rollers, damp_so_that_the_mass_an_impact_moves_leaves_with_the_resti
   EXPECT_DOUBLE_EQ(law.friction_lateral, 0.3);
 }
 
-TEST(moving_rollers, damp_by_the_textbook_where_the_kind_says_so) {
+TEST(vessel_rollers, damp_by_the_textbook_where_the_kind_says_so) {
   Description d = one_row();
   d.rollers[0].damping = RollerDamping::textbook;
   const double log = std::log(0.4), zeta = -log / std::sqrt(std::numbers::pi * std::numbers::pi + log * log);
   EXPECT_NEAR(only_roller(d).law.damping, damping(zeta, 4e6), 1e-6 * damping(zeta, 4e6));
 }
 
-TEST(moving_rollers, take_a_tenth_of_the_normal_stiffness_across_unless_they_have_their_own) {
+TEST(vessel_rollers, take_a_tenth_of_the_normal_stiffness_across_unless_they_have_their_own) {
   Description d = one_row();
   EXPECT_DOUBLE_EQ(only_roller(d).law.tangential_stiffness, 4e5);
   d.rollers[0].tangential_stiffness = 9e6;
@@ -64,7 +56,7 @@ TEST(moving_rollers, take_a_tenth_of_the_normal_stiffness_across_unless_they_hav
   EXPECT_NEAR(law.tangential_damping / law.damping, 1.5, 1e-12);  // by the same share of critical damping
 }
 
-TEST(moving_rollers, of_gap_springs_neither_damp_nor_rub) {
+TEST(vessel_rollers, of_gap_springs_neither_damp_nor_rub) {
   Description d = one_row();
   d.supports.contact = SupportContact::gap_springs;
   const ContactLaw law = only_roller(d).law;

@@ -19,18 +19,18 @@ constexpr double kAxial = 0.1, kLateral = 0.3;
 constexpr double kRollerLoad = 0.5 * kMass * kLength * kGravity;
 
 /// A stiff pipe at rest on two rollers, one at each quarter of it.
-DynamicLine pipe_on_rollers() {
-  DynamicLine line = rod_line({1e9, 1e8, kMass, kMass * kGravity}, kLength, 2);
+System pipe_on_rollers() {
+  System system = rod_system({1e9, 1e8, kMass, kMass * kGravity}, kLength, 2);
   ContactLaw law;
   law.stiffness = kNormalStiffness;
   law.damping = 9e4;  // critical: what the pipe bounces at first dies out
   law.tangential_stiffness = kTangential;
   law.friction_axial = kAxial;
   law.friction_lateral = kLateral;
-  line.rollers = {roller_under(1.0, 0.01, law), roller_under(3.0, 0.01, law)};
-  line.cells = endless_cells();
-  line.force_scale = kMass * kLength * kGravity;
-  return line;
+  system.bodies[0].rollers = {roller_under(1.0, 0.01, law), roller_under(3.0, 0.01, law)};
+  system.bodies[0].cells = endless_cells();
+  rod_of(system).force_scale = kMass * kLength * kGravity;
+  return system;
 }
 
 Vec3 start() {
@@ -38,30 +38,30 @@ Vec3 start() {
 }
 
 /// Both ends led along `direction` at a steady 20 mm/s from rest, started gently.
-DynamicLine led_pipe(const Vec3& direction) {
-  DynamicLine line = pipe_on_rollers();
-  line.anchor.hold_place = line.top.hold_place = true;
-  line.surroundings = [direction](double t, Surroundings& now) {
+System led_pipe(const Vec3& direction) {
+  System system = pipe_on_rollers();
+  first_end(system).hold_place = last_end(system).hold_place = true;
+  system.surroundings = [direction](double t, Surroundings& now) {
     constexpr double kSpeed = 0.02, kRise = 0.05;
     const double rate = t < kRise ? t / kRise : 1.0, way = t < kRise ? 0.5 * t * t / kRise : t - 0.5 * kRise;
-    now.anchor.place = start() + kSpeed * way * direction;
-    now.anchor.velocity = kSpeed * rate * direction;
-    now.anchor.acceleration = t < kRise ? Vec3(kSpeed / kRise * direction) : Vec3(Vec3::Zero());
-    now.top = now.anchor;
-    now.top.place += Vec3(kLength, 0.0, 0.0);
+    now.ends[0].place = start() + kSpeed * way * direction;
+    now.ends[0].velocity = kSpeed * rate * direction;
+    now.ends[0].acceleration = t < kRise ? Vec3(kSpeed / kRise * direction) : Vec3(Vec3::Zero());
+    now.ends[1] = now.ends[0];
+    now.ends[1].place += Vec3(kLength, 0.0, 0.0);
   };
-  return line;
+  return system;
 }
 
 TEST(pipe_on_rollers, led_across_sticks_to_the_stretch_of_the_limit_and_then_slides) {
-  const DynamicLine line = led_pipe(Vec3::UnitY());
-  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  const System system = led_pipe(Vec3::UnitY());
+  MovingRod rod(system, straight(system, start(), Vec3::UnitX()));
   rod.begin();
   const double limit = kLateral * kRollerLoad, stretch = limit / kTangential;  // 5.9 mm
   double way = 0.0, stuck_until = 0.0;
   rod.run(1e-3, 800, [&] {
     way = rod.r(1).y();
-    for (const MovingContact& contact : rod.system().contacts()) {
+    for (const RollerContact& contact : rod.contacts()) {
       // The pipe bends between its ends: by 3e-6 m under these forces; slip is summed over steps.
       if (way < 0.98 * stretch) {
         EXPECT_NEAR(contact.lateral, -kTangential * way, 0.01 * limit);
@@ -76,16 +76,16 @@ TEST(pipe_on_rollers, led_across_sticks_to_the_stretch_of_the_limit_and_then_sli
 }
 
 TEST(pipe_on_rollers, pulled_along_is_held_by_the_rolling_resistance_of_the_rollers) {
-  const DynamicLine line = led_pipe(Vec3::UnitX());
-  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  const System system = led_pipe(Vec3::UnitX());
+  MovingRod rod(system, straight(system, start(), Vec3::UnitX()));
   rod.begin();
   rod.run(1e-3, 50);  // 0.5 mm: a quarter of the stretch of the limit, 2 mm
-  for (const MovingContact& contact : rod.system().contacts()) {
+  for (const RollerContact& contact : rod.contacts()) {
     EXPECT_NEAR(contact.axial, -kTangential * 5e-4, 0.02 * kAxial * kRollerLoad);  // the pipe's own stretching swings
   }
   rod.run(1e-3, 450);
   double sum = 0.0;
-  for (const MovingContact& contact : rod.system().contacts()) {
+  for (const RollerContact& contact : rod.contacts()) {
     EXPECT_NEAR(contact.axial, -kAxial * contact.normal, 1e-9 * kRollerLoad);
     EXPECT_NEAR(contact.lateral, 0.0, 1e-9 * kRollerLoad);
     sum += contact.normal;
@@ -104,8 +104,8 @@ double slide(MovingRod& rod, const Vec3& velocity, double h) {
 }
 
 TEST(pipe_on_rollers, sent_along_them_it_slides_until_friction_has_spent_its_speed) {
-  const DynamicLine line = pipe_on_rollers();
-  MovingRod rod(line, straight(line, start(), Vec3::UnitX()));
+  const System system = pipe_on_rollers();
+  MovingRod rod(system, straight(system, start(), Vec3::UnitX()));
   const double speed = 0.8;
   // m v2/2 = mu W (d - s/2): the first stretch s of the springs takes half the force on the average.
   const double stretch = kAxial * kRollerLoad / kTangential;
@@ -116,18 +116,18 @@ TEST(pipe_on_rollers, sent_along_them_it_slides_until_friction_has_spent_its_spe
 /// A pipe at rest on the bed in water, free to slide.
 struct PipeOnBed {
   static constexpr double kSubmerged = 600.0, kAdded = 80.0, kBed = 1e5, kFriction = 0.4;
-  DynamicLine line;
+  System system;
   std::vector<double> q;
 
   PipeOnBed() {
     RodMaterial pipe{1e9, 1e7, kMass, kMass * kGravity, kMass * kGravity - kSubmerged, 0.1};
     pipe.displaced_mass = pipe.added_normal = kAdded;
-    line = rod_line(pipe, kLength, 2);
-    line.force_scale = kMass * kLength * kGravity;
-    line.environment.bed_offset = -20.1 + kSubmerged / kBed;
-    line.environment.bed_stiffness = line.environment.bed_stick = kBed;
-    line.environment.bed_friction_lateral = line.environment.bed_friction_axial = kFriction;
-    q = straight(line, Vec3(0.0, 0.0, -20.0), Vec3::UnitX());
+    system = rod_system(pipe, kLength, 2);
+    rod_of(system).force_scale = kMass * kLength * kGravity;
+    rod_of(system).environment.bed_offset = -20.1 + kSubmerged / kBed;
+    rod_of(system).environment.bed_stiffness = rod_of(system).environment.bed_stick = kBed;
+    rod_of(system).environment.bed_friction_lateral = rod_of(system).environment.bed_friction_axial = kFriction;
+    q = straight(system, Vec3(0.0, 0.0, -20.0), Vec3::UnitX());
   }
   /// With `mass` moving per length.
   double slip(double mass, double speed) const {
@@ -137,21 +137,21 @@ struct PipeOnBed {
 
 TEST(pipe_on_bed, sent_across_it_slides_until_friction_has_spent_its_speed) {
   const PipeOnBed pipe;
-  MovingRod rod(pipe.line, pipe.q);
+  MovingRod rod(pipe.system, pipe.q);
   const double exact = pipe.slip(kMass + PipeOnBed::kAdded, 0.8);
   EXPECT_NEAR(slide(rod, Vec3(0.0, 0.8, 0.0), 1e-3), exact, 1e-3 * exact);  // a step's way at the start is 0.33 %
 }
 
 TEST(pipe_on_bed, sent_along_it_moves_no_water) {
   const PipeOnBed pipe;
-  MovingRod rod(pipe.line, pipe.q);
+  MovingRod rod(pipe.system, pipe.q);
   const double exact = pipe.slip(kMass, 0.8);
   EXPECT_NEAR(slide(rod, Vec3(0.8, 0.0, 0.0), 1e-3), exact, 2e-3 * exact);  // a step's way at the start is 0.6 %
 }
 
 TEST(pipe_on_bed, at_rest_it_stays) {
   const PipeOnBed pipe;
-  MovingRod rod(pipe.line, pipe.q);
+  MovingRod rod(pipe.system, pipe.q);
   rod.begin();
   rod.run(0.05, 100);
   for (int node = 0; node <= 2; ++node) {
@@ -164,14 +164,14 @@ struct Deck {
   Model model = build_model(read_model(case_file("BGL1-T250")).description.value());
   double pipe_radius = 0.5 * model.sections.front().outer_diameter;
   Vec3 shoe_V{-40.0, 0.0, 3.0};
-  std::vector<MovingRoller> rollers;
+  std::vector<BodyRoller> rollers;
   std::vector<double> length;
   AlignedDoubles radius;
   std::vector<double> q_V;  ///< In the frame of the vessel.
 
   Deck() {
     for (const Roller& roller : model.supports.rollers) {
-      MovingRoller moving;
+      BodyRoller moving;
       moving.center_V = shoe_V + to_V(roller.center_S);
       moving.axis_V = to_V(roller.axis_S);
       moving.normal_V = to_V(roller.normal_S);
@@ -221,10 +221,13 @@ std::vector<double> moved(const std::vector<double>& q, const Mat3& turn, const 
   return result;
 }
 
-TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_found_in_any_pose) {
+TEST(roller_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_found_in_any_pose) {
   const Deck deck;
-  MovingContacts contacts(deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V, deck.length,
-                          deck.radius);
+  const std::vector<Body> bodies = {{deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V}};
+  Line line;
+  line.mesh.length = deck.length;
+  line.elements.radius = deck.radius;
+  RollerContacts contacts(line, bodies);
   std::mt19937_64 generator(11);
   const auto random = [&](double size) {
     return size * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
@@ -244,11 +247,11 @@ TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
                          .toRotationMatrix();
     const Vec3 offset(random(1.0), random(0.5), random(0.5));
     const std::vector<double> q = moved(moved(deck.q_V, lag, offset), vessel.pose.R_WV, vessel.pose.p_WV);
-    contacts.place(vessel, q.data(), 0.0);
+    contacts.place({vessel}, q.data(), 0.0);
     std::vector<ContactMemory> after = fresh;
     contacts.evaluate(q.data(), v.data(), {}, fresh, after, ContactMode::free, {residual, cuts});
     for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
-      const MovingRoller& roller = deck.rollers[i];
+      const BodyRoller& roller = deck.rollers[i];
       const PlacedRoller placed{vessel.pose.p_WV + vessel.pose.R_WV * roller.center_V,
                                 vessel.pose.R_WV * roller.axis_V,
                                 vessel.pose.R_WV * roller.normal_V,
@@ -258,7 +261,7 @@ TEST(moving_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
       const ClosestPoint at =
           closest_point(placed, q.data(), deck.length.data(), 0, static_cast<int>(deck.length.size()));
       ASSERT_TRUE(at.found);
-      // In time the pipe is where it is: behind a roller's face its distance is that to the far side.
+      // A moving pipe is where it is: behind a roller's face its distance is that to the far side.
       const double distance = std::abs(roller_distance(placed, at, element_dofs(q, at.element), deck.length[0]).value);
       const double penetration = deck.pipe_radius + roller.radius - distance;
       if (penetration > 0.0) {

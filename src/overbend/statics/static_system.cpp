@@ -1,0 +1,207 @@
+#include "statics/static_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "system/vessel_body.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+Vec3 position(const std::vector<double>& q, int node) {
+  return Vec3(Vec3Map(q.data() + 6 * node));
+}
+Vec3 tangent_at(const std::vector<double>& q, int node) {
+  return Vec3(Vec3Map(q.data() + 6 * node + 3));
+}
+
+}  // namespace
+
+void advance(LineState& to, const LineState& from, const std::vector<double>& dq, double share) {
+  to.q.resize(dq.size());
+  to.low.resize(dq.size());
+  for (std::size_t i = 0; i < dq.size(); ++i) {
+    const double step = share * dq[i] + (from.low.empty() ? 0.0 : from.low[i]);
+    const double sum = from.q[i] + step;
+    const double part = sum - from.q[i];
+    to.low[i] = (from.q[i] - (sum - part)) + (step - part);
+    to.q[i] = sum;
+  }
+}
+
+std::unique_ptr<const StaticSystem::Parts> StaticSystem::parts_of(const Model& model, const VesselPose& pose,
+                                                                  LineMesh mesh, const LayPlane& plane) {
+  auto parts = std::make_unique<Parts>();
+  parts->line = pipe_line(model, std::move(mesh), plane.tensioner_W, plane.port_W);
+  const std::vector<double>& lengths = parts->line.mesh.length;
+  const LineElements& elements = parts->line.elements;
+  const double radius = *std::max_element(elements.radius.begin(), elements.radius.begin() + elements.count);
+  parts->bodies.push_back(vessel_body(model, *std::min_element(lengths.begin(), lengths.end()), radius));
+  parts->motions.push_back(resting(pose));
+  return parts;
+}
+
+StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh)
+    : model_(&model),
+      plane_(lay_plane(model, pose)),
+      parts_(parts_of(model, pose, std::move(mesh), plane_)),
+      assembly_(parts_->line, parts_->bodies) {
+  hold_ends(pose);
+}
+
+void StaticSystem::hold_ends(const VesselPose& pose) {
+  const Vec3 up = model_->seabed.normal_W;
+  far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();
+  held_far_.position = {{plane_.port_W, Vec3::Zero(), Vec3::Zero()}, 1};
+  held_far_.tangent = across(far_direction_);
+  held_top_.position = all_directions();
+  if (model_->description.tensioner.guide == Guide::clamped) {
+    const double incline = model_->description.tensioner.incline;
+    held_top_.tangent = across(direction_from_ramp(pose, Vec3(std::cos(incline), 0.0, -std::sin(incline))));
+  }
+}
+
+void StaticSystem::ease(const Easing& easing) {
+  easing_ = easing;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::limit_roller_stiffness(double limit) {
+  easing_.rollers.most_stiffness = limit;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::limit_bed_stiffness(double limit) {
+  easing_.most_bed_stiffness = limit;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::use_side_rollers(bool use) {
+  easing_.rollers.sides = use;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::let_yield(double factor) {
+  easing_.yielding = factor;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::scale_current(double scale) {
+  easing_.current = scale;
+  assembly_.ease(easing_);
+}
+
+void StaticSystem::evaluate(const LineState& state, bool with_tangent) {
+  assembly_.evaluate_at_rest(parts_->motions, state, model_->description.statics.history, with_tangent);
+  for (int i = 0; i < 3; ++i) {
+    assembly_.residual()[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
+  }
+}
+
+std::vector<BendingMemory> StaticSystem::bending_memory(const LineState& state) {
+  assembly_.evaluate_at_rest(parts_->motions, state, model_->description.statics.history, false, true);
+  return yielding_points().memory;
+}
+
+Vec3 StaticSystem::end_reaction(int node) const {
+  return Vec3(Vec3Map(residual().data() + 6 * node));
+}
+
+void StaticSystem::hold(bool with_blocks) {
+  assembly_.hold(0, held_far_, with_blocks);
+  assembly_.hold(mesh().nodes() - 1, held_top_, with_blocks);
+}
+
+double StaticSystem::target_error(const LineState& state, const LineTargetValue& target) const {
+  if (target.kind == LineTargetValue::Kind::anchor_distance) {
+    return (position(state.q, 0) - plane_.tensioner_W).dot(plane_.astern_W) - target.value;
+  }
+  const int last = mesh().nodes() - 1;
+  const std::size_t e = mesh().length.size() - 1;
+  const double z = position(state.q, last).z();
+  const double pressure = elements().pressure_constant[e] + elements().pressure_slope[e] * z +
+                          elements().pressure_external[e] * std::max(-z, 0.0);
+  return elements().EA[e] * (tangent_at(state.q, last).norm() - 1.0) + pressure - target.value;
+}
+
+void StaticSystem::add_damping(double damping) {
+  if (damping <= 0.0) {
+    return;
+  }
+  for (int node = 0; node < mesh().nodes(); ++node) {
+    const double h = mesh().length[static_cast<std::size_t>(std::min(node, mesh().elements() - 1))];
+    for (int i = 0; i < kNodeDofs; ++i) {
+      tangent().diag(node)[i * kRowWidth + i] += damping * h * (i < 3 ? 1.0 : h * h / 12.0);
+    }
+  }
+}
+
+bool StaticSystem::solve_step(const LineState& state, const LineTargetValue& target, double damping,
+                              bool free_far_force, std::vector<double>& dq, double& dH) {
+  const int n = mesh().nodes();
+  BlockTridiagonal& k = tangent();
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      k.rhs(node, i, 0) = -residual()[static_cast<std::size_t>(6 * node + i)];
+    }
+  }
+  add_damping(damping);
+  Vec3 border = far_direction_;  // K dq - far_direction dH = -R at the far end
+  for (const Vec3& d : held_far_.position) {
+    border -= border.dot(d) * d;
+  }
+  for (int i = 0; i < 3; ++i) {
+    k.rhs(0, i, 1) = border(i);
+  }
+  solve_report_ = solve(k);
+  if (!solve_report_.solved()) {
+    return false;
+  }
+  const bool anchor = target.kind == LineTargetValue::Kind::anchor_distance;
+  const int at = anchor ? 0 : n - 1;
+  const Vec3 gradient =
+      anchor ? plane_.astern_W : Vec3(elements().EA[mesh().length.size() - 1] * tangent_at(state.q, at).normalized());
+  double along_residual = 0.0, along_border = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    along_residual += gradient(i) * k.rhs(at, anchor ? i : 3 + i, 0);
+    along_border += gradient(i) * k.rhs(at, anchor ? i : 3 + i, 1);
+  }
+  dH = free_far_force ? (-target_error(state, target) - along_residual) / along_border : 0.0;
+  if (!std::isfinite(dH)) {
+    solve_report_.singular_node = at;
+    return false;
+  }
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      dq[static_cast<std::size_t>(6 * node + i)] = k.rhs(node, i, 0) + dH * k.rhs(node, i, 1);
+    }
+  }
+  return true;
+}
+
+double StaticSystem::share_before_entering(const std::vector<double>& dq, double depth) const {
+  double share = 1.0;
+  for (const RollerContact& contact : contacts()) {
+    if (!contact.at.found) {
+      continue;
+    }
+    const ElementVector step(Eigen::Map<const ElementVector>(dq.data() + 6 * contact.at.element));
+    const double h = mesh().length[static_cast<std::size_t>(contact.at.element)];
+    const double deeper = -contact.normal_direction.dot(centreline(step, contact.at.xi, h).r);
+    const double allowed = depth + std::max(-contact.penetration, 0.0);
+    share = deeper > allowed ? std::min(share, allowed / deeper) : share;
+  }
+  return share;
+}
+
+double StaticSystem::work(const std::vector<double>& dq) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < dq.size(); ++i) {
+    sum += residual()[i] * dq[i];
+  }
+  return sum;
+}
+
+}  // namespace overbend

@@ -1,0 +1,363 @@
+#include "system/assembly.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/simd.h"
+#include "mechanics/quadrature.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<Vec3>;
+
+Vec3Map vec(std::vector<double>& values, int node, int first) {
+  return Vec3Map(values.data() + 6 * node + first);
+}
+
+void impose(LineState& state, int node, const Attachment& held, const EndMotion& motion, const MotionValues& guide) {
+  if (held.hold_place) {
+    vec(state.q, node, 0) = motion.place;
+    vec(state.v, node, 0) = motion.velocity;
+    vec(state.acc, node, 0) = motion.acceleration;
+  }
+  if (held.hold_direction) {
+    vec(state.q, node, 3) = guide.q * motion.direction;
+    vec(state.v, node, 3) = guide.v * motion.direction + guide.q * motion.direction_rate;
+    vec(state.acc, node, 3) =
+        guide.acc * motion.direction + 2.0 * guide.v * motion.direction_rate + guide.q * motion.direction_acceleration;
+  }
+}
+
+/// The motion of a place that has been paid out by `travel` against the guide's direction.
+EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
+  motion.place -= travel.q * motion.direction;
+  motion.velocity -= travel.v * motion.direction + travel.q * motion.direction_rate;
+  motion.acceleration -=
+      travel.acc * motion.direction + 2.0 * travel.v * motion.direction_rate + travel.q * motion.direction_acceleration;
+  return motion;
+}
+
+/// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
+double normal_loss(const ContactLaw& law, const RollerContact& contact) {
+  if (contact.penetration <= 0.0) {
+    return 0.0;
+  }
+  return (contact.normal - law.stiffness * contact.penetration) * contact.rate;
+}
+
+void add(LineEnergy& sum, const LineEnergy& one) {
+  sum.kinetic += one.kinetic;
+  sum.strain += one.strain;
+  sum.gravity += one.gravity;
+  sum.seabed += one.seabed;
+  sum.fluid_power += one.fluid_power;
+  sum.seabed_loss += one.seabed_loss;
+}
+
+void add_contact_energy(const RollerContacts& rollers, InstantEnergy& now) {
+  for (int i = 0; i < rollers.count(); ++i) {
+    const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
+    const ContactLaw& law = rollers.roller(i).law;
+    if (contact.penetration > 0.0) {
+      now.contact += 0.5 * law.stiffness * contact.penetration * contact.penetration;
+      now.contact_loss += normal_loss(law, contact);
+      now.roller_power += contact.force().dot(contact.roller_velocity);
+      now.friction_loss -= contact.axial * contact.slip_rate_axial + contact.lateral * contact.slip_rate_lateral;
+    }
+  }
+}
+
+double end_power(const LineAssembly& line, const LineState& state, LineEnd end) {
+  const std::array<double, 6>& force = line.end_force(end);
+  const std::size_t first = 6 * static_cast<std::size_t>(line.end_node(end));
+  double sum = 0.0;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    sum += force[i] * state.v[first + i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+Assembly::Assembly(const System& system) : system_(&system), held_(system.attachments.size()) {
+  lines_.reserve(system.lines.size());
+  for (const Line& line : system.lines) {
+    lines_.emplace_back(line, system.bodies);
+  }
+  surroundings_.bodies.resize(system.bodies.size());
+  surroundings_.ends.resize(system.attachments.size());
+  surroundings_.water.resize(system.lines.size());
+}
+
+Increments Assembly::increments() const {
+  Increments dq;
+  for (const LineAssembly& line : lines_) {
+    dq.emplace_back(line.residual().size());
+  }
+  return dq;
+}
+
+std::uint64_t Assembly::contact_signature() const {
+  std::uint64_t signature = 0;
+  for (const LineAssembly& line : lines_) {
+    signature = signature * 0x100000001b3ull + line.contacts().signature();
+  }
+  return signature;
+}
+
+bool Assembly::contacts_settled() const {
+  return std::all_of(lines_.begin(), lines_.end(), [](const LineAssembly& l) { return l.contacts().settled(); });
+}
+
+bool Assembly::governed(std::size_t attachment) const {
+  return static_cast<int>(attachment) == system_->machine && drive_ == TensionerDrive::governor &&
+         system_->attachments[attachment].hold_place;
+}
+
+void Assembly::find_held() {
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Attachment& attachment = system_->attachments[i];
+    const Vec3& direction = surroundings_.ends[i].direction;
+    held_[i] = HeldDirections{};
+    if (attachment.hold_place) {
+      held_[i].position = governed(i) ? across(direction) : all_directions();
+    }
+    if (attachment.hold_direction) {
+      held_[i].tangent = across(direction);
+    }
+  }
+}
+
+void Assembly::set_time(double time, const SystemState& near) {
+  constexpr double kReach = 0.5;  // further than any node moves in a step [m]
+  system_->surroundings(time, surroundings_);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
+  }
+  find_held();
+}
+
+void Assembly::set_drive(TensionerDrive drive) {
+  drive_ = drive;
+  find_held();
+}
+
+/// The force of the governor along the pipe: it grows with the speed of paying out, which the end's place makes. Of its
+/// parts that along the guide alone is free.
+void Assembly::add_governor(const SystemState& state) {
+  const std::size_t machine = static_cast<std::size_t>(system_->machine);
+  const Attachment& held = system_->attachments[machine];
+  LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
+  const Vec3& d = surroundings_.ends[machine].direction;
+  const double tension = governed_tension(held.tensioner, state.attachments[machine].travel.v);
+  vec(line.residual(), line.end_node(held.end), 0) -= tension * machine_axis_.dot(d) * d;
+}
+
+void Assembly::add_governor_tangent(const SystemState& state, const Weights& weights) {
+  const std::size_t machine = static_cast<std::size_t>(system_->machine);
+  const Attachment& held = system_->attachments[machine];
+  LineAssembly& line = lines_[static_cast<std::size_t>(held.line)];
+  const Vec3& d = surroundings_.ends[machine].direction;
+  const double rate =
+      governor_slope(held.tensioner, state.attachments[machine].travel.v) * weights.velocity * machine_axis_.dot(d);
+  double* block = line.tangent().diag(line.end_node(held.end));
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      block[r * kRowWidth + c] += rate * d(r) * d(c);
+    }
+  }
+}
+
+void Assembly::impose_ends(SystemState& state) const {
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Attachment& held = system_->attachments[i];
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    impose(state.lines[line], lines_[line].end_node(held.end), held,
+           paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].guide);
+  }
+}
+
+void Assembly::find_machine_axis(const SystemState& state) {
+  if (system_->machine < 0) {
+    return;
+  }
+  const std::size_t machine = static_cast<std::size_t>(system_->machine);
+  const Attachment& held = system_->attachments[machine];
+  const std::size_t line = static_cast<std::size_t>(held.line);
+  const double* t = state.lines[line].q.data() + 6 * lines_[line].end_node(held.end) + 3;
+  machine_axis_ =
+      held.hold_direction ? surroundings_.ends[machine].direction : Vec3(Eigen::Map<const Vec3>(t)).normalized();
+}
+
+void Assembly::evaluate(SystemState& state, const SystemState& before, const Weights& weights, bool with_tangent,
+                        ContactMode contacts) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
+  }
+  find_machine_axis(state);
+  if (system_->machine >= 0 && governed(static_cast<std::size_t>(system_->machine))) {
+    add_governor(state);
+    if (with_tangent) {
+      add_governor_tangent(state, weights);
+    }
+  }
+}
+
+bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) {
+  const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (lines_[i].contacts().count() > 0 && !lines_[i].renew_contact_tangents(state.lines[i], weights)) {
+      return false;
+    }
+  }
+  if (system_->machine >= 0 && governed(machine)) {
+    add_governor_tangent(state, weights);
+  }
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
+    const int node = line.end_node(system_->attachments[i].end);
+    if (line.contacts().count() > 0 && node >= line.kept_from()) {
+      line.hold(node, held_[i], true);
+    }
+  }
+  for (LineAssembly& line : lines_) {
+    if (line.contacts().count() > 0 && !refactor(line.tangent(), line.kept_from()).solved()) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Assembly::end_iteration(const SystemState& state) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].contacts().end_iteration(state.lines[i].contacts);
+  }
+}
+
+void Assembly::hold(bool with_tangent) {
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
+    line.hold(line.end_node(system_->attachments[i].end), held_[i], with_tangent);
+  }
+}
+
+double Assembly::relative_residual() {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const Unbalance one = lines_[i].unbalance();
+    const double relative = one.force / lines_[i].line().force_scale;
+    if (i == 0 || relative > worst) {
+      worst = relative;
+      worst_ = {static_cast<int>(i), one.node};
+    }
+  }
+  return worst;
+}
+
+bool Assembly::solve_factored(Increments& dq) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (!lines_[i].solve_factored(dq[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Assembly::solve_again(Increments& dq) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    lines_[i].solve_again(dq[i]);
+  }
+}
+
+double Assembly::machine_tension() const {
+  if (system_->machine < 0) {
+    return 0.0;
+  }
+  const Attachment& held = system_->attachments[static_cast<std::size_t>(system_->machine)];
+  const std::array<double, 6>& force = lines_[static_cast<std::size_t>(held.line)].end_force(held.end);
+  return Vec3(force[0], force[1], force[2]).dot(machine_axis_);
+}
+
+InstantEnergy Assembly::energy(const SystemState& state) const {
+  InstantEnergy now;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const LineAssembly& line = lines_[i];
+    const LineState& at = state.lines[i];
+    const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
+    add(now.line, line_energy(line.line().elements, line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
+    if (line.line().yielding.any) {
+      now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);
+      now.bending_heat += at.bending_heat;
+    }
+    add_contact_energy(line.contacts(), now);
+    now.anchor_power += end_power(line, at, LineEnd::first);
+    now.top_power += end_power(line, at, LineEnd::last);
+  }
+  return now;
+}
+
+bool Assembly::find_accelerations(SystemState& state) {
+  constexpr double kMassDominates = 1e16;  // weight of the mass at which stiffness is rounding [1/s2]
+  const SystemState before = state;
+  impose_ends(state);
+  evaluate(state, before, {0.0, kMassDominates, 0.0}, true);
+  hold(true);
+  Increments dq = increments();
+  if (!solve_factored(dq)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < dq.size(); ++i) {
+    for (std::size_t k = 0; k < dq[i].size(); ++k) {
+      state.lines[i].acc[k] += kMassDominates * dq[i][k];
+    }
+  }
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Attachment& held = system_->attachments[i];
+    const std::size_t line = static_cast<std::size_t>(held.line);
+    const double* at = dq[line].data() + 6 * lines_[line].end_node(held.end);
+    const auto along = [&](const double* part) {
+      return kMassDominates * surroundings_.ends[i].direction.dot(Vec3(Eigen::Map<const Vec3>(part)));
+    };
+    if (held.hold_direction) {
+      state.attachments[i].guide.acc += along(at + 3);
+    }
+    if (governed(i)) {
+      state.attachments[i].travel.acc -= along(at);
+    }
+  }
+  return true;
+}
+
+SystemState state_at_rest(const System& system, const std::vector<std::vector<double>>& q, double time) {
+  std::size_t rollers = 0;
+  for (const Body& body : system.bodies) {
+    rollers += body.rollers.size();
+  }
+  SystemState state;
+  state.time = time;
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    const Line& line = system.lines[i];
+    LineState at;
+    at.q = q[i];
+    at.v.assign(at.q.size(), 0.0);
+    at.acc.assign(at.q.size(), 0.0);
+    at.alg.assign(at.q.size(), 0.0);
+    at.bed_slip.assign(static_cast<std::size_t>(kGaussPoints * kBedDirections) * line.elements.padded(), 0.0);
+    at.contacts.assign(line.on_rollers ? rollers : 0, ContactMemory{});
+    if (line.yielding.any) {
+      at.bending = fresh_memories(line.mesh, at.q.data());
+    }
+    state.lines.push_back(std::move(at));
+  }
+  for (const Attachment& held : system.attachments) {
+    const std::vector<double>& at = q[static_cast<std::size_t>(held.line)];
+    const std::size_t tangent = held.end == LineEnd::first ? 3 : at.size() - 3;
+    AttachmentState of_end;
+    of_end.guide = {Vec3(at[tangent], at[tangent + 1], at[tangent + 2]).norm(), 0.0, 0.0, 0.0};
+    state.attachments.push_back(of_end);
+  }
+  return state;
+}
+
+}  // namespace overbend

@@ -1,0 +1,29 @@
+/// A rigid body that carries rollers.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/contact_cells.h"
+#include "mechanics/contact_law.h"
+#include "model/model.h"
+
+namespace overbend {
+
+/// A roller in the frame of its body with its law.
+struct BodyRoller {
+  Vec3 center_V = Vec3::Zero(), axis_V = Vec3::UnitY(), normal_V = Vec3::UnitZ();
+  double half_face = 0.0, radius = 0.0;  ///< [m]
+  int box = 0;                           ///< Index in the body's cells.
+  RollerPosition position = RollerPosition::bottom;
+  double mass = 0.0;  ///< Of the pipe that the contact moves [kg].
+  ContactLaw law;
+};
+
+/// A body whose motion is told: the vessel with ramp and stinger.
+struct Body {
+  std::vector<BodyRoller> rollers;
+  ContactCells cells;                ///< In the ramp's frame.
+  Vec3 ramp_origin_V = Vec3::Zero();  ///< Of the ramp's frame, whose x runs astern, z up [m].
+};
+
+}  // namespace overbend

@@ -1,0 +1,29 @@
+/// A line: what stands still of it.
+#pragma once
+
+#include "mechanics/line_elements.h"
+#include "system/line_mesh.h"
+#include "system/yielding.h"
+
+namespace overbend {
+
+enum class LineEnd { first, last };  ///< Of a pipe: at the anchor, at the tensioner.
+
+/// Constant data of one line.
+struct Line {
+  LineMesh mesh;
+  LineElements elements;
+  LineEnvironment environment;
+  YieldingElements yielding;
+  bool on_rollers = true;    ///< Whether it may meet the rollers of bodies.
+  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
+};
+
+/// The pipe of a model on a mesh, its levels of yielding not chosen yet. `route_point_W` and `route_normal_W` are those
+/// of the lay route's vertical plane. Points into `model`, which must outlive the line.
+Line pipe_line(const Model& model, LineMesh mesh, const Vec3& route_point_W, const Vec3& route_normal_W);
+
+/// Weight in air of the elements at or beyond arc length `from` [N].
+double weight_from(const LineMesh& mesh, const LineElements& elements, double from);
+
+}  // namespace overbend

@@ -1,0 +1,159 @@
+#include "system/line_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/simd.h"
+#include "mechanics/quadrature.h"
+
+namespace overbend {
+
+LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies)
+    : line_(&line),
+      environment_(line.environment),
+      yielding_(line.yielding),
+      contacts_(line, bodies),
+      plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
+      residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
+      cuts_(residual_.size()),
+      tangent_(line.mesh.nodes()),
+      without_contacts_(line.mesh.nodes()) {}
+
+void LineAssembly::ease(const Easing& easing) {
+  easing_ = easing;
+  contacts_.ease(easing.rollers);
+  environment_.bed_stiffness = std::min(line_->environment.bed_stiffness, easing.most_bed_stiffness);
+  environment_.bed_stick = std::min(line_->environment.bed_stick, easing.most_bed_stiffness);
+  environment_.current_scale = easing.current * line_->environment.current_scale;
+}
+
+LineTarget LineAssembly::clear(bool with_tangent) {
+  std::fill(residual_.begin(), residual_.end(), 0.0);
+  if (!with_tangent) {
+    return {residual_.data(), nullptr, nullptr, nullptr, cuts_.data()};
+  }
+  tangent_.set_zero();
+  return {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0), cuts_.data()};
+}
+
+void LineAssembly::keep_ends() {
+  std::copy_n(residual_.begin(), 6, first_.begin());
+  std::copy_n(residual_.end() - 6, 6, last_.begin());
+}
+
+void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
+                                    bool with_tangent, bool keep_memory) {
+  const LineTarget target = clear(with_tangent);
+  add_line_forces(line_->elements, environment_, state.shape(), target, best_isa());
+  if (remembers()) {
+    choose_levels(yielding_, state.q.data());
+    add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
+                        {&residual_, with_tangent ? &tangent_ : nullptr, &cuts_});
+  }
+  contacts_.place(bodies, state.q.data(), 0.0);
+  contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
+  keep_ends();
+  if (with_tangent) {
+    contacts_.add_tangent(state.q.data(), {}, tangent_);
+  }
+}
+
+LineMotion LineAssembly::motion_of(const LineState& state, const LineState& before, const Weights& weights,
+                                   const std::vector<double>& water, double* next_slip) const {
+  LineMotion motion;
+  motion.v = state.v.data();
+  motion.acc = state.acc.data();
+  motion.velocity_share = weights.velocity;
+  motion.acceleration_share = weights.acceleration;
+  motion.step = weights.step;
+  motion.water = water.empty() ? nullptr : water.data();
+  motion.bed_slip = before.bed_slip.data();
+  motion.bed_slip_next = next_slip;
+  return motion;
+}
+
+void LineAssembly::evaluate(LineState& state, const LineState& before, const Weights& weights,
+                            const std::vector<double>& water, bool with_tangent, ContactMode contacts) {
+  const LineTarget target = clear(with_tangent);
+  const LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
+  add_line_forces(line_->elements, environment_, {state.q.data(), nullptr}, motion, target, best_isa());
+  if (yielding_.any) {
+    state.bending_heat =
+        before.bending_heat + add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,
+                                                  plastic_moment_,
+                                                  {&residual_, with_tangent ? &tangent_ : nullptr, &cuts_});
+  }
+  contacts_.evaluate(state.q.data(), state.v.data(), weights, before.contacts, state.contacts, contacts,
+                     {residual_, cuts_});
+  keep_ends();
+  if (with_tangent) {
+    kept_from_ = contacts_.first_within_reach(line_->mesh.nodes());
+    without_contacts_.copy_from(tangent_, kept_from_);
+    contacts_.add_tangent(state.q.data(), weights, tangent_);
+  }
+}
+
+bool LineAssembly::renew_contact_tangents(const LineState& state, const Weights& weights) {
+  const int nodes = line_->mesh.nodes();
+  if (contacts_.first_carrying(nodes) < kept_from_ || kept_from_ == 0 || kept_from_ >= nodes) {
+    return false;
+  }
+  tangent_.copy_from(without_contacts_, kept_from_);
+  contacts_.add_tangent(state.q.data(), weights, tangent_);
+  return true;
+}
+
+void LineAssembly::hold(int node, const HeldDirections& held, bool blocks) {
+  hold_node(node, held, residual_, blocks ? &tangent_ : nullptr);
+}
+
+Unbalance LineAssembly::unbalance() const {
+  const std::vector<double>& length = line_->mesh.length;
+  Unbalance largest;
+  double worst = 0.0;
+  for (int node = 0; node < line_->mesh.nodes(); ++node) {
+    const std::size_t right = std::min(static_cast<std::size_t>(node), length.size() - 1);
+    const double h = node == 0 ? length.front() : std::min(length[static_cast<std::size_t>(node) - 1], length[right]);
+    const double* r = residual_.data() + 6 * node;
+    const double force = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    const double moment = (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]) / (h * h);
+    const double size = std::max(force, moment);
+    if (!(size < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
+      return {std::numeric_limits<double>::infinity(), node};
+    }
+    if (size > worst) {
+      worst = size;
+      largest.node = node;
+    }
+  }
+  largest.force = std::sqrt(worst);
+  return largest;
+}
+
+bool LineAssembly::solve_factored(std::vector<double>& dq) {
+  const int n = line_->mesh.nodes();
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      tangent_.rhs(node, i, 0) = -residual_[static_cast<std::size_t>(6 * node + i)];
+    }
+  }
+  if (!solve(tangent_).solved()) {
+    return false;
+  }
+  for (int node = 0; node < n; ++node) {
+    for (int i = 0; i < kNodeDofs; ++i) {
+      dq[static_cast<std::size_t>(6 * node + i)] = tangent_.rhs(node, i, 0);
+    }
+  }
+  return true;
+}
+
+void LineAssembly::solve_again(std::vector<double>& dq) {
+  for (std::size_t i = 0; i < residual_.size(); ++i) {
+    dq[i] = -residual_[i];
+  }
+  resolve(tangent_, dq.data());
+}
+
+}  // namespace overbend

@@ -1,0 +1,99 @@
+/// Residual and tangent of one line with the rollers it meets: one assembly for statics and dynamics.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "system/held_directions.h"
+#include "system/roller_contacts.h"
+#include "system/state.h"
+
+namespace overbend {
+
+/// What a continuation in statics makes easier. The default is the model as it is.
+struct Easing {
+  ContactEasing rollers;
+  double most_bed_stiffness = 1e300;  ///< Limit of the bed's stiffness, normal and in friction [N/m2].
+  double current = 1.0;               ///< Factor on the current's speed.
+  double yielding = 1.0;              ///< Factor on the plastic moments: 0 is linear steel.
+};
+
+/// Of the largest unbalanced force.
+struct Unbalance {
+  double force = 0.0;  ///< [N]; moments count over the length of the shortest element beside the node.
+  int node = 0;
+};
+
+class LineAssembly {
+ public:
+  /// `line` and `bodies` must outlive this.
+  LineAssembly(const Line& line, const std::vector<Body>& bodies);
+
+  const Line& line() const { return *line_; }
+  const RollerContacts& contacts() const { return contacts_; }
+  RollerContacts& contacts() { return contacts_; }
+  const LineEnvironment& environment() const { return environment_; }
+  const StaticYielding& yielding_at_rest() const { return resting_; }
+
+  /// Six per node: internal minus external forces, inertia included.
+  const std::vector<double>& residual() const { return residual_; }
+  std::vector<double>& residual() { return residual_; }
+  /// What the line above a cut at each node exerts on what is below it, as LineTarget::cuts, rollers and yielding
+  /// included.
+  const std::vector<double>& cuts() const { return cuts_; }
+  BlockTridiagonal& tangent() { return tangent_; }
+
+  void ease(const Easing& easing);
+  /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
+  bool remembers() const { return yielding_.any && easing_.yielding > 0.0; }
+
+  /// At rest: damping and mass have no weight. The bodies are where contacts().place() put them last; elements that
+  /// rollers may meet are looked for anew. `keep_memory` leaves the memories of the steel in yielding_at_rest().
+  void evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
+                        bool with_tangent, bool keep_memory = false);
+
+  /// In motion, `water` as Surroundings::water of the line. The memories of `state` receive what those of `before` have
+  /// become after the step.
+  void evaluate(LineState& state, const LineState& before, const Weights& weights, const std::vector<double>& water,
+                bool with_tangent, ContactMode contacts);
+
+  /// After evaluate() without a tangent: puts the tangent of the contacts as they are now beside that of the line as it
+  /// was at the last full one. False where contacts reach beyond what was kept, and a full tangent is needed.
+  bool renew_contact_tangents(const LineState& state, const Weights& weights);
+  /// The first node whose blocks renew_contact_tangents() puts in afresh.
+  int kept_from() const { return kept_from_; }
+
+  /// Removes the held directions of a node from the residual and, where asked, from the blocks.
+  void hold(int node, const HeldDirections& held, bool blocks);
+  Unbalance unbalance() const;
+  int end_node(LineEnd end) const { return end == LineEnd::first ? 0 : line_->mesh.nodes() - 1; }
+  /// Force on an end by what holds it, with its moment, before hold().
+  const std::array<double, 6>& end_force(LineEnd end) const { return end == LineEnd::first ? first_ : last_; }
+
+  /// Factors the blocks and solves for the increments of the unknowns; false where they are singular.
+  bool solve_factored(std::vector<double>& dq);
+  /// The same with the factors of the last `solve_factored`.
+  void solve_again(std::vector<double>& dq);
+
+  LineMotion motion_of(const LineState& state, const LineState& before, const Weights& weights,
+                       const std::vector<double>& water, double* next_slip) const;
+
+ private:
+  LineTarget clear(bool with_tangent);
+  void keep_ends();
+
+  const Line* line_;
+  LineEnvironment environment_;  ///< Eased.
+  YieldingElements yielding_;    ///< With its levels.
+  Easing easing_;
+  RollerContacts contacts_;
+  StaticYielding resting_;
+  std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
+  std::vector<double> residual_, cuts_;
+  std::array<double, 6> first_{}, last_{};
+  BlockTridiagonal tangent_;
+  BlockTridiagonal without_contacts_;  ///< From node `kept_from_` on, in motion.
+  int kept_from_ = 0;
+};
+
+}  // namespace overbend

@@ -1,0 +1,306 @@
+#include "system/roller_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+ElementVector dofs_of(const double* values, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(values + 6 * element));
+}
+
+/// Value at xi of a field given by its nodal values.
+Vec3 at_point(const HermiteValues& n, const ElementVector& nodes) {
+  return n.value(0) * nodes.segment<3>(0) + n.value(1) * nodes.segment<3>(3) + n.value(2) * nodes.segment<3>(6) +
+         n.value(3) * nodes.segment<3>(9);
+}
+
+/// To places and tangents number [from, to) of an element: 0 and 1 are its lower node, 2 and 3 its upper.
+void add_force(double* element, const HermiteValues& n, int from, int to, const Vec3& force) {
+  for (int j = from; j < to; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      element[3 * j + i] -= n.value(j) * force(i);
+    }
+  }
+}
+
+/// N_i N_j A: the tangent of a force at a point that depends on the motion of that point alone.
+void add_point_stiffness(ElementMatrix& k, const HermiteValues& n, const Mat3& a) {
+  for (int i = 0; i < 4; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      k.block<3, 3>(3 * i, 3 * j) += n.value(i) * n.value(j) * a;
+    }
+  }
+}
+
+/// Bounds of the Bezier hull of an element in the ramp's frame.
+ElementBounds bounds_of(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Vec3& t2, double h, double reach) {
+  const Vec3 b1 = r1 + h / 3.0 * t1;
+  const Vec3 b2 = r2 - h / 3.0 * t2;
+  return {std::min({r1.x(), r2.x(), b1.x(), b2.x()}) - reach, std::max({r1.x(), r2.x(), b1.x(), b2.x()}) + reach,
+          std::min({r1.z(), r2.z(), b1.z(), b2.z()}) - reach};
+}
+
+/// At rest a roller holds the pipe on the side it is meant for; a moving pipe is where it is. It passes a roller over
+/// its end alone, and one that has done so is pushed further out when it comes near, not back through the steel.
+void turn_to_actual_side(RollerDistance& distance) {
+  distance.value = -distance.value;
+  distance.direction = -distance.direction;
+}
+
+std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
+  return (hash ^ value) * 0x100000001b3ull;
+}
+
+}  // namespace
+
+RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies)
+    : line_(&line), bodies_(&bodies), bounds_(line.mesh.length.size()), motions_(bodies.size()) {
+  for (std::size_t b = 0; b < (line.on_rollers ? bodies.size() : 0); ++b) {
+    ranges_.emplace_back(bodies[b].cells.boxes.size());
+    for (const BodyRoller& roller : bodies[b].rollers) {
+      rollers_.push_back({&roller, b});
+    }
+  }
+  placed_.resize(rollers_.size());
+  contacts_.resize(rollers_.size());
+  carrying_.resize(rollers_.size());
+  iterate_.resize(rollers_.size());
+}
+
+void RollerContacts::place(const std::vector<RigidMotion>& bodies, const double* q, double reach) {
+  for (std::size_t b = 0; b < ranges_.size(); ++b) {
+    motions_[b] = bodies[b];
+    if (!(*bodies_)[b].rollers.empty()) {
+      search(b, q, reach);
+    }
+  }
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    const BodyRoller& roller = *rollers_[i].roller;
+    const VesselPose& pose = motions_[rollers_[i].body].pose;
+    placed_[i] = {pose.p_WV + pose.R_WV * roller.center_V,
+                  pose.R_WV * roller.axis_V,
+                  pose.R_WV * roller.normal_V,
+                  roller.half_face,
+                  roller.radius,
+                  roller.law.stiffness};
+  }
+}
+
+void RollerContacts::search(std::size_t body, const double* q, double reach) {
+  const VesselPose& pose = motions_[body].pose;
+  const Vec3 origin = pose.p_WV + pose.R_WV * (*bodies_)[body].ramp_origin_V;
+  const Vec3 x_axis = -pose.R_WV.col(0), z_axis = pose.R_WV.col(2);
+  const auto to_S = [&](const Vec3& v) { return Vec3(v.dot(x_axis), 0.0, v.dot(z_axis)); };
+  const auto place_S = [&](int node) { return to_S(Vec3(Vec3Map(q + 6 * node)) - origin); };
+  const std::vector<double>& length = line_->mesh.length;
+  Vec3 r1 = place_S(0), t1 = to_S(Vec3Map(q + 3));
+  for (std::size_t e = 0; e < length.size(); ++e) {
+    const int node = static_cast<int>(e) + 1;
+    const Vec3 r2 = place_S(node), t2 = to_S(Vec3Map(q + 6 * node + 3));
+    bounds_[e] = bounds_of(r1, t1, r2, t2, length[e], reach);
+    r1 = r2;
+    t1 = t2;
+  }
+  search_cells((*bodies_)[body].cells, bounds_, ranges_[body]);
+}
+
+void RollerContacts::end_iteration(const std::vector<ContactMemory>& now) {
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    iterate_[i] = {now[i].axial, now[i].lateral};
+  }
+}
+
+/// Distance, direction and penetration at the closest point found.
+RollerDistance RollerContacts::measure(std::size_t index, const double* q, bool on_meant_side) {
+  RollerContact& contact = contacts_[index];
+  const std::size_t e = static_cast<std::size_t>(contact.at.element);
+  RollerDistance distance =
+      roller_distance(placed_[index], contact.at, dofs_of(q, contact.at.element), line_->mesh.length[e]);
+  if (!on_meant_side && distance.value < 0.0) {
+    turn_to_actual_side(distance);
+  }
+  contact.penetration = line_->elements.radius[e] + rollers_[index].roller->radius - distance.value;
+  contact.normal_direction = distance.direction;
+  return distance;
+}
+
+void RollerContacts::push(std::size_t index, const HermiteValues& n, const ContactTarget& target) {
+  const RollerContact& contact = contacts_[index];
+  const Vec3 force = contact.force();
+  add_force(target.residual.data() + 6 * contact.at.element, n, 0, 4, force);
+  add_force(target.cuts.data() + 6 * contact.at.element, n, 2, 4, force);
+  if (contact.at.element == 0) {  // the cut at the first node is minus what the first element adds
+    add_force(target.cuts.data(), n, 0, 2, -force);
+  }
+}
+
+void RollerContacts::evaluate_at_rest(const double* q, const ContactTarget& target) {
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    evaluate_one_at_rest(i, q, target);
+  }
+}
+
+void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target) {
+  const BodyRoller& roller = *rollers_[index].roller;
+  RollerContact& contact = contacts_[index];
+  contact = RollerContact{};
+  contact.penetration = 0.0;
+  carrying_[index].carries = false;
+  if (!easing_.sides && roller.position != RollerPosition::bottom) {
+    return;
+  }
+  const std::vector<double>& length = line_->mesh.length;
+  const ElementRange range = within_reach(rollers_[index]);
+  contact.at = closest_point(placed_[index], q, length.data(), range.first, range.last);
+  if (!contact.at.found) {
+    return;
+  }
+  const RollerDistance distance = measure(index, q, true);
+  ContactLaw law = roller.law;
+  law.stiffness = std::min(law.stiffness, easing_.most_stiffness);
+  const NormalForce normal = normal_force(law, contact.penetration, 0.0);
+  contact.normal = normal.force;
+  if (normal.force <= 0.0) {
+    return;
+  }
+  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]), target);
+  carrying_[index] = {true, distance, normal, {}, {}};
+}
+
+void RollerContacts::evaluate(const double* q, const double* v, const Weights& weights,
+                              const std::vector<ContactMemory>& before, std::vector<ContactMemory>& after,
+                              ContactMode mode, const ContactTarget& target) {
+  signature_ = 0xcbf29ce484222325ull;
+  settled_ = mode == ContactMode::free;
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    evaluate_one(i, q, v, weights, before[i], after[i], mode, target);
+  }
+}
+
+void RollerContacts::evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
+                                  const ContactMemory& before, ContactMemory& after, ContactMode mode,
+                                  const ContactTarget& target) {
+  const BodyRoller& roller = *rollers_[index].roller;
+  RollerContact& contact = contacts_[index];
+  contact = RollerContact{};
+  carrying_[index].carries = false;
+  const std::vector<double>& length = line_->mesh.length;
+  const ElementRange reachable = within_reach(rollers_[index]);
+  const bool in_reach = reachable.first < reachable.last;
+  const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length.size())};
+  contact.at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, after.element, after.xi);
+  const int last_element = after.element;
+  const double last_xi = after.xi;
+  after = {0.0, 0.0, false, Slip::stick, Slip::stick, last_element, last_xi};
+  if (!contact.at.found) {
+    return;
+  }
+  const int element = contact.at.element;
+  after.element = element;
+  after.xi = contact.at.xi;
+  const std::size_t e = static_cast<std::size_t>(element);
+  const RollerDistance distance = measure(index, q, false);
+  const ElementVector dofs = dofs_of(q, element);
+  const HermiteValues n = hermite(contact.at.xi, length[e]);
+  const RigidMotion& body = motions_[rollers_[index].body];
+  const Vec3 arm = at_point(n, dofs) - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
+  contact.roller_velocity = body.velocity + body.omega.cross(arm);
+  const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
+  contact.rate = -slip_rate.dot(distance.direction);
+  const bool kept = mode == ContactMode::kept;
+  if (!in_reach || (kept && !before.carries)) {  // out of reach the separation alone is of interest
+    return;
+  }
+  const NormalForce normal = kept ? attached_force(roller.law, contact.penetration, contact.rate)
+                                  : normal_force(roller.law, contact.penetration, contact.rate);
+  contact.normal = normal.force;
+  if (normal.by_penetration <= 0.0) {
+    return;
+  }
+  const CentrelinePoint point = centreline(dofs, contact.at.xi, length[e]);
+  contact.axial_direction = (point.a - point.a.dot(distance.direction) * distance.direction).normalized();
+  contact.lateral_direction = distance.direction.cross(contact.axial_direction);
+  contact.slip_rate_axial = slip_rate.dot(contact.axial_direction);
+  contact.slip_rate_lateral = slip_rate.dot(contact.lateral_direction);
+  const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last) {
+    const SlipStep step{slip, rate, weights.step, normal.force};
+    if (kept) {
+      return friction_in_state(roller.law, mu, step, at_start);
+    }
+    const FrictionForce force = friction_force(roller.law, mu, step);
+    if (static_cast<int>(force.state) * static_cast<int>(last) < 0) {  // between sliding either way the contact sticks
+      settled_ = false;
+      return friction_in_state(roller.law, mu, step, Slip::stick);
+    }
+    return force;
+  };
+  const FrictionForce axial = friction(roller.law.friction_axial, before.slip_axial, contact.slip_rate_axial,
+                                       before.axial, iterate_[index].axial);
+  const FrictionForce lateral = friction(roller.law.friction_lateral, before.slip_lateral, contact.slip_rate_lateral,
+                                         before.lateral, iterate_[index].lateral);
+  contact.axial = axial.force;
+  contact.lateral = lateral.force;
+  after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
+  signature_ =
+      mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
+  push(index, n, target);
+  carrying_[index] = {true, distance, normal, axial, lateral};
+}
+
+int RollerContacts::first_within_reach(int beyond) const {
+  int first = beyond;
+  for (const std::vector<ElementRange>& of_body : ranges_) {
+    for (const ElementRange& range : of_body) {
+      first = range.first < range.last ? std::min(first, range.first) : first;
+    }
+  }
+  return first;
+}
+
+int RollerContacts::first_carrying(int beyond) const {
+  int first = beyond;
+  for (std::size_t i = 0; i < carrying_.size(); ++i) {
+    first = carrying_[i].carries ? std::min(first, contacts_[i].at.element) : first;
+  }
+  return first;
+}
+
+void RollerContacts::add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const {
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    if (carrying_[i].carries) {
+      add_tangent_of(i, q, weights, tangent);
+    }
+  }
+}
+
+void RollerContacts::add_tangent_of(std::size_t index, const double* q, const Weights& weights,
+                                    BlockTridiagonal& tangent) const {
+  const CarryingContact& carrying = carrying_[index];
+  const NormalForce& normal = carrying.normal;
+  const Vec3& away = carrying.distance.direction;
+  const RollerContact& contact = contacts_[index];
+  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
+  const HermiteValues n = hermite(contact.at.xi, h);
+  // Forces act at the point of the pipe: -d f / d q = N_i N_j (outer products of the directions). What the turning of
+  // the directions of friction adds beyond the Hessian of the distance is smaller by force over stiffness and distance,
+  // 1e-4.
+  const RollerDistanceDerivatives d =
+      roller_distance_derivatives(placed_[index], contact.at, carrying.distance, dofs_of(q, contact.at.element), h);
+  const double by_normal_motion = normal.by_penetration + normal.by_rate * weights.velocity;
+  ElementMatrix k = -normal.force * d.hessian;
+  Mat3 a = by_normal_motion * away * away.transpose();
+  const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
+    a -= force.by_rate * weights.velocity * direction * direction.transpose();
+    a += force.by_normal * by_normal_motion * direction * away.transpose();
+  };
+  add_friction(carrying.axial, contact.axial_direction);
+  add_friction(carrying.lateral, contact.lateral_direction);
+  add_point_stiffness(k, n, a);
+  add_element(tangent, contact.at.element, k);
+}
+
+}  // namespace overbend

@@ -1,0 +1,77 @@
+#include "system/vessel_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/impact_mass.h"
+#include "mechanics/restitution.h"
+
+namespace overbend {
+namespace {
+
+RestitutionForm restitution_form(RollerDamping damping) {
+  return damping == RollerDamping::textbook ? RestitutionForm::textbook : RestitutionForm::clipped;
+}
+
+/// Effective mass per length of the pipe at a roller [kg/m].
+double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W) {
+  const double added = pipe.added_mass_normal * model.water_density * pipe.external_area;
+  return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
+}
+
+ContactLaw law_of(const Roller& roller, double stiffness, double mass) {
+  const double zeta = damping_ratio(roller.restitution, restitution_form(roller.damping));
+  ContactLaw law;
+  law.stiffness = stiffness;
+  law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
+  law.tangential_stiffness = roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * stiffness;
+  law.tangential_damping = 2.0 * zeta * std::sqrt(mass * law.tangential_stiffness);
+  law.friction_axial = roller.friction_axial;
+  law.friction_lateral = roller.friction_lateral;
+  return law;
+}
+
+}  // namespace
+
+double penalty_stiffness(const Section& pipe, double element_length) {
+  return pipe.EI / std::pow(std::max(element_length, pipe.steel_diameter), 3);
+}
+
+std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_element) {
+  const VesselPose& mean = model.mean_pose;
+  const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
+  std::vector<BodyRoller> rollers;
+  for (const Roller& roller : model.supports.rollers) {
+    const Section& pipe = model.section_over(roller);
+    const Vec3 center = point_from_ramp(model, mean, roller.center_S);
+    const double stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty_stiffness(pipe, shortest_element);
+    BodyRoller of_body;
+    of_body.center_V = to_V(center - mean.p_WV);
+    of_body.axis_V = to_V(direction_from_ramp(mean, roller.axis_S));
+    of_body.normal_V = to_V(direction_from_ramp(mean, roller.normal_S));
+    of_body.half_face = 0.5 * roller.face;
+    of_body.radius = roller.radius;
+    of_body.box = roller.box;
+    of_body.position = roller.position;
+    of_body.mass = impact_mass(moved_mass(model, pipe, center), pipe.EI, stiffness);
+    of_body.law = law_of(roller, stiffness, of_body.mass);
+    rollers.push_back(of_body);
+  }
+  return rollers;
+}
+
+Body vessel_body(const Model& model, double shortest_element, double pipe_radius) {
+  Body body;
+  body.rollers = vessel_rollers(model, shortest_element);
+  body.cells = contact_cells(model.supports, pipe_radius);
+  body.ramp_origin_V = Vec3(model.description.vessel.stern_shoe_x, 0.0, model.description.vessel.stern_shoe_z);
+  return body;
+}
+
+RigidMotion resting(const VesselPose& pose) {
+  RigidMotion motion;
+  motion.pose = pose;
+  return motion;
+}
+
+}  // namespace overbend
