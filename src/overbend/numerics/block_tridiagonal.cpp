@@ -25,11 +25,11 @@ void BlockTridiagonal::copy_from(const BlockTridiagonal& other, int first) {
   std::copy(other.lower_.begin() + from, other.lower_.end(), lower_.begin() + from);
 }
 
-namespace {
-
 BlockView view_of(BlockTridiagonal& system) {
   return {system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
 }
+
+namespace {
 
 /// The elimination for one instruction set.
 struct BlockKernels {

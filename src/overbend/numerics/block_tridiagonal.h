@@ -17,10 +17,6 @@
 
 namespace overbend {
 
-inline constexpr int kNodeDofs = 6;
-inline constexpr int kRowWidth = 8;  ///< Six columns and two right-hand sides.
-inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
-
 class BlockTridiagonal {
  public:
   explicit BlockTridiagonal(int nodes = 0) { resize(nodes); }
@@ -75,6 +71,9 @@ void resolve(BlockTridiagonal& solved, double* x);
 /// Factors anew from node `first` on, where blocks have been put in afresh; the factors of the nodes before it stand.
 /// Right-hand sides are left to `resolve`.
 BlockSolveReport refactor(BlockTridiagonal& solved, int first);
+
+/// The blocks as the kernels take them.
+BlockView view_of(BlockTridiagonal& system);
 
 /// The same on a chosen instruction set, to compare them.
 BlockSolveReport solve_on(BlockTridiagonal& system, Isa isa);

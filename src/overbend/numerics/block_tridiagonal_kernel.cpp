@@ -11,8 +11,7 @@ inline double magnitude(double x) {
   return x < 0.0 ? -x : x;
 }
 
-constexpr int kNodeDofs = 6;
-constexpr int kBlockSize = kNodeDofs * kLanes;
+static_assert(kRowWidth == kLanes, "a row of a block is one batch of lanes");
 constexpr int kParts = kLanes / kWidth;
 
 /// A row of eight in as many registers as it takes.

@@ -3,6 +3,10 @@
 
 namespace overbend {
 
+inline constexpr int kNodeDofs = 6;
+inline constexpr int kRowWidth = 8;  ///< Six columns and two right-hand sides.
+inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
+
 struct BlockSolveReport {
   int singular_node = -1;   ///< First node whose eliminated block has no pivot, -1 when solved.
   int negative_blocks = 0;  ///< Eliminated blocks with negative determinant: zero for a stable equilibrium.

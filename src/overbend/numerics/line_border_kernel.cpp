@@ -1,0 +1,145 @@
+#include "numerics/line_border_kernel.h"
+
+#include "base/simd.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+inline const Lanes& lanes(const double* p) {
+  return *reinterpret_cast<const Lanes*>(p);
+}
+inline Lanes& lanes(double* p) {
+  return *reinterpret_cast<Lanes*>(p);
+}
+
+/// The six rows of a node's panel, as many columns of it as a register holds.
+struct Columns {
+  Lanes row[kNodeDofs];
+};
+
+inline Columns load(const double* panel, int stride) {
+  Columns columns;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    columns.row[i] = lanes(panel + i * stride);
+  }
+  return columns;
+}
+
+inline void store(const Columns& columns, double* panel, int stride) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    lanes(panel + i * stride) = columns.row[i];
+  }
+}
+
+/// columns -= A x, A the first six columns of a block.
+inline void subtract_product(const double* a, const Columns& x, Columns& columns) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    for (int k = 0; k < kNodeDofs; ++k) {
+      columns.row[i] -= a[i * kRowWidth + k] * x.row[k];
+    }
+  }
+}
+
+inline Columns product(const double* a, const Columns& x) {
+  Columns columns;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    columns.row[i] = a[i * kRowWidth] * x.row[0];
+    for (int k = 1; k < kNodeDofs; ++k) {
+      columns.row[i] += a[i * kRowWidth + k] * x.row[k];
+    }
+  }
+  return columns;
+}
+
+inline const double* panel_at(const SparsePanelView& panel, int node) {
+  const int slot = node < panel.first || node > panel.last ? -1 : panel.slot[node];
+  return slot < 0 ? nullptr : panel.values + slot * kNodeDofs * panel.stride;
+}
+
+/// Solves for the columns from `column` on, as many as a register holds.
+void solve_columns(const BlockView& factored, const SparsePanelView& b, int column, double* x) {
+  const int size = kNodeDofs * b.stride;
+  const int n = factored.nodes;
+  Columns at = {};
+  for (int i = 0; i < b.first && i < n; ++i) {  // nothing reaches the nodes before the first that has rows
+    store(at, x + i * size + column, b.stride);
+  }
+  for (int i = b.first; i < n; ++i) {
+    const double* rhs = panel_at(b, i);
+    Columns now = rhs != nullptr ? load(rhs + column, b.stride) : Columns{};
+    if (i > b.first) {
+      subtract_product(factored.lower + (i - 1) * kBlockSize, at, now);
+    }
+    at = product(factored.diag + i * kBlockSize, now);
+    store(at, x + i * size + column, b.stride);
+  }
+  for (int i = n - 2; i >= 0; --i) {
+    Columns now = load(x + i * size + column, b.stride);
+    subtract_product(factored.upper + i * kBlockSize, at, now);
+    at = now;
+    store(at, x + i * size + column, b.stride);
+  }
+}
+
+}  // namespace
+
+void solve_panel(const BlockView& factored, const SparsePanelView& b, double* x) {
+  for (int column = 0; column < b.stride; column += kWidth) {
+    solve_columns(factored, b, column, x);
+  }
+}
+
+void panel_product(const SparsePanelView& c, const double* x, double* out) {
+  const int stride = c.stride;
+  for (int i = 0; i < stride * stride; i += kWidth) {
+    lanes(out + i) = Lanes{};
+  }
+  for (int node = c.first; node <= c.last; ++node) {
+    const double* row = panel_at(c, node);
+    if (row == nullptr) {
+      continue;
+    }
+    for (int column = 0; column < stride; column += kWidth) {
+      const Columns at = load(x + node * kNodeDofs * stride + column, stride);
+      for (int i = 0; i < stride; ++i) {
+        Lanes sum = lanes(out + i * stride + column);
+        for (int dof = 0; dof < kNodeDofs; ++dof) {
+          sum += row[dof * stride + i] * at.row[dof];
+        }
+        lanes(out + i * stride + column) = sum;
+      }
+    }
+  }
+}
+
+void panel_times_vector(const SparsePanelView& c, const double* x, double* out) {
+  for (int column = 0; column < c.stride; column += kWidth) {
+    Lanes sum = {};
+    for (int node = c.first; node <= c.last; ++node) {
+      const double* row = panel_at(c, node);
+      if (row == nullptr) {
+        continue;
+      }
+      for (int dof = 0; dof < kNodeDofs; ++dof) {
+        sum += x[node * kNodeDofs + dof] * lanes(row + dof * c.stride + column);
+      }
+    }
+    lanes(out + column) = sum;
+  }
+}
+
+void subtract_columns(int nodes, int stride, const double* w, const double* y, double* x) {
+  for (int i = 0; i < nodes * kNodeDofs; ++i) {
+    Lanes sum = {};
+    for (int column = 0; column < stride; column += kWidth) {
+      sum += lanes(w + i * stride + column) * lanes(y + column);
+    }
+    double whole = sum[0];
+    for (int lane = 1; lane < kWidth; ++lane) {
+      whole += sum[lane];
+    }
+    x[i] -= whole;
+  }
+}
+
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE
