@@ -4,6 +4,8 @@
 
 #include "dynamics/run_setup.h"
 #include "support/bgl1_in_time.h"
+#include "support/fixtures.h"
+#include "support/moving_rod.h"
 
 namespace overbend {
 namespace {
@@ -64,6 +66,96 @@ TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_f
   const Eigen::VectorXd full = step(true, [&] { ASSERT_TRUE(assembly.solve_factored(dq)); });
   EXPECT_GT((old - full).norm(), 0.3 * full.norm());
   EXPECT_LT((renewed - full).norm(), 1e-9 * full.norm());  // rounding: the line itself has not moved
+}
+
+/// A soft rod that swings from one end.
+System pendulum(double length, int elements) {
+  System system = testing::rod_system({400.0, 1.0, 1.2, 1.2 * kGravity}, length, elements);
+  testing::first_end(system).hold_place = true;
+  testing::rod_of(system).force_scale = 1.2 * length * kGravity;
+  return system;
+}
+
+/// Both in one system.
+System beside(const System& one, const System& other) {
+  System both = one;
+  both.lines.push_back(other.lines.front());
+  for (Attachment end : other.attachments) {
+    end.line = 1;
+    both.attachments.push_back(end);
+  }
+  return both;
+}
+
+std::vector<double> level(const System& system) {
+  return testing::straight(system, Vec3::Zero(), Vec3::UnitX());
+}
+
+/// The system let go level and followed for `steps`.
+SystemState swung(const System& system, const std::vector<std::vector<double>>& q, int steps) {
+  Assembly assembly(system);
+  TimeStepper stepper(assembly, {0.8, 1e-11, 20});
+  SystemState now = state_at_rest(system, q, 0.0);
+  assembly.set_time(0.0, now);
+  EXPECT_TRUE(assembly.find_accelerations(now));
+  for (LineState& line : now.lines) line.alg = line.acc;
+  SystemState next = now;
+  for (int i = 0; i < steps; ++i) {
+    EXPECT_TRUE(stepper.step(now, 1e-3, next).converged());
+    std::swap(now, next);
+  }
+  return now;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+TEST(assembly, of_two_lines_of_different_lengths_moves_each_as_it_moves_alone) {
+  const System shorter = pendulum(2.0, 4), longer = pendulum(9.0, 30);
+  constexpr int kSteps = 300;
+  const SystemState both = swung(beside(shorter, longer), {level(shorter), level(longer)}, kSteps);
+  const SystemState first = swung(shorter, {level(shorter)}, kSteps);
+  const SystemState second = swung(longer, {level(longer)}, kSteps);
+  EXPECT_GT(largest_difference(level(longer), second.lines[0].q), 0.3);  // it has swung
+  EXPECT_LT(largest_difference(both.lines[0].q, first.lines[0].q), 1e-9);
+  EXPECT_LT(largest_difference(both.lines[1].q, second.lines[0].q), 1e-9);
+}
+
+TEST(line_assembly, at_rest_is_that_of_a_motion_without_rates) {
+  StandingPipe standing;
+  const System& system = standing.system();
+  SystemState state = standing.state();
+  const SystemState before = state;
+  Assembly moving(system);
+  moving.set_time(0.0, state);
+  moving.evaluate(state, before, {}, false);
+  BlockTridiagonal tangent(system.lines[0].mesh.nodes());
+  LineAssembly resting(system.lines[0], system.bodies, tangent);
+  resting.evaluate_at_rest(moving.surroundings().bodies, state.lines[0], LayHistory::laying, false);
+  // The friction of the bed alone is another law: at rest it is a spring to the route, in motion it remembers.
+  double load = 0.0, difference = 0.0;
+  const std::size_t nodes = system.lines[0].mesh.s.size();
+  for (std::size_t node = nodes / 2; node < nodes; ++node) {
+    for (std::size_t i = 6 * node; i < 6 * node + 3; ++i) {
+      difference = std::max(difference, std::abs(resting.cuts()[i] - moving.line(0).cuts()[i]));
+      load = std::max(load, std::abs(resting.cuts()[i]));
+    }
+  }
+  EXPECT_GT(load, 1e5);
+  EXPECT_LT(difference, 1e-9 * load);
+  int carrying = 0;
+  for (int i = 0; i < resting.contacts().count(); ++i) {
+    const RollerContact &a = resting.contacts().contacts()[static_cast<std::size_t>(i)],
+                        &b = moving.line(0).contacts().contacts()[static_cast<std::size_t>(i)];
+    if (a.normal <= 0.0) continue;
+    ++carrying;
+    EXPECT_NEAR(a.penetration, b.penetration, 1e-12);
+    EXPECT_NEAR(a.normal, b.normal, 1e-6 * a.normal);
+  }
+  EXPECT_GT(carrying, 10);
 }
 
 }  // namespace

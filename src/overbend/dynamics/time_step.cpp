@@ -248,10 +248,9 @@ double TimeStepper::local_error(const SystemState& now, const SystemState& next)
     const auto node = dq_[line].begin() + 6 * assembly_->line(line).end_node(held.end);
     std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
   }
+  assembly_->apply_factors(dq_);
   double worst = 0.0;
-  for (std::size_t line = 0; line < dq_.size(); ++line) {
-    std::vector<double>& dq = dq_[line];
-    resolve(assembly_->line(line).tangent(), dq.data());
+  for (const std::vector<double>& dq : dq_) {
     for (std::size_t i = 0; i < dq.size(); i += 6) {
       worst = std::max(worst, dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
     }

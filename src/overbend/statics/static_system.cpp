@@ -47,7 +47,8 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
     : model_(&model),
       plane_(lay_plane(model, pose)),
       parts_(parts_of(model, pose, std::move(mesh), plane_)),
-      assembly_(parts_->line, parts_->bodies) {
+      solver_(std::make_unique<BorderedSystem>(std::vector<BorderedLine>{{parts_->line.mesh.nodes(), {0}}}, 1)),
+      assembly_(parts_->line, parts_->bodies, solver_->line(0)) {
   hold_ends(pose);
 }
 
@@ -138,47 +139,37 @@ void StaticSystem::add_damping(double damping) {
   }
 }
 
-bool StaticSystem::solve_step(const LineState& state, const LineTargetValue& target, double damping,
-                              bool free_far_force, std::vector<double>& dq, double& dH) {
-  const int n = mesh().nodes();
-  BlockTridiagonal& k = tangent();
-  for (int node = 0; node < n; ++node) {
-    for (int i = 0; i < kNodeDofs; ++i) {
-      k.rhs(node, i, 0) = -residual()[static_cast<std::size_t>(6 * node + i)];
-    }
-  }
-  add_damping(damping);
-  Vec3 border = far_direction_;  // K dq - far_direction dH = -R at the far end
+/// K dq - far_direction dH = -R, and the gradient of what is wanted times dq = -its error.
+int StaticSystem::put_border(const LineState& state, const LineTargetValue& target) {
+  solver_->clear_border(0);
+  Vec3 column = -far_direction_;
   for (const Vec3& d : held_far_.position) {
-    border -= border.dot(d) * d;
-  }
-  for (int i = 0; i < 3; ++i) {
-    k.rhs(0, i, 1) = border(i);
-  }
-  solve_report_ = solve(k);
-  if (!solve_report_.solved()) {
-    return false;
+    column -= column.dot(d) * d;
   }
   const bool anchor = target.kind == LineTargetValue::Kind::anchor_distance;
-  const int at = anchor ? 0 : n - 1;
-  const Vec3 gradient =
+  const int at = anchor ? 0 : mesh().elements();
+  const Vec3 row =
       anchor ? plane_.astern_W : Vec3(elements().EA[mesh().length.size() - 1] * tangent_at(state.q, at).normalized());
-  double along_residual = 0.0, along_border = 0.0;
   for (int i = 0; i < 3; ++i) {
-    along_residual += gradient(i) * k.rhs(at, anchor ? i : 3 + i, 0);
-    along_border += gradient(i) * k.rhs(at, anchor ? i : 3 + i, 1);
+    solver_->columns(0, 0)[i * solver_->stride(0)] = column(i);
+    solver_->rows(0, at)[(anchor ? i : 3 + i) * solver_->stride(0)] = row(i);
   }
-  dH = free_far_force ? (-target_error(state, target) - along_residual) / along_border : 0.0;
-  if (!std::isfinite(dH)) {
-    solve_report_.singular_node = at;
-    return false;
+  return at;
+}
+
+bool StaticSystem::solve_step(const LineState& state, const LineTargetValue& target, double damping,
+                              bool free_far_force, std::vector<double>& dq, double& dH) {
+  add_damping(damping);
+  const int wanted_at = put_border(state, target);
+  solver_->hold(0, !free_far_force);
+  std::transform(residual().begin(), residual().end(), dq.begin(), [](double r) { return -r; });
+  dH = -target_error(state, target);
+  double* const x = dq.data();
+  solve_report_ = solver_->factor_and_solve({&x, 1}, &dH);
+  if (solve_report_.singular_unknown >= 0) {
+    solve_report_.singular_node = wanted_at;
   }
-  for (int node = 0; node < n; ++node) {
-    for (int i = 0; i < kNodeDofs; ++i) {
-      dq[static_cast<std::size_t>(6 * node + i)] = k.rhs(node, i, 0) + dH * k.rhs(node, i, 1);
-    }
-  }
-  return true;
+  return solve_report_.solved();
 }
 
 double StaticSystem::share_before_entering(const std::vector<double>& dq, double depth) const {

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "numerics/bordered_system.h"
 #include "statics/lay_shape.h"
 #include "system/line_assembly.h"
 
@@ -88,6 +89,7 @@ class StaticSystem {
  private:
   void hold_ends(const VesselPose& pose);
   void add_damping(double damping);
+  int put_border(const LineState& state, const LineTargetValue& target);
 
   /// What the assembly points to: it stays where it is when the system moves.
   struct Parts {
@@ -101,11 +103,12 @@ class StaticSystem {
   const Model* model_;
   LayPlane plane_;
   std::unique_ptr<const Parts> parts_;
+  std::unique_ptr<BorderedSystem> solver_;  ///< Its one shared unknown is the far force.
   LineAssembly assembly_;
   Easing easing_;
   Vec3 far_direction_ = Vec3::UnitX();
   HeldDirections held_far_, held_top_;
-  BlockSolveReport solve_report_;
+  BorderedReport solve_report_;
 };
 
 }  // namespace overbend

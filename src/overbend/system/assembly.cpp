@@ -78,12 +78,25 @@ double end_power(const LineAssembly& line, const LineState& state, LineEnd end) 
   return sum;
 }
 
+/// Bodies are led, so that lines share no unknowns yet.
+std::vector<BorderedLine> bordered_lines(const System& system) {
+  std::vector<BorderedLine> lines;
+  for (const Line& line : system.lines) {
+    lines.push_back({line.mesh.nodes(), {}});
+  }
+  return lines;
+}
+
 }  // namespace
 
-Assembly::Assembly(const System& system) : system_(&system), held_(system.attachments.size()) {
+Assembly::Assembly(const System& system)
+    : system_(&system),
+      solver_(bordered_lines(system), 0),
+      solution_(system.lines.size()),
+      held_(system.attachments.size()) {
   lines_.reserve(system.lines.size());
-  for (const Line& line : system.lines) {
-    lines_.emplace_back(line, system.bodies);
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    lines_.emplace_back(system.lines[i], system.bodies, solver_.line(static_cast<int>(i)));
   }
   surroundings_.bodies.resize(system.bodies.size());
   surroundings_.ends.resize(system.attachments.size());
@@ -221,12 +234,13 @@ bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) 
       line.hold(node, held_[i], true);
     }
   }
-  for (LineAssembly& line : lines_) {
-    if (line.contacts().count() > 0 && !refactor(line.tangent(), line.kept_from()).solved()) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const LineAssembly& line = lines_[i];
+    if (line.contacts().count() > 0 && !solver_.factor_line(static_cast<int>(i), line.kept_from()).solved()) {
       return false;
     }
   }
-  return true;
+  return solver_.close() < 0;
 }
 
 void Assembly::end_iteration(const SystemState& state) {
@@ -255,19 +269,31 @@ double Assembly::relative_residual() {
   return worst;
 }
 
-bool Assembly::solve_factored(Increments& dq) {
+void Assembly::take_residual(Increments& dq) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (!lines_[i].solve_factored(dq[i])) {
-      return false;
+    const std::vector<double>& residual = lines_[i].residual();
+    for (std::size_t k = 0; k < residual.size(); ++k) {
+      dq[i][k] = -residual[k];
     }
+    solution_[i] = dq[i].data();
   }
-  return true;
+}
+
+bool Assembly::solve_factored(Increments& dq) {
+  take_residual(dq);
+  return solver_.factor_and_solve(solution_, nullptr).solved();
 }
 
 void Assembly::solve_again(Increments& dq) {
+  take_residual(dq);
+  solver_.solve(solution_, nullptr);
+}
+
+void Assembly::apply_factors(Increments& dq) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    lines_[i].solve_again(dq[i]);
+    solution_[i] = dq[i].data();
   }
+  solver_.solve(solution_, nullptr);
 }
 
 double Assembly::machine_tension() const {

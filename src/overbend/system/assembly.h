@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "numerics/bordered_system.h"
 #include "system/line_assembly.h"
 #include "system/system.h"
 
@@ -26,6 +27,8 @@ using Increments = std::vector<std::vector<double>>;
 class Assembly {
  public:
   explicit Assembly(const System& system);
+  Assembly(const Assembly&) = delete;
+  Assembly& operator=(const Assembly&) = delete;
 
   const System& system() const { return *system_; }
   const Surroundings& surroundings() const { return surroundings_; }
@@ -63,6 +66,8 @@ class Assembly {
   bool solve_factored(Increments& dq);
   /// The same with the factors of the last `solve_factored`.
   void solve_again(Increments& dq);
+  /// Replaces forces on the unknowns by the increments that they make, with the same factors.
+  void apply_factors(Increments& dq);
 
   /// Of the state evaluated last.
   InstantEnergy energy(const SystemState& state) const;
@@ -74,6 +79,7 @@ class Assembly {
 
  private:
   bool governed(std::size_t attachment) const;
+  void take_residual(Increments& dq);
   void find_held();
   void add_governor(const SystemState& state);
   void add_governor_tangent(const SystemState& state, const Weights& weights);
@@ -81,7 +87,9 @@ class Assembly {
 
   const System* system_;
   Surroundings surroundings_;
+  BorderedSystem solver_;
   std::vector<LineAssembly> lines_;
+  std::vector<double*> solution_;  ///< Of the lines, for the solver.
   std::vector<HeldDirections> held_;  ///< By the attachments.
   TensionerDrive drive_ = TensionerDrive::brake;
   Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its tensioner, at the state evaluated last.

@@ -9,7 +9,7 @@
 
 namespace overbend {
 
-LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies)
+LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, BlockTridiagonal& tangent)
     : line_(&line),
       environment_(line.environment),
       yielding_(line.yielding),
@@ -17,7 +17,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies)
       plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       cuts_(residual_.size()),
-      tangent_(line.mesh.nodes()),
+      tangent_(&tangent),
       without_contacts_(line.mesh.nodes()) {}
 
 void LineAssembly::ease(const Easing& easing) {
@@ -33,8 +33,8 @@ LineTarget LineAssembly::clear(bool with_tangent) {
   if (!with_tangent) {
     return {residual_.data(), nullptr, nullptr, nullptr, cuts_.data()};
   }
-  tangent_.set_zero();
-  return {residual_.data(), tangent_.diag(0), tangent_.upper(0), tangent_.lower(0), cuts_.data()};
+  tangent_->set_zero();
+  return {residual_.data(), tangent_->diag(0), tangent_->upper(0), tangent_->lower(0), cuts_.data()};
 }
 
 void LineAssembly::keep_ends() {
@@ -49,13 +49,13 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
   if (remembers()) {
     choose_levels(yielding_, state.q.data());
     add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
-                        {&residual_, with_tangent ? &tangent_ : nullptr, &cuts_});
+                        {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
   contacts_.place(bodies, state.q.data(), 0.0);
   contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
   keep_ends();
   if (with_tangent) {
-    contacts_.add_tangent(state.q.data(), {}, tangent_);
+    contacts_.add_tangent(state.q.data(), {}, *tangent_);
   }
 }
 
@@ -79,18 +79,17 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
   const LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
   add_line_forces(line_->elements, environment_, {state.q.data(), nullptr}, motion, target, best_isa());
   if (yielding_.any) {
-    state.bending_heat =
-        before.bending_heat + add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,
-                                                  plastic_moment_,
-                                                  {&residual_, with_tangent ? &tangent_ : nullptr, &cuts_});
+    state.bending_heat = before.bending_heat +
+                         add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,
+                                             plastic_moment_, {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
   contacts_.evaluate(state.q.data(), state.v.data(), weights, before.contacts, state.contacts, contacts,
                      {residual_, cuts_});
   keep_ends();
   if (with_tangent) {
     kept_from_ = contacts_.first_within_reach(line_->mesh.nodes());
-    without_contacts_.copy_from(tangent_, kept_from_);
-    contacts_.add_tangent(state.q.data(), weights, tangent_);
+    without_contacts_.copy_from(*tangent_, kept_from_);
+    contacts_.add_tangent(state.q.data(), weights, *tangent_);
   }
 }
 
@@ -99,13 +98,13 @@ bool LineAssembly::renew_contact_tangents(const LineState& state, const Weights&
   if (contacts_.first_carrying(nodes) < kept_from_ || kept_from_ == 0 || kept_from_ >= nodes) {
     return false;
   }
-  tangent_.copy_from(without_contacts_, kept_from_);
-  contacts_.add_tangent(state.q.data(), weights, tangent_);
+  tangent_->copy_from(without_contacts_, kept_from_);
+  contacts_.add_tangent(state.q.data(), weights, *tangent_);
   return true;
 }
 
 void LineAssembly::hold(int node, const HeldDirections& held, bool blocks) {
-  hold_node(node, held, residual_, blocks ? &tangent_ : nullptr);
+  hold_node(node, held, residual_, blocks ? tangent_ : nullptr);
 }
 
 Unbalance LineAssembly::unbalance() const {
@@ -129,31 +128,6 @@ Unbalance LineAssembly::unbalance() const {
   }
   largest.force = std::sqrt(worst);
   return largest;
-}
-
-bool LineAssembly::solve_factored(std::vector<double>& dq) {
-  const int n = line_->mesh.nodes();
-  for (int node = 0; node < n; ++node) {
-    for (int i = 0; i < kNodeDofs; ++i) {
-      tangent_.rhs(node, i, 0) = -residual_[static_cast<std::size_t>(6 * node + i)];
-    }
-  }
-  if (!solve(tangent_).solved()) {
-    return false;
-  }
-  for (int node = 0; node < n; ++node) {
-    for (int i = 0; i < kNodeDofs; ++i) {
-      dq[static_cast<std::size_t>(6 * node + i)] = tangent_.rhs(node, i, 0);
-    }
-  }
-  return true;
-}
-
-void LineAssembly::solve_again(std::vector<double>& dq) {
-  for (std::size_t i = 0; i < residual_.size(); ++i) {
-    dq[i] = -residual_[i];
-  }
-  resolve(tangent_, dq.data());
 }
 
 }  // namespace overbend

@@ -26,8 +26,8 @@ struct Unbalance {
 
 class LineAssembly {
  public:
-  /// `line` and `bodies` must outlive this.
-  LineAssembly(const Line& line, const std::vector<Body>& bodies);
+  /// `line`, `bodies` and the blocks of `tangent` must outlive this.
+  LineAssembly(const Line& line, const std::vector<Body>& bodies, BlockTridiagonal& tangent);
 
   const Line& line() const { return *line_; }
   const RollerContacts& contacts() const { return contacts_; }
@@ -41,7 +41,8 @@ class LineAssembly {
   /// What the line above a cut at each node exerts on what is below it, as LineTarget::cuts, rollers and yielding
   /// included.
   const std::vector<double>& cuts() const { return cuts_; }
-  BlockTridiagonal& tangent() { return tangent_; }
+  BlockTridiagonal& tangent() { return *tangent_; }
+  const BlockTridiagonal& tangent() const { return *tangent_; }
 
   void ease(const Easing& easing);
   /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
@@ -70,11 +71,6 @@ class LineAssembly {
   /// Force on an end by what holds it, with its moment, before hold().
   const std::array<double, 6>& end_force(LineEnd end) const { return end == LineEnd::first ? first_ : last_; }
 
-  /// Factors the blocks and solves for the increments of the unknowns; false where they are singular.
-  bool solve_factored(std::vector<double>& dq);
-  /// The same with the factors of the last `solve_factored`.
-  void solve_again(std::vector<double>& dq);
-
   LineMotion motion_of(const LineState& state, const LineState& before, const Weights& weights,
                        const std::vector<double>& water, double* next_slip) const;
 
@@ -91,7 +87,7 @@ class LineAssembly {
   std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
   std::vector<double> residual_, cuts_;
   std::array<double, 6> first_{}, last_{};
-  BlockTridiagonal tangent_;
+  BlockTridiagonal* tangent_;
   BlockTridiagonal without_contacts_;  ///< From node `kept_from_` on, in motion.
   int kept_from_ = 0;
 };

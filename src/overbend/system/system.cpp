@@ -7,8 +7,7 @@ namespace overbend {
 EndMotion attached_to(const RigidMotion& body, const Vec3& place_V, const Vec3& direction_V) {
   const PointMotion place = point_motion(body, place_V);
   const DirectionMotion direction = direction_motion(body, direction_V);
-  return {place.place,         place.velocity, place.acceleration,
-          direction.direction, direction.rate, direction.acceleration};
+  return {place.place, place.velocity, place.acceleration, direction.direction, direction.rate, direction.acceleration};
 }
 
 void lead_attachments(const System& system, Surroundings& now) {

@@ -24,7 +24,8 @@ ContactLaw law_of(const Roller& roller, double stiffness, double mass) {
   ContactLaw law;
   law.stiffness = stiffness;
   law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
-  law.tangential_stiffness = roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * stiffness;
+  law.tangential_stiffness =
+      roller.tangential_stiffness > 0.0 ? roller.tangential_stiffness : kTangentialShare * stiffness;
   law.tangential_damping = 2.0 * zeta * std::sqrt(mass * law.tangential_stiffness);
   law.friction_axial = roller.friction_axial;
   law.friction_lateral = roller.friction_lateral;
