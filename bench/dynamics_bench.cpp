@@ -2,8 +2,8 @@
 /// its random sea with resolved impacts.
 #include <benchmark/benchmark.h>
 
-#include "dynamics/dynamics.h"
 #include "modelfile/yaml_reader.h"
+#include "recording/run_dynamics.h"
 #include "statics/recovery.h"
 
 namespace overbend {

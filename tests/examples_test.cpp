@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/commands.h"
-#include "dynamics/dynamics.h"
+#include "recording/run_dynamics.h"
 #include "statics/recovery.h"
 #include "support/memory_sink.h"
 

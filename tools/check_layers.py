@@ -27,7 +27,7 @@ MAY_INCLUDE = {
     "system": ENGINE,
     "checks": {"mechanics"} | PLAIN,
     "statics": {"system", "checks"} | ENGINE,
-    "dynamics": {"statics", "system", "recording", "checks"} | ENGINE,
+    "dynamics": {"statics", "system"} | ENGINE,
     "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
     "seafiles": {"model", "base"},
     "modelfile": {"seafiles", "checks", "model", "base"},

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/dynamic_warnings.h"
+#include "recording/dynamic_warnings.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
 

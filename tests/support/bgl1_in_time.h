@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "dynamics/dynamics.h"
 #include "modelfile/yaml_reader.h"
+#include "recording/run_dynamics.h"
 #include "statics/recovery.h"
 
 namespace overbend::testing {

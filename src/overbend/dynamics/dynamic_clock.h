@@ -14,6 +14,10 @@ struct Clock {
 
   double time() const { return static_cast<double>(tick) * interval; }
   bool at_row() const { return tick % ticks_per_row == 0; }
+  /// Tick of the row after this one.
+  std::int64_t next_row() const {
+    return tick - ((tick % ticks_per_row) + ticks_per_row) % ticks_per_row + ticks_per_row;
+  }
 };
 
 Clock make_clock(const DynamicOptions& options, double interval);

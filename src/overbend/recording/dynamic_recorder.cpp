@@ -10,6 +10,8 @@
 namespace overbend {
 namespace {
 
+constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
+
 Vec3 node_place(const LineState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
 }
@@ -33,11 +35,6 @@ double separation(const RollerContact& contact) {
   return contact.at.found ? -contact.penetration : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Of a least value that nothing was compared with: no value.
-double or_absent(double least) {
-  return std::isinf(least) ? std::numeric_limits<double>::quiet_NaN() : least;
-}
-
 void keep_peak(RegionPeak& peak, double value, double s, double time) {
   peak.now = std::max(peak.now, value);
   if (time > 0.0 && value > peak.largest) {
@@ -56,18 +53,29 @@ int last_stinger_roller(const Supports& supports) {
   return -1;
 }
 
+/// Rows from one snapshot of a run to the next.
+std::int64_t snapshot_stride(const DynamicOptions& options) {
+  const double rows = options.duration / options.output_step;
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMostSnapshots)));
+}
+
 }  // namespace
 
-DynamicRecorder::DynamicRecorder(const Model& model, const System& system)
+DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation,
+                                 DynamicSink& sink)
     : model_(&model),
-      line_(&system.lines.front()),
-      vessel_(&system.bodies.front()),
+      statics_(&statics),
+      line_(&simulation.system().lines.front()),
+      vessel_(&simulation.system().bodies.front()),
+      sink_(&sink),
       recovery_(model, *line_),
       design_(model, recovery_.sections()),
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
-      tensioner_(tensioner_of(system)) {
+      tensioner_(tensioner_of(simulation.system())),
+      columns_(recorded_columns(model.supports)),
+      snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = line_->mesh.s;
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
@@ -80,7 +88,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const System& system)
   key_statistics_ = RunningStatistics(key_sample_.size());
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
-  row_.resize(columns().size());
+  row_.resize(columns_.size());
   snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
   left_.resize(boxes_);
@@ -92,73 +100,32 @@ DynamicRecorder::DynamicRecorder(const Model& model, const System& system)
   hardest_.reserve(kHardestImpacts + 1);
 }
 
-std::vector<HistoryColumn> DynamicRecorder::columns() const {
-  std::vector<HistoryColumn> columns = {
-      {"time", "s", "Time from the end of the build-up", false, false},
-      {"elevation", "m", "Water surface over the stern shoe's mean place", false, true},
-      {"surge", "m", "Vessel, forward", false, true},
-      {"sway", "m", "Vessel, to port", false, true},
-      {"heave", "m", "Vessel, up", false, true},
-      {"roll", "rad", "Vessel, starboard down", false, true},
-      {"pitch", "rad", "Vessel, bow down", false, true},
-      {"yaw", "rad", "Vessel, bow to port", false, true},
-      {"top_tension", "N", "Effective tension at the tensioner", false, true},
-      {"bottom_tension", "N", "Horizontal tension at touchdown", false, false},
-      {"lay_back", "m", "Horizontal distance from the stern shoe's mean place to touchdown", false, false},
-      {"departure_angle", "rad", "Of the pipe at the last support in contact, from horizontal", false, false},
-      {"stinger_tip_clearance", "m", "Separation at the last row of the stinger", false, false}};
-  const auto region = [&](const std::string& name) {
-    columns.push_back(
-        {name + "_bending_stress", "Pa", "Largest bending stress of the " + name + " at the instant", false, false});
-    columns.push_back(
-        {name + "_von_mises", "Pa", "Largest von Mises stress of the " + name + " at the instant", false, false});
-    columns.push_back(
-        {name + "_strain_peak", "1", "Largest strain of the " + name + " since the row before", true, false});
-    columns.push_back({name + "_von_mises_peak", "Pa",
-                       "Largest von Mises stress of the " + name + " since the row before", true, false});
-  };
-  region(model_->supports.boxes.empty() ? "tower" : "overbend");
-  region("sagbend");
-  columns.push_back({"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false});
-  columns.push_back(
-      {"top_tension_low", "N", "Smallest tension at the tensioner since the row before", false, false, true});
-  columns.push_back({"smallest_tension", "N", "Smallest effective tension anywhere along the line since the row before",
-                     false, false, true});
-  columns.push_back({"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false});
-  columns.push_back({"tensioner/travel", "m", "Paid out by the tensioner, hauled in negative", false, false});
-  columns.push_back({"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false});
-  columns.push_back({"step", "s", "Time step that led here", false, false});
-  columns.push_back({"energy_drift", "1", "Error of the energy balance over the energy that has passed", false, false});
-  for (const SupportBox& box : model_->supports.boxes) {
-    columns.push_back(
-        {"support/" + box.name + "/reaction", "N", "Largest resultant since the row before", true, false});
-    columns.push_back(
-        {"support/" + box.name + "/separation", "m", "Least separation since the row before", false, false});
-  }
-  return columns;
-}
-
-void DynamicRecorder::tell_current(const StaticResults& statics) {
-  if (!tells_current(statics)) return;
+/// Tells the checks what the current adds to the static state.
+void DynamicRecorder::tell_current() {
+  if (!tells_current(*statics_)) return;
   std::vector<CurrentPart> parts;
-  for (const double s : line_->mesh.s) parts.push_back(current_part(statics, s));
+  for (const double s : line_->mesh.s) parts.push_back(current_part(*statics_, s));
   design_.set_current(std::move(parts));
 }
 
-void DynamicRecorder::start(const RecordedInstant& at) {
+void DynamicRecorder::begun(const Instant& at) {
+  tell_current();
   static_departure_ = departure(at);
   recover(at);
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
   design_.start(design_instant(at));
+  std::vector<HistoryColumn> columns;
+  for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
+  sink_->begin(columns, line_->mesh.nodes() - static_cast<int>(first_));
 }
 
-DesignInstant DynamicRecorder::design_instant(const RecordedInstant& at) const {
+DesignInstant DynamicRecorder::design_instant(const Instant& at) const {
   return {nodes_, recovery_.moments(), recovery_.tangents(), at.contacts(), at.state->time};
 }
 
-void DynamicRecorder::recover(const RecordedInstant& at) {
-  recovery_.recover(at.pipe(), at.system->line(0), at.water(), nodes_);
+void DynamicRecorder::recover(const Instant& at) {
+  recovery_.recover(at.pipe(), at.assembly->line(0), at.water(), nodes_);
   find_key_values(at);
   find_support_values(at);
   find_passed(at);
@@ -168,7 +135,7 @@ void DynamicRecorder::recover(const RecordedInstant& at) {
   }
 }
 
-void DynamicRecorder::find_key_values(const RecordedInstant& at) {
+void DynamicRecorder::find_key_values(const Instant& at) {
   const LineState& state = at.pipe();
   const int top = line_->mesh.nodes() - 1;
   key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
@@ -210,7 +177,7 @@ void DynamicRecorder::find_key_values(const RecordedInstant& at) {
 
 /// Arc length of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
 /// state; none where no support carries in either.
-std::optional<double> DynamicRecorder::departure(const RecordedInstant& at) const {
+std::optional<double> DynamicRecorder::departure(const Instant& at) const {
   std::optional<double> last;
   for (const RollerContact& contact : at.contacts()) {
     if (contact.normal <= 0.0) continue;
@@ -247,7 +214,7 @@ void DynamicRecorder::find_slack(double time) {
 }
 
 /// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
-void DynamicRecorder::find_passed(const RecordedInstant& at) {
+void DynamicRecorder::find_passed(const Instant& at) {
   const VesselPose& pose = at.vessel().pose;
   for (std::size_t i = 0; i < rollers_; ++i) {
     const RollerContact& contact = at.contacts()[i];
@@ -261,7 +228,7 @@ void DynamicRecorder::find_passed(const RecordedInstant& at) {
   }
 }
 
-void DynamicRecorder::find_support_values(const RecordedInstant& at) {
+void DynamicRecorder::find_support_values(const Instant& at) {
   const Mat3& axes = at.vessel().pose.R_WV;
   const Vec3 port = axes.col(1);
   const std::vector<Roller>& rollers = model_->supports.rollers;
@@ -294,9 +261,9 @@ void DynamicRecorder::find_support_values(const RecordedInstant& at) {
   }
 }
 
-void DynamicRecorder::step(const RecordedInstant& at) {
+void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
-  tensioner_.add(at.tensioner(), at.state->time, at.step);
+  tensioner_.add(*at.tensioner, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;
@@ -313,37 +280,13 @@ void DynamicRecorder::step(const RecordedInstant& at) {
   key_statistics_.add(key_sample_, at.step);
 }
 
-std::span<const double> DynamicRecorder::row(const RecordedInstant& at) {
-  std::size_t i = 0;
-  const auto put = [&](double value) { row_[i++] = value; };
-  put(at.state->time);
-  put(at.elevation);
-  for (const double freedom : at.vessel().freedoms) {
-    put(freedom);
-  }
-  for (std::size_t k = 0; k < 5; ++k) {
-    put(key_sample_[k]);
-  }
-  for (const std::size_t first : {std::size_t{5}, std::size_t{9}}) {  // overbend, sagbend
-    put(key_sample_[first + 1]);
-    put(key_sample_[first + 2]);
-    put(largest_key_[first + 3]);
-    put(largest_key_[first + 2]);
-  }
-  put(largest_key_[0]);
-  put(least_key_[0]);
-  put(least_key_[kKeyQuantities - 1]);
-  put(at.tensioner().machine.tension);
-  put(at.tensioner().travel.q);
-  put(static_cast<double>(at.tensioner().machine.state));
-  put(at.step);
-  put(at.drift);
-  for (std::size_t box = 0; box < boxes_; ++box) {
-    put(largest_reaction_[box]);
-    put(or_absent(least_separation_[box]));
-  }
+void DynamicRecorder::row(const Instant& at, std::int64_t number) {
+  const RowSource source{at, key_sample_, largest_key_, least_key_, largest_reaction_, least_separation_};
+  std::transform(columns_.begin(), columns_.end(), row_.begin(),
+                 [&](const RecordedColumn& recorded) { return recorded.value(source); });
   forget_interval();
-  return row_;
+  sink_->row(row_);
+  if (number >= 0 && number % snapshot_stride_ == 0) sink_->snapshot(at.state->time, snapshot(at));
 }
 
 void DynamicRecorder::forget_interval() {
@@ -353,7 +296,7 @@ void DynamicRecorder::forget_interval() {
   std::fill(least_key_.begin(), least_key_.end(), std::numeric_limits<double>::infinity());
 }
 
-std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
+std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
   double* out = snapshot_.data();
   for (std::size_t node = first_; node < nodes_.x.size(); ++node) {
     const double values[5] = {nodes_.x[node], nodes_.y[node], nodes_.z[node], nodes_.effective_tension[node],
@@ -372,15 +315,18 @@ std::span<const double> DynamicRecorder::snapshot(const RecordedInstant& at) {
   return snapshot_;
 }
 
-void DynamicRecorder::count(Impact& impact) {
+void DynamicRecorder::impact(const Impact& ended) {
+  Impact impact = ended;
   const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
   const Section& pipe = model_->section_over(roller);
   impact.dent_depth = dent_depth(impact.peak_force, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
   impact.line_load =
       line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
-  if (impact.time <= 0.0) {
-    return;
-  }
+  if (impact.time > 0.0) count(impact);
+  sink_->impact(impact);
+}
+
+void DynamicRecorder::count(const Impact& impact) {
   RollerImpacts& sum = impacts_[static_cast<std::size_t>(impact.roller)];
   sum.count += 1.0;
   sum.velocity = std::max(sum.velocity, impact.approach_velocity);

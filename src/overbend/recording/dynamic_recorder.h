@@ -1,14 +1,15 @@
-/// What a run in time leaves behind: statistics of every station and support, rows of histories, snapshots.
+/// What a dynamic analysis leaves behind: statistics of every station and support, rows of histories, snapshots.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "dynamics/dynamics.h"
+#include "dynamics/simulation.h"
 #include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
 #include "recording/design_recorder.h"
 #include "recording/dynamic_stations.h"
+#include "recording/history_columns.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
 #include "system/find_regions.h"
@@ -32,60 +33,41 @@ struct KeyValues {
 
 inline constexpr double kNever = 1e300;
 
-/// One instant as the recorder is told of it.
-struct RecordedInstant {
-  const SystemState* state = nullptr;
-  const Assembly* system = nullptr;
-  double step = 0.0;       ///< That led here [s].
-  double elevation = 0.0;  ///< Of the water at the stern shoe's mean place [m].
-  double drift = 0.0;      ///< Of energy, relative.
-
-  const LineState& pipe() const { return state->lines.front(); }
-  const std::vector<RollerContact>& contacts() const { return system->line(0).contacts().contacts(); }
-  const RigidMotion& vessel() const { return system->surroundings().bodies.front(); }
-  const std::vector<double>& water() const { return system->surroundings().water.front(); }
-  const AttachmentState& tensioner() const {
-    return state->attachments[static_cast<std::size_t>(system->system().machine)];
-  }
-};
-
-class DynamicRecorder {
+/// Looks on while a simulation goes on from its static state, and hands histories, snapshots and impacts to a sink.
+class DynamicRecorder : public SimulationObserver {
  public:
-  DynamicRecorder(const Model& model, const System& system);
+  /// `statics` are the results of the state that the simulation starts from. All have to outlive the recorder.
+  DynamicRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation, DynamicSink& sink);
 
-  std::vector<HistoryColumn> columns() const;
-  /// Nodes of the static line: the laid tail behind it is not recorded.
-  int stations() const { return line_->mesh.nodes() - static_cast<int>(first_); }
+  void begun(const Instant& at) override;
+  /// Statistics count from t > 0. Nothing is allocated.
+  void stepped(const Instant& at) override;
+  /// Counts the impact, and fills in what it does to pipe and coating.
+  void impact(const Impact& ended) override;
+  /// Hands over the row and, now and then, a snapshot; forgets what was largest since the last.
+  void row(const Instant& at, std::int64_t number) override;
+  void save(DynamicCheckpoint& checkpoint) const override;
+  void restore(const DynamicCheckpoint& checkpoint) override;
 
-  /// Tells the checks what the current adds to the static state; before start().
-  void tell_current(const StaticResults& statics);
-  /// The static state, by the same recovery.
-  void start(const RecordedInstant& at);
-  /// Every accepted step; statistics count from t > 0.
-  void step(const RecordedInstant& at);
-  /// The row at this instant; forgets what was largest since the last.
-  std::span<const double> row(const RecordedInstant& at);
-  std::span<const double> snapshot(const RecordedInstant& at);
-  double top_tension() const { return key_.top_tension; }
-  /// Impacts that ended: counted, and what they do to pipe and coating filled in.
-  void count(Impact& impact);
+  double top_tension() const { return key_.top_tension; }  ///< At the last instant [N].
+  const NodeValues& nodes() const { return nodes_; }       ///< At the last instant, of the whole line.
 
   /// Statistics into results; leaves what the recorder does not know.
   void fill(DynamicResults& results) const;
 
-  void save(DynamicCheckpoint& checkpoint) const;
-  void restore(const DynamicCheckpoint& checkpoint);
-
  private:
-  void recover(const RecordedInstant& at);
-  DesignInstant design_instant(const RecordedInstant& at) const;
+  void tell_current();
+  void count(const Impact& impact);
+  std::span<const double> snapshot(const Instant& at);
+  void recover(const Instant& at);
+  DesignInstant design_instant(const Instant& at) const;
   void forget_interval();
-  void find_key_values(const RecordedInstant& at);
+  void find_key_values(const Instant& at);
   void find_region_peaks(const Regions& regions, double time);
   void find_slack(double time);
-  std::optional<double> departure(const RecordedInstant& at) const;
-  void find_support_values(const RecordedInstant& at);
-  void find_passed(const RecordedInstant& at);
+  std::optional<double> departure(const Instant& at) const;
+  void find_support_values(const Instant& at);
+  void find_passed(const Instant& at);
   void fill_assumptions(DynamicResults& results) const;
   void fill_warnings(DynamicResults& results) const;
   void fill_slamming(DynamicResults& results) const;
@@ -95,8 +77,10 @@ class DynamicRecorder {
   DynamicExtreme extreme_of(const RegionPeak& peak, const Spread& over_time) const;
 
   const Model* model_;
+  const StaticResults* statics_;
   const Line* line_;
   const Body* vessel_;
+  DynamicSink* sink_;
   NodeRecovery recovery_;
   DesignRecorder design_;
   NodeValues nodes_, static_nodes_;
@@ -112,6 +96,8 @@ class DynamicRecorder {
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
   SurfaceCrossing crossing_;
+  std::vector<RecordedColumn> columns_;
+  std::int64_t snapshot_stride_ = 1;  ///< Rows from one to the next.
   std::vector<double> row_, snapshot_;
   std::vector<double> largest_reaction_, least_separation_, largest_key_, least_key_;  ///< Since the last row.
   struct RollerImpacts {

@@ -8,6 +8,7 @@
 #include "mechanics/contact_damage.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/dynamic_recorder_layout.h"
+#include "recording/dynamic_warnings.h"
 
 namespace overbend {
 namespace {
@@ -41,6 +42,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
     const auto spread = [&](std::size_t i) { return spread_of(support_statistics_, deviation, i); };
     SupportDynamics out;
     out.name = support.name;
+    out.s = statics_->supports.at(box).s;
     out.stinger = support.structure == Structure::stinger;
     out.reaction = spread(at);
     out.reaction_over_time = {reaction_quantiles_.at(box, 0.5), reaction_quantiles_.at(box, 0.9),
@@ -99,9 +101,9 @@ void DynamicRecorder::fill_regions(DynamicResults& results) const {
     return DynamicRegion{extreme(peaks[0], first), extreme(peaks[1], first + 1), extreme(peaks[2], first + 2),
                          extreme(peaks[3], first + 3)};
   };
-  (static_departure_ ? results.overbend : results.tower) = region(key_.upper, 5);
-  results.sagbend = region(key_.sagbend, 9);
-  results.smallest_tension = extreme(key_.slack, kKeyQuantities - 1);
+  (static_departure_ ? results.overbend : results.tower) = region(key_.upper, kUpper);
+  results.sagbend = region(key_.sagbend, kSagbend);
+  results.smallest_tension = extreme(key_.slack, kSmallestTension);
   Spread* const spreads[5] = {&results.top_tension, &results.bottom_tension, &results.lay_back,
                               &results.departure_angle, &results.stinger_tip_clearance};
   for (std::size_t i = 0; i < 5; ++i) {
@@ -209,6 +211,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   fill_assumptions(results);
   fill_slamming(results);
   fill_warnings(results);
+  warn_of_slack(*statics_, results);
 }
 
 }  // namespace overbend

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "dynamics/dynamics.h"
+#include "recording/run_dynamics.h"
 #include "study/exit_code.h"
 
 namespace overbend {

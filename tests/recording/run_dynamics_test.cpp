@@ -1,5 +1,5 @@
-/// Whole runs in time of the BGL-1 example on a coarse mesh.
-#include "dynamics/dynamics.h"
+/// Whole dynamic analyses of the BGL-1 example on a coarse mesh.
+#include "recording/run_dynamics.h"
 
 #include <gtest/gtest.h>
 
@@ -358,19 +358,6 @@ TEST(dynamics, the_time_loop_allocates_nothing) {
     });
     EXPECT_EQ(at_last, at_first);  // from the last row of the build-up to the end
   }
-}
-
-TEST(dynamics, says_why_a_model_can_not_be_run_in_time) {
-  Description d = workable();
-  d.dynamics.reset();
-  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
-  d = workable();
-  d.vessel.motion = VesselMotion::coupled;
-  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
-  d = workable();
-  d.tensioner.tension = 300e3;
-  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
-  EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "dynamics/dynamic_warnings.h"
+#include "recording/dynamic_warnings.h"
 
 #include <fmt/format.h>
 

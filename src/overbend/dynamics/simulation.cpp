@@ -1,0 +1,243 @@
+#include "dynamics/simulation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "dynamics/laid_tail.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kLeastMotion = 1e-6;      ///< Of the whole line: less is rest [m].
+constexpr double kSmallestStep = 1e-7;     ///< [s]
+constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
+constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
+constexpr double kUnlimited = 1e300;
+
+std::string place_text(double time, double s) {
+  return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
+}
+
+StaticFailure step_failure(const StepReport& report, const System& system, double time) {
+  const auto [line, node] = report.worst_place;
+  const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
+  return {"the time step cannot be solved", place_text(time, s),
+          report.end == StepEnd::singular ? "the equations have no solution there"
+                                          : "forces stay out of balance however short the step is"};
+}
+
+/// Adds the wall time from its making to its end [s].
+class WallTime {
+ public:
+  explicit WallTime(double& sum) : sum_(sum) {}
+  WallTime(const WallTime&) = delete;
+  WallTime& operator=(const WallTime&) = delete;
+  ~WallTime() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
+
+ private:
+  double& sum_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+Simulation::Simulation(const Model& model, const StaticSolution& start, double top_tension,
+                       const DynamicOptions& options)
+    : Simulation(model, options, with_laid_tail(model, start, top_tension, options.tail_reach), top_tension) {}
+
+Simulation::Simulation(const Model& model, const DynamicOptions& options, const StaticSolution& start,
+                       double top_tension)
+    : options_(options),
+      setup_(make_setup(model, start, top_tension, options)),
+      clock_(make_clock(options, setup_.interval)),
+      water_(setup_.sea, start.mesh, start.state.q, options.build_up, setup_.interval),
+      shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
+  setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
+  assembly_.emplace(setup_.system);
+  stepper_.emplace(*assembly_, options.step);
+  tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
+  state_ = static_state(setup_.system, start, clock_.time());
+  chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
+  ended_.reserve(setup_.system.bodies.front().rollers.size());
+  if (!begin()) failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
+}
+
+void Simulation::surroundings(double time, Surroundings& now) {
+  now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+  lead_attachments(setup_.system, now);
+  if (!water_.calm()) {
+    std::vector<double>& water = now.water.front();
+    water.resize(static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(pipe().mesh.nodes()));
+    water_.nodes_at(water_memory_, time, water);
+  }
+}
+
+bool Simulation::begin() {
+  if (!water_.calm()) {
+    water_.start(water_memory_, clock_.time(), state_.lines.front().q, state_.lines.front().v);
+  }
+  assembly_->set_time(state_.time, state_);
+  assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
+  assembly_->impose_ends(state_);
+  if (!assembly_->find_accelerations(state_)) {
+    return false;
+  }
+  for (LineState& line : state_.lines) {
+    line.alg = line.acc;
+  }
+  for (AttachmentState& attachment : state_.attachments) {
+    attachment.guide.alg = attachment.guide.acc;
+  }
+  const SystemState before = state_;
+  assembly_->evaluate(state_, before, {}, false);
+  observe_tension(state_, 0.0);
+  watch_.start(assembly_->machine_tension());
+  energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale);
+  ended_.clear();
+  tracker_->accept(contacts(), state_.time, 1.0, ended_);
+  report_.smallest_step = options_.max_step;
+  find_elevation();
+  return true;
+}
+
+void Simulation::find_elevation() {
+  elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe_.x(), shoe_.y());
+}
+
+Instant Simulation::now() const {
+  return {&state_, &*assembly_, &tensioner(state_), state_.last_step, elevation_, energy_.balance().drift()};
+}
+
+void Simulation::observe(SimulationObserver& observer) {
+  observers_.push_back(&observer);
+  observer.begun(now());
+}
+
+void Simulation::set_tension(double wanted) {
+  TensionerLaw& law = set_law();
+  const double shift = wanted - law.wanted;
+  law.wanted = wanted;
+  law.low += shift;
+  law.high += shift;
+}
+
+void Simulation::adapt(double h) {
+  if (options_.fixed_step) {
+    chooser_.wanted = *options_.fixed_step;
+    return;
+  }
+  const double error = stepper_->local_error(state_, next_);
+  const double growth =
+      std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
+  const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
+  chooser_.wanted = std::clamp(h * growth, kSmallestStep, longest);
+}
+
+/// The tensioner takes the tension at the end of a step of `h`, and stops or starts.
+void Simulation::observe_tension(SystemState& state, double h) {
+  AttachmentState& held = tensioner(state);
+  const Travel travel{held.travel.q, held.travel.v, held.travel.acc};
+  const Travel after =
+      overbend::observe(tensioner_of(setup_.system), assembly_->machine_tension(), h, travel, held.machine);
+  if (after.length != travel.length || after.speed != travel.speed) {
+    held.travel = {after.length, after.speed, after.acceleration, after.acceleration};
+  }
+}
+
+/// Until the tensioner's delay is over [s].
+double Simulation::to_timed_event() const {
+  const TensionerLaw& law = tensioner_of(setup_.system);
+  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+    return kUnlimited;
+  }
+  return std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent);
+}
+
+/// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s].
+double Simulation::step_to_tensioner(double h) const {
+  const TensionerLaw& law = tensioner_of(setup_.system);
+  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+    return h;
+  }
+  const AttachmentState &now = tensioner(state_), &next = tensioner(next_);
+  return step_to_event(law, excess(law, now.machine, now.machine.tension, now.travel.v),
+                       excess(law, next.machine, assembly_->machine_tension(), next.travel.v), h, kShortestToEvent);
+}
+
+bool Simulation::reject(double wanted) {
+  ++report_.rejected_steps;
+  chooser_.wanted = wanted;
+  return false;
+}
+
+/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try.
+bool Simulation::attempt(double h, double target, double& to_event) {
+  const StepReport step = stepper_->step(state_, h, next_);
+  report_.newton_iterations += step.iterations;
+  report_.factorisations += step.factorisations;
+  if (!step.converged()) {
+    reject(0.5 * h);
+    if (chooser_.wanted < kSmallestStep) failure_ = step_failure(step, setup_.system, state_.time);
+    return false;
+  }
+  const ImpactLimit impact = tracker_->check(contacts(), h);
+  if (impact.reject && !options_.fixed_step) return reject(impact.step);
+  to_event = step_to_tensioner(h);
+  if (to_event < h) return reject(chooser_.wanted);
+  if (target - state_.time - h < 1e-6 * h) next_.time = target;
+  accept(h);
+  return true;
+}
+
+void Simulation::accept(double h) {
+  adapt(h);
+  energy_.add(assembly_->energy(next_), h);
+  ended_.clear();
+  tracker_->accept(contacts(), next_.time, h, ended_);
+  observe_tension(next_, h);
+  std::swap(state_, next_);
+  find_elevation();
+  ++report_.steps;
+  report_.smallest_step = std::min(report_.smallest_step, h);
+  report_.largest_step = std::max(report_.largest_step, h);
+  const Instant at = now();
+  for (SimulationObserver* observer : observers_) {
+    for (const Impact& impact : ended_) observer->impact(impact);
+    observer->stepped(at);
+  }
+}
+
+void Simulation::reach_tick() {
+  ++clock_.tick;
+  if (!water_.calm()) {
+    water_.advance(water_memory_, state_.lines.front().q, state_.lines.front().v);
+  }
+  if (!clock_.at_row()) return;
+  const Instant at = now();
+  for (SimulationObserver* observer : observers_) observer->row(at, row_number());
+  stepper_->forget_factors();  // a simulation restored here has none
+}
+
+bool Simulation::step() {
+  if (failure_ || finished()) return false;
+  const WallTime measured(report_.wall_time);
+  const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  double to_event = kUnlimited, h = 0.0;
+  do {
+    if (failure_) return false;
+    const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
+    h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
+  } while (!attempt(h, target, to_event));
+  if (state_.time >= target) reach_tick();
+  return true;
+}
+
+bool Simulation::advance(double until) {
+  while (state_.time < until && step()) {
+  }
+  return !failure_;
+}
+
+}  // namespace overbend

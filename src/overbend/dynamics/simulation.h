@@ -1,0 +1,107 @@
+/// A dynamic analysis that goes on step by step, and those who look on.
+///
+///     Simulation simulation(model, equilibrium, top_tension, options);
+///     simulation.observe(recorder);
+///     while (simulation.step()) { ... simulation.now() ... simulation.set_tension(...) ... }
+///
+/// Its steps are those of the whole run however it is called: results do not depend on where a caller stops to look.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dynamics/dynamic_clock.h"
+#include "dynamics/dynamics.h"
+#include "dynamics/energy_account.h"
+#include "dynamics/run_setup.h"
+#include "dynamics/simulation_observer.h"
+#include "dynamics/water_field.h"
+
+namespace overbend {
+
+class Simulation {
+ public:
+  /// At rest in the static state, at the beginning of the build-up. `top_tension` is the effective tension at the
+  /// tensioner there [N]. Throws std::invalid_argument for a sea or a motion that cannot be made.
+  Simulation(const Model& model, const StaticSolution& start, double top_tension, const DynamicOptions& options);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Tells `observer` of the state as it is, and of everything from here on. It has to outlive the simulation's steps.
+  void observe(SimulationObserver& observer);
+
+  /// One accepted step; shorter ones are tried until one is accepted. False where there is none: at the end of the run,
+  /// and where no step can be solved (see failure()). Nothing is allocated.
+  bool step();
+  /// Steps up to the first instant at or after `until` [s], the end of the run at most. Rows of output are met exactly,
+  /// other times by the step that passes them. False where a step failed.
+  bool advance(double until);
+
+  double time() const { return state_.time; }                                                   ///< [s]
+  double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }        ///< [s]
+  double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
+  std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }  ///< Of the last row; 0 at t = 0.
+  bool finished() const { return clock_.tick >= clock_.last_tick; }
+  /// Why it cannot go on; it stays at the last instant that was accepted.
+  const std::optional<StaticFailure>& failure() const { return failure_; }
+
+  const System& system() const { return setup_.system; }
+  const DynamicOptions& options() const { return options_; }
+  /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
+  Instant now() const;
+  double tension() const { return assembly_->machine_tension(); }  ///< Force of the tensioner on the pipe [N].
+  const EnergyBalance& energy() const { return energy_.balance(); }
+  const DynamicRunReport& report() const { return report_; }  ///< Without what a driver knows: ratio and integrator.
+
+  /// The tension that the tensioner restores from here on; its operational range is shifted with it. A locked one holds
+  /// the pipe whatever it is set to. [N]
+  void set_tension(double wanted);
+
+  /// Everything that a simulation of the same arguments needs to go on from here, observers included, bit for bit.
+  /// Exact at a row of output: between two the steps after it may differ within their tolerance.
+  DynamicCheckpoint checkpoint() const;
+  /// With the same observers as when it was made.
+  void restore(const DynamicCheckpoint& checkpoint);
+
+ private:
+  Simulation(const Model& model, const DynamicOptions& options, const StaticSolution& start, double top_tension);
+  const Line& pipe() const { return setup_.system.lines.front(); }
+  const std::vector<RollerContact>& contacts() const { return assembly_->line(0).contacts().contacts(); }
+  AttachmentState& tensioner(SystemState& state) const { return state.attachments[machine()]; }
+  const AttachmentState& tensioner(const SystemState& state) const { return state.attachments[machine()]; }
+  std::size_t machine() const { return static_cast<std::size_t>(setup_.system.machine); }
+  TensionerLaw& set_law() { return setup_.system.attachments[machine()].tensioner; }
+  void surroundings(double time, Surroundings& now);
+  bool begin();
+  bool attempt(double h, double target, double& to_event);
+  bool reject(double wanted);
+  void accept(double h);
+  void reach_tick();
+  void adapt(double h);
+  void evaluate_restored();
+  void observe_tension(SystemState& state, double h);
+  void find_elevation();
+  double to_timed_event() const;
+  double step_to_tensioner(double h) const;
+
+  DynamicOptions options_;
+  RunSetup setup_;
+  Clock clock_;
+  WaterField water_;
+  WaterMemory water_memory_;
+  Vec3 shoe_;               ///< Mean place of the stern shoe, W [m].
+  double elevation_ = 0.0;  ///< Of the water there, now [m].
+  std::optional<Assembly> assembly_;
+  std::optional<TimeStepper> stepper_;
+  std::optional<ImpactTracker> tracker_;
+  EnergyAccount energy_;
+  SystemState state_, next_;
+  StepChooser chooser_;
+  TensionWatch watch_;
+  std::vector<Impact> ended_;
+  DynamicRunReport report_;
+  std::optional<StaticFailure> failure_;
+  std::vector<SimulationObserver*> observers_;
+};
+
+}  // namespace overbend

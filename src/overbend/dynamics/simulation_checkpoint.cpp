@@ -1,0 +1,56 @@
+/// A simulation into a checkpoint and out of it.
+#include <cmath>
+
+#include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/simulation.h"
+
+namespace overbend {
+
+DynamicCheckpoint Simulation::checkpoint() const {
+  DynamicCheckpoint c;
+  c.time = state_.time;
+  save_state(c, state_);
+  save_water(c, water_memory_);
+  c.arrays.push_back({"impacts", tracker_->save()});
+  c.arrays.push_back({"energy", energy_.save()});
+  c.arrays.push_back({"control",
+                      {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick), watch_.last, watch_.slope,
+                       watch_.least, watch_.most}});
+  const TensionerLaw& law = tensioner_of(setup_.system);
+  c.arrays.push_back({"set_point", {law.wanted, law.low, law.high}});
+  save_report(c, report_);
+  for (const SimulationObserver* observer : observers_) observer->save(c);
+  return c;
+}
+
+void Simulation::restore(const DynamicCheckpoint& checkpoint) {
+  restore_state(checkpoint, state_);
+  restore_water(checkpoint, water_memory_);
+  tracker_->restore(checkpoint_array(checkpoint, "impacts"));
+  energy_.restore(checkpoint_array(checkpoint, "energy"));
+  const std::vector<double>& control = checkpoint_array(checkpoint, "control");
+  chooser_ = {control.at(0), control.at(1)};
+  watch_ = {control.at(3), control.at(4), control.at(5), control.at(6)};
+  clock_.tick = std::llround(control.at(2));
+  const std::vector<double>& set_point = checkpoint_array(checkpoint, "set_point");
+  TensionerLaw& law = set_law();
+  law.wanted = set_point.at(0);
+  law.low = set_point.at(1);
+  law.high = set_point.at(2);
+  restore_report(checkpoint, report_);
+  stepper_->forget_factors();
+  failure_.reset();
+  evaluate_restored();
+  for (SimulationObserver* observer : observers_) observer->restore(checkpoint);
+}
+
+/// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
+void Simulation::evaluate_restored() {
+  SystemState at = state_;
+  assembly_->set_time(at.time, at);
+  assembly_->set_drive(tensioner(at).machine.drive);
+  assembly_->evaluate(at, state_, {}, false);
+  find_elevation();
+}
+
+}  // namespace overbend

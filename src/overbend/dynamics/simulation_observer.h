@@ -1,0 +1,44 @@
+/// Those who look on while a simulation goes on: recorders, live pages, controllers.
+#pragma once
+
+#include <cstdint>
+
+#include "results/dynamic_sink.h"
+#include "system/assembly.h"
+
+namespace overbend {
+
+/// One instant. The assembly is evaluated at the state: its contacts, cuts and surroundings belong to it.
+struct Instant {
+  const SystemState* state = nullptr;
+  const Assembly* assembly = nullptr;
+  const AttachmentState* tensioner = nullptr;  ///< Of `state`.
+  double step = 0.0;                           ///< That led here [s].
+  double elevation = 0.0;                      ///< Of the water at the stern shoe's mean place [m].
+  double drift = 0.0;                          ///< Of energy, relative.
+
+  const LineState& pipe() const { return state->lines.front(); }
+  const std::vector<RollerContact>& contacts() const { return assembly->line(0).contacts().contacts(); }
+  const RigidMotion& vessel() const { return assembly->surroundings().bodies.front(); }
+  /// At the nodes of the pipe, as Surroundings::water.
+  const std::vector<double>& water() const { return assembly->surroundings().water.front(); }
+};
+
+/// What it is told of lasts until it returns. Whatever it remembers from one call to the next belongs into a
+/// checkpoint.
+class SimulationObserver {
+ public:
+  virtual ~SimulationObserver() = default;
+  /// Once, when it begins to look on; at the beginning of a run that is the static state.
+  virtual void begun(const Instant&) {}
+  /// After every accepted step.
+  virtual void stepped(const Instant&) {}
+  /// An impact that ended with the step; before stepped().
+  virtual void impact(const Impact&) {}
+  /// At every row of output, after stepped(); row 0 is that of t = 0.
+  virtual void row(const Instant&, std::int64_t /*number*/) {}
+  virtual void save(DynamicCheckpoint&) const {}
+  virtual void restore(const DynamicCheckpoint&) {}
+};
+
+}  // namespace overbend

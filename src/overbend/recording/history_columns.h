@@ -1,0 +1,30 @@
+/// The table of histories: each column with its name, unit, meaning and value in one row.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "dynamics/simulation_observer.h"
+#include "model/supports.h"
+
+namespace overbend {
+
+/// What a row of histories is made of. Key figures are laid out as in dynamic_recorder_layout.h.
+struct RowSource {
+  const Instant& now;
+  std::span<const double> key;                     ///< Now.
+  std::span<const double> largest_key, least_key;  ///< Since the row before.
+  std::span<const double> largest_reaction;        ///< Of every box since the row before [N].
+  std::span<const double> least_separation;        ///< Likewise; infinite where the pipe passed none of it [m].
+};
+
+struct RecordedColumn {
+  HistoryColumn column;
+  std::function<double(const RowSource&)> value;
+};
+
+/// The columns of a run over these supports; the first is time.
+std::vector<RecordedColumn> recorded_columns(const Supports& supports);
+
+}  // namespace overbend

@@ -1,0 +1,25 @@
+#include <gtest/gtest.h>
+
+#include "dynamics/dynamics.h"
+#include "support/bgl1_in_time.h"
+
+namespace overbend {
+namespace {
+
+using testing::workable;
+
+TEST(dynamic_obstacle, says_why_a_model_has_statics_but_no_dynamic_analysis) {
+  Description d = workable();
+  d.dynamics.reset();
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.vessel.motion = VesselMotion::coupled;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d = workable();
+  d.tensioner.tension = 300e3;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
+}
+
+}  // namespace
+}  // namespace overbend
