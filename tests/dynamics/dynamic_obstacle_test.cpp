@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "dynamics/dynamics.h"
+#include "dynamics/dynamic_obstacle.h"
 #include "support/bgl1_in_time.h"
 
 namespace overbend {

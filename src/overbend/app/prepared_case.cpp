@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "base/units.h"
+#include "dynamics/dynamic_obstacle.h"
 #include "modelfile/field.h"
 #include "statics/recovery.h"
 

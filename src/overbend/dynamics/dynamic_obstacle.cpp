@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include "dynamics/dynamic_obstacle.h"
 
-#include "dynamics/dynamics.h"
+#include <fmt/format.h>
 
 namespace overbend {
 namespace {

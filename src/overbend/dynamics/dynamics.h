@@ -23,7 +23,4 @@ struct DynamicOptions {
 /// The options of a model's `analysis.dynamic`.
 DynamicOptions dynamic_options(const Model& model);
 
-/// Why a dynamic analysis of a model is not possible although its statics are; nothing when it is.
-std::optional<StaticFailure> dynamic_obstacle(const Model& model);
-
 }  // namespace overbend

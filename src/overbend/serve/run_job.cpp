@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "dynamics/dynamic_obstacle.h"
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
 #include "statics/recovery.h"

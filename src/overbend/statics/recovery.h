@@ -2,6 +2,7 @@
 #pragma once
 
 #include "results/static_results.h"
+#include "statics/recovery_stress.h"
 #include "statics/statics.h"
 #include "system/cut_forces.h"
 
@@ -9,6 +10,13 @@ namespace overbend {
 
 /// At every node.
 std::vector<CutForces> cut_forces(StaticSystem& system, const LineState& state);
+
+/// Cut at xi inside an element, by balance of what lies between it and the element's first node.
+CutForces cut_at(const StaticSystem& system, const LineState& state, const std::vector<CutForces>& cuts, int element,
+                 double xi);
+
+StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
+                        double xi);
 
 StaticResults recover_statics(const Model& model, const StaticSolution& solution);
 

@@ -1,9 +1,10 @@
+#include "statics/recovery_stress.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "mechanics/plastic_bending.h"
 #include "mechanics/stress.h"
-#include "statics/recovery_parts.h"
 
 namespace overbend {
 namespace {

@@ -1,3 +1,5 @@
+#include "statics/recovery_supports.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <optional>
 
 #include "mechanics/contact_damage.h"
-#include "statics/recovery_parts.h"
 
 namespace overbend {
 namespace {

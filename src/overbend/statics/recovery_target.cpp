@@ -1,8 +1,8 @@
+#include "statics/recovery_target.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
-
-#include "statics/recovery_parts.h"
 
 namespace overbend {
 namespace {

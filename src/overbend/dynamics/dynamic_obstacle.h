@@ -1,0 +1,13 @@
+/// Models that have statics but no dynamic analysis.
+#pragma once
+
+#include <optional>
+
+#include "statics/statics.h"
+
+namespace overbend {
+
+/// Why a dynamic analysis of a model is not possible although its statics are; nothing when it is.
+std::optional<StaticFailure> dynamic_obstacle(const Model& model);
+
+}  // namespace overbend

@@ -1,0 +1,23 @@
+/// Stresses and strains of stations from the moments and forces of their cuts.
+#pragma once
+
+#include <vector>
+
+#include "model/model.h"
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// A station before its stresses are known.
+struct StationCut {
+  Station station;
+  int section = 0;
+  Vec3 tangent = Vec3::UnitX();  ///< Unit vector along the pipe, W.
+  Vec3 bend = Vec3::Zero();      ///< Moment as a vector towards the centre of the curve: EI k of linear steel [N m].
+};
+
+/// Curvature, stress and strain of all stations, from the anchor to the tensioner. Where steel yields it is bent from
+/// station to station on its way from the tensioner, by the moments of the cuts.
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts);
+
+}  // namespace overbend

@@ -1,0 +1,85 @@
+#include "dynamics/impact_tracker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace overbend {
+namespace {
+
+constexpr double kStiffness = 4e6, kMass = 100.0;
+
+std::vector<BodyRoller> one_roller() {
+  BodyRoller roller;
+  roller.mass = kMass;
+  roller.law.stiffness = kStiffness;
+  return {roller};
+}
+
+/// A mass that meets an undamped spring at t = 0 with `speed`: half a sine, then it flies on.
+RollerContact struck(double speed, double t) {
+  const double w = std::sqrt(kStiffness / kMass);
+  RollerContact contact;
+  contact.at.found = true;
+  const bool touching = t > 0.0 && t < std::numbers::pi / w;
+  contact.penetration = touching   ? speed / w * std::sin(w * t)
+                        : t <= 0.0 ? speed * t
+                                   : -speed * (t - std::numbers::pi / w);
+  contact.rate = touching ? speed * std::cos(w * t) : t <= 0.0 ? speed : -speed;
+  contact.normal = touching ? kStiffness * contact.penetration : 0.0;
+  return contact;
+}
+
+std::vector<Impact> followed(double speed, double h) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  ImpactTracker tracker(rollers, {});
+  std::vector<Impact> ended;
+  for (double t = -20.0 * h; t < 0.1; t += h) tracker.accept({struck(speed, t)}, t, h, ended);
+  return ended;
+}
+
+TEST(impact_tracker, records_force_impulse_and_duration_of_a_half_sine) {
+  const double speed = 0.5, w = std::sqrt(kStiffness / kMass);
+  const std::vector<Impact> impacts = followed(speed, 1e-5);
+  ASSERT_EQ(impacts.size(), 1U);
+  EXPECT_NEAR(impacts[0].time, 0.0, 1e-5);
+  EXPECT_NEAR(impacts[0].approach_velocity, speed, 1e-3 * speed);
+  EXPECT_NEAR(impacts[0].peak_force, speed * std::sqrt(kStiffness * kMass),
+              1e-3 * speed * std::sqrt(kStiffness * kMass));
+  EXPECT_NEAR(impacts[0].impulse, 2.0 * kMass * speed, 1e-3 * 2.0 * kMass * speed);  // the momentum turned round
+  EXPECT_NEAR(impacts[0].duration, std::numbers::pi / w, 3e-5);
+}
+
+TEST(impact_tracker, passes_over_touches_too_soft_to_matter) {
+  const double least = ImpactSettings{}.least_force / std::sqrt(kStiffness * kMass);
+  EXPECT_TRUE(followed(0.9 * least, 1e-5).empty());
+  EXPECT_EQ(followed(1.1 * least, 1e-5).size(), 1U);
+}
+
+TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  ImpactTracker tracker(rollers, {});
+  std::vector<Impact> ended;
+  const double h = 0.012, gap = 0.005, speed = 0.5;
+  tracker.accept({struck(speed, -gap / speed)}, 0.0, h, ended);
+  const ImpactLimit limit = tracker.check({struck(speed, h - gap / speed)}, h);
+  EXPECT_TRUE(limit.reject);
+  EXPECT_NEAR(limit.step, gap / speed, 0.1 * gap / speed);  // to the first touch
+  EXPECT_FALSE(tracker.check({struck(speed, -0.5 * gap / speed)}, h).reject);
+}
+
+TEST(impact_tracker, what_lies_on_rollers_at_the_start_has_not_struck_them) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  ImpactTracker tracker(rollers, {});
+  std::vector<Impact> ended;
+  RollerContact resting;
+  resting.at.found = true;
+  resting.penetration = 1e-3;
+  resting.normal = kStiffness * resting.penetration;
+  for (int i = 0; i < 100; ++i) tracker.accept({resting}, 0.01 * i, 0.01, ended);
+  EXPECT_TRUE(ended.empty());
+}
+
+}  // namespace
+}  // namespace overbend
