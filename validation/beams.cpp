@@ -53,9 +53,9 @@ class WinklerBeam {
 Table winkler() {
   Table table{
       "Beam on an elastic foundation, point load",
-      "The sea bed's spring under the middle of a long beam. The bed only pushes; a weight that presses the beam "
-      "in by 50 mm keeps it in\ncontact everywhere, and the deflection counts from there, so that the spring acts "
-      "both ways as in the reference. Elements of a\nfifth of the soil length.",
+      "A long beam on the seabed spring, loaded at its middle. The seabed has no tension; a weight that presses the "
+      "beam in by 50 mm keeps it in contact everywhere, and the deflection is measured from there, so that the spring "
+      "acts in both directions as in the reference. The element length is a fifth of the soil length.",
       {}};
   for (const auto& row : benchmark("B09-infinite-beam-on-winkler-point-load")) {
     const double EI = 1e3 * row[0].get<double>(), k = 1e3 * row[1].get<double>(), N = 1e3 * row[2].get<double>();
@@ -89,7 +89,7 @@ Rod tie_beam(double length, double tension, bool clamped) {
 }
 
 Table tie_beams() {
-  Table table{"Span under its weight and a pull", "16-inch pipe, 2.256 kN/m, 24 elements.", {}};
+  Table table{"Span under its own weight and tension", "16-inch pipe, 2.256 kN/m, 24 elements.", {}};
   for (const auto& row : benchmark("B13-tie-beam-span")) {
     const double T = row[0], L = row[1], pinned = row[2], clamped = row[3];
     const std::string name = fmt::format("T {:g} kN, L {:g} m", T, L);
@@ -126,8 +126,8 @@ Rod two_spans(double settlement) {
 
 Table lift_off() {
   const nlohmann::json expected = benchmark("B14-two-span-middle-support-lift-off");
-  Table table{"Two spans whose middle roller sinks",
-              "Spans of 10 m, no pull; the roller is a contact of 1e8 kN/m, the ends are pinned and free to slide.",
+  Table table{"Two spans with settlement of the middle roller",
+              "Spans of 10 m, no tension; the roller is a contact of 1e8 kN/m, the ends are pinned and free to slide.",
               {}};
   const char* basis = "beam theory; 0.2 %";
   const auto add = [&](const char* name, const char* what, const char* unit, double ours, double reference) {
@@ -155,7 +155,7 @@ Table lift_off() {
 
 Group beams() {
   return {"Beams of small slope",
-          "Where theory of small slope is exact to the digits compared.",
+          "Cases for which small-slope theory is exact to the digits compared.",
           {winkler(), tie_beams(), lift_off()}};
 }
 

@@ -28,9 +28,10 @@ Rod cantilever(int elements, const Vec3& along) {
 }
 
 Table end_force() {
-  Table table{"Cantilever with a dead end force",
-              "The elastica of Mattiasson (1981): EA L2/EI = 1e10, 32 elements, the rod standing askew in space.",
-              {}};
+  Table table{
+      "Cantilever with a dead end force",
+      "The elastica of Mattiasson (1981): EA L2/EI = 1e10, 32 elements, the rod at a general orientation in space.",
+      {}};
   const std::string basis = "elliptic integrals; 1e-4 L asked";
   const Askew axes;
   Rod rod = cantilever(32, axes.along);
@@ -56,9 +57,9 @@ Table end_force() {
 
 Table roll_up() {
   Table table{"Roll-up of a cantilever by an end moment",
-              "The moment acts on the turn of the last tangent; 64 elements, so that twice round one element turns by "
-              "0.2 rad.\nThe rod is held in its plane: under a moment about a fixed axis a rod without torsion also "
-              "has equilibria out of it.",
+              "The moment acts on the rotation of the last tangent; 64 elements, so that each element rotates by 0.2 "
+              "rad when the rod is rolled up twice. The rod is held in its plane: under a moment about a fixed axis a "
+              "rod without torsion also has equilibria out of the plane.",
               {}};
   Rod rod = cantilever(64, Vec3::UnitX());
   const int tip = rod.nodes() - 1;
@@ -90,15 +91,13 @@ Table roll_up() {
 }  // namespace
 
 Group cantilevers() {
-  return {
-      "Large bending",
-      "Single rods on the element kernel and the block solver, with ends and loads of their own and a plain Newton "
-      "iteration.\n\nNot compared: the 45-degree bend of Bathe and Bolourchi (1979). Its rod is curved when unloaded "
-      "and "
-      "answers by torsion as much as by\nbending; the torsion-free element has neither an initial curvature nor a "
-      "stiffness against twist and represents straight rods\nwhose loads make no torsion (Meier, Popp and Wall, 2015), "
-      "as pipes in laying are.",
-      {end_force(), roll_up()}};
+  return {"Large bending",
+          "Single rods using the element kernel and the block solver, with their own boundary conditions and loads and "
+          "a plain Newton iteration.\n\nNot compared: the 45-degree bend of Bathe and Bolourchi (1979). Its rod is "
+          "initially curved and responds in torsion as well as in bending; the torsion-free element has neither "
+          "initial curvature nor torsional stiffness and represents straight rods under loads that cause no torsion "
+          "(Meier, Popp and Wall, 2015), such as pipes during laying.",
+          {end_force(), roll_up()}};
 }
 
 }  // namespace overbend::validation

@@ -7,7 +7,7 @@
 namespace overbend::validation {
 namespace {
 
-constexpr const char* kBasis = "computed apart; digits printed";
+constexpr const char* kBasis = "computed independently; digits printed";
 constexpr double kDelta = 0.005;   ///< Ovality by API.
 constexpr double kStrain = 0.002;  ///< Of the displacement-controlled check.
 
@@ -63,9 +63,9 @@ Group code_checks() {
   Group group{
       "Code formulas",
       "The formulas of the [code checks](theory/checks.md) for three pipes: alpha_U 0.96, low safety class, O_0 "
-      "0.005, alpha_h 0.93, load\nfactors 1, water of 1025 kg/m3. The references were computed apart from the "
-      "program from the same formulas: they show that it computes\nwhat is written, not that the standards, "
-      "which have not been compared, say so.",
+      "0.005, alpha_h 0.93, load factors 1, water of 1025 kg/m3. The references were computed independently from the "
+      "same formulas: they verify the implementation, not the agreement of the formulas with the standards, which has "
+      "not been checked.",
       {}};
   Table table{"DNV-ST-F101 and API RP 1111", "16 in X60 in 89 m, 24 in X65 in 1000 m, 12.75 in X65 in 2000 m.", {}};
   for (const TestPipe& p : kTestPipes) {

@@ -18,9 +18,35 @@ std::string table_line(const Row& row) {
                      row.allowed, row.holds() ? "yes" : "**no**", row.basis);
 }
 
+/// A paragraph with line breaks at most 120 columns apart.
+std::string wrapped_paragraph(const std::string& text) {
+  constexpr std::size_t kColumns = 120;
+  std::string out, word;
+  std::size_t column = 0;
+  for (std::istringstream words(text); words >> word;) {
+    const bool fits = column + 1 + word.size() <= kColumns;
+    out += column == 0 ? "" : fits ? " " : "\n";
+    column = (fits && column > 0 ? column + 1 : 0) + word.size();
+    out += word;
+  }
+  return out;
+}
+
+/// Paragraphs wrapped; those that begin with '|' are tables and stay as they are.
+std::string wrapped(const std::string& text) {
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find("\n\n", begin), text.size());
+    const std::string paragraph = text.substr(begin, end - begin);
+    out += (out.empty() ? "" : "\n\n") + (paragraph.front() == '|' ? paragraph : wrapped_paragraph(paragraph));
+    begin = end + 2;
+  }
+  return out;
+}
+
 std::string table_text(const Table& table) {
   std::string out = table.heading.empty() ? "" : "### " + table.heading + "\n\n";
-  out += table.text.empty() ? "" : table.text + "\n\n";
+  out += table.text.empty() ? "" : wrapped(table.text) + "\n\n";
   if (table.rows.empty()) {
     return out;
   }
@@ -86,7 +112,7 @@ std::string page(const std::vector<Group>& groups) {
   std::size_t count = 0, outside = 0;
   std::string body;
   for (const Group& group : groups) {
-    body += "## " + group.heading + "\n\n" + (group.text.empty() ? "" : group.text + "\n\n");
+    body += "## " + group.heading + "\n\n" + (group.text.empty() ? "" : wrapped(group.text) + "\n\n");
     for (const Table& table : group.tables) {
       body += table_text(table);
       count += table.rows.size();
@@ -100,15 +126,14 @@ std::string page(const std::vector<Group>& groups) {
   return fmt::format(
       "# Validation\n\n"
       "<!-- Generated: `build/release/overbend_validate > docs/validation.md`. Do not edit. -->\n\n"
-      "The engine beside answers found by other means: closed forms, tables from the literature, and "
-      "solutions "
-      "computed\nwith other methods ([where they come from](../validation/README.md)). Every value of ours is computed "
-      "when this page is\ngenerated, with the element, contact and solver that lay the pipe; the test run checks each "
-      "against its tolerance and that\nthis page is current. To regenerate it:\n\n"
+      "Results of the engine compared with independent references: closed forms, tables from the literature, "
+      "and\nsolutions computed with other methods ([their origin](../validation/README.md)). Our values are computed "
+      "when this page\nis generated, with the elements, contacts and solver of the program; the test suite checks each "
+      "value against its\ntolerance, and that this page is up to date. To regenerate it:\n\n"
       "```sh\ncmake --preset release\ncmake --build --preset release --target overbend_validate\n"
       "build/release/overbend_validate > docs/validation.md\n```\n\n"
-      "`overbend_validate --check` prints only what is outside its tolerance and fails if anything is. {} values are "
-      "compared,\n{} of them {} outside.\n\n{}",
+      "`overbend_validate --check` prints only the values outside their tolerance, and fails if there are any. {} "
+      "values\nare compared, {} of them {} outside.\n\n{}",
       count, outside, outside == 1 ? "is" : "are", body);
 }
 

@@ -47,8 +47,8 @@ Table cantilever_order() {
   for (const int n : meshes) {
     errors.push_back((tip_of_cantilever(n) - exact).norm());
   }
-  return orders("Cantilever with P L2/EI = 5", "Distance of the tip from the elastica's, over L.", meshes, errors,
-                "the tip");
+  return orders("Cantilever with P L2/EI = 5", "Distance of the tip from that of the elastica, divided by L.", meshes,
+                errors, "the tip");
 }
 
 /// A 16-inch pipe of 200 m in water, hung between two pins 160 m apart: middle of the sag.
@@ -71,20 +71,19 @@ Table hanging_order() {
   for (const int n : meshes) {
     errors.push_back((middle_of_sag(n) - fine).norm());
   }
-  return orders(
-      "Hanging pipe",
-      "200 m of the 16-inch pipe in water between two pins, pulled by 40 kN: distance of its middle from that on "
-      "512 elements [m].",
-      meshes, errors, "the middle");
+  return orders("Hanging pipe",
+                "200 m of the 16-inch pipe in water between two pins, tension 40 kN: distance of its midpoint from "
+                "that with 512 elements [m].",
+                meshes, errors, "the middle");
 }
 
 }  // namespace
 
 Group convergence() {
-  return {
-      "Order of convergence",
-      "Each mesh halves the elements of the one before; the order is the binary logarithm of the ratio of the errors.",
-      {cantilever_order(), hanging_order()}};
+  return {"Order of convergence",
+          "Each mesh halves the element length of the previous one; the order is the binary logarithm of the ratio of "
+          "the errors.",
+          {cantilever_order(), hanging_order()}};
 }
 
 }  // namespace overbend::validation

@@ -16,9 +16,8 @@ Table frequencies() {
   const nlohmann::json expected = benchmark("B06-tensioned-beam-frequencies");
   Table table{
       "Vibration of a tensioned beam",
-      "16-inch pipe of 0.8 t/m over 60 m under 250 kN, 40 elements. Frequencies from stiffness and mass as the "
-      "element gives\nthem, and from the record of the middle of the pinned beam, let go in its first shape, in "
-      "steps of 0.02 s.",
+      "16-inch pipe of 0.8 t/m over 60 m under 250 kN, 40 elements. Frequencies from the element's stiffness and mass, "
+      "and from the record of the middle of the pinned beam, released in its first mode shape, in steps of 0.02 s.",
       {}};
   for (const bool clamped : {false, true}) {
     const nlohmann::json& exact = expected[clamped ? "clamped_clamped_Hz" : "pinned_pinned_Hz"];
@@ -36,12 +35,11 @@ Table frequencies() {
 }
 
 Table rotations() {
-  Table table{
-      "Beam spun up, pendulums",
-      "Spin-up to 6 rad/s in 15 s (10 elements, steps of 5 ms): extension of the end, mean of a turn. Stiff bar "
-      "let go at an\nangle (one element, a 400th of the period). Flexible pendulum let go level (20 elements, "
-      "steps of 2.5 ms).",
-      {}};
+  Table table{"Beam spun up, pendulums",
+              "Spin-up to 6 rad/s in 15 s (10 elements, steps of 5 ms): extension of the end, mean over one turn. "
+              "Stiff bar released at an angle (one element, steps of 1/400 of the period). Flexible pendulum released "
+              "horizontally (20 elements, steps of 2.5 ms).",
+              {}};
   const double extension = benchmark("B07a-spin-up-steady-stretch")["tip_extension"];
   table.rows.push_back({"spin-up", "extension", "mm", 1e3 * testing::spin_up_extension(10, 0.005), 1e3 * extension,
                         1e-3, "tan(kL)/k - L; 1e-6 m"});
@@ -65,12 +63,11 @@ Table rotations() {
 }
 
 Table impacts() {
-  Table table{
-      "Impact on a roller",
-      "0.5 t meets a roller of 5e4 kN/m at 1 m/s, without gravity; steps of 10 us, a thousandth of the contact's "
-      "time. Above,\ndamping by the textbook formula on a roller that never pulls: the rebound is faster than "
-      "asked for. Below, damping made\nfor such a roller (restitution as in the model file).",
-      {}};
+  Table table{"Impact on a roller",
+              "A mass of 0.5 t hits a roller of 5e4 kN/m at 1 m/s, without gravity; steps of 10 us, a thousandth of "
+              "the contact time. First rows: damping by the textbook formula on a roller without tension; the rebound "
+              "is faster than specified. Last rows: damping for such a roller (restitution as in the model file).",
+              {}};
   constexpr double kStep = 1e-5;
   const auto add = [&](const std::string& name, const char* what, const char* unit, double ours, double reference) {
     table.rows.push_back({name, what, unit, ours, reference, share_of(reference, 5e-3), "closed form; 0.5 %"});
@@ -88,16 +85,16 @@ Table impacts() {
     const double e = row[0];
     const double ratio = damping_ratio(e, RestitutionForm::clipped);
     const double c = 2.0 * ratio * std::sqrt(5e7 * 500.0);
-    table.rows.push_back({fmt::format("never pulls, e = {:g}", e), "rebound", "m/s",
+    table.rows.push_back({fmt::format("no tension, e = {:g}", e), "rebound", "m/s",
                           testing::roller_impact(c, kStep).rebound, e, share_of(e, 5e-3, 1e-3),
-                          "asked for; 0.5 %, 0.001 m/s"});
+                          "as specified; 0.5 %, 0.001 m/s"});
   }
   return table;
 }
 
 Table sinking() {
   const nlohmann::json expected = benchmark("B16-falling-horizontal-pipe");
-  Table table{"Level pipe sinking from rest", "Drag, added mass and submerged weight; steps of 0.01 s.", {}};
+  Table table{"Horizontal pipe sinking from rest", "Drag, added mass and submerged weight; steps of 0.01 s.", {}};
   const testing::SinkingPipe ours = testing::sinking_pipe(0.01);
   const auto add = [&](const char* what, const char* unit, double value, double reference) {
     table.rows.push_back({"16-inch pipe", what, unit, value, reference, share_of(reference, 2e-3), "tanh law; 0.2 %"});
@@ -111,10 +108,11 @@ Table sinking() {
 }  // namespace
 
 Group dynamic() {
-  return {"Motion in time",
-          "The time integrator with the element's inertia, water and rollers, on problems of one effect each; spectral "
-          "radius 0.8 unless a\nfrequency is measured.",
-          {frequencies(), rotations(), impacts(), sinking()}};
+  return {
+      "Dynamic analysis",
+      "Time integration with the element's inertia, water and rollers, on problems with a single effect each; spectral "
+      "radius 0.8 unless a\nfrequency is measured.",
+      {frequencies(), rotations(), impacts(), sinking()}};
 }
 
 }  // namespace overbend::validation

@@ -56,24 +56,23 @@ Table deep_water() {
   const Station top = lay.at(0.0);
   const std::string name = "1000 m, H = 200 kN", solver = "planar beam solver";
   const double w = s.weight_submerged, h = 1000.0 - 0.5 * 0.3239;
-  return {
-      "Deep water",
-      "323.9 x 19.1 mm, empty, steel 7850 kg/m3, water 1025 kg/m3, bed 100 kN/m2, top pinned at the surface; the top "
-      "tension is sought\nso that the bed's is 200 kN.",
-      {{name, "submerged weight", "kN/m", 1e-3 * w, 0.579714, 1e-6, "arithmetic"},
-       {name, "tension at the top", "kN", 1e-3 * top.effective_tension, 779.62, 0.78,
-        "catenary T = H + w h, which the rod shares; 0.1 %"},
-       {name, "tension at the top, of our weight", "kN", 1e-3 * top.effective_tension, 200.0 + 1e-3 * w * h, 0.78,
-        "catenary T = H + w h; 0.1 %"},
-       {name, "angle at the top", "deg", top.inclination * 180.0 / kPi, 75.051, 0.05, solver + "; 0.05 deg"},
-       {name, "largest moment", "kN m", 1e-3 * r.sagbend.bending_moment.value, 123.28, 0.003 * 123.28,
-        solver + "; 0.3 %"},
-       {name, "place of the largest moment, z", "m", r.sagbend.bending_moment.p_W.z(), -995.77, 0.5,
-        solver + "; flat maximum"},
-       {name, "top to touchdown, unstressed", "m", r.length_top_to_touchdown, 1308.0, 0.25,
-        solver + "; its nodes there are 0.5 m apart"},
-       {name, "top to touchdown, horizontal", "m", r.top_to_touchdown, 711.26, 0.25,
-        solver + "; its nodes there are 0.5 m apart"}}};
+  return {"Deep water",
+          "323.9 x 19.1 mm, empty, steel 7850 kg/m3, water 1025 kg/m3, bed 100 kN/m2, top pinned at the surface; the "
+          "top tension is adjusted to give a bottom tension of 200 kN.",
+          {{name, "submerged weight", "kN/m", 1e-3 * w, 0.579714, 1e-6, "arithmetic"},
+           {name, "tension at the top", "kN", 1e-3 * top.effective_tension, 779.62, 0.78,
+            "catenary T = H + w h, which also holds for the rod; 0.1 %"},
+           {name, "tension at the top, with our weight", "kN", 1e-3 * top.effective_tension, 200.0 + 1e-3 * w * h, 0.78,
+            "catenary T = H + w h; 0.1 %"},
+           {name, "angle at the top", "deg", top.inclination * 180.0 / kPi, 75.051, 0.05, solver + "; 0.05 deg"},
+           {name, "largest moment", "kN m", 1e-3 * r.sagbend.bending_moment.value, 123.28, 0.003 * 123.28,
+            solver + "; 0.3 %"},
+           {name, "place of the largest moment, z", "m", r.sagbend.bending_moment.p_W.z(), -995.77, 0.5,
+            solver + "; flat maximum"},
+           {name, "top to touchdown, unstressed", "m", r.length_top_to_touchdown, 1308.0, 0.25,
+            solver + "; its nodes there are 0.5 m apart"},
+           {name, "top to touchdown, horizontal", "m", r.top_to_touchdown, 711.26, 0.25,
+            solver + "; its nodes there are 0.5 m apart"}}};
 }
 
 /// The case of a rigid bed and no stretch, ten metres deeper so that no part of the pipe is at the surface.
@@ -96,10 +95,10 @@ Table rigid_bed() {
   return {
       "Rigid bed, no stretch",
       fmt::format(
-          "The reference's bed is rigid and its pipe does not stretch; its touchdown is where the moment vanishes. "
-          "Ours: bed 1e6 kN/m2 and\nEA 1e8 kN. On a spring the first contact stands one soil length "
-          "(4 EI/k)^(1/4) = {:.3f} m before that place: there w = C e^(-x/l) sin(x/l),\nso that M(0) = -l M'(0) "
-          "and the moment heads for zero at x = l. Compared is first contact plus l.",
+          "In the reference the seabed is rigid and the pipe inextensible; touchdown is where the bending moment "
+          "vanishes. Ours: seabed 1e6 kN/m2 and EA 1e8 kN. On a spring the first contact is one soil length (4 "
+          "EI/k)^(1/4) = {:.3f} m before that point: there w = C e^(-x/l) sin(x/l),\nso that M(0) = -l M'(0) "
+          "and the moment extrapolates to zero at x = l. The value compared is first contact plus l.",
           soil),
       {{name, "tension at the top", "kN", 1e-3 * top.effective_tension, 182.136761384, 0.182, basis + ", 0.1 %"},
        {name, "angle at the top", "deg", top.inclination * 180.0 / kPi, 62.2212106776, 0.05, basis + ", 0.05 deg"},
@@ -115,7 +114,7 @@ Table rigid_bed() {
 }  // namespace
 
 Group jlays() {
-  return {"J-lay at a given tension on the bed", "", {deep_water(), rigid_bed()}};
+  return {"J-lay at a given bottom tension", "", {deep_water(), rigid_bed()}};
 }
 
 }  // namespace overbend::validation

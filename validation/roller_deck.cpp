@@ -94,7 +94,8 @@ class DeckPipe {
     }
   }
   void place_rollers() {
-    constexpr double kPinch = 1e-6;  ///< Rollers press this deep at the start: pairs stay in contact, single ones begin so [m].
+    constexpr double kPinch =
+        1e-6;  ///< Rollers press this deep at the start: pairs stay in contact, single ones begin so [m].
     for (int i = 1 - kBefore; i < deck_.after(); ++i) {
       const Vec3 point = axis_point(deck_.R, i * deck_.L);
       const double angle = std::max(i, 0) * deck_.L / deck_.R;
@@ -203,9 +204,9 @@ Table strain() {
   Deck pushed = heavy;
   pushed.two_sided = false;
   return {"Strain over a stinger of 85 m",
-          fmt::format("406.4 x 21 mm, E 210 GPa, rollers 9 m apart at the pipe's axis, 120 t; strain of bending and "
-                      "tension at SR2. The references hold the\npipe on both sides: on rollers that only push it lifts "
-                      "off SR-1, and our strain is {:.3f} %.",
+          fmt::format("406.4 x 21 mm, E 210 GPa, rollers 9 m apart at the pipe's axis, 120 t; strain due to bending "
+                      "and tension at SR2. In the references the rollers act in both directions: on rollers without "
+                      "tension the pipe lifts off SR-1, and our strain is {:.3f} %.",
                       strain_at_second(pushed)),
           {{"no weight, two-sided rollers", "strain", "%", strain_at_second(bare), 0.3132, 0.005 * 0.3132,
             "small-slope theory; the arc's slopes of up to 1 rad are not small: 0.5 %"},
@@ -218,14 +219,14 @@ Table strain() {
 }  // namespace
 
 Group roller_deck() {
-  return {
-      "Over equally spaced rollers",
-      "A pipe under tension over a level deck and the arc behind it: the tangent roller SR1 carries half of the arc's "
-      "curvature, the next\none more than the arc's. Theory: three-moment equations of the tensioned beam with "
-      "alpha = 3(u coth u - 1)/u2 and\nbeta = 6(1 - u/sinh u)/u2.",
-      {moments("no tension", {kSixteen, kGentle, 9.0, 0.0, 0.0, true}),
-       moments("16 inch, 120 t", {kSixteen, kGentle, 9.0, 120.0 * kTonne, 0.0, true}),
-       moments("20 inch, 100 t", {kTwenty, kGentle, 9.0, 100.0 * kTonne, 0.0, true}), with_weight(), strain()}};
+  return {"Over equally spaced rollers",
+          "A pipe under tension over a horizontal deck followed by an arc: at the tangent roller SR1 the pipe has half "
+          "the curvature of the arc, at the next roller more than that of the arc. Theory: three-moment equations of "
+          "the tensioned beam with "
+          "alpha = 3(u coth u - 1)/u2 and\nbeta = 6(1 - u/sinh u)/u2.",
+          {moments("no tension", {kSixteen, kGentle, 9.0, 0.0, 0.0, true}),
+           moments("16 inch, 120 t", {kSixteen, kGentle, 9.0, 120.0 * kTonne, 0.0, true}),
+           moments("20 inch, 100 t", {kTwenty, kGentle, 9.0, 100.0 * kTonne, 0.0, true}), with_weight(), strain()}};
 }
 
 }  // namespace overbend::validation

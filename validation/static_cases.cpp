@@ -1,4 +1,4 @@
-/// Whole lays beside solutions of the planar extensible elastica.
+/// Complete lays compared with solutions of the planar extensible elastica.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -220,13 +220,13 @@ class CaseTable {
 
 Group static_cases() {
   Group group{
-      "Whole lays",
-      "Tensioner, ramp, stinger, sagbend and sea bed together. The references are solutions of the planar "
-      "extensible elastica by\nspectral collocation with an active set of rollers, their own error below 1e-8; "
-      "the tolerances are the spread that a chain of\nrigid links of 0.25 to 1 m leaves. Moments are taken at the "
-      "contact itself. What differs more than rounding has two\ncauses: our rollers give way at 1e6 kN/m where "
-      "the references' are rigid (not in S16-T300-kc1e4, where both give way), and our\npipe is shortened by "
-      "the water's pressure (Poisson's ratio), theirs is not.",
+      "Complete lays",
+      "Complete lays: tensioner, ramp, stinger, sagbend and seabed. The references are solutions of the planar "
+      "extensible elastica by spectral collocation with an active set of rollers, with an error below 1e-8; the "
+      "tolerances correspond to the scatter of a chain of rigid links of 0.25 to 1 m. Bending moments are taken at the "
+      "contact itself. Differences larger than rounding have two causes: our rollers have a stiffness of 1e6 kN/m "
+      "while those of the references are rigid (except in S16-T300-kc1e4, where both are flexible), and our pipe is "
+      "shortened by water pressure (Poisson's ratio), that of the references is not.",
       {}};
   for (const char* name : {"S16-T250", "S16-T300", "S16-T400", "S16-T300-kc1e4", "S16-T300-2roll", "S16-T300-z2printed",
                            "BGL1-T250", "J12-D400-T560"}) {

@@ -115,7 +115,7 @@ TEST(run_checks, what_the_current_adds_counts_as_environmental_and_is_never_less
     most = std::max(most, apart.along.load[i] / functional.along.load[i]);
   }
   EXPECT_GT(most, 1.02);  // the example's current blows across
-  EXPECT_TRUE(any_contains(apart.assumptions, "what the steady current adds as environmental one (factor 1.3)"));
+  EXPECT_TRUE(any_contains(apart.assumptions, "the contribution of the steady current as environmental (factor 1.3)"));
   EXPECT_TRUE(any_contains(functional.assumptions, "with its current"));
 }
 

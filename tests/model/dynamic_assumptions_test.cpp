@@ -53,20 +53,20 @@ TEST(dynamic_assumptions, are_told_once_each_in_whole_sentences) {
 
 TEST(dynamic_assumptions, call_steel_linear_only_where_it_is) {
   Description d = moving();
-  EXPECT_EQ(mentions(d, "The steel stays linear in time as well"), 1);
+  EXPECT_EQ(mentions(d, "The steel stays linear in the dynamic analysis as well"), 1);
   d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
   d.pipe.section.steel.material.hardening_exponent = 20.0;
-  EXPECT_EQ(mentions(d, "linear in time"), 0);
-  EXPECT_EQ(mentions(d, "Steel that yields does so in time as in statics"), 1);
+  EXPECT_EQ(mentions(d, "linear in the dynamic analysis"), 0);
+  EXPECT_EQ(mentions(d, "Yielding in the dynamic analysis continues"), 1);
   SegmentDescription linear{"linear", 60.0, d.pipe.section};
   linear.section.steel.material = {};
   d.pipe.segments.push_back(linear);
-  EXPECT_EQ(mentions(d, "Sections of linear steel stay linear in time"), 1);
+  EXPECT_EQ(mentions(d, "Sections of linear steel stay linear in the dynamic analysis"), 1);
 }
 
 TEST(dynamic_assumptions, name_the_peak_of_the_sea_and_where_it_is_from) {
   Description d = moving();
-  EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 2.37 by the rule of DNV-RP-C205"), 1);
+  EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 2.37 from DNV-RP-C205"), 1);
   d.environment.waves.gamma = 3.3;
   EXPECT_EQ(mentions(d, "JONSWAP spectrum with gamma = 3.3 as given"), 1);
   d.environment.waves.type = WaveType::pierson_moskowitz;
@@ -76,7 +76,7 @@ TEST(dynamic_assumptions, name_the_peak_of_the_sea_and_where_it_is_from) {
 
 TEST(dynamic_assumptions, name_the_components_the_seeds_and_the_spreading) {
   Description d = moving();
-  EXPECT_EQ(mentions(d, "sum of 200 linear waves with random frequencies and phases, seed 17, all of one"), 1);
+  EXPECT_EQ(mentions(d, "sum of 200 linear waves with random frequencies and phases, seed 17, all in one"), 1);
   d.dynamics->seeds = {4};
   EXPECT_EQ(mentions(d, "seed 4"), 1);
   d.dynamics->seeds = {4, 9};
@@ -93,16 +93,16 @@ TEST(dynamic_assumptions, tell_of_stretching_where_there_is_some) {
   d.environment.waves.type = WaveType::stokes5;
   EXPECT_EQ(mentions(d, "Wheeler"), 0);
   EXPECT_EQ(mentions(d, "Stokes"), 1);
-  EXPECT_EQ(mentions(d, "in the water depth at the stern shoe, 89.00 m"), 1);
+  EXPECT_EQ(mentions(d, "that at the stern shoe, 89.00 m"), 1);
   d.environment.waves.type = WaveType::none;
   EXPECT_EQ(mentions(d, "There are no waves."), 1);
-  EXPECT_EQ(mentions(d, "in the water depth at the stern shoe"), 0);
+  EXPECT_EQ(mentions(d, "that at the stern shoe"), 0);
 }
 
 TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "is a locked brake"), 1);
-  EXPECT_EQ(mentions(d, "no mass or weight"), 0);
+  EXPECT_EQ(mentions(d, "mass and weight of the pipe behind the tensioner are neglected"), 0);
   d.tensioner.mode = TensionerMode::controlled;
   d.tensioner.range_low = 240e3;
   d.tensioner.range_high = 260e3;
@@ -110,22 +110,22 @@ TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   d.tensioner.velocity = 0.25;
   EXPECT_EQ(mentions(d, "waits 2 s when the tension has left its range of 240 to 260 kN, then moves at up to 0.25 m/s"),
             1);
-  EXPECT_EQ(mentions(d, "no acceleration is given: it gathers that speed in 0.5 s"), 1);
+  EXPECT_EQ(mentions(d, "no acceleration is given: it reaches that speed in 0.5 s"), 1);
   EXPECT_EQ(mentions(d, "its travel is not limited"), 1);
   d.tensioner.acceleration = 0.1;
   d.tensioner.travel = 2.5;
-  EXPECT_EQ(mentions(d, "gathers speed and brakes at 0.1 m/s2"), 1);
+  EXPECT_EQ(mentions(d, "accelerates and brakes at 0.1 m/s2"), 1);
   EXPECT_EQ(mentions(d, "its travel ends 2.5 m either way"), 1);
   d.tensioner.mode = TensionerMode::constant;
   EXPECT_EQ(mentions(d, "keeps the tension constant, without mass"), 1);
-  EXPECT_EQ(mentions(d, "no mass or weight"), 1);
+  EXPECT_EQ(mentions(d, "mass and weight of the pipe behind the tensioner are neglected"), 1);
 }
 
 TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
   Description d = moving();
   EXPECT_EQ(mentions(d, "coefficient of restitution"), 1);
   EXPECT_EQ(mentions(d, "0.1 of the normal stiffness"), 1);
-  EXPECT_EQ(mentions(d, "not in the static start"), 1);
+  EXPECT_EQ(mentions(d, "not in the static initial state"), 1);
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].damping = RollerDamping::textbook;
   d.rollers[0].tangential_stiffness = 1e6;
@@ -140,9 +140,9 @@ TEST(dynamic_assumptions, of_gap_springs_tell_of_no_damping_and_no_friction) {
   d.supports.contact = SupportContact::gap_springs;
   EXPECT_EQ(mentions(d, "one gap spring"), 1);
   EXPECT_EQ(mentions(d, "To either side a gap spring"), 1);
-  EXPECT_EQ(mentions(d, "finite cylinders"), 0);
+  EXPECT_EQ(mentions(d, "cylinders of finite length"), 0);
   EXPECT_EQ(mentions(d, "coefficient of restitution"), 0);
-  EXPECT_EQ(mentions(d, "friction of rollers"), 0);
+  EXPECT_EQ(mentions(d, "Roller friction"), 0);
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].sides.reset();
   EXPECT_EQ(mentions(d, "To either side a gap spring"), 0);
@@ -158,9 +158,9 @@ TEST(dynamic_assumptions, of_j_lay_tell_nothing_of_rollers) {
 TEST(dynamic_assumptions, say_what_holds_the_laid_pipe) {
   Description d = moving();
   d.environment.seabed.friction_axial = 0.5;
-  EXPECT_EQ(mentions(d, "as long as axial friction needs"), 1);
+  EXPECT_EQ(mentions(d, "the length over which axial friction balances"), 1);
   d.environment.seabed.friction_axial = 0.0;
-  EXPECT_EQ(mentions(d, "The bed has no axial friction"), 1);
+  EXPECT_EQ(mentions(d, "The seabed has no axial friction"), 1);
   d.pipe.length = 900.0;  // its anchor is real
   EXPECT_EQ(mentions(d, "axial friction"), mentions(d, "axial friction is not mobilised"));
 }

@@ -18,7 +18,7 @@ CheckRow row_of_api(const char* id, const char* name, const char* clause, const 
 
 CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
   CheckRow row = row_of_api("api_collapse", "Collapse under external pressure", "4.3.2.1",
-                            "external over internal pressure", "Pa", CheckRegion::line, settings);
+                            "external minus internal pressure", "Pa", CheckRegion::line, settings);
   const auto limit = [](const CheckSection& s) { return s.api_collapse_share * api_collapse_pressure(s.api); };
   const CheckStation* at = most_used(all, CheckRegion::line, [&](const CheckStation& station) {
     return station.overpressure / limit(all.section_of(station));
@@ -32,7 +32,7 @@ CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
 }
 
 CheckRow propagation_row(const CheckStations& all, const CheckSettings& settings) {
-  CheckRow row = row_of_api("api_propagation", "Propagation of a buckle", "4.3.2.3", "external over internal pressure",
+  CheckRow row = row_of_api("api_propagation", "Propagation of a buckle", "4.3.2.3", "external minus internal pressure",
                             "Pa", CheckRegion::line, settings);
   const auto limit = [](const CheckSection& s) { return kApiPropagationFactor * api_propagation_pressure(s.api); };
   const CheckStation* at = most_used(all, CheckRegion::line, [&](const CheckStation& station) {
@@ -43,7 +43,7 @@ CheckRow propagation_row(const CheckStations& all, const CheckSettings& settings
   judge_ratio(row, std::max(at->overpressure, 0.0), limit(all.section_of(*at)));
   row.inputs = {{"P_p", "propagation pressure", api_propagation_pressure(all.section_of(*at).api), "Pa"}};
   if (row.status == CheckStatus::exceeded) {
-    row.remark = "a buckle once started would run: buckle arrestors are needed";
+    row.remark = "a buckle would propagate: buckle arrestors are needed";
   }
   return row;
 }
@@ -63,15 +63,15 @@ CheckRow bending_row(const CheckStations& all, CheckRegion region, const CheckSe
   row.capacity = std::max(0.0, g - pressure) * buckling;
   row.utilisation = api_bending_at(all, *at, settings);
   row.reserve = row.demand > 0.0 ? std::min(row.capacity / row.demand, kLargestReserve) : kLargestReserve;
-  row.inputs = {{"eps_1", "strain of installation", at->largest_strain.value, "1"},
+  row.inputs = {{"eps_1", "installation strain", at->largest_strain.value, "1"},
                 {"f_1", "bending factor", settings.api.bending_factor, "1"},
                 {"SAF", "strain factor of field joints", section.strain_factor, "1"},
                 {"eps_b", "buckling strain", buckling, "1"},
-                {"P_o - P_i", "external over internal pressure", at->overpressure, "Pa"},
-                {"f_c", "factor on the collapse pressure", section.api_pressure_factor, "1"},
-                {"delta", "ovality by API", section.api_delta, "1"}};
+                {"P_o - P_i", "external minus internal pressure", at->overpressure, "Pa"},
+                {"f_c", "factor on collapse pressure", section.api_pressure_factor, "1"},
+                {"delta", "ovality according to API", section.api_delta, "1"}};
   judge(row);
-  if (section.wall.slenderness() > 50.0) outside(row, "holds for D/t <= 50");
+  if (section.wall.slenderness() > 50.0) outside(row, "valid for D/t <= 50");
   return row;
 }
 
@@ -106,7 +106,7 @@ CheckRow combined_row(const CheckStations& all, const CheckSettings& settings) {
   judge_ratio(row, load(*at), all.in_time ? kApiExtremeLimit : kApiFunctionalLimit);
   row.remark = all.in_time ? "limit for extreme loads" : "limit for functional loads";
   row.inputs = {{"T_eff", "effective tension", at->largest_tension.value, "N"},
-                {"P_o - P_i", "external over internal pressure", at->overpressure, "Pa"},
+                {"P_o - P_i", "external minus internal pressure", at->overpressure, "Pa"},
                 {"P_b", "burst pressure", api_burst_pressure(all.section_of(*at).api, all.section_of(*at).smts), "Pa"}};
   return row;
 }

@@ -22,9 +22,9 @@ const char* word(SafetyClass safety) {
 void assume_sources(std::vector<std::string>& list, const CheckSettings& settings) {
   if (settings.codes != CheckCodes::api) {
     list.emplace_back(
-        "Code checks: collapse and propagation by DNV-ST-F101 follow a public source that cites the clauses; the load "
+        "Code checks: collapse and propagation to DNV-ST-F101 follow a public source that cites the clauses; the load "
         "factors, the load-controlled, displacement-controlled and simplified laying criteria are recalled. None has "
-        "been compared with the printed standard; compare before relying on them.");
+        "been compared with the printed standard; do so before relying on them.");
   }
   if (settings.codes != CheckCodes::dnv) {
     list.emplace_back(
@@ -38,29 +38,28 @@ void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const 
       "tolerance of the wall {:.4g} mm, ovality {:.4g}.",
       word(settings.safety_class), settings.condition_factor, 1e3 * settings.wall_tolerance, settings.ovality));
   list.emplace_back(
-      "Code checks: over the supports the pipe takes the shape of the stinger and is checked as displacement "
-      "controlled; the load-controlled criterion is told there for information. Below the last support in contact, in "
+      "Code checks: over the supports the pipe conforms to the stinger and is checked as displacement controlled; the "
+      "load-controlled criterion is given there for information. Below the last support in contact, in "
       "the sagbend and on the seabed it is checked as load controlled. Regions are those of the static state.");
   const char* current = !all.current_separate ? "with its current" : "without its current";
   list.push_back(
       all.in_time
-          ? fmt::format(
-                "Code checks over a run: the static state, {}, is the functional load effect; what is added in time{} "
-                "is the environmental one. Factors 1.1 and 1.3, or 1/1.1 and 1/1.3 where a part relieves, whichever is "
-                "worse; the largest of the run is reported, without extrapolation to three hours.",
-                current, all.current_separate ? ", and what the steady current adds to the static state," : "")
+          ? fmt::format("Code checks over a run: the static state, {}, is the functional load effect; the dynamic "
+                        "part{} is the environmental one. Factors 1.1 and 1.3, or 1/1.1 and 1/1.3 where favourable, "
+                        "whichever is worse; the maximum of the run is reported, without extrapolation to three hours.",
+                        current, all.current_separate ? ", together with the contribution of the steady current," : "")
           : fmt::format(
-                "Code checks: a static state by itself, {}, counts as functional load effect (factor 1.1){}; "
-                "those of waves and motion need a run in time.",
+                "Code checks: a static state, {}, counts as functional load effect (factor 1.1){}; load effects of "
+                "waves and motion need a dynamic analysis.",
                 current,
-                all.current_separate ? ", what the steady current adds as environmental one (factor 1.3)" : ""));
+                all.current_separate ? ", the contribution of the steady current as environmental (factor 1.3)" : ""));
   list.emplace_back(
       settings.system_effects
-          ? "Code checks: system effects are present in installation, as a rule: load combination a (1.2 functional, "
+          ? "Code checks: system effects are normally present during installation: load combination a (1.2 functional, "
             "0.7 "
-            "environmental) is checked beside b (checks.system_effects)."
-          : "Code checks: load combination a is left out, as checks.system_effects says: no system effects.");
-  list.push_back(fmt::format("Code checks: the limit 0.87 f_y of the equivalent stress has {} (checks.yield_basis).",
+            "environmental) is checked in addition to b (checks.system_effects)."
+          : "Code checks: load combination a is omitted because checks.system_effects is false.");
+  list.push_back(fmt::format("Code checks: the limit 0.87 f_y of the equivalent stress uses {} (checks.yield_basis).",
                              settings.yield_basis == YieldBasis::fy
                                  ? fmt::format("f_y = alpha_U SMYS with alpha_U {:.4g}", settings.alpha_u)
                                  : "f_y = SMYS, without alpha_U"));
@@ -72,20 +71,20 @@ void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const 
 void assume_material(std::vector<std::string>& list, const CheckStations& all, const CheckSettings& settings) {
   if (!settings.manufacture && !settings.alpha_fab) {
     list.emplace_back(
-        "Code checks: the manufacture of the pipe is not given; UOE with the fabrication factor 0.85 and, by API, the "
-        "collapse factor 0.6 is taken, the weakest.");
+        "Code checks: the manufacture of the pipe is not given; UOE, the least favourable, is assumed, with the "
+        "fabrication factor 0.85 and, for API, the collapse factor 0.6.");
   }
   for (std::size_t i = 0; i < all.sections.size(); ++i) {
     const CheckSection& section = all.sections[i];
     const std::string where = i == 0 ? "" : fmt::format(" of '{}'", section.name);
     if (!section.grade_of_smts.empty()) {
       list.push_back(fmt::format(
-          "Code checks: the tensile strength{} is not given; {:.0f} MPa of API 5L {} with this yield stress is taken.",
+          "Code checks: the tensile strength{} is not given; {:.0f} MPa of API 5L {} with this yield stress is used.",
           where, section.smts / 1e6, section.grade_of_smts));
     } else if (section.smts <= 0.0) {
       list.push_back(
-          fmt::format("Code checks: the tensile strength{} is not given and no grade of API 5L has this "
-                      "yield stress: what needs it is not done.",
+          fmt::format("Code checks: the tensile strength{} is not given and no grade of API 5L has this yield stress: "
+                      "checks that need it are not made.",
                       where));
     }
   }
@@ -94,8 +93,8 @@ void assume_material(std::vector<std::string>& list, const CheckStations& all, c
 void assume_api(std::vector<std::string>& list, const CheckStations& all, const CheckSettings& settings) {
   const CheckSection& section = all.sections.front();
   list.push_back(fmt::format(
-      "Code checks: API RP 1111 in its {} edition with f_o {:.4g}, f_c {:.4g}, f_1 {:.4g} and delta {:.4g}; the strain "
-      "of installation is the largest longitudinal one, its axial part included.",
+      "Code checks: API RP 1111, {} edition, with f_o {:.4g}, f_c {:.4g}, f_1 {:.4g} and delta {:.4g}; the "
+      "installation strain is the maximum longitudinal strain, including its axial part.",
       std::array{"3rd", "4th", "5th"}[static_cast<std::size_t>(settings.api.edition)], section.api_collapse_share,
       section.api_pressure_factor, settings.api.bending_factor, section.api_delta));
 }

@@ -7,11 +7,11 @@ namespace overbend {
 namespace {
 
 constexpr CheckTitle kCollapse = {"dnv_collapse", "Collapse under external pressure", kDnv,
-                                  "5.4.4",        "external over internal pressure",  "Pa"};
-constexpr CheckTitle kPropagation = {"dnv_propagation", "Propagation of a buckle",         kDnv,
-                                     "5.4.5",           "external over internal pressure", "Pa"};
+                                  "5.4.4",        "external minus internal pressure", "Pa"};
+constexpr CheckTitle kPropagation = {"dnv_propagation", "Propagation of a buckle",          kDnv,
+                                     "5.4.5",           "external minus internal pressure", "Pa"};
 constexpr CheckTitle kCrossover = {"dnv_crossover", "Cross-over of the buckle arrestor", kDnv,
-                                   "5.4.5",         "external over internal pressure",   "Pa"};
+                                   "5.4.5",         "external minus internal pressure",  "Pa"};
 constexpr CheckTitle kLoad = {
     "dnv_load_controlled", "Local buckling, load controlled", kDnv, "5.4.6", "design bending moment", "N m"};
 constexpr CheckTitle kBend = {
@@ -38,7 +38,7 @@ CheckRow collapse_row(const CheckStations& all, const CheckSettings& settings) {
   CheckRow row = pressure_row(kCollapse, all, [](const CheckSection& s) { return s.collapse_thinnest / s.factor; });
   const CheckSection& section = section_at(all, row);
   row.inputs = {{"p_c(t1)", "collapse pressure", section.collapse_thinnest, "Pa"},
-                {"t1", "wall less tolerance", section.thinnest, "m"},
+                {"t1", "wall thickness minus tolerance", section.thinnest, "m"},
                 {"f_y", "characteristic yield stress", section.fy, "Pa"},
                 {"alpha_fab", "fabrication factor", section.alpha_fab, "1"},
                 {"O_0", "ovality", settings.ovality, "1"},
@@ -55,9 +55,9 @@ CheckRow propagation_row(const CheckStations& all) {
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
   const double slenderness = section.wall.slenderness();
   if (slenderness <= 15.0 || slenderness >= 45.0) {
-    outside(row, "holds for 15 < D/t2 < 45");
+    outside(row, "valid for 15 < D/t2 < 45");
   } else if (row.status == CheckStatus::exceeded) {
-    row.remark = "a buckle once started would run: buckle arrestors are needed";
+    row.remark = "a buckle would propagate: buckle arrestors are needed";
   }
   return row;
 }
@@ -76,12 +76,12 @@ CheckRow crossover_row(const CheckStations& all, const ArrestorSettings& arresto
 std::vector<CheckInput> load_inputs(const CheckSection& section, const CheckStation& at) {
   return {{"M_F", "functional (static) moment", at.moment, "N m"},
           {"S_F", "functional (static) effective force", at.force, "N"},
-          {"M_Sd", "design moment", at.design_moment, "N m"},
+          {"M_Sd", "design bending moment", at.design_moment, "N m"},
           {"S_Sd", "design effective force", at.design_force, "N"},
-          {"p_e - p_i", "external over internal pressure", at.load_pressure, "Pa"},
+          {"p_e - p_i", "external minus internal pressure", at.load_pressure, "Pa"},
           {"p_c(t2)", "collapse pressure", section.collapse, "Pa"},
           {"alpha_c", "flow stress factor", section.load.alpha_c, "1"},
-          {"alpha_pm", "plastic moment left by a roller", at.share, "1"},
+          {"alpha_pm", "reduction of the plastic moment by a roller", at.share, "1"},
           {"M_p", "plastic moment", plastic_moment(section.wall, section.fy), "N m"},
           {"S_p", "plastic axial force", plastic_axial_force(section.wall, section.fy), "N"},
           {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
@@ -97,7 +97,7 @@ const CheckStation* where_load_does_not_hold(const CheckStations& all, CheckRegi
 }
 
 std::string why_load_does_not_hold(const CheckSection& section) {
-  return section.load.slender_enough ? "holds for an effective force below 0.4 S_p" : "holds for 15 <= D/t2 <= 45";
+  return section.load.slender_enough ? "valid for an effective force below 0.4 S_p" : "valid for 15 <= D/t2 <= 45";
 }
 
 CheckRow load_row(const CheckStations& all, CheckRegion region) {
@@ -117,7 +117,7 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
   row.utilisation = terms.utilisation();
   row.reserve = load_reserve(terms);
   judge(row);
-  if (!row.governing) row.remark = "the pipe is bent to the supports, the strain decides";
+  if (!row.governing) row.remark = "the pipe conforms to the supports, the strain governs";
   if (const CheckStation* beyond = where_load_does_not_hold(all, region)) {
     outside(row, why_load_does_not_hold(all.section_of(*beyond)));
   }
@@ -134,10 +134,10 @@ CheckRow bend_row(const CheckStations& all) {
                 {"eps_Sd", "design strain", at->design_strain, "1"},
                 {"SNCF", "strain factor of field joints", section.strain_factor, "1"},
                 {"eps_c", "strain capacity", section.strain_capacity, "1"},
-                {"p_e - p_i", "external over internal pressure", at->bend_pressure, "Pa"},
+                {"p_e - p_i", "external minus internal pressure", at->bend_pressure, "Pa"},
                 {"p_c(t2)", "collapse pressure", section.collapse, "Pa"}};
   if (!section.strain.holds) {
-    outside(row, "holds for D/t2 < 45");
+    outside(row, "valid for D/t2 < 45");
     return row;
   }
   if (all.in_time) time_row(row, at->bend.time);

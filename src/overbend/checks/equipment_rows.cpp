@@ -88,12 +88,12 @@ void add_tension(std::vector<CheckRow>& rows, double limit, const StaticResults&
 /// A least distance: what is needed over what there is.
 void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& statics, const DynamicResults* dynamics) {
   static constexpr CheckTitle kTitle = {
-      "tip_clearance", "Clearance at the stinger tip", kProject, "", "distance of pipe and roller", "m"};
+      "tip_clearance", "Clearance at the stinger tip", kProject, "", "distance between pipe and roller", "m"};
   if (!statics.stinger_tip_clearance || statics.supports.empty()) return;
   const double there = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
   CheckRow row = row_of(kTitle, CheckRegion::line);
   if (std::isnan(there)) {
-    rows.push_back(not_done(row, "the pipe never passed the stinger's last roller"));
+    rows.push_back(not_done(row, "the pipe never passed the last roller of the stinger"));
     return;
   }
   row.s = statics.supports.back().s;
@@ -103,7 +103,7 @@ void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& sta
   row.capacity = there;
   row.utilisation = there > 0.0 ? std::min(limit / there, kLargestReserve) : kLargestReserve;
   row.reserve = std::max(0.0, there / limit);
-  row.remark = "demand is the distance asked for, capacity the least there is";
+  row.remark = "demand is the required distance, capacity the minimum found";
   judge(row);
   rows.push_back(row);
 }

@@ -31,7 +31,7 @@ void judge_strain(CheckRow& row, const CheckStations& all, double LayingLimits::
   const CheckSection& section = all.section_of(*at);
   place_row(row, *at);
   if (!section.laying) {
-    outside(row, "the criteria begin at X52");
+    outside(row, "the criteria start at X52");
     return;
   }
   judge_ratio(row, strain(*at), (*section.laying).*limit);
@@ -48,7 +48,7 @@ CheckRow static_strain_row(const CheckStations& all) {
 
 CheckRow combined_strain_row(const CheckStations& all) {
   CheckRow row = row_of(kCombinedStrain, CheckRegion::overbend);
-  if (!all.in_time) return not_done(row, "needs a run in time");
+  if (!all.in_time) return not_done(row, "needs a dynamic analysis");
   const auto strain = [&](const CheckStation& at) {
     return all.section_of(at).strain_factor * at.largest_strain.value;
   };
@@ -81,10 +81,11 @@ bool has(const CheckStations& all, CheckRegion region) {
 
 void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegion region,
                const std::optional<double>& share) {
-  static constexpr CheckTitle kTitle = {"yield_share", "Share of yield", "project limit", "", "von Mises stress", "Pa"};
+  static constexpr CheckTitle kTitle = {
+      "yield_share", "Fraction of yield stress", "project limit", "", "von Mises stress", "Pa"};
   if (!share || !has(all, region)) return;
   rows.push_back(stress_row(kTitle, all, region, [&](const CheckSection& s) { return *share * s.smys; }));
-  rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", in time" : ", static");
+  rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", dynamic" : ", static");
 }
 
 /// The static state of a run, so that its static limits can be judged beside those in time.

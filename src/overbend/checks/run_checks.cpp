@@ -51,7 +51,7 @@ constexpr double kThreeHours = 10800.0;  ///< Of which the criteria ask for the 
 /// A value of a shorter run is not the one that the criterion asks for.
 void say_duration(CheckRow& row, double duration) {
   if (!row.judged()) return;
-  row.remark += fmt::format("{}from {:.3g} min of a run, not the largest of three hours",
+  row.remark += fmt::format("{}from {:.3g} min of a run, not the maximum of three hours",
                             row.remark.empty() ? "" : "; ", duration / 60.0);
 }
 

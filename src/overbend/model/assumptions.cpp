@@ -18,33 +18,32 @@ double degrees(double radians) {
 void assume_pipe(std::vector<std::string>& list, const Model& model) {
   const Section& pipe = model.sections.front();
   const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
-  list.push_back(
-      joint && joint->coated_stiffness > 1.0
-          ? fmt::format(
-                "EA is of the steel alone. EI is, too, but for the coated pipe between the field joints over the "
-                "supports and three joints beyond, which is {:.3g} times as stiff; the steel carries its share.",
-                joint->coated_stiffness)
-          : "EA and EI are of the steel alone; coatings add weight, not stiffness.");
+  list.push_back(joint && joint->coated_stiffness > 1.0
+                     ? fmt::format("EA is that of the steel only. EI is also that of the steel, except for the coated "
+                                   "pipe between the field joints over the supports and three joints beyond, which is "
+                                   "{:.3g} times as stiff; stress is that in the steel.",
+                                   joint->coated_stiffness)
+                     : "EA and EI are those of the steel only; coatings add weight, not stiffness.");
   for (const std::string& text : material_assumptions(model)) list.push_back(text);
   if (model.description.pipe.section.joint) {
     list.push_back(
-        "Field-joint infill replaces the outermost coating over its share of the pipe joint; weight is spread evenly "
-        "along the joint.");
+        "Field-joint infill replaces the outermost coating over part of each pipe joint; weight is averaged along the "
+        "joint.");
   }
   if (pipe.contents_weight_density == 0.0 && pipe.internal_pressure == 0.0) {
     list.push_back("The pipe is empty, at atmospheric pressure.");
   }
-  list.push_back(
-      fmt::format("Water weighs {:.4g} kN/m3; external pressure is hydrostatic from the mean water level and acts on "
-                  "the steel's outside: the coating stands under pressure all round and carries no axial force.",
-                  1e-3 * model.water_weight_density));
+  list.push_back(fmt::format(
+      "The weight density of water is {:.4g} kN/m3; external pressure is hydrostatic from the mean water level and "
+      "acts on the outside of the steel: the coating is under pressure on all sides and carries no axial force.",
+      1e-3 * model.water_weight_density));
 }
 
 void assume_vessel(std::vector<std::string>& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   list.push_back(
-      fmt::format("The stern shoe, origin of ramp and stinger, stands at x = {:.3f} m from midship and {:.3f} m above "
-                  "the mean water level.",
+      fmt::format("The stern shoe, origin of ramp and stinger, is at x = {:.3f} m from midship and {:.3f} m above the "
+                  "mean water level.",
                   vessel.stern_shoe_x, vessel.stern_shoe_z));
   if (vessel.trim == 0.0 && vessel.heel == 0.0) {
     list.push_back("The vessel floats on even keel, without static trim or heel.");
@@ -54,9 +53,10 @@ void assume_vessel(std::vector<std::string>& list, const Model& model) {
                     "the water line.",
                     degrees(vessel.trim), degrees(vessel.heel)));
   }
-  list.push_back(fmt::format(
-      "Water depth {:.2f} m is taken at the stern shoe{}.", model.description.environment.water_depth,
-      model.description.environment.seabed.slope == 0.0 ? "; the seabed is level" : "; the seabed is a sloping plane"));
+  list.push_back(fmt::format("Water depth {:.2f} m applies at the stern shoe{}.",
+                             model.description.environment.water_depth,
+                             model.description.environment.seabed.slope == 0.0 ? "; the seabed is horizontal"
+                                                                               : "; the seabed is a sloping plane"));
 }
 
 void assume_motion(std::vector<std::string>& list, const Model& model) {
@@ -87,64 +87,60 @@ void assume_contact_stiffness(std::vector<std::string>& list, const Model& model
     told.push_back(roller.stiffness);
     const ContactStiffness parts = model.contact_parts(roller);
     list.push_back(fmt::format(
-        "Contact of '{}' with a roller of {:.3g} m face that gives no stiffness: {:.3g} MN/m, from pipe shell {} "
-        "(Morley's equation, load on a line across the pipe), coating {} and roller structure {} in series. Forces of "
-        "impacts go with about its cube root.",
+        "Contact of '{}' with a roller of {:.3g} m face and no given stiffness: {:.3g} MN/m, from pipe shell {} "
+        "(Morley's equation, load on a line across the pipe), coating {} and roller structure {} in series. Impact "
+        "forces are roughly proportional to its cube root.",
         model.section_over(roller).name, roller.face, 1e-6 * parts.total(), part_words(parts.shell),
         part_words(parts.coating), part_words(parts.structure)));
   }
   if (penalty) {
     list.push_back(
-        "Contact with rollers of default_stiffness: penalty is as stiff as a short element of the pipe across, EI/h^3; "
+        "Contact with rollers of default_stiffness: penalty has the bending stiffness of a short pipe element, EI/h^3; "
         "the largest penetration is reported.");
   }
 }
 
 void assume_gap_springs(std::vector<std::string>& list, const Model& model) {
   list.push_back(
-      "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: it carries "
-      "the "
-      "pipe that comes down on the box's point, without damping and friction.");
+      "Each roller box is one gap spring at its middle instead of its rollers, as in traditional models: it supports "
+      "the pipe at the box's point, without damping and friction.");
   const auto is_side = [](const Roller& roller) { return roller.position != RollerPosition::bottom; };
   if (std::any_of(model.supports.rollers.begin(), model.supports.rollers.end(), is_side)) {
     list.push_back(
-        "To either side a gap spring acts across the box once the pipe has used up the clearance of the side rollers.");
+        "To either side a gap spring acts laterally once the pipe has moved by the clearance of the side rollers.");
   }
   assume_contact_stiffness(list, model);
 }
 
 void assume_supports(std::vector<std::string>& list, const Model& model) {
   if (model.supports.boxes.empty()) {
-    list.push_back("No supports: the pipe hangs straight from the tensioner (J-lay).");
+    list.push_back("No supports: the pipe hangs directly from the tensioner (J-lay).");
     return;
   }
   list.push_back(
       "The X, Z of a roller box is the point where the underside of the coated pipe rests; the X, Z of the tensioner "
       "is the pipe's axis.");
   list.push_back(
-      "Where a box has no inclination of its own it takes the tangent of the circle through its point and its "
-      "neighbours'.");
+      "A box without a given inclination is aligned with the tangent of the circle through its point and those of its "
+      "neighbours.");
   if (model.description.supports.contact == SupportContact::gap_springs) {
     assume_gap_springs(list, model);
     return;
   }
   list.push_back(
-      "Rollers are rigid finite cylinders; in statics they are frictionless: the pipe moves over them as it is laid "
-      "and friction has no "
-      "lasting direction.");
+      "Rollers are rigid cylinders of finite length; in statics they are frictionless: the pipe moves over them during "
+      "laying and friction has no permanent direction.");
   assume_contact_stiffness(list, model);
 }
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {
-  list.push_back(
-      fmt::format("The seabed carries the pipe by {:.4g} kN/m per metre length and penetration, without adhesion.",
-                  1e-3 * model.seabed.stiffness));
+  list.push_back(fmt::format("The seabed stiffness is {:.4g} kN/m per metre of pipe and penetration, without adhesion.",
+                             1e-3 * model.seabed.stiffness));
   list.push_back("The laid pipe rests under the lay tension: axial friction is not mobilised in statics.");
   if (model.seabed.friction_lateral > 0.0) {
     list.push_back(
-        "Lateral friction resists displacement off the lay route: elastic stick as stiff as the bed itself, up to the "
-        "coefficient times the "
-        "normal force.");
+        "Lateral friction resists displacement from the lay route: elastic with the stiffness of the seabed, up to the "
+        "coefficient times the normal force.");
   }
   list.push_back("The lay route is the vertical plane through the tensioner along the vessel's axis.");
 }
@@ -159,7 +155,7 @@ void assume_tensioner(std::vector<std::string>& list, const Model& model) {
     list.push_back(fmt::format("The tensioner holds the pipe's direction, {:.2f} deg below horizontal astern.",
                                degrees(tensioner.incline) + 0.0));
   } else {
-    list.push_back("The pipe is free to turn at the tensioner.");
+    list.push_back("The pipe is free to rotate at the tensioner.");
   }
 }
 
@@ -175,9 +171,8 @@ std::vector<std::string> assumptions(const Model& model) {
   assume_seabed(list, model);
   if (!model.current.z.empty()) {
     list.push_back(
-        "The current is steady; drag by Morison with normal and axial coefficients on the outermost diameter; between "
-        "the table's rows "
-        "the velocity is interpolated as a vector, beyond its ends it stays constant.");
+        "The current is steady; drag is from Morison's equation with normal and axial coefficients on the outermost "
+        "diameter; the velocity vector is interpolated between the rows of the table and constant beyond its ends.");
   }
   if (model.description.dynamics) {
     assume_dynamics(list, model);

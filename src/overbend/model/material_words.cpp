@@ -15,15 +15,14 @@ std::string moment_form(const SteelDescription& steel) {
   }
   const MomentRambergOsgood fit = fit_moment_law(steel);
   return fmt::format(
-      "kappa/kappa_y = M/M_y + {:.4g} (M/M_y)^{:.4g}, fitted to the wall's integral of the stress-strain law from "
-      "first "
-      "yield to four times its curvature, moment within {:.2f} %",
+      "kappa/kappa_y = M/M_y + {:.4g} (M/M_y)^{:.4g}, fitted to the stress-strain law integrated over the wall, from "
+      "first yield to four times its curvature, moment within {:.2f} %",
       fit.coefficient, fit.exponent, 100.0 * fit.largest_error);
 }
 
 std::string fit_words(const Section& section) {
   return section.bending
-             ? fmt::format("; its moment curve is followed within {:.2f} %", 100.0 * section.bending->fit_error)
+             ? fmt::format("; its moment curve is reproduced within {:.2f} %", 100.0 * section.bending->fit_error)
              : "";
 }
 
@@ -41,7 +40,7 @@ std::string material_words(const SteelDescription& steel) {
       return fmt::format("Ramberg-Osgood, n = {:.4g}, total strain {:.4g} % at {:.4g} MPa",
                          material.hardening_exponent.value_or(0.0), 100.0 * material.yield_strain, yield);
     case MaterialLaw::bilinear:
-      return fmt::format("bilinear, yield at {:.4g} MPa, slope {:.4g} GPa beyond", yield,
+      return fmt::format("bilinear, yield at {:.4g} MPa, slope {:.4g} GPa beyond yield", yield,
                          1e-9 * material.hardening_modulus);
     case MaterialLaw::stress_strain:
       return fmt::format("stress-strain curve of {} points", material.stress_strain.size());
@@ -66,20 +65,19 @@ std::vector<std::string> material_assumptions(const Model& model) {
       "axially the pipe stays elastic.");
   if (std::any_of(sections.begin(), sections.end(), [](const Section& s) { return s.bending && s.bending->steel; })) {
     list.push_back(
-        "Moments come from the stress-strain law integrated over the wall, with the wall tension and the hoop stress "
-        "of "
-        "the hanging pipe at each height in statics; their changes in waves are left out.");
+        "Moments come from the stress-strain law integrated over the wall, with the static wall tension and hoop "
+        "stress of the suspended pipe at each elevation; their variation in waves is neglected.");
     list.push_back(
-        "Stress of yielded steel is the elastic stress of the moment, at most what the stress-strain curve bears at "
-        "the "
-        "largest curvature so far; stresses locked into the wall are not followed.");
+        "Stress of yielded steel is the elastic stress of the moment, limited to the value of the stress-strain curve "
+        "at the maximum curvature so far; residual stresses in the wall are not tracked.");
   } else {
-    list.push_back("Where steel is given by moments only, stress is the elastic stress of the moment, M D / (2 I).");
+    list.push_back("For steel given by a moment curve, stress is the elastic stress of the moment, M D / (2 I).");
   }
   list.push_back(model.description.statics.history == LayHistory::laying
-                     ? "In statics every section has come over the supports from the tensioner and kept what bent it "
-                       "on the way; it does not roll, although pipe with residual curvature tends to."
-                     : "In statics every section was bent to its shape once, as if it had not come over the supports.");
+                     ? "In statics every section has passed the supports from the tensioner and retains its plastic "
+                       "curvature; it does not roll, although pipe with residual curvature tends to."
+                     : "In statics every section is bent directly to its final shape, without the loading history over "
+                       "the supports.");
   return list;
 }
 

@@ -68,7 +68,7 @@ std::vector<WeighedWarning> weighed(const std::vector<std::string>& warnings) {
 }
 
 std::string weight_words(const std::vector<WeighedWarning>& warnings) {
-  constexpr std::array<const char*, 3> kKinds = {"{} serious", "{} to look at", "{} on the input"};
+  constexpr std::array<const char*, 3> kKinds = {"{} serious", "{} caution", "{} input"};
   std::string words;
   for (std::size_t i = 0; i < kKinds.size(); ++i) {
     const auto count = std::count_if(warnings.begin(), warnings.end(), [&](const WeighedWarning& w) {
