@@ -4,20 +4,10 @@
 
 #include <array>
 
+#include "model/description_words.h"
+
 namespace overbend {
 namespace {
-
-const char* word(SafetyClass safety) {
-  switch (safety) {
-    case SafetyClass::low:
-      return "low";
-    case SafetyClass::medium:
-      return "medium";
-    case SafetyClass::high:
-      break;
-  }
-  return "high";
-}
 
 void assume_sources(std::vector<std::string>& list, const CheckSettings& settings) {
   if (settings.codes != CheckCodes::api) {
@@ -36,7 +26,7 @@ void assume_dnv(std::vector<std::string>& list, const CheckStations& all, const 
   list.push_back(fmt::format(
       "Code checks: installation, safety class {}; condition factor {:.4g}; no corrosion allowance, fabrication "
       "tolerance of the wall {:.4g} mm, ovality {:.4g}.",
-      word(settings.safety_class), settings.condition_factor, 1e3 * settings.wall_tolerance, settings.ovality));
+      word_of(settings.safety_class), settings.condition_factor, 1e3 * settings.wall_tolerance, settings.ovality));
   list.emplace_back(
       "Code checks: over the supports the pipe conforms to the stinger and is checked as displacement controlled; the "
       "load-controlled criterion is given there for information. Below the last support in contact, in "

@@ -1,44 +1,22 @@
-/// From checked values of a model file to members of the description. What the file does not give stays as it is.
+/// From the checked values of a model file to the objects that its keys fill.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 
+#include "model/description.h"
 #include "modelfile/field_value.h"
+#include "modelfile/member.h"
 
 namespace overbend {
 
-inline void take(const FieldValue& group, const std::string& key, double& target) {
-  if (const auto number = group.get_number(key)) target = *number;
-}
+/// Fills `target` with what a file gives below a group of the field table. What is left out stays as it is. Files are
+/// resolved against the folder of `source_file`.
+void bind_members(const FieldNode& node, const FieldValue& group, Target target, const std::string& source_file);
 
-inline void take(const FieldValue& group, const std::string& key, std::optional<double>& target) {
-  if (const auto number = group.get_number(key)) target = *number;
-}
+/// The description of a model. Left out, a key has the default of its member.
+Description bind_model(const FieldValue& root, const std::string& source_file);
 
-inline void take(const FieldValue& group, const std::string& key, int& target) {
-  if (const auto integer = group.get_integer(key)) target = static_cast<int>(*integer);
-}
-
-inline void take(const FieldValue& group, const std::string& key, std::string& target) {
-  if (const auto text = group.get_text(key)) target = *text;
-}
-
-/// Position of a word in the list of names of an enum, in its order. `Target` is the enum or an optional of it.
-template <typename Enum, typename Target, std::size_t count>
-void take_word(const FieldValue& group, const std::string& key, const std::array<const char*, count>& names,
-               Target& target) {
-  const auto text = group.get_text(key);
-  for (std::size_t i = 0; text && i < count; ++i) {
-    if (*text == names[i]) target = static_cast<Enum>(i);
-  }
-}
-
-template <typename Enum, std::size_t count>
-void take_choice(const FieldValue& group, const std::string& key, const std::array<const char*, count>& names,
-                 Enum& target) {
-  take_word<Enum>(group, key, names, target);
-}
+/// Where a file that the model names is found: beside the model file, unless its path is absolute.
+std::string resolved_file(const std::string& file, const std::string& source_file);
 
 }  // namespace overbend

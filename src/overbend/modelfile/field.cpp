@@ -14,7 +14,30 @@ std::string bound_words(const Field& field, double value) {
   return format_number(value);
 }
 
+/// "1e-9", not "1e-09": as a user would write it.
+std::string plain_number(double value) {
+  std::string text = format_number(value);
+  const std::size_t exponent = text.find('e');
+  if (exponent == std::string::npos) return text;
+  const std::size_t digits = exponent + (text[exponent + 1] == '-' || text[exponent + 1] == '+' ? 2 : 1);
+  text.erase(digits, text.find_first_not_of('0', digits) - digits);
+  return text;
+}
+
+std::string written(const Field& field, const Member::Default& standard) {
+  if (const auto* text = std::get_if<std::string>(&standard)) return *text;
+  if (const auto* integer = std::get_if<std::int64_t>(&standard)) return std::to_string(*integer);
+  const double number = std::get<double>(standard);
+  if (field.kind != FieldKind::quantity) return plain_number(number);
+  return format_quantity(number, field.unit, field.show);
+}
+
 }  // namespace
+
+void complete_from_member(Field& field) {
+  if (field.member.standard) field.fallback = written(field, *field.member.standard);
+  if (field.choices.empty()) field.choices = field.member.words;
+}
 
 std::string range_words(const Field& field, const Range& range) {
   const bool low = std::isfinite(range.low), high = std::isfinite(range.high);

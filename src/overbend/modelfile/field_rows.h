@@ -2,17 +2,49 @@
 #pragma once
 
 #include <numbers>
+#include <string>
 #include <vector>
 
+#include "model/description.h"
 #include "modelfile/field.h"
+#include "modelfile/field_value.h"
+#include "modelfile/member.h"
 
 namespace overbend::field_rows {
 
-inline Range friction_range() {
-  return {.low = 0.0, .high = 5.0};
-}
 inline Range azimuth() {
   return {.low = -2.0 * std::numbers::pi, .high = 2.0 * std::numbers::pi};
+}
+
+inline void append(std::vector<Field>& rows, const std::vector<Field>& more) {
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+/// Coulomb friction at `path`: one number for both directions, or a group with one each.
+template <typename Owner>
+std::vector<Field> friction(const std::string& path, const std::string& text, double Owner::*axial,
+                            double Owner::*lateral) {
+  const Range range = {.low = 0.0, .high = 5.0};
+  const Member both = taken_by<Owner>(
+      [axial, lateral](Owner& owner, const FieldValue& value) { owner.*axial = owner.*lateral = value.number; });
+  return {
+      {.path = path,
+       .member = with_default(both, Owner{}.*axial),
+       .kind = FieldKind::number,
+       .text = text + ", the same in both directions; or a group of the two below.",
+       .range = range},
+      {.path = path, .text = "Coulomb friction by direction."},
+      {.path = path + ".axial",
+       .member = defaults(axial),
+       .kind = FieldKind::number,
+       .text = "Along the pipe.",
+       .range = range},
+      {.path = path + ".lateral",
+       .member = defaults(lateral),
+       .kind = FieldKind::number,
+       .text = "Across the pipe.",
+       .range = range},
+  };
 }
 
 std::vector<Field> environment();

@@ -1,4 +1,8 @@
+#include <numeric>
+
+#include "model/description_words.h"
 #include "modelfile/field_rows.h"
+#include "modelfile/field_value.h"
 
 namespace overbend::field_rows {
 namespace {
@@ -6,39 +10,55 @@ namespace {
 constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kShortestElement = 0.02;  ///< [m] Far below any pipe's diameter, where a beam means nothing.
 
+/// Lowest, then highest; a machine with a range works to keep it unless `mode` says otherwise.
+void take_range(TensionerDescription& tensioner, const FieldValue& range) {
+  tensioner.range_low = range.children[0].number;
+  tensioner.range_high = range.children[1].number;
+  tensioner.mode = TensionerMode::controlled;
+}
+
+/// Seeds 1, 2, ... up to the number given.
+void count_seeds(DynamicSettings& settings, const FieldValue& count) {
+  settings.seeds.resize(static_cast<std::size_t>(count.integer));
+  std::iota(settings.seeds.begin(), settings.seeds.end(), std::uint64_t{1});
+}
+
 }  // namespace
 
 std::vector<Field> tensioner() {
   return {
       {.path = "tensioner",
+       .member = enters(&Description::tensioner),
        .text = "Where and how the pipe is held, in the ramp/stinger frame: origin on the stern shoe, X "
                "astern, Z up.",
        .required = true},
       {.path = "tensioner.x",
+       .member = fills(&TensionerDescription::x),
        .kind = FieldKind::quantity,
        .text = "The pipe's axis where the tensioner grips it.",
        .unit = "m",
        .show = "m",
        .required = true},
       {.path = "tensioner.z",
+       .member = fills(&TensionerDescription::z),
        .kind = FieldKind::quantity,
        .text = "The pipe's axis where the tensioner grips it.",
        .unit = "m",
        .show = "m",
        .required = true},
       {.path = "tensioner.incline",
+       .member = defaults(&TensionerDescription::incline),
        .kind = FieldKind::quantity,
        .text = "Of the pipe in the tensioner from horizontal, positive when it dips astern.",
        .unit = "rad",
        .show = "deg",
-       .fallback = "0 deg",
        .range = {.low = -90.0 * kDeg, .high = 90.0 * kDeg}},
       {.path = "tensioner.guide",
+       .member = defaults(&TensionerDescription::guide),
        .kind = FieldKind::choice,
-       .text = "clamped: the machine holds the pipe's direction; pinned: the pipe turns freely.",
-       .fallback = "clamped",
-       .choices = {"clamped", "pinned"}},
+       .text = "clamped: the machine holds the pipe's direction; pinned: the pipe turns freely."},
       {.path = "tensioner.tension",
+       .member = fills(&TensionerDescription::tension),
        .kind = FieldKind::quantity,
        .text = "Wanted tension of the pipe at the tensioner; alone it is enough for statics.",
        .unit = "N",
@@ -46,38 +66,41 @@ std::vector<Field> tensioner() {
        .fallback_text = "follows from pipe.length and pipe.anchor",
        .range = {.low = 0.0, .low_open = true}},
       {.path = "tensioner.range",
+       .member = taken_by<TensionerDescription>(take_range),
        .kind = FieldKind::list,
        .text = "Operational range: lowest and highest tension before the tensioner pays out or hauls in.",
        .fallback_text = "none",
        .least = 2,
        .most = 2},
       {.path = "tensioner.range[]",
+       .member = read_elsewhere(),
        .kind = FieldKind::quantity,
        .text = "Lowest, then highest tension.",
        .unit = "N",
        .show = "kN",
        .range = {.low = 0.0}},
       {.path = "tensioner.mode",
+       .member = fills(&TensionerDescription::mode),
        .kind = FieldKind::choice,
        .text = "How it holds the pipe in time. controlled: works to keep the range; locked: brake on; constant: ideal "
                "constant tension.",
-       .fallback_text = "controlled with a range, else locked",
-       .choices = {"controlled", "locked", "constant"}},
+       .fallback_text = "controlled with a range, else locked"},
       {.path = "tensioner.delay",
+       .member = defaults(&TensionerDescription::delay),
        .kind = FieldKind::quantity,
        .text = "Time out of range before it moves.",
        .unit = "s",
        .show = "s",
-       .fallback = "0 s",
        .range = {.low = 0.0, .high = 3600.0}},
       {.path = "tensioner.velocity",
+       .member = defaults(&TensionerDescription::velocity),
        .kind = FieldKind::quantity,
        .text = "Speed of paying out and hauling in.",
        .unit = "m/s",
        .show = "m/s",
-       .fallback = "0 m/s",
        .range = {.low = 0.0, .high = 20.0}},
       {.path = "tensioner.acceleration",
+       .member = fills(&TensionerDescription::acceleration),
        .kind = FieldKind::quantity,
        .text = "Acceleration up to that speed.",
        .unit = "m/s^2",
@@ -85,6 +108,7 @@ std::vector<Field> tensioner() {
        .fallback_text = "the speed is reached in 0.5 s",
        .range = {.low = 0.0, .low_open = true}},
       {.path = "tensioner.travel",
+       .member = fills(&TensionerDescription::travel),
        .kind = FieldKind::quantity,
        .text = "Largest travel either way from the start.",
        .unit = "m",
@@ -96,8 +120,9 @@ std::vector<Field> tensioner() {
 
 std::vector<Field> analysis() {
   const std::string m = "analysis.mesh", s = "analysis.static", d = "analysis.dynamic";
-  const auto element = [&](const std::string& key, const std::string& text) {
+  const auto element = [&](const char* key, std::optional<double> MeshDescription::*member, const char* text) {
     return Field{.path = m + key,
+                 .member = fills(member),
                  .kind = FieldKind::quantity,
                  .text = text,
                  .unit = "m",
@@ -105,91 +130,98 @@ std::vector<Field> analysis() {
                  .fallback_text = "rule of the mesh",
                  .range = {.low = kShortestElement, .high = 1000.0}};
   };
-  const auto time = [&](const std::string& key, const std::string& text, const std::string& fallback, bool zero) {
+  const auto time = [&](const char* key, const Member& member, const char* text, bool zero = false) {
     return Field{.path = d + key,
+                 .member = member,
                  .kind = FieldKind::quantity,
                  .text = text,
                  .unit = "s",
                  .show = "s",
-                 .fallback = fallback,
                  .range = {.low = 0.0, .low_open = !zero}};
   };
   std::vector<Field> rows = {
       {.path = "analysis", .text = "How to compute; the defaults serve."},
-      {.path = m, .text = "Element lengths."},
-      element(".overbend_element", "Over the supports."),
-      element(".touchdown_element", "Around touchdown."),
-      element(".longest_element", "Anywhere."),
-      {.path = s, .text = "Statics."},
+      {.path = m, .member = enters(&Description::mesh), .text = "Element lengths."},
+      element(".overbend_element", &MeshDescription::overbend_element, "Over the supports."),
+      element(".touchdown_element", &MeshDescription::touchdown_element, "Around touchdown."),
+      element(".longest_element", &MeshDescription::longest_element, "Anywhere."),
+      {.path = s, .member = enters(&Description::statics), .text = "Statics."},
       {.path = s + ".method",
+       .member = defaults(&StaticSettings::method),
        .kind = FieldKind::choice,
-       .text = "newton falls back on dynamic relaxation by itself; dynamic_relaxation always starts with it.",
-       .fallback = "newton",
-       .choices = {"newton", "dynamic_relaxation"}},
+       .text = "newton falls back on dynamic relaxation by itself; dynamic_relaxation always starts with it."},
       {.path = s + ".history",
+       .member = defaults(&StaticSettings::history),
        .kind = FieldKind::choice,
        .text = "Of a pipe that yields. laying: every section came over the supports from the tensioner; monotonic: it "
-               "was bent to its shape once.",
-       .fallback = "laying",
-       .choices = {"laying", "monotonic"}},
+               "was bent to its shape once."},
       {.path = s + ".tolerance",
+       .member = defaults(&StaticSettings::tolerance),
        .kind = FieldKind::number,
        .text = "Largest unbalanced nodal force over the total weight.",
-       .fallback = "1e-9",
        .range = {.low = 0.0, .high = 1e-3, .low_open = true}},
       {.path = s + ".max_iterations",
+       .member = defaults(&StaticSettings::max_iterations),
        .kind = FieldKind::integer,
        .text = "Newton iterations of one stage before another way is tried.",
-       .fallback = "60",
        .range = {.low = 1.0, .high = 1e6}},
-      {.path = d, .text = "Dynamics.", .fallback_text = "no dynamic analysis"},
-      time(".duration", "Simulated time that statistics count, from t = 0.", "", false),
-      time(".build_up", "Time before t = 0 in which waves and vessel motion are brought in; the current acts in full.",
-           "60 s", true),
-      time(".step", "Fixed time step.", "", false),
-      time(".max_step", "Largest time step of the adaptive scheme.", "", false),
+      {.path = d,
+       .member = enters(&Description::dynamics),
+       .text = "Dynamics.",
+       .fallback_text = "no dynamic analysis"},
+      time(".duration", fills(&DynamicSettings::duration), "Simulated time that statistics count, from t = 0."),
+      time(".build_up", defaults(&DynamicSettings::build_up),
+           "Time before t = 0 in which waves and vessel motion are brought in; the current acts in full.", true),
+      time(".step", fills(&DynamicSettings::step), "Fixed time step."),
+      time(".max_step", fills(&DynamicSettings::max_step), "Largest time step of the adaptive scheme."),
       {.path = d + ".spectral_radius",
+       .member = defaults(&DynamicSettings::spectral_radius),
        .kind = FieldKind::number,
        .text = "At infinite frequency: 1 keeps all, 0 kills all high-frequency motion.",
-       .fallback = "0.6",
        .range = {.low = 0.0, .high = 1.0}},
-      time(".output_step", "Time between stored results.", "0.5 s", false),
+      time(".output_step", defaults(&DynamicSettings::output_step), "Time between stored results."),
       {.path = d + ".impact_steps",
+       .member = defaults(&DynamicSettings::impact_steps),
        .kind = FieldKind::number,
        .text = "Time steps in the undamped contact time of an impact on a roller.",
-       .fallback = "16",
        .range = {.low = 2.0, .high = 1000.0}},
       {.path = d + ".impact_force",
+       .member = defaults(&DynamicSettings::impact_force),
        .kind = FieldKind::quantity,
        .text = "Impacts weaker than this, without damping, are neither resolved in time nor recorded.",
        .unit = "N",
        .show = "kN",
-       .fallback = "1 kN",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1.0, .high = 1e6}},
       {.path = d + ".tolerance",
+       .member = defaults(&DynamicSettings::tolerance),
        .kind = FieldKind::number,
        .text = "Largest unbalanced nodal force over the line's weight.",
-       .fallback = "1e-6",
        .range = {.low = 0.0, .high = 1e-3, .low_open = true}},
       {.path = d + ".step_error",
+       .member = defaults(&DynamicSettings::step_error),
        .kind = FieldKind::quantity,
        .text = "Error of a node's place in one step, by which the adaptive scheme chooses steps.",
        .unit = "m",
        .show = "mm",
-       .fallback = "1 mm",
        .range = {.low = 0.0, .high = 1.0, .low_open = true}},
       {.path = d + ".seeds",
+       .member = taken_by<DynamicSettings>(count_seeds),
        .kind = FieldKind::integer,
        .text = "Number of seeds: 1, 2, ... up to this; or a list of seeds.",
        .fallback_text = "the seed of the waves",
        .range = {.low = 1.0, .high = 10000.0}},
       {.path = d + ".seeds",
+       .member = enters(&DynamicSettings::seeds),
        .kind = FieldKind::list,
        .text = "Seeds of the random waves, one realisation each.",
        .least = 1,
        .most = 10000},
-      {.path = d + ".seeds[]", .kind = FieldKind::integer, .text = "One seed.", .range = {.low = 0.0, .high = 9e15}},
+      {.path = d + ".seeds[]",
+       .member = appends_value<std::uint64_t>(),
+       .kind = FieldKind::integer,
+       .text = "One seed.",
+       .range = {.low = 0.0, .high = 9e15}},
   };
   for (Field& row : rows) {
     if (row.path == d + ".duration") row.required = true;

@@ -1,3 +1,4 @@
+#include "model/description_words.h"
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
@@ -7,17 +8,24 @@ Range share() {
   return {.low = 0.0, .high = 1.5, .low_open = true};
 }
 
-Field number(const char* path, const char* text, const char* fallback, Range range) {
-  return {.path = path, .kind = FieldKind::number, .text = text, .fallback = fallback, .range = range};
+Field number(const char* path, const Member& member, const char* text, Range range) {
+  return {.path = path, .member = member, .kind = FieldKind::number, .text = text, .range = range};
 }
 
 /// A number without which something is not checked, or follows from something else.
-Field open_number(const char* path, const char* text, const char* without, Range range) {
-  return {.path = path, .kind = FieldKind::number, .text = text, .fallback_text = without, .range = range};
+Field open_number(const std::string& path, const Member& member, const char* text, const char* without, Range range) {
+  return {.path = path,
+          .member = member,
+          .kind = FieldKind::number,
+          .text = text,
+          .fallback_text = without,
+          .range = range};
 }
 
-Field limit(const char* path, const char* text, const char* unit, const char* show) {
-  return {.path = path,
+Field limit(const char* key, std::optional<double> EquipmentLimits::*member, const char* text, const char* unit,
+            const char* show) {
+  return {.path = std::string("checks.limits.") + key,
+          .member = fills(member),
           .kind = FieldKind::quantity,
           .text = text,
           .unit = unit,
@@ -29,36 +37,36 @@ Field limit(const char* path, const char* text, const char* unit, const char* sh
 std::vector<Field> strength() {
   return {
       {.path = "checks.codes",
+       .member = defaults(&CheckSettings::codes),
        .kind = FieldKind::choice,
-       .text = "Codes that are checked: DNV-ST-F101 (dnv), API RP 1111 (api), or both.",
-       .fallback = "both",
-       .choices = {"both", "dnv", "api"}},
+       .text = "Codes that are checked: DNV-ST-F101 (dnv), API RP 1111 (api), or both."},
       {.path = "checks.safety_class",
+       .member = defaults(&CheckSettings::safety_class),
        .kind = FieldKind::choice,
-       .text = "Safety class by DNV-ST-F101; installation is low.",
-       .fallback = "low",
-       .choices = {"low", "medium", "high"}},
+       .text = "Safety class by DNV-ST-F101; installation is low."},
       {.path = "checks.manufacture",
+       .member = fills(&CheckSettings::manufacture),
        .kind = FieldKind::choice,
        .text = "How the pipe was made; sets the fabrication factor of DNV and the collapse factor of API.",
-       .fallback_text = "uoe, the weakest, is taken and said",
-       .choices = {"seamless", "erw", "hfw", "trb", "uo", "uoe"}},
-      number("checks.alpha_u", "Material strength factor: 0.96, or 1.00 with supplementary requirement U.", "0.96",
-             {.low = 0.5, .high = 1.0}),
-      open_number("checks.alpha_fab", "Fabrication factor on the strength in compression of the hoop direction.",
-                  "from the manufacture", {.low = 0.5, .high = 1.0}),
+       .fallback_text = "uoe, the weakest, is taken and said"},
+      number("checks.alpha_u", defaults(&CheckSettings::alpha_u),
+             "Material strength factor: 0.96, or 1.00 with supplementary requirement U.", {.low = 0.5, .high = 1.0}),
+      open_number("checks.alpha_fab", fills(&CheckSettings::alpha_fab),
+                  "Fabrication factor on the strength in compression of the hoop direction.", "from the manufacture",
+                  {.low = 0.5, .high = 1.0}),
       {.path = "checks.wall_tolerance",
+       .member = defaults(&CheckSettings::wall_tolerance),
        .kind = FieldKind::quantity,
        .text = "Fabrication tolerance by which the wall may be thinner; counts for collapse.",
        .unit = "m",
        .show = "mm",
-       .fallback = "0 mm",
        .range = {.low = 0.0, .high = 1.0}},
-      number("checks.ovality", "Out-of-roundness by DNV, (largest - smallest diameter)/diameter.", "0.005",
-             {.low = 0.005, .high = 0.1}),
-      number("checks.alpha_h", "Largest ratio of yield stress to tensile strength that the steel may have.", "0.93",
-             {.low = 0.5, .high = 1.0}),
+      number("checks.ovality", defaults(&CheckSettings::ovality),
+             "Out-of-roundness by DNV, (largest - smallest diameter)/diameter.", {.low = 0.005, .high = 0.1}),
+      number("checks.alpha_h", defaults(&CheckSettings::alpha_h),
+             "Largest ratio of yield stress to tensile strength that the steel may have.", {.low = 0.5, .high = 1.0}),
       {.path = "checks.grade",
+       .member = fills(&CheckSettings::grade),
        .kind = FieldKind::choice,
        .text = "Row of the simplified laying criteria.",
        .fallback_text = "nearest lower or equal grade by the yield stress",
@@ -67,35 +75,34 @@ std::vector<Field> strength() {
 }
 
 std::vector<Field> options() {
-  const std::vector<std::string> yes_no = {"no", "yes"};
   return {
-      number("checks.condition_factor",
-             "gamma_C on functional load effects: 1 in the water, 1.07 on an uneven seabed, 0.82 in reeling.", "1",
+      number("checks.condition_factor", defaults(&CheckSettings::condition_factor),
+             "gamma_C on functional load effects: 1 in the water, 1.07 on an uneven seabed, 0.82 in reeling.",
              {.low = 0.5, .high = 1.5}),
       {.path = "checks.system_effects",
+       .member = defaults(&CheckSettings::system_effects),
        .kind = FieldKind::choice,
        .text =
            "yes: load combination a (1.2 functional, 0.7 environmental), where system effects are present, is checked "
-           "beside b.",
-       .fallback = "yes",
-       .choices = yes_no},
+           "beside b."},
       {.path = "checks.yield_basis",
+       .member = defaults(&CheckSettings::yield_basis),
        .kind = FieldKind::choice,
-       .text = "Yield stress in the limit 0.87 f_y: smys, or fy, which is alpha_u times SMYS.",
-       .fallback = "fy",
-       .choices = {"smys", "fy"}},
+       .text = "Yield stress in the limit 0.87 f_y: smys, or fy, which is alpha_u times SMYS."},
       {.path = "checks.current_load",
+       .member = defaults(&CheckSettings::current_load),
        .kind = FieldKind::choice,
-       .text = "What the load effects of the steady current count as in DNV's load combinations.",
-       .fallback = "environmental",
-       .choices = {"environmental", "functional"}},
+       .text = "What the load effects of the steady current count as in DNV's load combinations."},
       {.path = "checks.point_load",
+       .member = defaults(&CheckSettings::point_load),
        .kind = FieldKind::choice,
-       .text = "yes: the force of a roller reduces the plastic moment of the load-controlled check.",
-       .fallback = "no",
-       .choices = yes_no},
-      {.path = "checks.arrestor", .text = "A buckle arrestor, for its cross-over pressure.", .fallback_text = "none"},
+       .text = "yes: the force of a roller reduces the plastic moment of the load-controlled check."},
+      {.path = "checks.arrestor",
+       .member = enters(&CheckSettings::arrestor),
+       .text = "A buckle arrestor, for its cross-over pressure.",
+       .fallback_text = "none"},
       {.path = "checks.arrestor.propagation_pressure",
+       .member = fills(&ArrestorSettings::propagation_pressure),
        .kind = FieldKind::quantity,
        .text = "Propagation pressure of an infinitely long arrestor.",
        .unit = "N/m^2",
@@ -103,52 +110,62 @@ std::vector<Field> options() {
        .required = true,
        .range = {.low = 0.0, .low_open = true}},
       {.path = "checks.arrestor.length",
+       .member = fills(&ArrestorSettings::length),
        .kind = FieldKind::quantity,
        .text = "Length of the arrestor.",
        .unit = "m",
        .show = "m",
        .required = true,
        .range = {.low = 0.0, .low_open = true}},
-      {.path = "checks.api", .text = "Settings of API RP 1111."},
+      {.path = "checks.api", .member = enters(&CheckSettings::api), .text = "Settings of API RP 1111."},
       {.path = "checks.api.edition",
+       .member = defaults(&ApiSettings::edition),
        .kind = FieldKind::choice,
        .text = "third (1999), fourth (2009) or fifth (2015): since the fourth the collapse pressure counts with "
-               "f_o/g(delta).",
-       .fallback = "fifth",
-       .choices = {"third", "fourth", "fifth"}},
-      open_number("checks.api.collapse_factor", "Collapse factor f_o.", "0.6 for uoe and uo, else 0.7",
-                  {.low = 0.1, .high = 1.0}),
-      number("checks.api.bending_factor", "Factor f_1 on the bending strain of installation.", "3.33",
-             {.low = 1.0, .high = 10.0}),
-      open_number("checks.api.ovality", "delta = (largest - smallest)/(largest + smallest diameter).",
-                  "half of checks.ovality", {.low = 0.0, .high = 0.1}),
+               "f_o/g(delta)."},
+      open_number("checks.api.collapse_factor", fills(&ApiSettings::collapse_factor), "Collapse factor f_o.",
+                  "0.6 for uoe and uo, else 0.7", {.low = 0.1, .high = 1.0}),
+      number("checks.api.bending_factor", defaults(&ApiSettings::bending_factor),
+             "Factor f_1 on the bending strain of installation.", {.low = 1.0, .high = 10.0}),
+      open_number("checks.api.ovality", fills(&ApiSettings::ovality),
+                  "delta = (largest - smallest)/(largest + smallest diameter).", "half of checks.ovality",
+                  {.low = 0.0, .high = 0.1}),
   };
 }
 
 std::vector<Field> limits() {
-  const auto stress = [](const char* path, const char* text) {
-    return open_number(path, text, "not checked", share());
+  const auto stress = [](const std::string& key, std::optional<double> YieldShares::*member, const char* text) {
+    return open_number("checks.yield_share." + key, fills(member), text, "not checked", share());
   };
   return {
       {.path = "checks.yield_share",
+       .member = enters(&CheckSettings::yield_share),
        .text = "Allowed von Mises stress as a share of SMYS (0.85 is 85 %), where a project works so.",
        .fallback_text = "not checked"},
-      stress("checks.yield_share.overbend_static", "Overbend, static."),
-      stress("checks.yield_share.overbend_dynamic", "Overbend, in time."),
-      stress("checks.yield_share.sagbend_static", "Sagbend, static."),
-      stress("checks.yield_share.sagbend_dynamic", "Sagbend, in time."),
-      {.path = "checks.limits", .text = "Limits of the lay equipment and the coating.", .fallback_text = "not checked"},
-      limit("checks.limits.roller_load", "Largest force of one roller.", "N", "kN"),
-      limit("checks.limits.coating_line_load", "Largest force per length of coating under a roller.", "N/m", "kN/m"),
-      limit("checks.limits.tension", "Largest tension at the tensioner.", "N", "kN"),
-      limit("checks.limits.tip_clearance", "Least distance of the pipe from the last roller of the stinger.", "m", "m"),
+      stress("overbend_static", &YieldShares::overbend_static, "Overbend, static."),
+      stress("overbend_dynamic", &YieldShares::overbend_dynamic, "Overbend, in time."),
+      stress("sagbend_static", &YieldShares::sagbend_static, "Sagbend, static."),
+      stress("sagbend_dynamic", &YieldShares::sagbend_dynamic, "Sagbend, in time."),
+      {.path = "checks.limits",
+       .member = enters(&CheckSettings::limits),
+       .text = "Limits of the lay equipment and the coating.",
+       .fallback_text = "not checked"},
+      limit("roller_load", &EquipmentLimits::roller_load, "Largest force of one roller.", "N", "kN"),
+      limit("coating_line_load", &EquipmentLimits::coating_line_load,
+            "Largest force per length of coating under a roller.", "N/m", "kN/m"),
+      limit("tension", &EquipmentLimits::tension, "Largest tension at the tensioner.", "N", "kN"),
+      limit("tip_clearance", &EquipmentLimits::tip_clearance,
+            "Least distance of the pipe from the last roller of the stinger.", "m", "m"),
   };
 }
 
 }  // namespace
 
 std::vector<Field> checks() {
-  std::vector<Field> rows = {{.path = "checks", .text = "Code checks.", .fallback_text = "all with their defaults"}};
+  std::vector<Field> rows = {{.path = "checks",
+                              .member = enters(&Description::checks),
+                              .text = "Code checks.",
+                              .fallback_text = "all with their defaults"}};
   for (const std::vector<Field>& part : {strength(), options(), limits()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }

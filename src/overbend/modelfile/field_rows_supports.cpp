@@ -1,3 +1,5 @@
+#include "model/contact_stiffness.h"
+#include "model/description_words.h"
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
@@ -5,8 +7,34 @@ namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
 
-Field roller_size(const std::string& key, const std::string& text, double high) {
+/// Ramp or stinger while its keys are read: the supports hold all boxes in one list.
+struct StructureKeys {
+  SupportsDescription* supports = nullptr;
+  Structure structure = Structure::ramp;
+  std::string roller = {};           ///< Of the boxes that name none.
+  int rows = BoxDescription{}.rows;  ///< Likewise.
+  int boxes = 0;
+};
+
+/// What the structure says of its boxes is bound before them, being above them in the table.
+BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
+  BoxDescription& box = keys.supports->boxes.emplace_back();
+  box.name = std::string(word_of(keys.structure)) + " " + std::to_string(++keys.boxes);
+  box.structure = keys.structure;
+  box.roller = keys.roller;
+  box.rows = keys.rows;
+  return box;
+}
+
+RollerKindDescription& add_kind(Description& description, const FieldValue& kind) {
+  RollerKindDescription& roller = description.rollers.emplace_back();
+  roller.name = kind.key;
+  return roller;
+}
+
+Field roller_size(const std::string& key, const Member& member, const std::string& text, double high) {
   return {.path = "rollers.*." + key,
+          .member = member,
           .kind = FieldKind::quantity,
           .text = text,
           .unit = "m",
@@ -15,12 +43,21 @@ Field roller_size(const std::string& key, const std::string& text, double high) 
           .range = {.low = 0.0, .high = high, .low_open = true}};
 }
 
-std::vector<Field> structure(const std::string& p, const std::string& text) {
+std::vector<Field> structure(Structure which, std::optional<double> SupportsDescription::*radius,
+                             const std::string& text) {
+  const auto open = [which](SupportsDescription& supports, const FieldValue&) {
+    return StructureKeys{.supports = &supports, .structure = which};
+  };
+  const auto take_radius = [radius](StructureKeys& keys, const FieldValue& value) {
+    keys.supports->*radius = value.number;
+  };
+  const std::string p = std::string("supports.") + word_of(which);
   const std::string b = p + ".boxes[]";
   const Range rows = {.low = 1.0, .high = 1000.0};
   return {
-      {.path = p, .text = text},
+      {.path = p, .member = opened_by<SupportsDescription>(open), .text = text},
       {.path = p + ".radius",
+       .member = taken_by<StructureKeys>(take_radius),
        .kind = FieldKind::quantity,
        .text = "Nominal radius, for the report; the boxes rule.",
        .unit = "m",
@@ -28,51 +65,56 @@ std::vector<Field> structure(const std::string& p, const std::string& text) {
        .fallback_text = "not given",
        .range = {.low = 0.0, .low_open = true}},
       {.path = p + ".roller",
+       .member = fills(&StructureKeys::roller),
        .kind = FieldKind::text,
        .text = "Kind of roller row of its boxes, a name under rollers.",
        .fallback_text = "each box names its own"},
       {.path = p + ".rows",
+       .member = defaults(&StructureKeys::rows),
        .kind = FieldKind::integer,
        .text = "Roller rows per box, evenly over its length.",
-       .fallback = "1",
        .range = rows},
       {.path = p + ".boxes",
        .kind = FieldKind::list,
        .text = "Roller boxes in the order the pipe runs, astern.",
        .required = true,
        .least = 1},
-      {.path = b, .text = "One roller box."},
+      {.path = b, .member = opened_by<StructureKeys>(add_box), .text = "One roller box."},
       {.path = b + ".name",
+       .member = fills(&BoxDescription::name),
        .kind = FieldKind::text,
        .text = "Names it in results; no two alike.",
        .fallback_text = "ramp 1, 2, ... or stinger 1, 2, ..."},
       {.path = b + ".x",
+       .member = fills(&BoxDescription::x),
        .kind = FieldKind::quantity,
        .text = "Where the underside of the coated pipe rests at mid-box, astern of the stern shoe.",
        .unit = "m",
        .show = "m",
        .required = true},
       {.path = b + ".z",
+       .member = fills(&BoxDescription::z),
        .kind = FieldKind::quantity,
        .text = "Where the underside of the coated pipe rests at mid-box, above the stern shoe.",
        .unit = "m",
        .show = "m",
        .required = true},
       {.path = b + ".offset",
+       .member = defaults(&BoxDescription::offset),
        .kind = FieldKind::quantity,
        .text = "Raises the box along the outward normal of the curve through the boxes.",
        .unit = "m",
        .show = "m",
-       .fallback = "0 m",
        .range = {.low = -100.0, .high = 100.0}},
       {.path = b + ".length",
+       .member = defaults(&BoxDescription::length),
        .kind = FieldKind::quantity,
        .text = "Along the pipe; with more than one row it must be given.",
        .unit = "m",
        .show = "m",
-       .fallback = "0 m",
        .range = {.low = 0.0, .high = 1000.0}},
       {.path = b + ".incline",
+       .member = fills(&BoxDescription::incline),
        .kind = FieldKind::quantity,
        .text = "Of the box from horizontal, positive when it dips astern.",
        .unit = "rad",
@@ -80,10 +122,12 @@ std::vector<Field> structure(const std::string& p, const std::string& text) {
        .fallback_text = "tangent of the smooth curve through the boxes",
        .range = {.low = -90.0 * kDeg, .high = 90.0 * kDeg, .low_open = true, .high_open = true}},
       {.path = b + ".roller",
+       .member = fills(&BoxDescription::roller),
        .kind = FieldKind::text,
        .text = "Kind of roller row of this box.",
        .fallback_text = "as the structure's"},
       {.path = b + ".rows",
+       .member = fills(&BoxDescription::rows),
        .kind = FieldKind::integer,
        .text = "Roller rows of this box.",
        .fallback_text = "as the structure's",
@@ -94,16 +138,23 @@ std::vector<Field> structure(const std::string& p, const std::string& text) {
 }  // namespace
 
 std::vector<Field> rollers() {
-  return {
+  std::vector<Field> rows = {
       {.path = "rollers", .text = "Kinds of roller row by a name of your own; supports name the kind they have."},
-      {.path = "rollers.*", .text = "One kind of roller row."},
-      {.path = "rollers.*.bottom", .text = "The roller under the pipe.", .required = true},
-      roller_size("bottom.radius", "Radius.", 10.0),
-      roller_size("bottom.face", "Length of the roller.", 100.0),
-      {.path = "rollers.*.sides", .text = "A roller on either side.", .fallback_text = "bottom roller only"},
-      roller_size("sides.radius", "Radius.", 10.0),
-      roller_size("sides.face", "Length of the roller.", 100.0),
+      {.path = "rollers.*", .member = opened_by<Description>(add_kind), .text = "One kind of roller row."},
+      {.path = "rollers.*.bottom",
+       .member = enters(&RollerKindDescription::bottom),
+       .text = "The roller under the pipe.",
+       .required = true},
+      roller_size("bottom.radius", fills(&BottomRollerDescription::radius), "Radius.", 10.0),
+      roller_size("bottom.face", fills(&BottomRollerDescription::face), "Length of the roller.", 100.0),
+      {.path = "rollers.*.sides",
+       .member = enters(&RollerKindDescription::sides),
+       .text = "A roller on either side.",
+       .fallback_text = "bottom roller only"},
+      roller_size("sides.radius", fills(&SideRollerDescription::radius), "Radius.", 10.0),
+      roller_size("sides.face", fills(&SideRollerDescription::face), "Length of the roller.", 100.0),
       {.path = "rollers.*.sides.angle",
+       .member = fills(&SideRollerDescription::angle),
        .kind = FieldKind::quantity,
        .text = "Of the roller's axis from horizontal.",
        .unit = "rad",
@@ -111,13 +162,14 @@ std::vector<Field> rollers() {
        .required = true,
        .range = {.low = 0.0, .high = 90.0 * kDeg, .low_open = true}},
       {.path = "rollers.*.sides.clearance",
+       .member = defaults(&SideRollerDescription::clearance),
        .kind = FieldKind::quantity,
        .text = "Gap to a pipe centred on the bottom roller.",
        .unit = "m",
        .show = "m",
-       .fallback = "0 m",
        .range = {.low = 0.0, .high = 100.0}},
       {.path = "rollers.*.stiffness",
+       .member = fills(&RollerKindDescription::stiffness),
        .kind = FieldKind::quantity,
        .text = "Stiffness of the contact of pipe and roller as a whole.",
        .unit = "N/m",
@@ -126,73 +178,62 @@ std::vector<Field> rollers() {
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1e4, .high = 1e12}},
       {.path = "rollers.*.default_stiffness",
+       .member = defaults(&RollerKindDescription::default_stiffness),
        .kind = FieldKind::choice,
        .text =
            "Where no stiffness is given. physical: pipe shell, coating and roller structure in series; penalty: EI/h^3 "
-           "of the pipe's elements, nearly rigid.",
-       .fallback = "physical",
-       .choices = {"physical", "penalty"}},
+           "of the pipe's elements, nearly rigid."},
       {.path = "rollers.*.structure_stiffness",
+       .member = with_default(fills(&RollerKindDescription::structure_stiffness), kRollerStructure),
        .kind = FieldKind::quantity,
        .text = "Of the roller with its bearings and box, a part of the physical stiffness.",
        .unit = "N/m",
        .show = "kN/m",
-       .fallback = "50000 kN/m",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1e5, .high = 1e10}},
-      {.path = "rollers.*.friction",
-       .kind = FieldKind::number,
-       .text = "Coulomb friction of pipe on roller, the same in both directions; or a group of the two below.",
-       .fallback = "0",
-       .range = friction_range()},
-      {.path = "rollers.*.friction", .text = "Coulomb friction by direction."},
-      {.path = "rollers.*.friction.axial",
-       .kind = FieldKind::number,
-       .text = "Along the pipe.",
-       .fallback = "0",
-       .range = friction_range()},
-      {.path = "rollers.*.friction.lateral",
-       .kind = FieldKind::number,
-       .text = "Across the pipe.",
-       .fallback = "0",
-       .range = friction_range()},
-      {.path = "rollers.*.restitution",
-       .kind = FieldKind::number,
-       .text = "Coefficient of restitution of an impact.",
-       .fallback = "0.5",
-       .range = {.low = 0.0, .high = 1.0}},
-      {.path = "rollers.*.damping",
-       .kind = FieldKind::choice,
-       .text = "clipped: impacts rebound with the coefficient of restitution; textbook: the common formula, which "
-               "takes rollers to pull at the end of a rebound, for comparison.",
-       .fallback = "clipped",
-       .choices = {"clipped", "textbook"}},
-      {.path = "rollers.*.tangential_stiffness",
-       .kind = FieldKind::quantity,
-       .text = "Of a roller against a pipe that friction makes stick to it.",
-       .unit = "N/m",
-       .show = "kN/m",
-       .fallback_text = "a tenth of the normal stiffness",
-       .range = {.low = 0.0, .low_open = true},
-       .usual = {.low = 1e3, .high = 1e12}},
   };
+  append(rows, friction<RollerKindDescription>("rollers.*.friction", "Coulomb friction of pipe on roller",
+                                               &RollerKindDescription::friction_axial,
+                                               &RollerKindDescription::friction_lateral));
+  append(
+      rows,
+      {
+          {.path = "rollers.*.restitution",
+           .member = defaults(&RollerKindDescription::restitution),
+           .kind = FieldKind::number,
+           .text = "Coefficient of restitution of an impact.",
+           .range = {.low = 0.0, .high = 1.0}},
+          {.path = "rollers.*.damping",
+           .member = defaults(&RollerKindDescription::damping),
+           .kind = FieldKind::choice,
+           .text = "clipped: impacts rebound with the coefficient of restitution; textbook: the common formula, which "
+                   "takes rollers to pull at the end of a rebound, for comparison."},
+          {.path = "rollers.*.tangential_stiffness",
+           .member = fills(&RollerKindDescription::tangential_stiffness),
+           .kind = FieldKind::quantity,
+           .text = "Of a roller against a pipe that friction makes stick to it.",
+           .unit = "N/m",
+           .show = "kN/m",
+           .fallback_text = "a tenth of the normal stiffness",
+           .range = {.low = 0.0, .low_open = true},
+           .usual = {.low = 1e3, .high = 1e12}},
+      });
+  return rows;
 }
 
 std::vector<Field> supports() {
   std::vector<Field> rows = {{.path = "supports",
+                              .member = enters(&Description::supports),
                               .text = "Ramp and stinger, in the ramp/stinger frame.",
                               .fallback_text = "the pipe hangs from the tensioner (J-lay)"},
                              {.path = "supports.contact",
+                              .member = defaults(&SupportsDescription::contact),
                               .kind = FieldKind::choice,
                               .text = "rollers: each stands for itself; gap_springs: for comparison with traditional "
                                       "models, one spring with gaps in the middle of each box, without damping and "
-                                      "friction.",
-                              .fallback = "rollers",
-                              .choices = {"rollers", "gap_springs"}}};
-  for (const auto& part : {structure("supports.ramp", "Roller boxes on the vessel."),
-                           structure("supports.stinger", "Roller boxes on the stinger.")}) {
-    rows.insert(rows.end(), part.begin(), part.end());
-  }
+                                      "friction."}};
+  append(rows, structure(Structure::ramp, &SupportsDescription::ramp_radius, "Roller boxes on the vessel."));
+  append(rows, structure(Structure::stinger, &SupportsDescription::stinger_radius, "Roller boxes on the stinger."));
   return rows;
 }
 

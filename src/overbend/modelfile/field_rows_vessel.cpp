@@ -1,11 +1,30 @@
 #include <array>
 
+#include "model/description_words.h"
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
+
+/// A key that names the file which the motion comes from.
+Field motion_file(VesselMotion motion, const char* text) {
+  const auto take = [motion](VesselDescription& vessel, const FieldValue& file) {
+    vessel.motion = motion;
+    vessel.motion_file = file.text;
+  };
+  return {.path = std::string("vessel.motion.") + word_of(motion),
+          .member = taken_by<VesselDescription>(take),
+          .kind = FieldKind::text,
+          .file = true,
+          .text = text};
+}
+
+VesselDescription& take_harmonic(VesselDescription& vessel, const FieldValue&) {
+  vessel.motion = VesselMotion::harmonic;
+  return vessel;
+}
 
 /// `harmonic: {heave: {amplitude: 1 m, period: 8 s, phase: 0 deg}}` for each degree of freedom.
 std::vector<Field> harmonic_motion() {
@@ -19,12 +38,18 @@ std::vector<Field> harmonic_motion() {
                                                  {"pitch", "Bow down.", "rad", "deg"},
                                                  {"yaw", "Bow to port.", "rad", "deg"}}};
   const std::string p = "vessel.motion.harmonic";
-  std::vector<Field> rows = {
-      {.path = p, .text = "Prescribed motion amplitude * sin(2 pi t / period + phase).", .least = 1}};
+  std::vector<Field> rows = {{.path = p,
+                              .member = opened_by<VesselDescription>(take_harmonic),
+                              .text = "Prescribed motion amplitude * sin(2 pi t / period + phase).",
+                              .least = 1}};
   for (const Freedom& f : kFreedoms) {
     const std::string key = p + "." + f.name;
-    rows.push_back({.path = key, .text = f.text});
+    const auto freedom = [](VesselDescription& vessel, const FieldValue& group) -> HarmonicMotion& {
+      return vessel.harmonic[group.key];
+    };
+    rows.push_back({.path = key, .member = opened_by<VesselDescription>(freedom), .text = f.text});
     rows.push_back({.path = key + ".amplitude",
+                    .member = fills(&HarmonicMotion::amplitude),
                     .kind = FieldKind::quantity,
                     .text = "Amplitude.",
                     .unit = f.unit,
@@ -32,6 +57,7 @@ std::vector<Field> harmonic_motion() {
                     .required = true,
                     .range = {.low = 0.0}});
     rows.push_back({.path = key + ".period",
+                    .member = fills(&HarmonicMotion::period),
                     .kind = FieldKind::quantity,
                     .text = "Period.",
                     .unit = "s",
@@ -39,11 +65,11 @@ std::vector<Field> harmonic_motion() {
                     .required = true,
                     .range = {.low = 0.0, .low_open = true}});
     rows.push_back({.path = key + ".phase",
+                    .member = defaults(&HarmonicMotion::phase),
                     .kind = FieldKind::quantity,
                     .text = "Phase at t = 0.",
                     .unit = "rad",
                     .show = "deg",
-                    .fallback = "0 deg",
                     .range = azimuth()});
   }
   return rows;
@@ -52,46 +78,51 @@ std::vector<Field> harmonic_motion() {
 }  // namespace
 
 std::vector<Field> vessel() {
-  const auto size = [](const std::string& key, const std::string& text, const std::string& fallback) {
+  const auto size = [](const std::string& key, double VesselDescription::*member, const std::string& text) {
     return Field{.path = "vessel." + key,
+                 .member = defaults(member),
                  .kind = FieldKind::quantity,
                  .text = text,
                  .unit = "m",
                  .show = "m",
-                 .fallback = fallback,
                  .range = {.low = 0.0, .high = 1000.0, .low_open = true}};
   };
-  const auto tilt = [](const std::string& key, const std::string& text) {
+  const auto tilt = [](const std::string& key, double VesselDescription::*member, const std::string& text) {
     return Field{.path = "vessel." + key,
+                 .member = defaults(member),
                  .kind = FieldKind::quantity,
                  .text = text,
                  .unit = "rad",
                  .show = "deg",
-                 .fallback = "0 deg",
                  .range = {.low = -45.0 * kDeg, .high = 45.0 * kDeg, .low_open = true, .high_open = true}};
   };
   std::vector<Field> rows = {
       {.path = "vessel",
+       .member = enters(&Description::vessel),
        .text = "The lay vessel. Its frame: origin midship on the water, x forward, z up.",
        .required = true},
-      {.path = "vessel.name", .kind = FieldKind::text, .text = "For the report.", .fallback = "barge"},
-      size("length", "Over all.", "120 m"),
-      size("beam", "Width.", "30 m"),
-      size("depth", "Keel to deck.", "9 m"),
-      size("draught", "Keel to water line.", "5 m"),
+      {.path = "vessel.name",
+       .member = defaults(&VesselDescription::name),
+       .kind = FieldKind::text,
+       .text = "For the report."},
+      size("length", &VesselDescription::length, "Over all."),
+      size("beam", &VesselDescription::beam, "Width."),
+      size("depth", &VesselDescription::depth, "Keel to deck."),
+      size("draught", &VesselDescription::draught, "Keel to water line."),
       {.path = "vessel.heading",
+       .member = defaults(&VesselDescription::heading),
        .kind = FieldKind::quantity,
        .text = "Azimuth of the bow, clockwise from north.",
        .unit = "rad",
        .show = "deg",
-       .fallback = "0 deg",
        .range = azimuth()},
-      tilt("trim", "Static trim, bow up positive, about midship at the water line."),
-      tilt("heel", "Static heel, starboard down positive, about the same point."),
+      tilt("trim", &VesselDescription::trim, "Static trim, bow up positive, about midship at the water line."),
+      tilt("heel", &VesselDescription::heel, "Static heel, starboard down positive, about the same point."),
       {.path = "vessel.stern_shoe",
        .text = "Origin of the ramp/stinger frame, in the vessel's frame.",
        .required = true},
       {.path = "vessel.stern_shoe.x",
+       .member = fills(&VesselDescription::stern_shoe_x),
        .kind = FieldKind::quantity,
        .text = "From midship, forward positive.",
        .unit = "m",
@@ -99,6 +130,7 @@ std::vector<Field> vessel() {
        .required = true,
        .range = {.low = -1000.0, .high = 1000.0}},
       {.path = "vessel.stern_shoe.z",
+       .member = fills(&VesselDescription::stern_shoe_z),
        .kind = FieldKind::quantity,
        .text = "Above the water.",
        .unit = "m",
@@ -106,26 +138,22 @@ std::vector<Field> vessel() {
        .required = true,
        .range = {.low = -1000.0, .high = 1000.0}},
       {.path = "vessel.motion",
+       .member = defaults(&VesselDescription::motion),
        .kind = FieldKind::choice,
        .text = "fixed, or a group with one of the keys below. Only dynamics uses it.",
-       .fallback = "fixed",
-       .choices = {"fixed"}},
+       .choices = {word_of(VesselMotion::fixed)}},
       {.path = "vessel.motion",
        .text = "Where the motion comes from: one of raos, history, coupled, harmonic; and convention if need be.",
        .least = 1,
        .most = 2},
-      {.path = "vessel.motion.raos",
-       .kind = FieldKind::text,
-       .text = "File of response amplitude operators, beside the model file: .csv, .4 (WAMIT) or .yml (OrcaFlex)."},
-      {.path = "vessel.motion.history",
-       .kind = FieldKind::text,
-       .text = "CSV file of motion in time, beside the model file: time_s and any of surge_m to yaw_deg."},
-      {.path = "vessel.motion.coupled",
-       .kind = FieldKind::text,
-       .text = "File of the hull's hydrodynamics, beside the model file: pipe and vessel move together."},
+      motion_file(VesselMotion::raos,
+                  "File of response amplitude operators, beside the model file: .csv, .4 (WAMIT) or .yml (OrcaFlex)."),
+      motion_file(VesselMotion::history,
+                  "CSV file of motion in time, beside the model file: time_s and any of surge_m to yaw_deg."),
+      motion_file(VesselMotion::coupled,
+                  "File of the hull's hydrodynamics, beside the model file: pipe and vessel move together."),
   };
-  const std::vector<Field> harmonic = harmonic_motion();
-  rows.insert(rows.end(), harmonic.begin(), harmonic.end());
+  append(rows, harmonic_motion());
   return rows;
 }
 

@@ -1,7 +1,5 @@
 #include "modelfile/field_table.h"
 
-#include <iterator>
-
 #include "modelfile/field_rows.h"
 
 namespace overbend {
@@ -12,27 +10,38 @@ using namespace field_rows;
 std::vector<Field> head() {
   return {
       {.path = "overbend",
+       .member = read_elsewhere(),
        .kind = FieldKind::integer,
        .text = "Version of the model file's format.",
        .required = true,
        .range = {.low = kFormatVersion, .high = kFormatVersion}},
-      {.path = "title", .kind = FieldKind::text, .text = "Heads the report.", .fallback_text = "name of the file"},
+      {.path = "title",
+       .member = fills(&Description::title),
+       .kind = FieldKind::text,
+       .text = "Heads the report.",
+       .fallback_text = "name of the file"},
   };
 }
 
-Field report_entry(const char* path, const char* text) {
-  return {.path = path, .kind = FieldKind::text, .text = text, .fallback_text = "not shown"};
+Field report_entry(const std::string& key, std::string ReportDescription::*member, const char* text) {
+  return {.path = "report." + key,
+          .member = fills(member),
+          .kind = FieldKind::text,
+          .text = text,
+          .fallback_text = "not shown"};
 }
 
 std::vector<Field> report() {
   return {
-      {.path = "report", .text = "Document control on the first page of the report."},
-      report_entry("report.client", "For whom the analysis is made."),
-      report_entry("report.project", "Name or number of the project."),
-      report_entry("report.document", "Number of the document."),
-      report_entry("report.revision", "Revision of the document."),
-      report_entry("report.prepared", "Who prepared it, and when."),
-      report_entry("report.checked", "Who checked it, and when."),
+      {.path = "report",
+       .member = enters(&Description::report),
+       .text = "Document control on the first page of the report."},
+      report_entry("client", &ReportDescription::client, "For whom the analysis is made."),
+      report_entry("project", &ReportDescription::project, "Name or number of the project."),
+      report_entry("document", &ReportDescription::document, "Number of the document."),
+      report_entry("revision", &ReportDescription::revision, "Revision of the document."),
+      report_entry("prepared", &ReportDescription::prepared, "Who prepared it, and when."),
+      report_entry("checked", &ReportDescription::checked, "Who checked it, and when."),
   };
 }
 
@@ -43,9 +52,9 @@ const std::vector<Field>& field_table() {
     std::vector<Field> table;
     for (auto* part : {head, report, environment, waves, pipe, vessel, motion_convention, tensioner, rollers, supports,
                        analysis, checks}) {
-      const std::vector<Field> rows = part();
-      table.insert(table.end(), rows.begin(), rows.end());
+      append(table, part());
     }
+    for (Field& row : table) complete_from_member(row);
     return table;
   }();
   return kTable;

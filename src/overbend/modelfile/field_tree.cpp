@@ -1,8 +1,9 @@
 #include "modelfile/field_tree.h"
 
 #include <algorithm>
-#include <stdexcept>
 
+#include "base/require.h"
+#include "model/description.h"
 #include "modelfile/field_table.h"
 
 namespace overbend {
@@ -44,8 +45,32 @@ void insert(FieldNode& root, const Field& field) {
   const Field*& slot = field.kind == FieldKind::map    ? node->map
                        : field.kind == FieldKind::list ? node->list
                                                        : node->scalar;
-  if (slot != nullptr) throw std::logic_error("two rows of one shape for " + field.path);
+  if (slot != nullptr) broken_promise("a place has one row of each shape: " + field.path);
   slot = &field;
+}
+
+void check_types(const FieldNode& node, std::type_index owner);
+
+void check_type(const FieldNode& node, const Field* row, std::type_index owner) {
+  if (row == nullptr) return;
+  const Member& member = row->member;
+  const bool container = row == node.map || row == node.list;
+  if (!member.put && !container) broken_promise("every value of the field table fills a member: " + row->path);
+  if (member.put && member.owner != typeid(void) && member.owner != owner) {
+    broken_promise("a row fills a member of what its group fills: " + row->path);
+  }
+  if (!container || (member.put && member.below == typeid(void))) return;  // what is below is read by others
+  const std::type_index below = member.put ? member.below : owner;
+  if (row == node.list) {
+    check_types(*node.item, below);
+  } else {
+    for (const auto& child : node.members) check_types(*child, below);
+  }
+}
+
+/// Holds each row to the type of the object that it will be given.
+void check_types(const FieldNode& node, std::type_index owner) {
+  for (const Field* row : {node.scalar, node.map, node.list}) check_type(node, row, owner);
 }
 
 }  // namespace
@@ -55,7 +80,7 @@ const Field& FieldNode::first() const {
   for (const Field* row : {scalar, map, list}) {
     if (row != nullptr && (best == nullptr || row < best)) best = row;  // rows lie in one array, in table order
   }
-  if (best == nullptr) throw std::logic_error("no row in the field table for " + key);
+  if (best == nullptr) broken_promise("every place has a row in the field table: " + key);
   return *best;
 }
 
@@ -82,9 +107,19 @@ const FieldNode& field_tree() {
     FieldNode root;
     root.map = &kRoot;
     for (const Field& field : field_table()) insert(root, field);
+    check_types(root, typeid(Description));
     return root;
   }();
   return kTree;
+}
+
+const FieldNode& field_node(const std::string& path) {
+  const FieldNode* node = &field_tree();
+  for (const std::string& part : split_path(path)) {
+    node = part == "[]" ? node->item.get() : node->member(part);
+    if (node == nullptr) broken_promise("the field table has the path " + path);
+  }
+  return *node;
 }
 
 }  // namespace overbend

@@ -31,4 +31,7 @@ struct FieldNode {
 /// The tree of field_table(); its root has the keys of the top level.
 const FieldNode& field_tree();
 
+/// The place of that path in the tree, as the table writes it.
+const FieldNode& field_node(const std::string& path);
+
 }  // namespace overbend

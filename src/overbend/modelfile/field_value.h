@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/words.h"
 #include "base/yaml_document.h"
 #include "modelfile/field_tree.h"
 
@@ -35,6 +36,12 @@ struct FieldValue {
   std::optional<double> get_number(const std::string& below) const;
   std::optional<std::int64_t> get_integer(const std::string& below) const;
   std::optional<std::string> get_text(const std::string& below) const;
+  /// Choice below as the enumerator that it names.
+  template <HasWords Enum>
+  std::optional<Enum> get_word(const std::string& below) const {
+    const std::optional<std::string> word = get_text(below);
+    return word ? from_word<Enum>(*word) : std::nullopt;
+  }
 };
 
 /// Checks a YAML tree against the field table: shapes, units, ranges, unknown and missing keys. Everything found wrong

@@ -1,4 +1,5 @@
 #include "base/units.h"
+#include "model/description_words.h"
 #include "model/moment_curve.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/model_checks.h"
@@ -47,27 +48,27 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
 void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {
   const FieldValue* material = section.find("steel.material");
   if (material == nullptr) return;
-  const std::string law = material->get_text("law").value_or("");
-  const double modulus = steel_number(section, pipe, "youngs_modulus", 207e9);
+  const auto law = material->get_word<MaterialLaw>("law");
+  const double modulus = steel_number(section, pipe, "youngs_modulus", SteelDescription{}.youngs_modulus);
   const double yield = steel_number(section, pipe, "yield_stress", 0.0);
   const std::vector<FieldValue>& stress_strain = Checker::items(*material, "stress_strain");
   const std::vector<FieldValue>& moment_curvature = Checker::items(*material, "moment_curvature");
   const bool exponent = material->mentions("hardening_exponent"), curve = material->mentions("stress_strain");
   const bool a = material->mentions("moment_coefficient"), b = material->mentions("moment_exponent");
-  if (law == "ramberg_osgood" && !exponent) {
+  if (law == MaterialLaw::ramberg_osgood && !exponent) {
     check.missing(*material, "hardening_exponent", "the exponent n of the stress-strain law, often 15 to 25");
   }
-  if (law == "stress_strain" && !curve) {
+  if (law == MaterialLaw::stress_strain && !curve) {
     check.missing(*material, "stress_strain", "the points of a tension test");
   }
-  if (law == "moment_curvature" && !material->mentions("moment_curvature")) {
+  if (law == MaterialLaw::moment_curvature && !material->mentions("moment_curvature")) {
     check.missing(*material, "moment_curvature", "the points of the pipe's moment over curvature");
   }
-  if (law == "moment_ramberg_osgood" && a != b) {
+  if (law == MaterialLaw::moment_ramberg_osgood && a != b) {
     check.missing(*material, a ? "moment_exponent" : "moment_coefficient",
                   "both A and B, or neither to have them fitted");
   }
-  if (law == "moment_ramberg_osgood" && !a && !b && !exponent && !curve) {
+  if (law == MaterialLaw::moment_ramberg_osgood && !a && !b && !exponent && !curve) {
     check.missing(*material, "moment_coefficient",
                   "A and B, or a hardening_exponent or stress_strain that they can be fitted to");
   }

@@ -4,7 +4,10 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "model/description_words.h"
+#include "modelfile/binding.h"
 #include "modelfile/check_helper.h"
+#include "modelfile/field_table.h"
 
 namespace overbend {
 namespace {
@@ -111,9 +114,8 @@ void check_tension(Checker& check) {
 void check_tensioner_range(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   if (tensioner == nullptr) return;
-  const FieldValue* mode = tensioner->find("mode");
   const FieldValue* range = tensioner->find("range");
-  if (!tensioner->mentions("range") && mode != nullptr && mode->text == "controlled") {
+  if (!tensioner->mentions("range") && tensioner->get_word<TensionerMode>("mode") == TensionerMode::controlled) {
     check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
                   "a controlled tensioner works to keep its range");
   }
@@ -136,9 +138,8 @@ void check_tensioner_range(Checker& check) {
 void check_tensioner_mode(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner");
   if (tensioner == nullptr || check.root().find("analysis.dynamic") == nullptr) return;
-  const FieldValue* mode = tensioner->find("mode");
-  const bool by_name = mode != nullptr && mode->given;
-  const bool controlled = by_name ? mode->text == "controlled" : tensioner->mentions("range");
+  const auto mode = tensioner->get_word<TensionerMode>("mode");
+  const bool controlled = mode ? *mode == TensionerMode::controlled : tensioner->mentions("range");
   const auto velocity = check.root().get_number("tensioner.velocity");
   if (controlled && velocity.value_or(0.0) <= 0.0) {
     check.warn(*tensioner, "a controlled tensioner without velocity never moves: dynamics holds it as a locked brake");
@@ -179,13 +180,11 @@ void check_vessel(Checker& check) {
 
 /// Files that only dynamics reads: their absence is told, but statics goes on.
 void check_files(Checker& check, const std::string& file) {
-  for (const char* key :
-       {"vessel.motion.raos", "vessel.motion.history", "vessel.motion.coupled", "environment.waves.spectrum_file"}) {
-    const FieldValue* value = check.root().find(key);
+  for (const Field& row : field_table()) {
+    const FieldValue* value = row.file ? check.root().find(row.path) : nullptr;
     if (value == nullptr) continue;
-    const std::filesystem::path path = std::filesystem::path(file).parent_path() / value->text;
     std::error_code fault;
-    if (!std::filesystem::exists(path, fault)) {
+    if (!std::filesystem::exists(resolved_file(value->text, file), fault)) {
       check.warn(*value, "the file " + value->shown + " is not there; dynamics will need it");
     }
   }

@@ -3,17 +3,16 @@
 #include <set>
 
 #include "base/text.h"
+#include "model/description_words.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/model_checks.h"
 
 namespace overbend {
 namespace {
 
-struct StructureName {
-  const char* path;
-  const char* word;
-};
-constexpr StructureName kStructures[] = {{"supports.ramp", "ramp"}, {"supports.stinger", "stinger"}};
+std::string path_of(Structure structure) {
+  return std::string("supports.") + word_of(structure);
+}
 
 /// "box 'ramp 3'" or, without a name, "the box before".
 std::string box_words(const FieldValue& box) {
@@ -26,8 +25,8 @@ void check_order(Checker& check) {
   const FieldValue* tensioner = check.root().find("tensioner.x");
   const FieldValue* before = tensioner;
   std::string before_words = "the tensioner";
-  for (const StructureName& structure : kStructures) {
-    const FieldValue* group = check.root().find(structure.path);
+  for (const auto& [structure, word] : kWords<Structure>) {
+    const FieldValue* group = check.root().find(path_of(structure));
     if (group == nullptr) continue;
     for (const FieldValue& box : Checker::items(*group, "boxes")) {
       const FieldValue* x = box.find("x");
@@ -44,14 +43,13 @@ void check_order(Checker& check) {
 
 void check_names(Checker& check) {
   std::map<std::string, int> lines;
-  for (const StructureName& structure : kStructures) {
-    const FieldValue* group = check.root().find(structure.path);
+  for (const auto& [structure, word] : kWords<Structure>) {
+    const FieldValue* group = check.root().find(path_of(structure));
     if (group == nullptr) continue;
     int number = 0;
     for (const FieldValue& box : Checker::items(*group, "boxes")) {
       const FieldValue* given = box.find("name");
-      const std::string name =
-          given != nullptr ? given->text : std::string(structure.word) + " " + std::to_string(number + 1);
+      const std::string name = given != nullptr ? given->text : std::string(word) + " " + std::to_string(number + 1);
       ++number;
       const auto [first, fresh] = lines.emplace(name, box.line);
       if (fresh) continue;
@@ -98,8 +96,8 @@ void check_rollers(Checker& check) {
   if (check.root().find("rollers") == nullptr && check.root().mentions("rollers")) return;
   const std::vector<std::string> kinds = roller_kinds(check.root());
   std::set<std::string> used;
-  for (const StructureName& structure : kStructures) {
-    const FieldValue* group = check.root().find(structure.path);
+  for (const auto& [structure, word] : kWords<Structure>) {
+    const FieldValue* group = check.root().find(path_of(structure));
     if (group == nullptr) continue;
     const FieldValue* common = group->find("roller");
     if (common != nullptr) {
@@ -113,7 +111,7 @@ void check_rollers(Checker& check) {
         check_kind_is_known(check, *own, kinds);
       } else if (!group->mentions("roller") && !box.mentions("roller")) {
         check.missing(box, "roller", "the name of a kind of roller row",
-                      std::string("give it here or once for all boxes under ") + structure.path);
+                      "give it here or once for all boxes under " + path_of(structure));
       }
       check_rows_have_room(check, box, *group);
     }

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/units.h"
+#include "model/description_words.h"
 #include "model/wave_theory.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/model_checks.h"
@@ -21,7 +22,7 @@ constexpr double kShallowBreaking = 0.78;
 constexpr double kSteepSea = 3.6;
 
 struct WaveKeys {
-  const char* type;
+  WaveType type;
   std::vector<std::string> needed;   ///< Without them there is no such wave.
   std::vector<std::string> allowed;  ///< Besides.
 };
@@ -29,11 +30,11 @@ struct WaveKeys {
 const std::vector<WaveKeys>& wave_keys() {
   static const std::vector<std::string> kSpread{"spreading", "components", "seed"};
   static const std::vector<WaveKeys> kKeys{
-      {"airy", {"height", "period"}, {"phase"}},
-      {"stokes5", {"height", "period"}, {"phase"}},
-      {"jonswap", {"hs", "tp"}, {"gamma", "spreading", "components", "seed"}},
-      {"pierson_moskowitz", {"hs", "tp"}, kSpread},
-      {"user", {"spectrum_file"}, kSpread},
+      {WaveType::airy, {"height", "period"}, {"phase"}},
+      {WaveType::stokes5, {"height", "period"}, {"phase"}},
+      {WaveType::jonswap, {"hs", "tp"}, {"gamma", "spreading", "components", "seed"}},
+      {WaveType::pierson_moskowitz, {"hs", "tp"}, kSpread},
+      {WaveType::user, {"spectrum_file"}, kSpread},
   };
   return kKeys;
 }
@@ -44,18 +45,18 @@ bool holds(const std::vector<std::string>& words, const std::string& word) {
 
 void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
   for (const std::string& key : keys.needed) {
-    if (!waves.mentions(key)) check.missing(waves, key, std::string("it for waves of type ") + keys.type);
+    if (!waves.mentions(key)) check.missing(waves, key, std::string("it for waves of type ") + word_of(keys.type));
   }
   for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
     const FieldValue* extra = waves.find(key);
     if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
-    check.warn(*extra, std::string("has no meaning for waves of type ") + keys.type + " and is left unused");
+    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is left unused");
   }
 }
 
 /// Length of the regular wave by its own theory; none when the theory has no such wave.
-std::optional<double> wave_length(const std::string& type, double height, double period, double depth) {
-  if (type == "airy") return kTurn / linear_wave_number(kTurn / period, depth);
+std::optional<double> wave_length(WaveType type, double height, double period, double depth) {
+  if (type == WaveType::airy) return kTurn / linear_wave_number(kTurn / period, depth);
   try {
     return kTurn / stokes_wave_number(height, period, depth);
   } catch (const std::domain_error&) {
@@ -63,7 +64,7 @@ std::optional<double> wave_length(const std::string& type, double height, double
   }
 }
 
-void check_regular(Checker& check, const FieldValue& waves, const std::string& type, double depth) {
+void check_regular(Checker& check, const FieldValue& waves, WaveType type, double depth) {
   const FieldValue* height = waves.find("height");
   const auto period = waves.get_number("period");
   if (height == nullptr || !period) return;
@@ -77,7 +78,7 @@ void check_regular(Checker& check, const FieldValue& waves, const std::string& t
     return;
   }
   const double ursell = ursell_number(height->number, length, depth);
-  if (type == "stokes5" && ursell > kStokesUrsell) {
+  if (type == WaveType::stokes5 && ursell > kStokesUrsell) {
     check.error(*height, height->shown + ", for which H L^2/d^3 is " + format_number(ursell, 3),
                 "at most " + format_number(kStokesUrsell),
                 "so long a wave" + in_depth + " is beyond Stokes' theory; type airy, a lower or a shorter wave is not");
@@ -98,17 +99,17 @@ void check_sea(Checker& check, const FieldValue& waves) {
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);
   const FieldValue* waves = root.find("environment.waves");
-  const FieldValue* type = waves != nullptr ? waves->find("type") : nullptr;
-  if (type == nullptr || type->text == "none") return;
+  const auto type = waves != nullptr ? waves->get_word<WaveType>("type") : std::nullopt;
+  if (!type || *type == WaveType::none) return;
   for (const WaveKeys& keys : wave_keys()) {
-    if (type->text == keys.type) check_keys(check, *waves, keys);
+    if (*type == keys.type) check_keys(check, *waves, keys);
   }
   const FieldValue* from = waves->find("from");
   if (from != nullptr && !from->given) check.warn(*waves, "no direction given (from): the waves come from the north");
   const auto depth = root.get_number("environment.water_depth");
-  if (type->text == "airy" || type->text == "stokes5") {
-    if (depth) check_regular(check, *waves, type->text, *depth);
-  } else if (type->text != "user") {
+  if (*type == WaveType::airy || *type == WaveType::stokes5) {
+    if (depth) check_regular(check, *waves, *type, *depth);
+  } else if (*type != WaveType::user) {
     check_sea(check, *waves);
   }
 }

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "base/yaml_document.h"
+#include "modelfile/binding.h"
 #include "modelfile/field_tree.h"
 #include "modelfile/field_value.h"
-#include "modelfile/model_binder.h"
 #include "modelfile/model_checks.h"
 #include "modelfile/motion_files.h"
 #include "seafiles/spectrum_reader.h"

@@ -1,7 +1,6 @@
 #include "serve/model_fields.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "modelfile/field_tree.h"
@@ -12,11 +11,6 @@ namespace overbend {
 namespace {
 
 using Kind = YamlNode::Kind;
-
-const char* kind_name(FieldKind kind) {
-  constexpr std::array kNames = {"map", "list", "quantity", "number", "integer", "text", "choice"};
-  return kNames[static_cast<std::size_t>(kind)];
-}
 
 Json text_or_null(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
@@ -88,7 +82,7 @@ class Lister {
   void add(const Field& row, const YamlNode* node, int line, const std::string& path) {
     const bool scalar = node != nullptr && node->kind == Kind::scalar;
     Json item = {{"path", path},
-                 {"kind", kind_name(row.kind)},
+                 {"kind", word_of(row.kind)},
                  {"value", scalar ? Json(node->text) : Json(nullptr)},
                  {"si", scalar ? si_value(*node, row) : Json(nullptr)},
                  {"unit", text_or_null(row.show)},

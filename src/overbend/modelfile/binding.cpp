@@ -1,0 +1,59 @@
+#include "modelfile/binding.h"
+
+#include <filesystem>
+
+namespace overbend {
+namespace {
+
+const Field& row_of(const FieldNode& node, const FieldValue& value) {
+  const Field* row = node.scalar;
+  if (value.kind == FieldValue::Kind::map) row = node.map;
+  if (value.kind == FieldValue::Kind::list) row = node.list;
+  require(row != nullptr, "a checked value has the shape of one of its rows");
+  return *row;
+}
+
+Target put(const Field& row, const FieldValue& value, Target& owner, const std::string& source_file) {
+  if (!row.file) return row.member.put(owner, value);
+  FieldValue file = value;
+  file.text = resolved_file(value.text, source_file);
+  return row.member.put(owner, file);
+}
+
+void bind_value(const FieldNode& node, const FieldValue& value, Target& target, const std::string& source_file) {
+  if (!value.given) return;
+  const Field& row = row_of(node, value);
+  Target below = row.member.put ? put(row, value, target, source_file) : target;
+  if (!below.has_value()) return;
+  if (value.kind == FieldValue::Kind::map) bind_members(node, value, below, source_file);
+  if (value.kind == FieldValue::Kind::list) {
+    for (const FieldValue& item : value.children) bind_value(*node.item, item, below, source_file);
+  }
+}
+
+}  // namespace
+
+// In the order of the table, not of the file: a row may build on what is above it.
+void bind_members(const FieldNode& node, const FieldValue& group, Target target, const std::string& source_file) {
+  for (const auto& member : node.members) {
+    for (const FieldValue& value : group.children) {
+      if (member->key == value.key || member->key == "*") bind_value(*member, value, target, source_file);
+    }
+  }
+}
+
+Description bind_model(const FieldValue& root, const std::string& source_file) {
+  Description description;
+  description.source_file = source_file;
+  description.title = std::filesystem::path(source_file).stem().string();
+  bind_members(field_tree(), root, &description, source_file);
+  return description;
+}
+
+std::string resolved_file(const std::string& file, const std::string& source_file) {
+  const std::filesystem::path path(file);
+  if (path.is_absolute()) return file;
+  return (std::filesystem::path(source_file).parent_path() / path).lexically_normal().string();
+}
+
+}  // namespace overbend
