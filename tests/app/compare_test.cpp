@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/child_program.h"
-#include "app/compare_gather.h"
+#include "study/compare_gather.h"
 #include "app/program.h"
 #include "app/small_lay.h"
 #include "support/csv_text.h"

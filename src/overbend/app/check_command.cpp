@@ -7,11 +7,11 @@
 #include <numbers>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
 #include "report/warning_weight.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "app/exit_code.h"
 #include "results/check_results.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 

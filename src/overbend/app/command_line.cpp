@@ -10,11 +10,11 @@
 
 #include "app/commands.h"
 #include "app/described_commands.h"
+#include "app/exit_code.h"
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
 #include "runstore/append_file.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 namespace {

@@ -10,6 +10,10 @@
 
 namespace overbend {
 
+/// The simulated time of --duration [s]; empty text: nothing. Throws std::invalid_argument, with what to tell, where it
+/// is no time.
+std::optional<double> duration_of(const std::string& text);
+
 /// Reads a model; on failure every fault is told on stderr and nothing is returned.
 std::optional<Description> load_model(const std::string& path);
 

@@ -1,26 +1,20 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
+#include <stdexcept>
 
 #include "app/check_lines.h"
 #include "app/commands.h"
-#include "app/dynamic_seeds.h"
-#include "app/finished_mark.h"
-#include "app/interruption.h"
-#include "app/prepared_case.h"
-#include "app/progress.h"
+#include "app/follow_study.h"
+#include "app/seeds_lines.h"
 #include "app/warning_lines.h"
 #include "resultfiles/dynamic_reader.h"
-#include "runstore/run_store.h"
 
 namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 void number(const std::string& name, double value, const char* unit, int digits = 2) {
   std::cout << fmt::format("  {:<28}{:>12.{}f} {}\n", name, value, digits, unit);
@@ -56,35 +50,6 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << warning_lines(r.warnings);
 }
 
-int refuse(const std::string& why) {
-  std::cerr << "overbend: " << why << "\n";
-  return kWrongInput;
-}
-
-/// Follows the run: progress, checkpoints, interruption.
-class Watch {
- public:
-  Watch(const DynamicOptions& options, double checkpoint_every)
-      : progress_(-options.build_up, options.duration), every_(checkpoint_every), last_(Clock::now()) {}
-
-  DynamicControl operator()(const DynamicProgress& at) {
-    progress_.show(at.time, fmt::format("t = {:.1f} s  tension {:.1f} kN", at.time, at.top_tension / 1e3));
-    if (Interruption::wanted()) {
-      return DynamicControl::stop;
-    }
-    if (std::chrono::duration<double>(Clock::now() - last_).count() < every_) {
-      return DynamicControl::go_on;
-    }
-    last_ = Clock::now();
-    return DynamicControl::checkpoint;
-  }
-
- private:
-  Progress progress_;
-  double every_;
-  Clock::time_point last_;
-};
-
 /// Where there is nothing left to run: says so and shows what it gave.
 int tell_finished(const fs::path& folder, bool strict) {
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
@@ -96,70 +61,47 @@ int tell_finished(const fs::path& folder, bool strict) {
 }
 
 /// One run straight into the folder.
-int run_one(const DynamicCase& shared, const fs::path& folder, const DynamicArguments& arguments, bool resume) {
-  if (!resume) unmark(folder);
-  if (resume) {
-    try {
-      const fs::path results = folder / "results.h5";  // another command may have written it since
-      if (is_finished(folder, shared.input) && fs::exists(results) && has_dynamic(results)) {
-        return tell_finished(folder, arguments.strict);
-      }
-    } catch (const std::runtime_error& fault) {  // of another model, or results that somebody has taken away
-      return refuse(fault.what());
-    }
-    const std::optional<StoredRun> stored = RunStore::find(folder);
-    if (!stored) std::cerr << fmt::format("There is no unfinished run in {}: begins anew.\n", folder.string());
-    if (stored && stored->fault.empty()) std::cerr << fmt::format("Goes on from t = {:.1f} s.\n", stored->time);
-  }
-  const DynamicOptions options = dynamic_options(shared.model);
-  std::mutex writing;
-  RealisationEnd end;
-  {
-    const Interruption interruption;
-    Watch watch(options, arguments.checkpoint_every);
-    end = run_realisation(shared, folder, options.seed, resume, std::ref(watch), writing);
-  }
-  if (end.code != kDone) {
-    std::cerr << "overbend: " << end.why << "\n";
-    return end.code;
-  }
-  mark_finished(folder, shared.input);
-  print_results(shared.statics, *end.results);
+int tell_single(const StudyEnd& end, const fs::path& folder, bool strict) {
+  if (end.ending != RunEnding::done) return tell(end);
+  if (!end.single.end.results) return tell_finished(folder, strict);
+  print_results(end.statics, *end.single.end.results);
   std::cout << "Results are in " << folder.string() << "\n";
-  return strict_code(end.results->checks, arguments.strict);
+  return strict_code(end.single.end.results->checks, strict);
 }
 
-std::optional<std::string> twice(std::vector<std::uint64_t> seeds) {
-  std::sort(seeds.begin(), seeds.end());
-  const auto found = std::adjacent_find(seeds.begin(), seeds.end());
-  if (found == seeds.end()) return std::nullopt;
-  return fmt::format("analysis.dynamic.seeds: {} is given twice", *found);
+StudyPlan plan_of(const Description& description, const DynamicArguments& arguments) {
+  const std::optional<double> duration = duration_of(arguments.duration);
+  if (!description.dynamics || description.dynamics->seeds.size() < 2) return plan_single(duration);
+  std::variant<StudyPlan, std::string> plan = plan_seeds(description.dynamics->seeds, duration);
+  if (const auto* fault = std::get_if<std::string>(&plan)) throw std::invalid_argument(*fault);
+  return std::get<StudyPlan>(plan);
 }
 
-int run_in(const fs::path& folder, const Description& description, const DynamicArguments& arguments) {
-  std::vector<std::uint64_t> seeds;
-  if (description.dynamics) seeds = description.dynamics->seeds;
-  if (const std::optional<std::string> fault = twice(seeds)) return refuse(*fault);
-  const std::vector<fs::path> folders = seeds.size() < 2 ? std::vector{folder} : seed_folders(folder, seeds);
-  const std::optional<bool> resume = goes_on(folders, arguments.take_up);
+int run_plan(const Description& description, const StudyPlan& plan, const fs::path& folder,
+             const DynamicArguments& arguments) {
+  const std::optional<bool> resume = goes_on(case_folders(plan, folder), arguments.take_up);
   if (!resume) return kWrongInput;
-  ExitCode code = kDone;
-  const std::unique_ptr<PreparedCase> prepared = prepare_case(description, code);
-  if (!prepared) return code;
-  const DynamicCase shared = prepared->shared();
-  if (seeds.size() < 2) return run_one(shared, folder, arguments, *resume);
-  return run_seeds(shared, seeds, folder, {*resume, arguments.checkpoint_every, arguments.threads, arguments.strict});
+  const CaseOptions options{*resume, arguments.checkpoint_every, arguments.threads};
+  const StudyEnd end = follow_study(description, plan, folder, options, "seeds");
+  return plan.kind == StudyKind::single ? tell_single(end, folder, arguments.strict)
+                                        : tell_seeds(end, folder, arguments.strict);
 }
 
 }  // namespace
 
 int run_dynamic(const DynamicArguments& arguments) {
-  std::optional<Description> description = load_model(arguments.model_file);
-  if (!description || !set_duration(*description, arguments.duration)) return kWrongInput;
+  const std::optional<Description> description = load_model(arguments.model_file);
+  if (!description) return kWrongInput;
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".results")
                               : fs::path(arguments.output);
-  return run_in(folder, *description, arguments);
+  StudyPlan plan;
+  try {
+    plan = plan_of(*description, arguments);
+  } catch (const std::invalid_argument& fault) {
+    return tell({RunEnding::wrong_input, fault.what()});
+  }
+  return run_plan(*description, plan, folder, arguments);
 }
 
 }  // namespace overbend

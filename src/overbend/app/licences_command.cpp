@@ -1,8 +1,8 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "serve/page_files.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 

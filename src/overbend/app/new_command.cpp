@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "app/new_questions.h"
-#include "study/exit_code.h"
 #include "study/new_lay.h"
 
 namespace overbend {

@@ -4,9 +4,9 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/results_reader.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 

@@ -1,9 +1,9 @@
 #include <iostream>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "modelfile/json_schema.h"
 #include "modelfile/reference_page.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 

@@ -8,9 +8,9 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/exit_code.h"
 #include "app/interruption.h"
 #include "serve/server.h"
-#include "study/exit_code.h"
 
 namespace overbend {
 namespace {

@@ -5,13 +5,13 @@
 
 #include "app/check_lines.h"
 #include "app/commands.h"
-#include "app/prepared_case.h"
+#include "app/exit_code.h"
 #include "app/warning_lines.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
 #include "statics/recovery.h"
 #include "statics/statics.h"
-#include "study/exit_code.h"
+#include "study/prepared_case.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -71,14 +71,13 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   if (!description) return kWrongInput;
   const Model model = build_model(*description);
   const StaticOutcome outcome = solve_statics(model);
-  if (outcome.failure) return tell_failure(*outcome.failure);
+  if (outcome.failure) return tell(failed_end(*outcome.failure));
   const StaticResults results = recover_statics(model, *outcome.solution);
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   try {
     write_static_run(results, *description, folder);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
-    std::cerr << "overbend: " << fault.what() << "\n";
-    return kWrongInput;
+    return tell({RunEnding::wrong_input, fault.what()});
   }
   print_results(results);
   std::cout << "Results are in " << folder.string() << "\n";

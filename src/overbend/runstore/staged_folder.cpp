@@ -201,7 +201,7 @@ void remove_results(const fs::path& folder) noexcept {
   const WrittenFiles written = read_written(folder);
   for (const std::string& name : written.files) fs::remove(folder / name, ignored);
   for (const std::string& name : written.folders) remove_results(folder / name);
-  for (const char* name : {".finished", ".finished.new", kWrittenFiles}) fs::remove(folder / name, ignored);
+  for (const char* name : {"run.json", kWrittenFiles}) fs::remove(folder / name, ignored);
   fs::remove_all(folder / ".run", ignored);
   fs::remove(folder, ignored);
 }

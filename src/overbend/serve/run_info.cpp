@@ -1,31 +1,22 @@
 #include "serve/run_info.h"
 
-#include <array>
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 
 #include "report/json_number.h"
-#include "resultfiles/results_writer.h"
-#include "runstore/append_file.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
+#include "study/compare_variants.h"
+#include "study/study.h"
 
 namespace overbend {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array kStates = {"queued", "running", "done", "failed", "cancelled"};
-
 Json read_json(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   return stream ? Json::parse(stream, nullptr, false) : Json();
-}
-
-RunState state_of(const std::string& name) {
-  for (std::size_t i = 0; i < kStates.size(); ++i) {
-    if (kStates[i] == name) return static_cast<RunState>(i);
-  }
-  return RunState::failed;
 }
 
 double modified(const fs::path& file) {
@@ -40,27 +31,32 @@ bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
   return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
 }
 
+/// A record of an older program, or of none, does not say of what the study is.
+void learn(RunInfo& run, const Json& summary) {
+  run.title = summary.value("title", "");
+  run.kind = summary.contains("comparison") ? "comparison"
+             : summary.contains("seeds")    ? "seeds"
+             : summary.contains("dynamic")  ? "dynamic"
+                                            : "static";
+  if (run.kind == "comparison") run.of = summary["comparison"].value("of", "");
+  if (run.kind != "seeds" || !run.seeds.empty()) return;
+  for (const char* list : {"runs", "failed"}) {
+    for (const Json& seed : summary["seeds"][list]) run.seeds.push_back(seed["seed"].get<std::uint64_t>());
+  }
+}
+
 std::optional<RunInfo> find_run(const fs::path& folder) {
-  const fs::path summary_file = folder / "summary.json";
-  const Json note = read_json(folder / "run.json"), summary = read_json(summary_file);
-  if (!note.is_object() && !summary.is_object()) return std::nullopt;
+  std::error_code none;
+  const fs::path compared = folder / "comparison.json";
+  const fs::path summary_file = fs::exists(compared, none) ? compared : folder / "summary.json";
+  const std::optional<RunRecord> record = read_record(folder);
+  const Json summary = read_json(summary_file);
+  if (!record && !summary.is_object()) return std::nullopt;
   RunInfo run;
   run.id = folder.filename().string();
-  if (note.is_object()) {
-    run.title = note.value("title", "");
-    run.kind = note.value("kind", "static");
-    run.state = state_of(note.value("state", ""));
-    run.started = note.value("started", 0.0);
-    run.message = note.value("message", "");
-    run.name = note.value("name", "");
-    run.note = note.value("note", "");
-    run.model_path = note.value("model_path", "");
-    run.progress = note.value("progress", 0.0);
-    run.duration = note.value("duration", 0.0);
-  }
+  if (record) static_cast<RunRecord&>(run) = *record;
   if (summary.is_object()) {
-    run.title = summary.value("title", "");
-    run.kind = summary.contains("dynamic") ? "dynamic" : "static";
+    learn(run, summary);
     run.has_results = true;
     if (!cancelled_on_the_way(run, folder)) {
       run.state = RunState::done;
@@ -71,17 +67,64 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     run.state = RunState::cancelled;
     run.message = "the program ended before the run";
   }
-  run.resumable = run.state != RunState::done && can_be_resumed(folder);
+  run.resumable = run.state != RunState::done && can_be_resumed(run, folder.parent_path());
   return run;
+}
+
+/// The cases as their own folders say how they stand.
+std::vector<RunInfo> find_cases(const RunInfo& study, const fs::path& runs) {
+  std::vector<RunInfo> cases = cases_of(study);
+  for (RunInfo& one : cases) {
+    one.state = RunState::cancelled;
+    std::optional<RunInfo> found = find_run(folder_of(one, runs));
+    if (!found) continue;
+    found->id = one.id;
+    found->parent = one.parent;
+    found->title = one.title;
+    found->model_path = one.model_path;
+    found->started = one.started;
+    found->resumable = false;  // the study is
+    one = std::move(*found);
+  }
+  return cases;
+}
+
+bool has_checkpoint(const fs::path& folder) {
+  const std::optional<StoredRun> stored = RunStore::find(folder);
+  return stored && stored->fault.empty();
 }
 
 }  // namespace
 
+std::vector<RunInfo> cases_of(const RunInfo& study) {
+  std::vector<Case> cases;
+  if (study.kind == "seeds") cases = seed_cases(study.seeds);
+  if (study.kind == "comparison") cases = variants_of(comparison_of(study.of).value_or(ComparisonOf::tensioner));
+  std::vector<RunInfo> list;
+  for (const Case& one : cases) {
+    RunInfo run;
+    run.id = study.id + "~" + one.name;
+    run.parent = study.id;
+    run.kind = "dynamic";
+    run.title = one.words;
+    run.model_path = study.model_path;
+    run.started = study.started;
+    list.push_back(std::move(run));
+  }
+  return list;
+}
+
+fs::path folder_of(const RunInfo& run, const fs::path& runs) {
+  return run.parent.empty() ? runs / run.id : runs / run.parent / run.id.substr(run.parent.size() + 1);
+}
+
 Json run_json(const RunInfo& run) {
   Json json = {{"id", run.id},
+               {"parent", run.parent},
                {"title", run.title},
                {"kind", run.kind},
-               {"state", kStates[static_cast<std::size_t>(run.state)]},
+               {"of", run.of},
+               {"state", word(run.state)},
                {"progress", seven_digits(run.progress)},
                {"started", run.started},
                {"message", run.message},
@@ -98,11 +141,15 @@ Json run_json(const RunInfo& run) {
   return json;
 }
 
-bool can_be_resumed(const fs::path& folder) {
+bool can_be_resumed(const RunInfo& run, const fs::path& runs) {
   std::error_code ignored;
-  if (!fs::exists(folder / kModelCopy, ignored)) return false;
-  const std::optional<StoredRun> stored = RunStore::find(folder);
-  return stored && stored->fault.empty();
+  if (!fs::exists(folder_of(run, runs) / kModelCopy, ignored)) return false;
+  if (!run.is_study()) return has_checkpoint(folder_of(run, runs));
+  return std::ranges::any_of(cases_of(run), [&](const RunInfo& one) {
+    const fs::path folder = folder_of(one, runs);
+    const std::optional<RunRecord> record = read_record(folder);
+    return has_checkpoint(folder) || (record && !record->input.empty());
+  });
 }
 
 double seconds_since_1970() {
@@ -110,15 +157,13 @@ double seconds_since_1970() {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
 }
 
-void write_note(const RunInfo& run, const fs::path& folder) {
-  RunInfo lasting = run;
-  lasting.now.reset();
-  const fs::path beside = folder / "run.json.part";
-  Json note = run_json(lasting);
-  note["model_path"] = run.model_path;
-  note["duration"] = run.duration;
-  write_text(beside, note.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  fs::rename(beside, folder / "run.json");
+void keep_record(const RunInfo& run, const fs::path& folder) {
+  change_record(folder, [&](RunRecord& record) {
+    const std::string input = std::move(record.input), program = std::move(record.program);
+    record = run;
+    record.input = input;
+    record.program = program;
+  });
 }
 
 std::vector<RunInfo> find_runs(const fs::path& folder) {
@@ -128,7 +173,11 @@ std::vector<RunInfo> find_runs(const fs::path& folder) {
     if (!entry.is_directory(fault)) continue;
     clear_leftovers(entry.path());  // of a program that was killed: nobody writes into an old run again
     try {
-      if (std::optional<RunInfo> run = find_run(entry.path())) runs.push_back(std::move(*run));
+      const std::optional<RunInfo> run = find_run(entry.path());
+      if (!run) continue;
+      const std::vector<RunInfo> cases = find_cases(*run, folder);
+      runs.push_back(*run);
+      runs.insert(runs.end(), cases.begin(), cases.end());
     } catch (const std::exception&) {
       continue;  // a file that only looks like ours
     }

@@ -7,10 +7,9 @@
 #include <vector>
 
 #include "serve/http.h"
+#include "study/run_folder.h"
 
 namespace overbend {
-
-enum class RunState { queued, running, done, failed, cancelled };
 
 /// How a run in time stands.
 struct RunNow {
@@ -19,37 +18,40 @@ struct RunNow {
   double worst_stress = 0.0;     ///< Largest von Mises stress of the line off the seabed [Pa].
 };
 
-struct RunInfo {
-  std::string id;  ///< Name of its folder.
-  std::string title, kind;
-  std::string name, note;  ///< The user's; empty until he gives them.
-  std::string model_path;  ///< Of the model's file, or where it would lie: files it mentions lie beside.
-  RunState state = RunState::queued;
-  double progress = 0.0;     ///< 0 to 1.
-  double started = 0.0;      ///< Seconds since 1970.
-  std::string message;       ///< Why it failed, and the like.
+/// With its record, which is what stays of it on disk.
+struct RunInfo : RunRecord {
+  std::string id;            ///< Name of its folder; of a case of a study "STUDY~CASE".
+  std::string parent;        ///< Of a case: id of the study.
   bool has_results = false;  ///< Of the whole run, or of what was computed before it was cancelled.
+  bool resumable = false;    ///< It can go on from a checkpoint.
   std::optional<RunNow> now;
-  bool resumable = false;  ///< It can go on from a checkpoint.
-  double duration = 0.0;   ///< Asked for instead of the model's [s]; 0: the model's.
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }
+  bool is_study() const { return kind == "seeds" || kind == "comparison"; }
 };
+
+/// The cases of a study, with nothing said of how they stand; none of another run.
+std::vector<RunInfo> cases_of(const RunInfo& study);
+
+/// Where a run lies below the folder of all.
+std::filesystem::path folder_of(const RunInfo& run, const std::filesystem::path& runs);
 
 Json run_json(const RunInfo& run);
 
 /// In a run's folder: the model's text as the run was begun with.
 inline constexpr const char* kModelCopy = "model.yaml";
 
-/// Whether the folder has what it takes to resume: a sound checkpoint and the model's text.
-bool can_be_resumed(const std::filesystem::path& folder);
+/// Whether the folder below `runs` has what it takes to resume: a sound checkpoint, of a study one of a case or a
+/// finished case, and the model's text.
+bool can_be_resumed(const RunInfo& run, const std::filesystem::path& runs);
 
 double seconds_since_1970();
 
-/// Leaves a note in a run's folder, so that a later start can list it.
-void write_note(const RunInfo& run, const std::filesystem::path& folder);
+/// Leaves the record in a run's folder, so that a later start can list it. What it says of the input of the results is
+/// kept: that is written by who computes them.
+void keep_record(const RunInfo& run, const std::filesystem::path& folder);
 
-/// The runs below a folder, by their notes and results. One that has neither is none.
+/// The runs below a folder and the cases of studies, by their records and results. One that has neither is none.
 std::vector<RunInfo> find_runs(const std::filesystem::path& folder);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-// What the queue does with a run: the same as the commands `static` and `dynamic`.
+// What the queue does with a run: the same as the commands `static`, `dynamic` and `compare`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
 #include "statics/recovery.h"
-#include "study/dynamic_realisation.h"
+#include "study/compare_variants.h"
 #include "study/static_run.h"
+#include "study/study.h"
 
 namespace overbend {
 namespace {
@@ -18,8 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Progress is told this often at most.
 constexpr auto kTold = std::chrono::milliseconds(100);
-/// A run that the machine kills goes on from here.
-constexpr auto kCheckpoint = std::chrono::seconds(30);
+/// A run that the machine kills goes on from a checkpoint no older [s].
+constexpr double kCheckpoint = 30.0;
 
 /// Largest of the columns of von Mises stress of a row.
 double worst_stress(const std::vector<HistoryColumn>& columns, std::span<const double> values) {
@@ -30,109 +31,190 @@ double worst_stress(const std::vector<HistoryColumn>& columns, std::span<const d
   return worst;
 }
 
-/// The model's text as the run was asked for it.
-Description description_of(const ModelText& model, double duration) {
+Description description_of(const ModelText& model) {
   ModelReading reading = read_model_text(model.text, model.path);
   if (!reading.description) throw HttpFault(422, "the model has errors");
-  if (duration > 0.0) {
-    if (!reading.description->dynamics) reading.description->dynamics.emplace();
-    reading.description->dynamics->duration = duration;
-  }
   return std::move(*reading.description);
 }
 
-/// How the command line goes on with a run; empty where the model stands in no file as it was run.
-std::string command_of(const ModelText& model, double duration, const std::string& folder) {
-  if (!model.saved || model.name.empty()) return "";
-  const std::string time = duration > 0.0 ? fmt::format(" --duration '{} s'", duration) : "";
-  return fmt::format(", also with: overbend dynamic '{}' -o '{}'{} --resume", model.path, folder, time);
+StudyPlan plan_of(const RunInfo& run, const Description& description) {
+  const std::optional<double> duration = run.duration > 0.0 ? std::optional(run.duration) : std::nullopt;
+  if (!run.is_study()) return plan_single(duration);
+  std::variant<StudyPlan, std::string> plan =
+      run.kind == "seeds"
+          ? plan_seeds(run.seeds, duration)
+          : plan_comparison(comparison_of(run.of).value_or(ComparisonOf::tensioner), description, duration);
+  if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);
+  return std::get<StudyPlan>(plan);
+}
+
+/// How the command line goes on with a run; empty where the model is in no file as it was run, or the command would run
+/// other seeds.
+std::string command_of(const ModelText& model, const RunInfo& run, const std::string& folder) {
+  if (!model.saved || model.name.empty() || run.kind == "seeds") return "";
+  const std::string command = run.kind == "comparison" ? "compare --of " + run.of : "dynamic";
+  const std::string time = run.duration > 0.0 ? fmt::format(" --duration '{} s'", run.duration) : "";
+  return fmt::format(", also with: overbend {} '{}' -o '{}'{} --resume", command, model.path, folder, time);
+}
+
+/// One core is left for the page: its statics are solved while a study runs.
+int study_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+}
+
+RunState state_of(RunEnding ending) {
+  return ending == RunEnding::done          ? RunState::done
+         : ending == RunEnding::interrupted ? RunState::cancelled
+                                            : RunState::failed;
 }
 
 }  // namespace
 
+/// Tells the page of a study: of its cases as of runs, of a single run as of itself.
+class RunQueue::Watch : public CaseWatch {
+ public:
+  Watch(RunQueue& queue, const Job& job) : queue_(queue), study_(job.run.id) {}
+
+  bool stop() override { return queue_.stop_; }
+
+  void begin(const std::vector<CaseRun>& runs) override {
+    const DynamicSettings& settings = *runs.front().prepared->description.dynamics;
+    build_up_ = settings.build_up;
+    whole_ = settings.build_up + settings.duration;
+    for (const CaseRun& run : runs) {
+      cases_.push_back({run.name.empty() ? study_ : study_ + "~" + run.name, part(run.from), 0.0, {}});
+      if (run.ended) queue_.end(cases_.back().id, RunState::done, "");
+    }
+  }
+
+  void started(std::size_t run) override {
+    if (is_single()) return;
+    queue_.update(
+        cases_[run].id, [](RunInfo& one) { one.state = RunState::running; }, false);
+  }
+
+  void progress(std::size_t run, const DynamicProgress& at) override {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    Followed& one = cases_[run];
+    one.progress = part(at.time);
+    const Clock::time_point now = Clock::now();
+    if (now - one.told < kTold) return;
+    one.told = now;
+    queue_.update(
+        one.id,
+        [&](RunInfo& info) {
+          info.progress = one.progress;
+          info.now = RunNow{at.time, at.end, at.top_tension, one.worst_stress};
+        },
+        false);
+    if (!is_single()) tell_whole();
+  }
+
+  void row(std::size_t run, const std::vector<HistoryColumn>& columns, std::span<const double> values) override {
+    if (is_single()) queue_.live_.add(columns, values);
+    const std::lock_guard<std::mutex> hold(mutex_);
+    cases_[run].worst_stress = worst_stress(columns, values);
+  }
+
+  /// Results of one that was cancelled are written as far as it went; when the program ends there is no time for that.
+  void ended(std::size_t run, const CaseRun& how) override {
+    const std::string& id = cases_[run].id;
+    std::string fault;
+    if (how.end.ending == RunEnding::interrupted && how.end.results && !queue_.closing()) fault = keep_so_far(id, how);
+    if (!is_single()) return queue_.end(id, state_of(how.end.ending), fault.empty() ? how.end.why : fault);
+    fault_ = fault;
+  }
+
+  /// Why what a single run computed could not be kept; empty where it was.
+  const std::string& fault() const { return fault_; }
+
+ private:
+  struct Followed {
+    std::string id;
+    double progress = 0.0, worst_stress = 0.0;  ///< [-], [Pa]
+    Clock::time_point told;
+  };
+
+  std::string keep_so_far(const std::string& id, const CaseRun& how) {
+    try {
+      write_so_far(*how.prepared, *how.end.results, how.folder, queue_.files_);
+    } catch (const std::exception& fault) {  // of this case's disk
+      return fault.what();
+    }
+    queue_.update(
+        id, [](RunInfo& info) { info.has_results = true; }, false);
+    return "";
+  }
+
+  bool is_single() const { return cases_.size() == 1 && cases_.front().id == study_; }
+  double part(double time) const { return std::clamp((time + build_up_) / whole_, 0.0, 1.0); }
+
+  void tell_whole() {
+    double sum = 0.0;
+    for (const Followed& one : cases_) sum += one.progress;
+    queue_.update(
+        study_, [&](RunInfo& info) { info.progress = sum / static_cast<double>(cases_.size()); }, false);
+  }
+
+  RunQueue& queue_;
+  std::string study_, fault_;
+  double build_up_ = 0.0, whole_ = 1.0;  ///< [s]
+  std::mutex mutex_;                     ///< Of what follows, but for the number of cases and their names.
+  std::vector<Followed> cases_;
+};
+
 void RunQueue::run(const Job& job) {
   update(
-      job.id, [](RunInfo&) {}, true);
+      job.run.id, [](RunInfo&) {}, true);
   try {
-    if (job.kind == "dynamic") {
-      run_dynamic(job);
-    } else {
+    if (job.run.kind == "static") {
       run_static(job);
+    } else {
+      run_dynamic(job);
     }
   } catch (const std::exception& fault) {
-    end(job.id, RunState::failed, fault.what());
+    end(job.run.id, RunState::failed, fault.what());
   }
 }
 
 void RunQueue::run_static(const Job& job) {
-  const Description description = description_of(job.model, 0.0);
+  const std::string& id = job.run.id;
+  const Description description = description_of(job.model);
   const Model model = build_model(description);
   const StaticOutcome outcome = solve_statics(model);
-  if (outcome.failure) return end(job.id, RunState::failed, failure_line(*outcome.failure));
-  if (stop_) return end(job.id, RunState::cancelled, "cancelled");
+  if (outcome.failure) return end(id, RunState::failed, failure_line(*outcome.failure));
+  if (stop_) return end(id, RunState::cancelled, "cancelled");
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(recover_statics(model, *outcome.solution), description, folder_ / job.id);
+    write_static_run(recover_statics(model, *outcome.solution), description, folder(job.run));
   }
-  end(job.id, RunState::done, "");
+  end(id, RunState::done, "");
 }
 
 void RunQueue::run_dynamic(const Job& job) {
-  const Description description = description_of(job.model, job.duration);
-  const Model model = build_model(description);
-  if (const auto obstacle = dynamic_obstacle(model)) return end(job.id, RunState::failed, failure_line(*obstacle));
-  const StaticOutcome start = solve_statics(model);
-  if (start.failure) return end(job.id, RunState::failed, failure_line(*start.failure));
-  const StaticResults statics = recover_statics(model, *start.solution);
-  const DynamicCase shared{description, model, *start.solution, statics, input_text(description)};
-  const DynamicOptions options = dynamic_options(model);
-  double worst = 0.0;
-  Clock::time_point told, saved = Clock::now();
-  const auto control = [&](const DynamicProgress& at) {
-    if (stop_) return DynamicControl::stop;
-    const Clock::time_point now = Clock::now();
-    if (now - told >= kTold) {
-      told = now;
-      update(
-          job.id,
-          [&](RunInfo& run) {
-            run.progress = (at.time + options.build_up) / (options.duration + options.build_up);
-            run.now = RunNow{at.time, at.end, at.top_tension, worst};
-          },
-          false);
-    }
-    if (now - saved < kCheckpoint) return DynamicControl::go_on;
-    saved = now;
-    return DynamicControl::checkpoint;
-  };
-  const auto rows = [&](const std::vector<HistoryColumn>& columns, std::span<const double> values) {
-    worst = worst_stress(columns, values);
-    live_.add(columns, values);
-  };
-  const RealisationEnd ended =
-      run_realisation(shared, folder_ / job.id, options.seed, job.resume, control, files_, rows);
-  if (ended.code == kDone) return end(job.id, RunState::done, "");
-  if (ended.code != kInterrupted) return end(job.id, RunState::failed, ended.why);
-  end_interrupted(job, [&] {
-    if (ended.results) write_so_far(shared, *ended.results, folder_ / job.id, files_);
-    return ended.results.has_value();
-  });
+  const Description description = description_of(job.model);
+  Watch watch(*this, job);
+  const StudyEnd ended = run_study(description, plan_of(job.run, description), folder(job.run),
+                                   {job.resume, kCheckpoint, study_threads()}, watch, files_);
+  if (!watch.fault().empty()) return end(job.run.id, RunState::failed, watch.fault());
+  if (ended.ending == RunEnding::interrupted) return end_interrupted(job);
+  if (ended.seeds && !ended.seeds->runs.empty()) {  // those that failed are listed among its cases
+    const std::string failed =
+        ended.failed.empty() ? "" : fmt::format("{} of {} seeds failed", ended.failed.size(), job.run.seeds.size());
+    return end(job.run.id, RunState::done, failed);
+  }
+  end(job.run.id, state_of(ended.ending), ended.why);
 }
 
-void RunQueue::end_interrupted(const Job& job, const std::function<bool()>& keep_results) {
-  const bool closing = [&] {
-    const std::lock_guard<std::mutex> hold(mutex_);
-    return closing_;
-  }();
-  if (closing) {  // not what the user wanted, nor is there time for results: the checkpoint stays
-    const std::string folder = (folder_ / job.id).string();
-    return end(job.id, RunState::cancelled,
-               "the program ended; the run can be resumed" + command_of(job.model, job.duration, folder));
+void RunQueue::end_interrupted(const Job& job) {
+  const std::string& id = job.run.id;
+  if (closing()) {  // not what the user wanted
+    return end(id, RunState::cancelled,
+               "the program ended; the run can be resumed" + command_of(job.model, job.run, folder(job.run).string()));
   }
-  const bool kept = keep_results();
-  update(
-      job.id, [&](RunInfo& run) { run.has_results = run.has_results || kept; }, false);
-  end(job.id, RunState::cancelled, kept ? "cancelled; what was computed is kept" : "cancelled before t = 0");
+  if (job.run.is_study()) return end(id, RunState::cancelled, "cancelled; what its cases computed is kept");
+  end(id, RunState::cancelled,
+      find(id).has_results ? "cancelled; what was computed is kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

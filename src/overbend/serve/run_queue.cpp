@@ -51,7 +51,7 @@ RunQueue::~RunQueue() {
     const std::lock_guard<std::mutex> hold(mutex_);
     closing_ = true;
     stop_ = true;
-    for (const Job& job : waiting_) left.push_back(job.id);
+    for (const Job& job : waiting_) left.push_back(job.run.id);
     waiting_.clear();
   }
   changed_.notify_all();
@@ -59,32 +59,33 @@ RunQueue::~RunQueue() {
   for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run");
 }
 
-RunInfo RunQueue::add(const ModelText& model, const std::string& title, const std::string& kind, double duration) {
+RunInfo RunQueue::add(const ModelText& model, const RunRecord& order) {
   RunInfo run;
-  run.id = make_folder(folder_, kind);
-  run.title = title;
-  run.kind = kind;
+  static_cast<RunRecord&>(run) = order;
+  run.id = make_folder(folder_, run.kind);
   run.started = seconds_since_1970();
   run.model_path = model.path;
-  run.duration = duration;
   write_text(folder(run) / kModelCopy, model.text);
-  write_note(run, folder(run));
+  keep_record(run, folder(run));
+  const std::vector<RunInfo> cases = cases_of(run);
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     runs_.push_back(run);
-    waiting_.push_back({run.id, kind, model, duration, false});
+    runs_.insert(runs_.end(), cases.begin(), cases.end());
+    waiting_.push_back({run, model, false});
   }
   changed_.notify_all();
   events_.send("run", run_json(run), run.id);
+  for (const RunInfo& one : cases) events_.send("run", run_json(one), one.id);
   return run;
 }
 
 RunInfo RunQueue::cancel(const std::string& id) {
-  const RunInfo run = find(id);
+  find_whole(id);
   bool waited = false;
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    waited = std::erase_if(waiting_, [&](const Job& job) { return job.id == id; }) > 0;
+    waited = std::erase_if(waiting_, [&](const Job& job) { return job.run.id == id; }) > 0;
     if (!waited && at(id).state == RunState::running) stop_ = true;
   }
   if (waited) end(id, RunState::cancelled, "cancelled before it began");
@@ -104,11 +105,11 @@ RunInfo RunQueue::annotate(const std::string& id, const std::string& name, const
 }
 
 void RunQueue::remove(const std::string& id) {
-  const RunInfo run = find(id);
+  const RunInfo run = find_whole(id);
   {
     const std::lock_guard<std::mutex> hold(mutex_);
     if (!at(id).ended()) throw HttpFault(409, "the run goes on", "cancel it first");
-    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id; });
+    std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id || one.parent == id; });
   }
   std::error_code fault;
   {
@@ -120,8 +121,8 @@ void RunQueue::remove(const std::string& id) {
 }
 
 RunInfo RunQueue::resume(const std::string& id) {
-  const RunInfo run = find(id);
-  Job job{id, run.kind, {}, run.duration, true};
+  const RunInfo run = find_whole(id);
+  Job job{run, {}, true};
   job.model.text = file_text(folder(run) / kModelCopy);
   job.model.path = run.model_path;
   {
@@ -144,7 +145,15 @@ RunInfo RunQueue::resume(const std::string& id) {
 std::vector<RunInfo> RunQueue::list() const {
   const std::lock_guard<std::mutex> hold(mutex_);
   std::vector<RunInfo> runs(runs_.rbegin(), runs_.rend());
+  std::erase_if(runs, [](const RunInfo& run) { return !run.parent.empty(); });
   std::stable_sort(runs.begin(), runs.end(), [](const RunInfo& a, const RunInfo& b) { return a.started > b.started; });
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // each study's cases behind it, in their order
+    if (!runs[i].is_study()) continue;
+    std::vector<RunInfo> cases;
+    std::ranges::copy_if(runs_, std::back_inserter(cases),
+                         [&](const RunInfo& one) { return one.parent == runs[i].id; });
+    runs.insert(runs.begin() + static_cast<std::ptrdiff_t>(i) + 1, cases.begin(), cases.end());
+  }
   return runs;
 }
 
@@ -154,6 +163,17 @@ RunInfo RunQueue::find(const std::string& id) const {
     if (run.id == id) return run;
   }
   throw HttpFault(404, "there is no run " + id);
+}
+
+RunInfo RunQueue::find_whole(const std::string& id) const {
+  RunInfo run = find(id);
+  if (!run.parent.empty()) throw HttpFault(409, "the run is a case of " + run.parent, "the study goes as a whole");
+  return run;
+}
+
+bool RunQueue::closing() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return closing_;
 }
 
 RunInfo& RunQueue::at(const std::string& id) {
@@ -170,7 +190,8 @@ void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>
   }
   if (lasting) {
     try {
-      write_note(now, folder(now));
+      const std::lock_guard<std::mutex> hold(files_);  // the run writes its part of the record under the same
+      keep_record(now, folder(now));
     } catch (const std::exception&) {
       // The disk is full or the folder gone; the list of this start still knows.
     }
@@ -179,17 +200,21 @@ void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>
 }
 
 void RunQueue::end(const std::string& id, RunState state, const std::string& message) {
-  const bool resumable = state != RunState::done && can_be_resumed(folder_ / id);
+  const RunInfo run = find(id);
+  for (const RunInfo& one : cases_of(run)) {  // those that have not come to an end of their own
+    if (!find(one.id).ended()) end(one.id, state == RunState::done ? state : RunState::cancelled, "");
+  }
+  const bool resumable = state != RunState::done && run.parent.empty() && can_be_resumed(run, folder_);
   update(
       id,
-      [&](RunInfo& run) {
-        run.state = state;
-        run.message = message;
-        run.resumable = resumable;
-        run.now.reset();
+      [&](RunInfo& now) {
+        now.state = state;
+        now.message = message;
+        now.resumable = resumable;
+        now.now.reset();
         if (state == RunState::done) {
-          run.progress = 1.0;
-          run.has_results = true;
+          now.progress = 1.0;
+          now.has_results = true;
         }
       },
       true);
@@ -205,7 +230,7 @@ void RunQueue::work() {
       job = std::move(waiting_.front());
       waiting_.pop_front();
       stop_ = false;
-      at(job.id).state = RunState::running;
+      at(job.run.id).state = RunState::running;
     }
     run(job);
     live_.clear();

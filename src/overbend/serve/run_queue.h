@@ -26,14 +26,15 @@ class RunQueue {
   RunQueue(const RunQueue&) = delete;
   RunQueue& operator=(const RunQueue&) = delete;
 
-  /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder cannot
-  /// be.
-  RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
-  /// A run in time that is stopped keeps what it has computed: results so far, and the checkpoint to go on from.
+  /// Queues a run of the model as it is now: what `order` says of kind, title, duration, seeds and comparison. Throws
+  /// HttpFault when the folder cannot be.
+  RunInfo add(const ModelText& model, const RunRecord& order);
+  /// A dynamic run that is stopped keeps what it has computed: results so far, and the checkpoint to go on from. So
+  /// does every case of a study. HttpFault 409 for a single case.
   RunInfo cancel(const std::string& id);
   /// Gives a run the user's name and note.
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
-  /// Removes a run that has ended, with its folder; HttpFault 409 while it goes on.
+  /// Removes a run that has ended, with its folder and its cases; HttpFault 409 while it goes on.
   void remove(const std::string& id);
   /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
   /// it cannot be resumed.
@@ -43,7 +44,7 @@ class RunQueue {
   std::vector<RunInfo> list() const;
   /// HttpFault 404 when there is none.
   RunInfo find(const std::string& id) const;
-  std::filesystem::path folder(const RunInfo& run) const { return folder_ / run.id; }
+  std::filesystem::path folder(const RunInfo& run) const { return folder_of(run, folder_); }
 
   const LiveHistory& live() const { return live_; }
   /// Held by whoever reads or writes files of results: the library below them serves one thread alone.
@@ -51,21 +52,23 @@ class RunQueue {
 
  private:
   struct Job {
-    std::string id, kind;
+    RunInfo run;
     ModelText model;
-    double duration = 0.0;
     bool resume = false;
   };
+  class Watch;  ///< How a study is followed.
 
   void work();
   void run(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
-  /// `keep_results` writes what was computed, and says whether that was anything.
-  void end_interrupted(const Job& job, const std::function<bool()>& keep_results);
+  void end_interrupted(const Job& job);
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
   void end(const std::string& id, RunState state, const std::string& message);
   RunInfo& at(const std::string& id);
+  /// HttpFault 409 for a case of a study.
+  RunInfo find_whole(const std::string& id) const;
+  bool closing() const;
 
   std::filesystem::path folder_;
   EventHub& events_;

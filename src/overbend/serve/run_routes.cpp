@@ -1,29 +1,76 @@
 #include "serve/run_routes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 #include "resultfiles/long_data_reader.h"
 #include "serve/diagnose.h"
 #include "serve/run_data.h"
+#include "serve/study_json.h"
+#include "study/compare_variants.h"
+#include "study/study.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kMostPoints = 20000, kMostFrames = 200;
+constexpr std::size_t kMostSeeds = 10000;
+constexpr std::array<std::string_view, 4> kKinds = {"static", "dynamic", "seeds", "comparison"};
+
+double duration_of(const Json& body) {
+  if (!body.contains("duration") || body["duration"].is_null()) return 0.0;
+  const double duration = body["duration"].get<double>();
+  if (!(duration > 0.0 && duration <= 1e7)) throw HttpFault(422, "duration: expected a time above 0 s");
+  return duration;
+}
+
+/// The seeds asked for, else the model's.
+std::vector<std::uint64_t> seeds_of(const Json& body, const Description& description) {
+  std::vector<std::uint64_t> seeds;
+  if (description.dynamics) seeds = description.dynamics->seeds;
+  if (body.contains("seeds") && !body["seeds"].is_null()) {
+    seeds.clear();
+    for (const Json& seed : body["seeds"]) {
+      if (!seed.is_number_unsigned()) throw HttpFault(422, "seeds: expected whole numbers from 0 on");
+      seeds.push_back(seed.get<std::uint64_t>());
+    }
+  }
+  if (seeds.size() < 2 || seeds.size() > kMostSeeds) {
+    throw HttpFault(422, "seeds: expected 2 to 10000 seeds",
+                    "in the request, or as analysis.dynamic.seeds of the model");
+  }
+  return seeds;
+}
+
+/// What a request wants to be run. HttpFault where it cannot be.
+RunRecord order_of(const Json& body, const Description& description) {
+  RunRecord order;
+  order.kind = body.value("kind", "");
+  order.title = description.title;
+  order.duration = duration_of(body);
+  std::variant<StudyPlan, std::string> plan;
+  if (order.kind == "seeds") {
+    order.seeds = seeds_of(body, description);
+    plan = plan_seeds(order.seeds, {});
+  } else if (order.kind == "comparison") {
+    order.of = body.value("of", "");
+    const std::optional<ComparisonOf> of = comparison_of(order.of);
+    if (!of) throw HttpFault(400, "of: found '" + order.of + "', expected tensioner or contact");
+    plan = plan_comparison(*of, description, {});
+  }
+  if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);
+  return order;
+}
 
 HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& request) {
   const Json body = request.json();
   const std::string kind = body.value("kind", "");
-  if (kind != "static" && kind != "dynamic") {
-    throw HttpFault(400, "kind: found '" + kind + "', expected static or dynamic");
-  }
-  double duration = 0.0;
-  if (body.contains("duration") && !body["duration"].is_null()) {
-    duration = body["duration"].get<double>();
-    if (!(duration > 0.0 && duration <= 1e7)) throw HttpFault(422, "duration: expected a time above 0 s");
+  if (std::ranges::find(kKinds, kind) == kKinds.end()) {
+    throw HttpFault(400, "kind: found '" + kind + "', expected static, dynamic, seeds or comparison");
   }
   const ModelText text = model.now();
   const ModelReading reading = read_model_text(text.text, text.path);
@@ -32,7 +79,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
     fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
     throw fault;
   }
-  return json_answer({{"id", runs.add(text, reading.description->title, kind, duration).id}});
+  return json_answer({{"id", runs.add(text, order_of(body, *reading.description)).id}});
 }
 
 /// The run, when it has results to be read; 404 before.
@@ -49,13 +96,15 @@ std::string file_text(const std::filesystem::path& file) {
 }
 
 std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
-  return runs.folder(done(runs, request)) / "results.h5";
+  const RunInfo run = done(runs, request);
+  if (run.is_study()) throw HttpFault(404, "a study has no such results", "each of its cases has");
+  return runs.folder(run) / "results.h5";
 }
 
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
-  if (!run.has_results) return json_answer(Json::array());
+  if (!run.has_results || run.is_study()) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
@@ -65,7 +114,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 /// asks by what it was last told, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
-  if (!run.has_results) return {};
+  if (!run.has_results || run.is_study()) return {};
   const std::lock_guard<std::mutex> hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
@@ -104,12 +153,28 @@ HttpAnswer from_file(RunQueue& runs, const HttpRequest& request, Json (*read)(co
 }
 
 HttpAnswer summary(const RunQueue& runs, const HttpRequest& request) {
-  return {200, "application/json; charset=utf-8", file_text(runs.folder(done(runs, request)) / "summary.json"), ""};
+  const RunInfo run = done(runs, request);
+  const char* file = run.is_study() ? study_files(run).summary : "summary.json";
+  return {200, "application/json; charset=utf-8", file_text(runs.folder(run) / file), ""};
+}
+
+/// Of a study, beside its table.
+HttpAnswer study(const RunQueue& runs, const HttpRequest& request) {
+  const RunInfo run = done(runs, request);
+  return json_answer(study_json(run, runs.folder(run)));
+}
+
+HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {
+  const RunInfo run = done(runs, request);
+  const char* file = run.is_study() ? study_files(run).table : "pipe.csv";
+  return {200, "text/csv; charset=utf-8", file_text(runs.folder(run) / file), run.id + ".csv"};
 }
 
 HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / "report.html"), run.id + ".html"};
+  const std::string file = run.is_study() ? study_files(run).page : "report.html";
+  if (file.empty()) throw HttpFault(404, "several seeds have no report of their own", "each of the cases has one");
+  return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / file), run.id + ".html"};
 }
 
 HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {
@@ -149,6 +214,8 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back(
       {"POST", "/api/runs/*/resume", [&](Request r) { return json_answer(run_json(runs.resume(r.parts[0]))); }});
   routes.push_back({"GET", "/api/runs/*/summary", [&](Request r) { return summary(runs, r); }});
+  routes.push_back({"GET", "/api/runs/*/study", [&](Request r) { return study(runs, r); }});
+  routes.push_back({"GET", "/api/runs/*/table.csv", [&](Request r) { return table(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/columns", [&](Request r) { return columns(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/series", [&](Request r) { return series(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/envelopes", [&](Request r) { return from_file(runs, r, envelopes_json); }});

@@ -1,9 +1,5 @@
 #include "study/dynamic_realisation.h"
 
-#include <fmt/format.h>
-
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "report/report.h"
@@ -16,11 +12,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string file_text(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 /// Where the run's data go, and the state to go on from.
 struct Begun {
@@ -37,7 +28,7 @@ Begun begin(const fs::path& folder, const std::string& input, std::uint64_t seed
   return {RunStore::create(folder, input, seed), std::nullopt};
 }
 
-void write_results(const DynamicCase& shared, const DynamicResults& results, const RunStore& store,
+void write_results(const PreparedCase& shared, const DynamicResults& results, const RunStore& store,
                    const fs::path& folder) {
   StagedFolder staged(folder);
   write_dynamic_files(shared.statics, results, store, shared.description, staged.path());
@@ -66,30 +57,14 @@ class WatchedStore : public DynamicSink {
 
 }  // namespace
 
-std::string input_text(const Description& d) {
-  std::string text = d.source_text;
-  // What the files hold, not where they lie: that depends on how the model's own path was written.
-  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
-    if (!file.empty()) {
-      text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
-    }
-  }
-  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
-}
-
-std::string failure_line(const StaticFailure& failure) {
-  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
-  return failure.what + where + ": " + failure.why;
-}
-
-RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
+RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
                                const std::function<DynamicControl(const DynamicProgress&)>& control,
                                std::mutex& writing, const RowWatch& rows) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
   } catch (const std::runtime_error& fault) {  // a folder that cannot be, or a run of something else in it
-    return {kWrongInput, fault.what(), std::nullopt};
+    return {{RunEnding::wrong_input, fault.what()}};
   }
   DynamicOptions options = dynamic_options(shared.model);
   options.seed = seed;
@@ -100,14 +75,14 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
                            begun->state ? &*begun->state : nullptr, control);
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
     begun->store.remove();
-    return {kWrongInput, fault.what(), std::nullopt};
+    return {{RunEnding::wrong_input, fault.what()}};
   }
   if (outcome.stopped) {
-    return {kInterrupted, "interrupted; the run goes on with --resume", std::move(outcome.results)};
+    return {{RunEnding::interrupted, "interrupted"}, std::move(outcome.results)};
   }
   if (outcome.failure) {
     begun->store.remove();
-    return {kNoSolution, "no solution: " + failure_line(*outcome.failure), std::nullopt};
+    return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
   }
   finish_histories(*outcome.results, begun->store);
   {
@@ -115,10 +90,10 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
     write_results(shared, *outcome.results, begun->store, folder);
   }
   begun->store.remove();
-  return {kDone, "", std::move(outcome.results)};
+  return {{RunEnding::done}, std::move(outcome.results)};
 }
 
-void write_so_far(const DynamicCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
+void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
   const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_histories(results, run->store);

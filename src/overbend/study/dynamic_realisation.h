@@ -11,26 +11,12 @@
 #include <vector>
 
 #include "recording/run_dynamics.h"
-#include "study/exit_code.h"
+#include "study/prepared_case.h"
 
 namespace overbend {
 
-/// What all realisations of a command share; constant while they run.
-struct DynamicCase {
-  const Description& description;
-  const Model& model;
-  const StaticSolution& start;
-  const StaticResults& statics;
-  std::string input;  ///< Of input_text().
-};
-
-/// All that a run depends on, but the seed: a run is taken up again with the same alone.
-std::string input_text(const Description& description);
-
-struct RealisationEnd {
-  ExitCode code = kDone;
-  std::string why;                        ///< One line, where it did not end well.
-  std::optional<DynamicResults> results;  ///< Of the run; of one that was interrupted, of what lies behind t = 0.
+struct RealisationEnd : RunEnd {
+  std::optional<DynamicResults> results{};  ///< Of the run; of one that was interrupted, of what lies behind t = 0.
 };
 
 /// Told of every row of histories as it is handed over: the columns and their values.
@@ -40,16 +26,13 @@ using RowWatch = std::function<void(const std::vector<HistoryColumn>& columns, s
 /// it is stopped a checkpoint stays; where it fails nothing does. `writing` is held while files are written, for the
 /// libraries below them may serve one thread alone. Throws std::runtime_error when the disk refuses in the middle of
 /// the run.
-RealisationEnd run_realisation(const DynamicCase& shared, const std::filesystem::path& folder, std::uint64_t seed,
+RealisationEnd run_realisation(const PreparedCase& shared, const std::filesystem::path& folder, std::uint64_t seed,
                                bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control,
                                std::mutex& writing, const RowWatch& rows = {});
 
 /// Writes results of an interrupted run as far as it went; its checkpoint stays, and a run taken up again writes its
 /// own in their place. Throws std::runtime_error when the disk refuses.
-void write_so_far(const DynamicCase& shared, DynamicResults results, const std::filesystem::path& folder,
+void write_so_far(const PreparedCase& shared, DynamicResults results, const std::filesystem::path& folder,
                   std::mutex& writing);
-
-/// The line for stderr about a failure.
-std::string failure_line(const StaticFailure& failure);
 
 }  // namespace overbend

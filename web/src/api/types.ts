@@ -91,8 +91,12 @@ export interface Scene {
 }
 
 export interface Run {
-  id: string; title: string; kind: 'static' | 'dynamic'; state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
+  id: string; title: string; kind: 'static' | 'dynamic' | 'seeds' | 'comparison'; state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
   progress: number; started: number; message: string;
+  /** Of a case: the study that it belongs to. */
+  parent?: string;
+  /** Of a comparison: tensioner or contact. */
+  of?: string;
   /** The user's. */
   name: string; note: string;
   /** Of a whole run, or of what was computed before it was cancelled. */
@@ -100,6 +104,19 @@ export interface Run {
   /** It can go on from its checkpoint. */
   resumable?: boolean;
   time?: number; end?: number; top_tension?: number; worst_stress?: number;
+}
+
+/** What the cases of a study gave; values are SI, shown times `factor` in `unit`. */
+export interface Study {
+  kind: 'seeds' | 'comparison';
+  cases: { id: string; name: string; words: string }[];
+  quantities: StudyQuantity[];
+  warnings: { text: string; cases: number }[];
+}
+export interface StudyQuantity {
+  name: string; text: string; unit: string; factor: number; values: (number | null)[];
+  mean?: number | null; std?: number | null; min?: number | null; max?: number | null;
+  gumbel?: { estimate: number; low: number; high: number } | null;
 }
 
 export interface Column { name: string; unit: string; text: string }

@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import { hasModel, redo, undo } from '../state/model';
 import { dialog, leftTab, leftWidth, pane } from '../state/look';
+import { isStudy } from '../logic/runs';
 import { dismiss, notices } from '../state/notices';
 import { runs, selected } from '../state/runs';
 import { AnimationBar } from './AnimationBar';
@@ -12,6 +13,7 @@ import { Header, saveNow } from './Header';
 import { Picture } from './Picture';
 import { Results } from './Results';
 import { RunResults } from './RunResults';
+import { StudyResults } from './StudyResults';
 import { Runs } from './Runs';
 import { Sliders } from './Sliders';
 import { StartDialog } from './StartDialog';
@@ -93,7 +95,7 @@ export function App() {
         <Left />
         <Handle />
         <div class="centre"><Picture /><AnimationBar /></div>
-        <aside class="right" aria-label="Results and sliders">{selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
+        <aside class="right" aria-label="Results and sliders">{selected.value && isStudy(selected.value) ? <StudyResults run={selected.value} /> : selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
         <Diagrams />
       </main>
       {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : null}

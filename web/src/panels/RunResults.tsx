@@ -59,12 +59,12 @@ function Table() {
   );
 }
 
-function Standing({ run }: { run: Run }) {
+export function Standing({ run }: { run: Run }) {
   const d = runSummary.value?.dynamic;
   switch (run.state) {
     case 'failed': return <p class="standing bad" role="alert"><b>This run failed.</b> {withoutPaths(run.message)}</p>;
     case 'queued': return <p class="standing">Waiting for the run before it.</p>;
-    case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results come when it is done. <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button></p>;
+    case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results come when it is done. {run.parent ? null : <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button>}</p>;
     case 'cancelled': return <p class="standing warn"><b>Cancelled.</b> {d ? `What is shown is the first ${tidy(d.duration, 5)} s.` : run.message}</p>;
     default: return d ? <p class="standing">{tidy(d.duration, 5)} s, seed {d.seed}, {d.impact_count === 1 ? '1 impact' : `${d.impact_count} impacts`}</p> : null;
   }
@@ -84,6 +84,7 @@ export function RunResults() {
       <Standing run={run} />
       {loading ? <p class="brief">Loading…</p> : <Table />}
       <Warnings list={bullets(said, boxes)} />
+      {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>
     </section>
   );

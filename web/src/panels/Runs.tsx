@@ -1,13 +1,12 @@
-// Runs: start one, watch it, look at earlier ones.
-import { useEffect, useState } from 'preact/hooks';
+// Runs: watch one, look at earlier ones; the cases of a study lie within it.
+import { useState } from 'preact/hooks';
 import { duration as inWords } from '../logic/show';
-import { parseQuantity, tidy, toSi } from '../logic/units';
+import { isStudy } from '../logic/runs';
+import { tidy } from '../logic/units';
 import { withoutPaths } from '../logic/warnings';
 import type { Run } from '../api/types';
-import { byPath, errors, hasModel } from '../state/model';
-import { changes } from '../state/live';
-import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selectedId, startRun, timeToFinish } from '../state/runs';
-import { leadToFault } from '../state/lead';
+import { annotate, cancelRun, deleteRun, reportAddress, resumeRun, runName, runs, select, selected, selectedId, timeToFinish } from '../state/runs';
+import { StartRun } from './StartRun';
 
 const words: Record<Run['state'], string> = { queued: 'waiting', running: 'running', done: 'done', failed: 'failed', cancelled: 'cancelled' };
 
@@ -37,6 +36,23 @@ function Delete({ run }: { run: Run }) {
   return <><button type="button" class="danger" onClick={() => void deleteRun(run.id)}>Delete with all files</button><button type="button" onClick={() => setSure(false)}>Keep</button></>;
 }
 
+const kindWords = (run: Run): string => (run.kind === 'static' ? 'static' : run.kind === 'dynamic' ? 'in time' : run.kind === 'seeds' ? 'several seeds' : `comparison, ${run.of}`);
+
+/** The cases of a study, each a run that can be looked at. */
+function Cases({ study }: { study: Run }) {
+  return (
+    <ul class="cases" aria-label="Cases">
+      {runs.value.filter((r) => r.parent === study.id).map((one) => (
+        <li key={one.id} class={one.state}>
+          <button type="button" aria-pressed={selectedId.value === one.id} onClick={() => select(selectedId.value === one.id ? study.id : one.id)} title={withoutPaths(one.message)}>
+            <span>{one.title}</span><small>{one.state === 'running' ? `${Math.round(100 * one.progress)} %` : words[one.state]}</small>
+          </button>
+        </li>
+      ))}
+    </ul>
+  );
+}
+
 function Card({ run }: { run: Run }) {
   const mine = selectedId.value === run.id;
   const left = run.state === 'running' ? timeToFinish(run) : null;
@@ -45,7 +61,7 @@ function Card({ run }: { run: Run }) {
     <li class={`run ${run.state}${mine ? ' chosen' : ''}`}>
       <button type="button" class="runhead" aria-pressed={mine} onClick={() => select(mine ? null : run.id)}>
         <b>{runName(run)}</b>
-        <span class="brief">{run.kind === 'dynamic' ? 'in time' : 'static'} · {words[run.state]}{run.started ? ` · ${when(run.started)}` : ''}</span>
+        <span class="brief">{kindWords(run)} · {words[run.state]}{run.started ? ` · ${when(run.started)}` : ''}</span>
       </button>
       {going ? (
         <>
@@ -65,9 +81,10 @@ function Card({ run }: { run: Run }) {
       {run.note && !mine ? <p class="note">{run.note}</p> : null}
       {run.message && run.state !== 'done' && !mine ? <p class="brief">{withoutPaths(run.message)}</p> : null}
       {mine ? <Words key={run.id} run={run} /> : null}
+      {isStudy(run) && (mine || going || selected.value?.parent === run.id) ? <Cases study={run} /> : null}
       <div class="acts">
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
-        {run.has_results ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
+        {run.has_results && run.kind !== 'seeds' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
         {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
         {run.resumable && !going ? <button type="button" title="Goes on where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
         {mine && !going ? <Delete run={run} /> : null}
@@ -77,33 +94,12 @@ function Card({ run }: { run: Run }) {
 }
 
 export function Runs() {
-  const given = byPath.value.get('analysis.dynamic.duration');
-  const [typed, setTyped] = useState('');
-  useEffect(() => { setTyped(given?.value ? String(given.value) : '120 s'); }, [given?.value]);
-  const q = parseQuantity(typed);
-  const seconds = q ? (q.unit ? toSi(q.number, q.unit) : q.number) : Number.NaN;
-  const good = Number.isFinite(seconds) && seconds > 0;
-  const first = errors.value[0];
-  const ready = hasModel.value && !first;
+  const whole = runs.value.filter((r) => !r.parent);
   return (
     <div class="runs">
-      <form class="startrun" onSubmit={(e) => { e.preventDefault(); if (good && ready) void startRun('dynamic', seconds); }}>
-        <h3>Run in time</h3>
-        <div class="row">
-          <label for="run-duration">duration</label>
-          <input id="run-duration" value={typed} aria-invalid={!good} onInput={(e) => setTyped(e.currentTarget.value)} />
-          <span class="twin">{good ? inWords(seconds) : ''}</span>
-          {good ? null : <p class="fault">A time, like "600 s" or "3 h".</p>}
-        </div>
-        {changes.value.length ? <p class="note">The run computes the model as it is written. Values on the sliders count only after "Apply to model".</p> : null}
-        {first ? <p class="fault">The model has an error at <button type="button" class="link" onClick={() => leadToFault(first)}>{first.key || `line ${first.line}`}</button>; a run needs it mended.</p> : null}
-        <div class="acts">
-          <button type="submit" class="main" disabled={!ready || !good}>Start run</button>
-          <button type="button" disabled={!ready} onClick={() => void startRun('static')}>Static run with report</button>
-        </div>
-      </form>
+      <StartRun />
       <h3>Runs of this folder</h3>
-      {runs.value.length ? <ul class="runlist">{runs.value.map((r) => <Card key={r.id} run={r} />)}</ul> : <p class="empty">None yet.</p>}
+      {whole.length ? <ul class="runlist">{whole.map((r) => <Card key={r.id} run={r} />)}</ul> : <p class="empty">None yet.</p>}
     </div>
   );
 }

@@ -1,8 +1,8 @@
 // Runs: the list, the one that is looked at, and what diagrams and animation need of it.
 import { batch, computed, effect, signal, untracked } from '@preact/signals';
 import { address, get, post } from '../api/client';
-import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene } from '../api/types';
-import { newerList } from '../logic/runs';
+import type { Check, Column, Envelopes, Impact, Lay, Run, RunSummary, Scene, Study } from '../api/types';
+import { isStudy, newerList } from '../logic/runs';
 import { opened } from './model';
 import { say, sayError } from './notices';
 
@@ -16,6 +16,8 @@ export const impacts = signal<Impact[]>([]);
 export const runLay = signal<Lay | null>(null);
 export const runScene = signal<Scene | null>(null);
 export const runSummary = signal<RunSummary | null>(null);
+/** Of a study: what its cases gave. */
+export const study = signal<Study | null>(null);
 /** Its code checks. */
 export const runChecks = computed<Check[] | null>(() => { const s = runSummary.value; return (s?.dynamic ?? s)?.checks?.list ?? null; });
 /** When a run was first seen running: for the time to finish. */
@@ -25,9 +27,11 @@ export async function fetchRuns(): Promise<void> {
   try { const list = await get<Run[]>('runs'); runs.value = newerList(runs.value, list); } catch (error) { sayError(error); }
 }
 
-export async function startRun(kind: Run['kind'], duration?: number): Promise<void> {
+export interface Order { kind: Run['kind']; duration?: number; seeds?: number[]; of?: string }
+
+export async function startRun(order: Order): Promise<void> {
   try {
-    const { id } = await post<{ id: string }>('runs', { kind, ...(duration ? { duration } : {}) });
+    const { id } = await post<{ id: string }>('runs', order);
     await fetchRuns();
     select(id);
   } catch (error) { sayError(error); }
@@ -44,8 +48,9 @@ export async function deleteRun(id: string): Promise<void> {
 }
 
 function forget(id: string): void {
-  runs.value = runs.value.filter((r) => r.id !== id);
-  if (selectedId.value === id) select(null);
+  const gone = (r: Run): boolean => r.id === id || r.parent === id;
+  if (selected.value && gone(selected.value)) select(null);
+  runs.value = runs.value.filter((r) => !gone(r));
 }
 
 export async function resumeRun(id: string): Promise<void> {
@@ -65,6 +70,7 @@ function clear(): void {
   runLay.value = null;
   runScene.value = null;
   runSummary.value = null;
+  study.value = null;
 }
 
 export function select(id: string | null): void {
@@ -88,6 +94,11 @@ async function load(id: string): Promise<void> {
       if (current()) columns.value = list;
     }
     if (!run.has_results) return;
+    if (isStudy(run)) {
+      const gathered = await get<Study>(`runs/${id}/study`);
+      if (current()) study.value = gathered;
+      return;
+    }
     const at = `runs/${id}`;
     const [e, i, lay, scene, summary] = await Promise.all([
       get<Envelopes>(`${at}/envelopes`), run.kind === 'dynamic' ? get<{ impacts: Impact[] }>(`${at}/impacts`) : { impacts: [] },
@@ -100,12 +111,12 @@ async function load(id: string): Promise<void> {
 export function runEvent(run: Run | { id: string; state: 'deleted' }): void {
   if (run.state === 'deleted') { forget(run.id); return; }
   const old = runs.value.find((r) => r.id === run.id);
-  runs.value = old ? runs.value.map((r) => (r.id === run.id ? { ...r, ...run } : r)) : [run, ...runs.value];
+  runs.value = old ? runs.value.map((r) => (r.id === run.id ? { ...r, ...run } : r)) : run.parent ? [...runs.value, run] : [run, ...runs.value];
   if (run.state === 'running' && !begun.has(run.id)) begun.set(run.id, { at: Date.now(), progress: run.progress });
   if (old?.state !== run.state) {
     if (run.id === selectedId.value) void load(run.id);
-    if (run.state === 'done' && old) say(`${runName(run)}: done`);
-  } else if (run.id === selectedId.value && run.state === 'running' && run.time !== undefined && columns.value.length === 0) void load(run.id);
+    if (run.state === 'done' && old && !run.parent) say(`${runName(run)}: done`);
+  } else if (run.id === selectedId.value && run.state === 'running' && !run.parent && run.time !== undefined && columns.value.length === 0) void load(run.id);
 }
 
 /** Seconds to the end, judged by the pace so far; null before there is one. */
@@ -115,6 +126,7 @@ export function timeToFinish(run: Run): number | null {
   return ((Date.now() - b.at) / 1000) * ((1 - run.progress) / (run.progress - b.progress));
 }
 
+export const tableAddress = (id: string): string => address(`runs/${id}/table.csv`);
 export const reportAddress = (id: string): string => address(`runs/${id}/report.html`);
 
 /** Values of histories around one time, for the animation: a coarse whole that is fetched once. */

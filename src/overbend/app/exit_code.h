@@ -1,6 +1,8 @@
 /// How the program ends.
 #pragma once
 
+#include "study/run_ending.h"
+
 namespace overbend {
 
 enum ExitCode : int {
@@ -11,5 +13,8 @@ enum ExitCode : int {
   kCheckExceeded = 4,  ///< With --strict: a utilisation above 1.
   kInterrupted = 130,
 };
+
+/// Tells on stderr what did not end well, if anything, and returns the exit code for it.
+ExitCode tell(const RunEnd& end);
 
 }  // namespace overbend

@@ -1,12 +1,12 @@
-#include "app/compare_gather.h"
+#include "study/compare_gather.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "app/seeds_gather.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/long_data_reader.h"
+#include "study/seeds_gather.h"
 
 namespace overbend {
 namespace {

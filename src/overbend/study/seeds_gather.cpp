@@ -1,4 +1,4 @@
-#include "app/seeds_gather.h"
+#include "study/seeds_gather.h"
 
 #include <algorithm>
 #include <cmath>

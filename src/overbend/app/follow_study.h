@@ -1,0 +1,15 @@
+/// A study as the terminal follows it: progress, and Ctrl-C.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "study/study.h"
+
+namespace overbend {
+
+/// Runs the plan with progress on stderr until it ends or is interrupted. `noun` names the cases: "seeds".
+StudyEnd follow_study(const Description& base, const StudyPlan& plan, const std::filesystem::path& folder,
+                      const CaseOptions& options, const std::string& noun);
+
+}  // namespace overbend

@@ -1,0 +1,53 @@
+#include "app/seeds_lines.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+#include <map>
+
+#include "app/check_lines.h"
+#include "app/warning_lines.h"
+#include "report/warning_weight.h"
+#include "resultfiles/seeds_writer.h"
+
+namespace overbend {
+namespace {
+
+void print(const SeedsResults& results) {
+  std::cout << fmt::format("  {:<28}{:>12}{:>12}{:>12}{:>12}\n", "over the seeds", "mean", "std", "min", "max");
+  for (std::size_t i = 0; i < results.statistics.size(); ++i) {
+    const SeedQuantity& quantity = results.quantities[i];
+    const SeedStatistics& s = results.statistics[i];
+    if (std::isnan(s.mean)) continue;  // absent in every run
+    const TableUnit unit = table_unit(quantity);
+    std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean * unit.factor,
+                             s.std * unit.factor, s.min * unit.factor, s.max * unit.factor, unit.name);
+  }
+  std::map<std::string, int> warnings;
+  for (const SeedRun& run : results.runs) {
+    for (const std::string& warning : run.warnings) ++warnings[warning];
+  }
+  for (const auto& [warning, count] : warnings) {
+    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", count, results.runs.size(), without_mark(warning));
+  }
+  std::cout << warning_lines(results.warnings);
+}
+
+}  // namespace
+
+ExitCode tell_seeds(const StudyEnd& end, const std::filesystem::path& folder, bool strict) {
+  if (!end.seeds) return tell(end);
+  for (const FailedSeed& failed : end.seeds->failed) {
+    std::cerr << "overbend: seed " << failed.seed << ": " << failed.why << "\n";
+  }
+  if (!end.seeds->runs.empty()) {
+    std::cout << fmt::format("{}\n  {:<28}{:>12} of {}\n", end.statics.title, "seeds done", end.seeds->runs.size(),
+                             end.seeds->runs.size() + end.seeds->failed.size());
+    print(*end.seeds);
+    std::cout << "Results are in " << folder.string() << "\n";
+  }
+  return end.ending == RunEnding::done ? strict_code(end.worst, strict) : tell(end);
+}
+
+}  // namespace overbend

@@ -1,0 +1,103 @@
+#include "serve/study_json.h"
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "resultfiles/seeds_writer.h"
+
+namespace overbend {
+namespace {
+
+Json summary_of(const RunInfo& study, const std::filesystem::path& folder) {
+  std::ifstream stream(folder / study_files(study).summary, std::ios::binary);
+  Json summary = stream ? Json::parse(stream, nullptr, false) : Json();
+  const char* key = study.kind.c_str();
+  if (!summary.is_object() || !summary.contains(key)) throw HttpFault(404, "the study has no results");
+  return std::move(summary[key]);
+}
+
+/// Name, words and units of a quantity, and its value in every case.
+Json quantity_json(const std::string& name, const Json& about, const Json& cases) {
+  const TableUnit unit = table_unit({name, about["units"].get<std::string>(), "", SeedExtreme::none});
+  Json values = Json::array();
+  for (const Json& one : cases) values.push_back(one.value(name, Json()));
+  return {{"name", name},
+          {"text", about["description"]},
+          {"unit", unit.name},
+          {"factor", unit.factor},
+          {"values", std::move(values)}};
+}
+
+Json case_json(const RunInfo& study, const std::string& name, const std::string& words) {
+  return {{"id", study.id + "~" + name}, {"name", name}, {"words", words}};
+}
+
+/// Sentences that several cases have in common once, with how many have them.
+Json warnings_json(const Json& cases, const Json& own) {
+  std::vector<std::pair<std::string, int>> counted;
+  for (const Json& one : cases) {
+    for (const Json& warning : one["warnings"]) {
+      const auto text = warning.get<std::string>();
+      const auto known = std::ranges::find(counted, text, &std::pair<std::string, int>::first);
+      if (known == counted.end()) {
+        counted.emplace_back(text, 1);
+      } else {
+        ++known->second;
+      }
+    }
+  }
+  Json list = Json::array();
+  for (const Json& text : own) list.push_back({{"text", text}, {"cases", cases.size()}});
+  for (const auto& [text, count] : counted) list.push_back({{"text", text}, {"cases", count}});
+  return list;
+}
+
+Json seeds_json(const RunInfo& study, const Json& seeds) {
+  Json cases = Json::array(), quantities = Json::array();
+  for (const Json& run : seeds["runs"]) {
+    const std::string number = std::to_string(run["seed"].get<std::uint64_t>());
+    cases.push_back(case_json(study, run["folder"], "Seed " + number));
+  }
+  for (const auto& [name, statistics] : seeds["statistics"].items()) {
+    Json quantity = quantity_json(name, statistics, seeds["runs"]);
+    for (const char* value : {"mean", "std", "min", "max"}) quantity[value] = statistics[value];
+    quantity["gumbel"] = statistics.value("gumbel", Json());
+    quantities.push_back(std::move(quantity));
+  }
+  return {{"kind", "seeds"},
+          {"cases", std::move(cases)},
+          {"quantities", std::move(quantities)},
+          {"warnings", warnings_json(seeds["runs"], seeds["warnings"])}};
+}
+
+Json comparison_json(const RunInfo& study, const Json& comparison) {
+  Json cases = Json::array(), quantities = Json::array();
+  for (const Json& variant : comparison["variants"]) {
+    cases.push_back(case_json(study, variant["name"], variant["words"]));
+  }
+  for (const auto& [name, about] : comparison["quantities"].items()) {
+    quantities.push_back(quantity_json(name, about, comparison["variants"]));
+  }
+  return {{"kind", "comparison"},
+          {"of", comparison["of"]},
+          {"cases", std::move(cases)},
+          {"quantities", std::move(quantities)},
+          {"warnings", warnings_json(comparison["variants"], Json::array())}};
+}
+
+}  // namespace
+
+StudyFiles study_files(const RunInfo& study) {
+  if (study.kind == "comparison") return {"comparison.json", "comparison.csv", "comparison.html"};
+  return {"summary.json", "seeds.csv", ""};
+}
+
+Json study_json(const RunInfo& study, const std::filesystem::path& folder) {
+  if (!study.is_study()) throw HttpFault(404, "the run has no cases");
+  const Json summary = summary_of(study, folder);
+  return study.kind == "seeds" ? seeds_json(study, summary) : comparison_json(study, summary);
+}
+
+}  // namespace overbend

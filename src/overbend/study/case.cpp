@@ -1,0 +1,39 @@
+#include "study/case.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "modelfile/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+bool same_change(const YamlChange& a, const YamlChange& b) {
+  return a.path == b.path && a.kind == b.kind && a.value == b.value;
+}
+
+Description edited(const Description& base, const Case& one) {
+  ModelReading reading = read_model_text(edit_yaml(base.source_text, one.changes), base.source_file);
+  if (!reading.description) {
+    const std::vector<std::string> errors = reading.diagnostics.lines(Severity::error);
+    throw std::runtime_error("the case " + one.name + ": " + (errors.empty() ? "" : errors.front()));
+  }
+  return std::move(*reading.description);
+}
+
+}  // namespace
+
+Description describe(const Description& base, const Case& one) {
+  Description description = one.changes.empty() ? base : edited(base, one);
+  if (one.duration) {
+    if (!description.dynamics) description.dynamics.emplace();
+    description.dynamics->duration = *one.duration;
+  }
+  return description;
+}
+
+bool same_model(const Case& a, const Case& b) {
+  return a.duration == b.duration && std::ranges::equal(a.changes, b.changes, same_change);
+}
+
+}  // namespace overbend

@@ -1,0 +1,43 @@
+#include "study/compare_variants.h"
+
+namespace overbend {
+namespace {
+
+Case variant(const char* name, const char* words, const char* path, const char* value) {
+  return {name, words, {{path, YamlChange::Kind::scalar, value}}};
+}
+
+}  // namespace
+
+const char* word(ComparisonOf of) {
+  return of == ComparisonOf::contact ? "contact" : "tensioner";
+}
+
+std::optional<ComparisonOf> comparison_of(const std::string& word) {
+  for (const ComparisonOf of : {ComparisonOf::tensioner, ComparisonOf::contact}) {
+    if (word == overbend::word(of)) return of;
+  }
+  return std::nullopt;
+}
+
+std::vector<Case> variants_of(ComparisonOf of) {
+  if (of == ComparisonOf::contact) {
+    return {variant("rollers", "Rollers", "supports.contact", "rollers"),
+            variant("gap_springs", "Gap springs", "supports.contact", "gap_springs")};
+  }
+  return {variant("off", "Off, held by its brake", "tensioner.mode", "locked"),
+          variant("controlled", "Controlled", "tensioner.mode", "controlled"),
+          variant("constant", "Ideally constant", "tensioner.mode", "constant")};
+}
+
+std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description) {
+  if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
+    return "tensioner.range is missing: a controlled tensioner works to keep it; give one such as [240 kN, 260 kN]";
+  }
+  if (of == ComparisonOf::contact && description.supports.boxes.empty()) {
+    return "the model has no supports whose contact could be compared";
+  }
+  return std::nullopt;
+}
+
+}  // namespace overbend

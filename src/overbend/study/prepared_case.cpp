@@ -1,0 +1,55 @@
+#include "study/prepared_case.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "dynamics/dynamic_obstacle.h"
+#include "dynamics/dynamics.h"
+#include "statics/recovery.h"
+
+namespace overbend {
+namespace {
+
+std::string file_text(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+std::string input_text(const Description& d) {
+  std::string text = d.source_text;
+  // What the files hold, not where they lie: that depends on how the model's own path was written.
+  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
+    if (!file.empty()) {
+      text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
+    }
+  }
+  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
+}
+
+std::string failure_line(const StaticFailure& failure) {
+  const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
+  return failure.what + where + ": " + failure.why;
+}
+
+RunEnd failed_end(const StaticFailure& failure) {
+  if (failure.input) return {RunEnding::wrong_input, failure_line(failure)};
+  return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
+}
+
+std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description) {
+  Model model = build_model(description);
+  if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
+    return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
+  }
+  StaticOutcome outcome = solve_statics(model);
+  if (outcome.failure) return failed_end(*outcome.failure);
+  StaticResults statics = recover_statics(model, *outcome.solution);
+  return std::make_shared<const PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
+                                                           std::move(statics), input_text(description)});
+}
+
+}  // namespace overbend

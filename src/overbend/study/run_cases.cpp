@@ -1,0 +1,137 @@
+#include "study/run_cases.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "resultfiles/dynamic_reader.h"
+#include "runstore/append_file.h"
+#include "runstore/run_store.h"
+#include "runstore/staged_folder.h"
+#include "study/run_folder.h"
+
+namespace overbend {
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+const DynamicSettings& settings(const CaseRun& run) {
+  return *run.prepared->description.dynamics;
+}
+
+/// Another command may have written into the folder since.
+bool has_its_results(const CaseRun& run) {
+  const std::filesystem::path h5 = run.folder / "results.h5";
+  return is_finished(run.folder, run.prepared->input) && std::filesystem::exists(h5) && has_dynamic(h5);
+}
+
+/// What was left of a run before. Throws std::runtime_error where that is of another input.
+void look_back(CaseRun& run) {
+  if (has_its_results(run)) {
+    run.begun_before = run.ended = true;
+    run.from = settings(run).duration;
+  } else if (const auto begun = RunStore::resume(run.folder, run.prepared->input, run.seed)) {
+    run.begun_before = true;
+    run.from = begun->state.time;
+  }
+}
+
+/// The threads' common work.
+class CaseWork {
+ public:
+  CaseWork(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, std::mutex& files)
+      : runs_(runs), options_(options), watch_(watch), files_(files) {}
+
+  void go() {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted = options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
+    std::vector<std::thread> threads;
+    for (std::size_t i = 1; i < std::min(wanted, runs_.size()); ++i) threads.emplace_back([this] { work(); });
+    work();
+    for (std::thread& thread : threads) thread.join();
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < runs_.size() && !watch_.stop(); i = next_++) {
+      CaseRun& one = runs_[i];
+      if (one.ended) continue;
+      watch_.started(i);
+      one.end = run(i);
+      one.ended = one.end.ending != RunEnding::interrupted;
+      watch_.ended(i, one);
+      one.end.results.reset();
+    }
+  }
+
+  /// This one's disk or numbers; the others go on.
+  RealisationEnd run(std::size_t index) {
+    try {
+      return try_run(index);
+    } catch (const FileFault& fault) {
+      return {{RunEnding::fault, fault.what()}};
+    } catch (const UnusableFolder& fault) {
+      return {{RunEnding::fault, fault.what()}};
+    } catch (const std::exception& fault) {
+      return {{RunEnding::fault, std::string("internal fault: ") + fault.what()}};
+    }
+  }
+
+  RealisationEnd try_run(std::size_t index) {
+    const CaseRun& one = runs_[index];
+    SteadyClock::time_point last = SteadyClock::now();
+    const auto control = [&](const DynamicProgress& at) {
+      watch_.progress(index, at);
+      if (watch_.stop()) return DynamicControl::stop;
+      if (std::chrono::duration<double>(SteadyClock::now() - last).count() < options_.checkpoint_every) {
+        return DynamicControl::go_on;
+      }
+      last = SteadyClock::now();
+      return DynamicControl::checkpoint;
+    };
+    const auto rows = [&](const std::vector<HistoryColumn>& columns, std::span<const double> values) {
+      watch_.row(index, columns, values);
+    };
+    if (!options_.resume) unmark(one.folder);
+    RealisationEnd end = run_realisation(*one.prepared, one.folder, one.seed, options_.resume, control, files_, rows);
+    if (end.ending == RunEnding::done) {
+      const std::lock_guard<std::mutex> hold(files_);
+      mark_finished(one.folder, "dynamic", one.prepared->statics.title, one.prepared->input);
+    }
+    return end;
+  }
+
+  std::vector<CaseRun>& runs_;
+  const CaseOptions& options_;
+  CaseWatch& watch_;
+  std::mutex& files_;
+  std::atomic<std::size_t> next_{0};
+};
+
+}  // namespace
+
+void CaseWatch::begin(const std::vector<CaseRun>& /*runs*/) {}
+void CaseWatch::started(std::size_t /*run*/) {}
+void CaseWatch::progress(std::size_t /*run*/, const DynamicProgress& /*at*/) {}
+void CaseWatch::row(std::size_t /*run*/, const std::vector<HistoryColumn>& /*columns*/,
+                    std::span<const double> /*values*/) {}
+void CaseWatch::ended(std::size_t /*run*/, const CaseRun& /*how*/) {}
+
+RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, std::mutex& files) {
+  for (CaseRun& run : runs) run.from = -settings(run).build_up;
+  if (options.resume) {
+    try {
+      const std::lock_guard<std::mutex> hold(files);
+      for (CaseRun& run : runs) look_back(run);
+    } catch (const std::runtime_error& fault) {
+      return {RunEnding::wrong_input, fault.what()};
+    }
+  }
+  watch.begin(runs);
+  CaseWork(runs, options, watch, files).go();
+  const bool all = std::all_of(runs.begin(), runs.end(), [](const CaseRun& run) { return run.ended; });
+  return all ? RunEnd{} : RunEnd{RunEnding::interrupted, "interrupted"};
+}
+
+}  // namespace overbend

@@ -1,0 +1,122 @@
+#include "study/run_folder.h"
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "runstore/append_file.h"
+#include "runstore/run_record.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kRecord = "run.json";
+constexpr std::array kStates = {"queued", "running", "done", "failed", "cancelled"};
+
+/// What an unknown word stands for did not come to its end.
+RunState state_of(const std::string& name) {
+  for (std::size_t i = 0; i < kStates.size(); ++i) {
+    if (kStates[i] == name) return static_cast<RunState>(i);
+  }
+  return RunState::failed;
+}
+
+Json record_json(const RunRecord& r) {
+  return {{"kind", r.kind},         {"of", r.of},
+          {"seeds", r.seeds},       {"title", r.title},
+          {"duration", r.duration}, {"model_path", r.model_path},
+          {"state", word(r.state)}, {"progress", r.progress},
+          {"started", r.started},   {"message", r.message},
+          {"name", r.name},         {"note", r.note},
+          {"input", r.input},       {"program", r.program}};
+}
+
+RunRecord record_of(const Json& json) {
+  RunRecord r;
+  r.kind = json.value("kind", "static");
+  r.of = json.value("of", "");
+  r.seeds = json.value("seeds", r.seeds);
+  r.title = json.value("title", "");
+  r.duration = json.value("duration", 0.0);
+  r.model_path = json.value("model_path", "");
+  r.state = state_of(json.value("state", ""));
+  r.progress = json.value("progress", 0.0);
+  r.started = json.value("started", 0.0);
+  r.message = json.value("message", "");
+  r.name = json.value("name", "");
+  r.note = json.value("note", "");
+  r.input = json.value("input", "");
+  r.program = json.value("program", "");
+  return r;
+}
+
+}  // namespace
+
+const char* word(RunState state) {
+  return kStates.at(static_cast<std::size_t>(state));
+}
+
+std::optional<RunRecord> read_record(const fs::path& folder) {
+  std::ifstream stream(folder / kRecord, std::ios::binary);
+  if (!stream) return std::nullopt;
+  try {
+    const Json json = Json::parse(stream, nullptr, false);
+    if (json.is_object()) return record_of(json);
+  } catch (const Json::exception&) {  // a file that only looks like ours
+  }
+  return std::nullopt;
+}
+
+void write_record(const RunRecord& record, const fs::path& folder) {
+  const fs::path beside = folder / "run.json.part";
+  write_text(beside, record_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  fs::rename(beside, folder / kRecord);
+}
+
+void change_record(const fs::path& folder, const std::function<void(RunRecord&)>& change) {
+  RunRecord record = read_record(folder).value_or(RunRecord{});
+  change(record);
+  write_record(record, folder);
+}
+
+void mark_finished(const fs::path& folder, const std::string& kind, const std::string& title,
+                   const std::string& input) {
+  change_record(folder, [&](RunRecord& record) {
+    record.kind = kind;
+    record.title = title;
+    record.state = RunState::done;
+    record.progress = 1.0;
+    record.input = text_hash(input);
+    record.program = program_identity();
+  });
+}
+
+void unmark(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder / kRecord, ignored)) return;
+  try {
+    change_record(folder, [](RunRecord& record) {
+      if (record.state == RunState::done) record.state = RunState::running;
+      record.input.clear();
+      record.program.clear();
+    });
+  } catch (const std::exception&) {
+    fs::remove(folder / kRecord, ignored);
+  }
+}
+
+bool is_finished(const fs::path& folder, const std::string& input) {
+  const std::optional<RunRecord> record = read_record(folder);
+  if (!record || record->input.empty()) return false;
+  if (record->input == text_hash(input) && record->program == program_identity()) return true;
+  throw std::runtime_error(
+      "'" + folder.string() +
+      "' has results of another model file or another build of the program; begin anew with --restart");
+}
+
+}  // namespace overbend

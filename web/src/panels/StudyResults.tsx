@@ -1,0 +1,54 @@
+// What the cases of a study gave: several seeds by their statistics, variants beside each other.
+import type { Run, Study, StudyQuantity } from '../api/types';
+import { tidy } from '../logic/units';
+import { bullets } from '../logic/warnings';
+import { reportAddress, runName, runs, select, study, tableAddress } from '../state/runs';
+import { Standing } from './RunResults';
+import { Warnings } from './Warnings';
+
+const shown = (value: number | null | undefined, q: StudyQuantity): string => (value === null || value === undefined ? '–' : tidy(value * q.factor, 4));
+
+interface Shown { head: { name: string; title: string }[]; values: (q: StudyQuantity) => (number | null | undefined)[] }
+
+const overSeeds: Shown = { head: ['mean', 'std', 'min', 'max'].map((name) => ({ name, title: `${name} over the seeds` })), values: (q) => [q.mean, q.std, q.min, q.max] };
+const besideEachOther = (of: Study): Shown => ({ head: of.cases.map((c) => ({ name: c.name.replace('_', ' '), title: c.words })), values: (q) => q.values });
+
+/** The quantity has a line of its own: its name is longer than a column is wide. */
+function Table({ of }: { of: Study }) {
+  const columns = of.kind === 'seeds' ? overSeeds : besideEachOther(of);
+  return (
+    <table class="minmax study">
+      <thead><tr>{columns.head.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}</th>)}</tr></thead>
+      {of.quantities.map((q) => (
+        <tbody key={q.name}>
+          <tr class="group"><th scope="rowgroup" colSpan={columns.head.length}>{q.text} {q.unit === '-' ? null : <small>{q.unit}</small>}</th></tr>
+          <tr>{columns.values(q).map((v, i) => <td key={i}>{shown(v, q)}</td>)}</tr>
+          {q.gumbel ? <tr><th colSpan={columns.head.length} title="Most probable extreme of three hours by a Gumbel distribution, with its 95 % confidence interval">3 h: {shown(q.gumbel.estimate, q)} ({shown(q.gumbel.low, q)} to {shown(q.gumbel.high, q)})</th></tr> : null}
+        </tbody>
+      ))}
+    </table>
+  );
+}
+
+export function StudyResults({ run }: { run: Run }) {
+  const of = study.value;
+  const cases = runs.value.filter((r) => r.parent === run.id);
+  return (
+    <section class="results ofrun" aria-label="Results of the study">
+      <h2>{runName(run)} <small>{run.kind === 'seeds' ? `${cases.length} seeds` : `comparison, ${run.of}`}</small></h2>
+      {run.note ? <p class="note">{run.note}</p> : null}
+      <Standing run={run} />
+      {of ? (
+        <>
+          <div class="acts">
+            {run.kind === 'comparison' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Comparison page</a> : null}
+            <a class="button" href={tableAddress(run.id)} download={`${run.id}.csv`}>Table (CSV)</a>
+          </div>
+          <Table of={of} />
+          <Warnings list={bullets(of.warnings.map((w) => (w.cases < of.cases.length ? `${w.text} (${w.cases} of ${of.cases.length})` : w.text)), [])} />
+        </>
+      ) : run.has_results ? <p class="brief">Loading…</p> : null}
+      <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>
+    </section>
+  );
+}
