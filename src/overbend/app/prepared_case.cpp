@@ -4,7 +4,7 @@
 
 #include "base/units.h"
 #include "modelfile/field.h"
-#include "statics/recovery.h"
+#include "study/static_run.h"
 
 namespace overbend {
 
@@ -26,7 +26,7 @@ std::unique_ptr<PreparedCase> prepare_case(const Description& description, ExitC
     return nullptr;
   }
   code = kDone;
-  StaticResults statics = recover_statics(model, *outcome.solution);
+  StaticResults statics = checked_statics(model, *outcome.solution);
   return std::make_unique<PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
                                                      std::move(statics), input_text(description)});
 }

@@ -6,7 +6,6 @@
 
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
-#include "statics/recovery.h"
 #include "study/dynamic_realisation.h"
 #include "study/static_run.h"
 
@@ -71,7 +70,7 @@ void RunQueue::run_static(const Job& job) {
   if (stop_) return end(job.id, RunState::cancelled, "cancelled");
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(recover_statics(model, *outcome.solution), description, folder_ / job.id);
+    write_static_run(checked_statics(model, *outcome.solution), description, folder_ / job.id);
   }
   end(job.id, RunState::done, "");
 }
@@ -82,7 +81,7 @@ void RunQueue::run_dynamic(const Job& job) {
   if (const auto obstacle = dynamic_obstacle(model)) return end(job.id, RunState::failed, failure_line(*obstacle));
   const StaticOutcome start = solve_statics(model);
   if (start.failure) return end(job.id, RunState::failed, failure_line(*start.failure));
-  const StaticResults statics = recover_statics(model, *start.solution);
+  const StaticResults statics = checked_statics(model, *start.solution);
   const DynamicCase shared{description, model, *start.solution, statics, input_text(description)};
   const DynamicOptions options = dynamic_options(model);
   double worst = 0.0;

@@ -16,6 +16,7 @@ struct CutForces {
 /// At every node.
 std::vector<CutForces> cut_forces(LineSystem& system, const LineState& state);
 
+/// Results of an equilibrium, without code checks: those are made from results, see checks/run_checks.h.
 StaticResults recover_statics(const Model& model, const StaticSolution& solution);
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/dynamic_writer.h"
 #include "runstore/run_store.h"
@@ -102,6 +103,7 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
     begun->store.remove();
     return {kWrongInput, fault.what(), std::nullopt};
   }
+  if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.stopped) {
     return {kInterrupted, "interrupted; the run goes on with --resume", std::move(outcome.results)};
   }
