@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     "mechanics": {"model", "base"},
     "system": ENGINE,
     "checks": {"mechanics"} | PLAIN,
-    "statics": {"system", "checks"} | ENGINE,
+    "statics": {"system"} | ENGINE,
     "dynamics": {"statics", "system"} | ENGINE,
     "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
     "seafiles": {"model", "base"},

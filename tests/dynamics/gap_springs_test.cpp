@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/dynamic_setup.h"
+#include "statics/recovery.h"
 #include "support/fixtures.h"
 #include "support/solved_case.h"
 

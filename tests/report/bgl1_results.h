@@ -8,8 +8,8 @@
 
 #include "model/model.h"
 #include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
 #include "statics/statics.h"
+#include "study/static_run.h"
 
 namespace overbend::testing {
 
@@ -30,7 +30,7 @@ inline const SolvedExample& bgl1() {
     if (!outcome.solution) {
       throw std::runtime_error("the example cannot be solved");
     }
-    return SolvedExample{recover_statics(model, *outcome.solution), reading.description->source_text};
+    return SolvedExample{checked_statics(model, *outcome.solution), reading.description->source_text};
   }();
   return kSolved;
 }

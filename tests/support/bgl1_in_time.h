@@ -3,9 +3,11 @@
 
 #include <functional>
 
+#include "checks/run_checks.h"
 #include "modelfile/yaml_reader.h"
 #include "recording/run_dynamics.h"
 #include "statics/recovery.h"
+#include "study/static_run.h"
 
 namespace overbend::testing {
 
@@ -28,7 +30,7 @@ inline Description workable() {
 /// A model with its static state, to be run in time.
 struct Case {
   explicit Case(const Description& d)
-      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(recover_statics(model, start)) {}
+      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(checked_statics(model, start)) {}
 
   DynamicOutcome run(
       DynamicSink& sink, const DynamicOptions& options, const DynamicCheckpoint* from = nullptr,
@@ -37,7 +39,11 @@ struct Case {
       }) const {
     return run_dynamics(model, start, statics, options, sink, from, control);
   }
-  DynamicResults results(DynamicSink& sink) const { return run(sink, dynamic_options(model)).results.value(); }
+  DynamicResults results(DynamicSink& sink) const {
+    DynamicResults r = run(sink, dynamic_options(model)).results.value();
+    fill_checks(model, statics, r);
+    return r;
+  }
 
   Model model;
   StaticSolution start;

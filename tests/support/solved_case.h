@@ -12,8 +12,8 @@
 
 #include "model/model.h"
 #include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
 #include "statics/statics.h"
+#include "study/static_run.h"
 
 namespace overbend::testing {
 
@@ -34,7 +34,7 @@ inline const SolvedCase& solved_case(const std::string& name) {
     const ModelReading reading = read_model(case_file(name));
     const Model model = build_model(reading.description.value());
     const StaticOutcome outcome = solve_statics(model);
-    found->second = {*reading.description, recover_statics(model, outcome.solution.value())};
+    found->second = {*reading.description, checked_statics(model, outcome.solution.value())};
   }
   return found->second;
 }

@@ -9,7 +9,6 @@
 #include "app/warning_lines.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
-#include "statics/recovery.h"
 #include "statics/statics.h"
 #include "study/prepared_case.h"
 #include "study/static_run.h"
@@ -72,7 +71,7 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   const Model model = build_model(*description);
   const StaticOutcome outcome = solve_statics(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
-  const StaticResults results = recover_statics(model, *outcome.solution);
+  const StaticResults results = checked_statics(model, *outcome.solution);
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   try {
     write_static_run(results, *description, folder);

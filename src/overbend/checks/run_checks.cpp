@@ -74,6 +74,18 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
   return table;
 }
 
+/// The table's assumptions are the last of the results'.
+template <class Results>
+void put(CheckTable table, Results& results) {
+  const std::vector<std::string>& before = results.checks.assumptions;
+  std::vector<std::string>& all = results.assumptions;
+  if (all.size() >= before.size() && std::equal(before.rbegin(), before.rend(), all.rbegin())) {
+    all.resize(all.size() - before.size());
+  }
+  all.insert(all.end(), table.assumptions.begin(), table.assumptions.end());
+  results.checks = std::move(table);
+}
+
 }  // namespace
 
 CheckTable check_statics(const Model& model, const StaticResults& statics) {
@@ -82,6 +94,14 @@ CheckTable check_statics(const Model& model, const StaticResults& statics) {
 
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics) {
   return table_of(model, statics, &dynamics, dynamic_stations(model, statics, dynamics));
+}
+
+void fill_checks(const Model& model, StaticResults& statics) {
+  put(check_statics(model, statics), statics);
+}
+
+void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics) {
+  put(check_dynamics(model, statics, dynamics), dynamics);
 }
 
 }  // namespace overbend

@@ -13,4 +13,8 @@ CheckTable check_statics(const Model& model, const StaticResults& statics);
 /// Of a run: stations, envelopes and the design values must stand.
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics);
 
+/// Puts the table into the results, and what it assumes among their assumptions, in place of an earlier table.
+void fill_checks(const Model& model, StaticResults& statics);
+void fill_checks(const Model& model, const StaticResults& statics, DynamicResults& dynamics);
+
 }  // namespace overbend

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "checks/run_checks.h"
 #include "recording/dynamic_recorder.h"
 
 namespace overbend {
@@ -19,8 +18,7 @@ DynamicRunReport report_of(const Simulation& simulation, double simulated) {
   return report;
 }
 
-DynamicResults results_of(const Model& model, const StaticResults& statics, const Simulation& simulation,
-                          const DynamicRecorder& recorder) {
+DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& recorder) {
   const DynamicOptions& options = simulation.options();
   DynamicResults r;
   r.duration = simulation.time();
@@ -30,8 +28,6 @@ DynamicResults results_of(const Model& model, const StaticResults& statics, cons
   r.energy = simulation.energy();
   r.run = report_of(simulation, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
   recorder.fill(r);
-  r.checks = check_dynamics(model, statics, r);
-  r.assumptions.insert(r.assumptions.end(), r.checks.assumptions.begin(), r.checks.assumptions.end());
   return r;
 }
 
@@ -56,10 +52,10 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
     if (wanted != DynamicControl::go_on) sink.checkpoint(simulation.checkpoint());
     if (wanted == DynamicControl::stop && !simulation.finished()) {
       if (simulation.time() <= 0.0) return {std::nullopt, std::nullopt, true};
-      return {results_of(model, statics, simulation, recorder), std::nullopt, true};
+      return {results_of(simulation, recorder), std::nullopt, true};
     }
   }
-  return {results_of(model, statics, simulation, recorder), std::nullopt, false};
+  return {results_of(simulation, recorder), std::nullopt, false};
 }
 
 }  // namespace overbend

@@ -25,7 +25,8 @@ struct DynamicOutcome {
 };
 
 /// Runs a simulation with a recorder, or goes on from a checkpoint. The results of a run that was stopped and taken up
-/// again are those of one that was not, bit for bit. Histories, spectra and extremes are left to who has the sink.
+/// again are those of one that was not, bit for bit. Histories, spectra and extremes are left to who has the
+/// sink, code checks to checks/run_checks.h.
 DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
                             const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
                             const std::function<DynamicControl(const DynamicProgress&)>& control);

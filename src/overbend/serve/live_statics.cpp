@@ -7,7 +7,7 @@
 #include "report/json_number.h"
 #include "serve/diagnose.h"
 #include "serve/static_json.h"
-#include "statics/recovery.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {
@@ -51,7 +51,7 @@ Json LiveStatics::solve(const Model& model, const StaticWish& wish) {
   last_file_ = model.description.source_file;
   last_rollers_ = model.supports.rollers.size();
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
-  answer.update(static_json(recover_statics(model, *last_), wish.lists ? &*wish.lists : nullptr));
+  answer.update(static_json(checked_statics(model, *last_), wish.lists ? &*wish.lists : nullptr));
   return answer;
 }
 

@@ -7,7 +7,6 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
-#include "statics/recovery.h"
 #include "study/compare_variants.h"
 #include "study/static_run.h"
 #include "study/study.h"
@@ -186,7 +185,7 @@ void RunQueue::run_static(const Job& job) {
   if (stop_) return end(id, RunState::cancelled, "cancelled");
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(recover_statics(model, *outcome.solution), description, folder(job.run));
+    write_static_run(checked_statics(model, *outcome.solution), description, folder(job.run));
   }
   end(id, RunState::done, "");
 }

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/version.h"
-#include "checks/run_checks.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
 #include "statics/current_effect.h"
@@ -294,9 +293,6 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
   find_current_effect(model, solution, results);
-  results.checks = check_statics(model, results);
-  results.assumptions.insert(results.assumptions.end(), results.checks.assumptions.begin(),
-                             results.checks.assumptions.end());
   return results;
 }
 

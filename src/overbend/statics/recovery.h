@@ -18,6 +18,7 @@ CutForces cut_at(const StaticSystem& system, const LineState& state, const std::
 StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
                         double xi);
 
+/// Results of an equilibrium, without code checks: those are made from results, see checks/run_checks.h.
 StaticResults recover_statics(const Model& model, const StaticSolution& solution);
 
 }  // namespace overbend

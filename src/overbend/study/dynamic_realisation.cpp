@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/dynamic_writer.h"
 #include "runstore/run_store.h"
@@ -77,6 +78,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     begun->store.remove();
     return {{RunEnding::wrong_input, fault.what()}};
   }
+  if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.stopped) {
     return {{RunEnding::interrupted, "interrupted"}, std::move(outcome.results)};
   }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "modelfile/yaml_reader.h"
-#include "statics/recovery.h"
 #include "statics/statics.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {
@@ -39,7 +39,7 @@ Verdict judge(const Description& description) {
     verdict.no_solution = outcome.failure->what;
     return verdict;
   }
-  const StaticResults results = recover_statics(model, *outcome.solution);
+  const StaticResults results = checked_statics(model, *outcome.solution);
   verdict.top_inclination = results.stations.back().inclination;
   for (const CheckRow& row : results.checks.rows) {
     if (row.governing && row.status == CheckStatus::exceeded) verdict.exceeded.push_back(row);

@@ -7,7 +7,7 @@
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
-#include "statics/recovery.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {
@@ -47,7 +47,7 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   }
   StaticOutcome outcome = solve_statics(model);
   if (outcome.failure) return failed_end(*outcome.failure);
-  StaticResults statics = recover_statics(model, *outcome.solution);
+  StaticResults statics = checked_statics(model, *outcome.solution);
   return std::make_shared<const PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
                                                            std::move(statics), input_text(description)});
 }
