@@ -55,17 +55,17 @@
   }
 
   function yield_line(frame, kind, indices, hi) {
-    const lowest = d3.min(indices, (i) => st.yield[i]) * kind.factor;
+    const lowest = d3.min(indices, (i) => st.yield_stress[i]) * kind.factor;
     if (!(lowest > 0)) return;
     // A second scale in percent of yield, where one steel is all there is.
-    if (d3.max(indices, (i) => st.yield[i]) * kind.factor === lowest) {
+    if (d3.max(indices, (i) => st.yield_stress[i]) * kind.factor === lowest) {
       const percent = d3.scaleLinear([0, 100 * hi / lowest], [frame.y(0), frame.y(hi)]);
       frame.svg.append('g').attr('transform', `translate(${frame.width - frame.margin.right},0)`)
         .call(d3.axisRight(percent).ticks(5).tickSizeOuter(0));
       frame.svg.append('text').attr('class', 'soft').attr('text-anchor', 'middle')
         .attr('transform', `translate(${frame.width - 12},${frame.margin.top + frame.inner_height / 2}) rotate(-90)`).text('% of yield stress');
     }
-    curve(frame, indices.map((i) => [st.s[i], st.yield[i] * kind.factor]), colours.accent, '8 4', 1.3);
+    curve(frame, indices.map((i) => [st.s[i], st.yield_stress[i] * kind.factor]), colours.accent, '8 4', 1.3);
     if (lowest <= frame.y.domain()[1]) level_name(frame, lowest, `yield ${Report.fixed(lowest, 0)} MPa`);
   }
 
@@ -99,7 +99,7 @@
     const overbend = part === 'overbend';
     const end = overbend ? data.overbend_end : data.whole_end;
     if (kind.zero) { lo = Math.min(lo, 0); hi = Math.max(hi, 0); }
-    const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield[i]) * kind.factor : 0;
+    const yield_stress = kind.yield ? d3.max(indices, (i) => st.yield_stress[i]) * kind.factor : 0;
     if (yield_stress > 0 && hi > 0.5 * yield_stress) hi = Math.max(hi, yield_stress);
     const room = 0.1 * (hi - lo || 1);
     const range = [lo < 0 || !kind.zero ? lo - room : lo, hi + (hi === yield_stress ? above_yield : 2) * room];  // labels stand above the curve

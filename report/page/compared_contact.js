@@ -7,11 +7,16 @@
   const looks = [{ colour: Report.colours.pipe, rows: '#9fc3e6' }, { colour: Report.colours.second, rows: null }];
 
   const kinds = {
-    share: { title: 'Share of time in contact', axis: '% of time', factor: 100, digits: 1, unit: '%', rows: 'row_share', top: 110, ticks: [0, 25, 50, 75, 100] },
-    peak: { title: 'Peak reaction', axis: 'Peak reaction [kN]', factor: 1e-3, digits: 1, unit: 'kN', rows: 'row_peak', before: true },
-    dent: { title: 'Dent depth of bare steel under the largest force', axis: 'Dent depth [mm]', factor: 1e3, digits: 2, unit: 'mm' },
-    load: { title: 'Line load on the coating under the largest force', axis: 'Line load [kN/m]', factor: 1e-3, digits: 1, unit: 'kN/m' },
+    share: { key: 'contact_share', title: 'Share of time in contact', axis: '% of time', rows: 'row_contact_share', top: 110, ticks: [0, 25, 50, 75, 100] },
+    peak: { key: 'peak_reaction', title: 'Peak reaction', rows: 'row_peak_force', before: true },
+    dent: { key: 'dent_depth', title: 'Dent depth of bare steel under the largest force', name: 'Dent depth' },
+    load: { key: 'line_load', title: 'Line load on the coating under the largest force', name: 'Line load' },
   };
+
+  for (const kind of Object.values(kinds)) {
+    Object.assign(kind, data.shown[kind.key]);  // unit, factor, digits
+    kind.axis = kind.axis || `${kind.name || kind.title} [${kind.unit}]`;
+  }
 
   function bar(frame, x0, x1, value, colour) {
     return frame.plot.append('rect').attr('x', frame.x(x0)).attr('width', frame.x(x1) - frame.x(x0)).attr('y', frame.y(value))
@@ -28,7 +33,7 @@
 
   Report.compared_contact = function (panel, part) {
     const kind = kinds[part];
-    const hi = d3.max(data.boxes, (box) => d3.max(box.runs, (run) => run[part])) * kind.factor || 1;
+    const hi = d3.max(data.boxes, (box) => d3.max(box.runs, (run) => run[kind.key])) * kind.factor || 1;
     const { frame } = base(panel, { height: 300, y: [0, kind.top || 1.14 * hi], y_ticks: kind.ticks, title: kind.title, y_label: kind.axis, words: 'Support boxes, from the tensioner astern' });
     data.boxes.forEach((box, b) => {
       const [first, last] = Report.data.supports[b].slot;
@@ -36,10 +41,10 @@
       box.runs.forEach((run, k) => {
         const x0 = first + 0.1 + k * wide;
         const x1 = x0 + 0.94 * wide;
-        const value = run[part] * kind.factor;
+        const value = run[kind.key] * kind.factor;
         bar(frame, x0, x1, value, looks[k].colour).append('title').text(`${box.name}, ${data.runs[k].name}: ${Report.fixed(value, kind.digits)} ${kind.unit}`);
         if (value <= 0) frame.over.append('text').attr('text-anchor', 'middle').attr('x', frame.x(0.5 * (x0 + x1))).attr('y', frame.y(0) - 4).style('fill', looks[k].colour).text('\u00d7');
-        if (kind.before) frame.plot.append('line').attr('x1', frame.x(x0)).attr('x2', frame.x(x1)).attr('y1', frame.y(run.before * kind.factor)).attr('y2', frame.y(run.before * kind.factor)).attr('stroke', '#fff').attr('stroke-width', 2);
+        if (kind.before) frame.plot.append('line').attr('x1', frame.x(x0)).attr('x2', frame.x(x1)).attr('y1', frame.y(run.static_reaction * kind.factor)).attr('y2', frame.y(run.static_reaction * kind.factor)).attr('stroke', '#fff').attr('stroke-width', 2);
         if (kind.rows) rows_of(frame, run[kind.rows], kind, x0, x1, looks[k].rows);
       });
     });

@@ -30,11 +30,11 @@
     for (const position of positions.filter(present)) {
       const { frame, list } = base(panel, { height: 218, y: [0, 118], title: `${position.name[0].toUpperCase()}${position.name.slice(1)} rollers`, y_label: '% of time', y_ticks: [0, 25, 50, 75, 100] });
       for (const { box, at, roller } of seen(list, position)) {
-        const share = 100 * roller.share;
+        const share = 100 * roller.contact_share;
         bar(frame, at, 0, 100, '#fff').attr('stroke', '#d5dce3');
-        bar(frame, at, 0, share, position.colour).append('title').text(`${box.name}: ${Report.fixed(share, 1)} % of time in contact, ${roller.impacts} impacts`);
+        bar(frame, at, 0, share, position.colour).append('title').text(`${box.name}: ${Report.fixed(share, 1)} % of time in contact, ${roller.impact_count} impacts`);
         if (share <= 0) frame.plot.append('text').attr('text-anchor', 'middle').attr('x', frame.x(at)).attr('y', frame.y(0) - 4).style('fill', colours.accent).text('\u00d7');
-        if (roller.before > 0) frame.plot.append('circle').attr('cx', frame.x(at)).attr('cy', frame.y(109)).attr('r', 3.6).attr('fill', '#1b2733');
+        if (roller.static_reaction > 0) frame.plot.append('circle').attr('cx', frame.x(at)).attr('cy', frame.y(109)).attr('r', 3.6).attr('fill', '#1b2733');
       }
       zero_line(frame);
       Report.legend(frame, [{ text: 'share of time in contact', colour: position.colour, block: true }, { text: 'carries in the static state', colour: '#1b2733', dot: true }]);
@@ -43,13 +43,13 @@
 
   Report.reaction_ranges = function (panel) {
     for (const position of positions.filter(present)) {
-      const hi = d3.max(dynamic.supports, (box) => d3.max(box.rows, (row) => (row[position.name] ? Math.max(row[position.name].most, row[position.name].before) : 0))) / 1e3;
+      const hi = d3.max(dynamic.supports, (box) => d3.max(box.rows, (row) => (row[position.name] ? Math.max(row[position.name].reaction.max, row[position.name].static_reaction) : 0))) / 1e3;
       if (!(hi > 0)) continue;
       const { frame, list } = base(panel, { height: 250, y: [0, 1.15 * hi], title: `${position.name[0].toUpperCase()}${position.name.slice(1)} rollers`, y_label: 'Reaction [kN]' });
       let largest = null;
       for (const { box, at, roller } of seen(list, position)) {
-        if (roller.most <= 0 && roller.before <= 0) continue;
-        const [least, mean, most, before] = [roller.least, roller.mean, roller.most, roller.before].map((f) => f / 1e3);
+        if (roller.reaction.max <= 0 && roller.static_reaction <= 0) continue;
+        const [least, mean, most, before] = [roller.reaction.min, roller.reaction.mean, roller.reaction.max, roller.static_reaction].map((f) => f / 1e3);
         bar(frame, at, least, most, colours.band).attr('stroke', colours.dynamic).append('title')
           .text(`${box.name}, ${position.name}: ${Report.fixed(least, 1)} to ${Report.fixed(most, 1)} kN, mean ${Report.fixed(mean, 1)} kN, static ${Report.fixed(before, 1)} kN`);
         frame.used.push({ x0: frame.x(at - 0.36), x1: frame.x(at + 0.36), y0: frame.y(most), y1: frame.y(0) });
@@ -66,8 +66,8 @@
   Report.impact_scatter = function (panel, part) {
     const impacts = dynamic.impacts;
     const by_time = part === 'time';
-    const x = (hit) => (by_time ? hit.time : hit.velocity);
-    const hi = d3.max(impacts, (hit) => hit.force) / 1e3;
+    const x = (hit) => (by_time ? hit.time : hit.approach_velocity);
+    const hi = d3.max(impacts, (hit) => hit.peak_force) / 1e3;
     const end = by_time ? Math.max(dynamic.duration, d3.max(impacts, x)) : 1.08 * d3.max(impacts, x) || 1;
     const frame = Report.frame(panel, {
       height: 290, x: [0, end], y: [0, 1.14 * hi], title: `Peak force of the ${impacts.length > 1 ? impacts.length + ' ' : ''}hardest impact${impacts.length > 1 ? 's' : ''}, ${by_time ? 'in time' : 'against the velocity of approach'}`,
@@ -75,12 +75,12 @@
     });
     const colour_of = (hit) => positions.find((p) => p.name === hit.position).colour;
     for (const hit of [...impacts].reverse()) {  // the hardest on top
-      frame.plot.append('circle').attr('cx', frame.x(x(hit))).attr('cy', frame.y(hit.force / 1e3)).attr('r', 3.6).attr('fill', colour_of(hit)).attr('fill-opacity', 0.7)
-        .append('title').text(`${hit.box}, row ${hit.row}, ${hit.position}: ${Report.fixed(hit.force / 1e3, 1)} kN at ${Report.fixed(hit.velocity, 3)} m/s, t = ${Report.fixed(hit.time, 1)} s`);
-      frame.used.push({ x0: frame.x(x(hit)) - 3, x1: frame.x(x(hit)) + 3, y0: frame.y(hit.force / 1e3) - 3, y1: frame.y(hit.force / 1e3) + 3 });
+      frame.plot.append('circle').attr('cx', frame.x(x(hit))).attr('cy', frame.y(hit.peak_force / 1e3)).attr('r', 3.6).attr('fill', colour_of(hit)).attr('fill-opacity', 0.7)
+        .append('title').text(`${hit.box}, row ${hit.row}, ${hit.position}: ${Report.fixed(hit.peak_force / 1e3, 1)} kN at ${Report.fixed(hit.approach_velocity, 3)} m/s, t = ${Report.fixed(hit.time, 1)} s`);
+      frame.used.push({ x0: frame.x(x(hit)) - 3, x1: frame.x(x(hit)) + 3, y0: frame.y(hit.peak_force / 1e3) - 3, y1: frame.y(hit.peak_force / 1e3) + 3 });
     }
     Report.legend(frame, positions.filter((p) => impacts.some((hit) => hit.position === p.name)).map((p) => ({ text: p.name, colour: p.colour, dot: true })));
     const first = impacts[0];
-    Report.mark(frame, x(first), first.force / 1e3, `${Report.fixed(first.force / 1e3, 1)} kN (${first.box}, row ${first.row})`, colour_of(first));
+    Report.mark(frame, x(first), first.peak_force / 1e3, `${Report.fixed(first.peak_force / 1e3, 1)} kN (${first.box}, row ${first.row})`, colour_of(first));
   };
 })();

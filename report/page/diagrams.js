@@ -7,26 +7,28 @@
   const along = Report.along;
 
   const kinds = {
-    tension: { key: 'tension', extreme: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension',
-               more: [{ key: 'wall', name: 'wall tension', colour: colours.second, dash: '6 4' }], own: 'effective tension' },
-    moment: { key: 'moment', extreme: 'moment', factor: 1e-3, unit: 'kN m', digits: 1, name: 'Bending moment', zero: true, own: 'magnitude',
+    tension: { key: 'effective_tension', name: 'Effective tension', axis: 'Tension',
+               more: [{ key: 'wall_tension', name: 'wall tension', colour: colours.second, dash: '6 4' }], own: 'effective tension' },
+    moment: { key: 'bending_moment', name: 'Bending moment', zero: true, own: 'magnitude',
               more: [{ key: 'vertical_moment', name: 'vertical part, sagging +', colour: colours.third, dash: '9 3' },
                      { key: 'lateral_moment', name: 'lateral part, to port +', colour: colours.second, dash: '5 3', mark: 'lateral' }] },
-    bending: { key: 'bending', extreme: 'bending', factor: 1e-6, unit: 'MPa', digits: 1, name: 'Bending stress', zero: true, yield: true },
-    mises: { key: 'mises', extreme: 'mises', factor: 1e-6, unit: 'MPa', digits: 1, name: 'von Mises stress', zero: true, yield: true },
-    strain: { key: 'strain', extreme: 'strain', factor: 100, unit: '%', digits: 4, name: 'Strain', zero: true },
+    bending: { key: 'bending_stress', name: 'Bending stress', zero: true, yield: true },
+    mises: { key: 'von_mises', name: 'von Mises stress', zero: true, yield: true },
+    strain: { key: 'strain', name: 'Strain', zero: true },
   };
+
+  for (const kind of Object.values(kinds)) Object.assign(kind, data.shown[kind.key]);  // unit, factor, digits
 
   // The extremes of the regions that lie in the range.
   function marks(frame, kind, end) {
-    const tension = kind.key === 'tension';
+    const tension = kind.key === 'effective_tension';
     if (tension && data.touchdown.s <= end) {
-      const value = Report.at('tension', data.touchdown.s) * kind.factor;
+      const value = Report.at('effective_tension', data.touchdown.s) * kind.factor;
       Report.mark(frame, data.touchdown.s, value, `${Report.fixed(value, 1)} kN at touchdown`, colours.pipe);
     }
     // The tension of the sagbend is largest where it begins, which tells nothing.
     for (const region of tension && data.overbend ? ['overbend'] : ['overbend', 'tower', 'sagbend']) {
-      const extreme = data[region] && data[region][kind.extreme];
+      const extreme = data[region] && data[region][kind.key];
       if (!extreme || extreme.s > end) continue;
       const value = extreme.value * kind.factor;
       const text = `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(extreme.s, 1)} m (${extreme.place})`;

@@ -9,21 +9,23 @@
   const s = dynamic.envelopes.s;
 
   const kinds = {
-    envelope_tension: { key: 'tension', factor: 1e-3, unit: 'kN', digits: 1, name: 'Effective tension', axis: 'Tension' },
-    envelope_moment: { key: 'moment', extreme: 'moment', factor: 1e-3, unit: 'kN m', digits: 1, name: 'Bending moment', zero: true },
-    envelope_mises: { key: 'mises', extreme: 'mises', factor: 1e-6, unit: 'MPa', digits: 1, name: 'von Mises stress', zero: true, yield: true },
-    envelope_strain: { key: 'strain', extreme: 'strain', factor: 100, unit: '%', digits: 4, name: 'Strain', zero: true },
+    envelope_tension: { key: 'effective_tension', name: 'Effective tension', axis: 'Tension' },
+    envelope_moment: { key: 'bending_moment', name: 'Bending moment', zero: true },
+    envelope_mises: { key: 'von_mises', name: 'von Mises stress', zero: true, yield: true },
+    envelope_strain: { key: 'strain', name: 'Strain', zero: true },
   };
+
+  for (const kind of Object.values(kinds)) Object.assign(kind, data.shown[kind.key]);  // unit, factor, digits
 
   function marks(frame, kind, end) {
     for (const region of ['overbend', 'tower', 'sagbend']) {
-      const extreme = dynamic[region] && kind.extreme && dynamic[region][kind.extreme];
+      const extreme = dynamic[region] && dynamic[region][kind.key];
       if (!extreme || extreme.s > end || extreme.value <= 0) continue;
       const value = extreme.value * kind.factor;
       Report.mark(frame, extreme.s, value, `${Report.fixed(value, kind.digits)} ${kind.unit} at ${Report.fixed(extreme.s, 1)} m (${extreme.place}), t = ${Report.fixed(extreme.time, 1)} s`, colours.dynamic);
     }
-    if (kind.key !== 'tension') return;
-    const envelope = dynamic.envelopes.tension;
+    if (kind.key !== 'effective_tension') return;
+    const envelope = dynamic.envelopes.effective_tension;
     const most = d3.greatest(d3.range(s.length).filter((i) => s[i] <= end), (i) => envelope.max[i]);
     Report.mark(frame, s[most], envelope.max[most] * kind.factor, `${Report.fixed(envelope.max[most] * kind.factor, kind.digits)} kN at ${Report.fixed(s[most], 1)} m`, colours.dynamic);
   }
@@ -39,8 +41,8 @@
     const envelope = dynamic.envelopes[kind.key];
     const until = part === 'overbend' ? data.overbend_end : data.whole_end;
     const shown = d3.range(s.length).filter((i) => s[i] <= until + 1e-9);
-    const lo = d3.min(shown, (i) => Math.min(envelope.min[i], envelope.before[i])) * kind.factor;
-    const hi = d3.max(shown, (i) => Math.max(envelope.max[i], envelope.before[i])) * kind.factor;
+    const lo = d3.min(shown, (i) => Math.min(envelope.min[i], envelope.static[i])) * kind.factor;
+    const hi = d3.max(shown, (i) => Math.max(envelope.max[i], envelope.static[i])) * kind.factor;
     const indices = Report.indices(until);
     const { frame, range, end, overbend } = along.frame_of(panel, kind, part, lo, hi, indices, `${kind.name}, ${part === 'overbend' ? 'overbend' : 'whole line'}`, 2.2);
     const points = (column) => shown.map((i) => [s[i], column[i] * kind.factor]);
@@ -49,7 +51,7 @@
     along.curve(frame, points(envelope.min), colours.dynamic, null, 0.9);
     along.curve(frame, points(envelope.max), colours.dynamic, null, 1.4);
     along.curve(frame, points(envelope.mean), colours.second, '6 3', 1.5);
-    along.curve(frame, points(envelope.before), colours.pipe, null, 1.8);
+    along.curve(frame, points(envelope.static), colours.pipe, null, 1.8);
     if (kind.yield) along.yield_line(frame, kind, indices, range[1]);
     Report.legend(frame, [
       { text: 'dynamic, min to max', colour: colours.band, block: true, edge: colours.dynamic },
@@ -60,7 +62,7 @@
     if (!overbend) along.touchdown(frame, end);
     along.hover(frame, end, (at) => {
       const number = (column) => Report.fixed(value_at(column, at) * kind.factor, kind.digits);
-      return `${number(envelope.min)} to ${number(envelope.max)} ${kind.unit}, static ${number(envelope.before)}, at ${Report.fixed(at, 1)} m`;
+      return `${number(envelope.min)} to ${number(envelope.max)} ${kind.unit}, static ${number(envelope.static)}, at ${Report.fixed(at, 1)} m`;
     });
   };
   Report.envelope.kinds = kinds;

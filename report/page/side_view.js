@@ -16,7 +16,7 @@
   Report.bed = function (x) {
     const touch = data.touchdown.p;
     const z0 = -data.water_depth;
-    const z1 = touch[2] - data.diameter / 2;
+    const z1 = touch[2] - data.pipe_outer_diameter / 2;
     return Math.abs(touch[0]) < 1 ? z0 : z0 + (z1 - z0) * x / touch[0];
   };
 
@@ -93,10 +93,10 @@
     const line = path(frame, indices, 'z');
     const stroke = (colour, width, opacity) => frame.plot.append('path').attr('d', line).attr('fill', 'none').attr('stroke', colour)
       .attr('stroke-width', width).attr('stroke-opacity', opacity).attr('stroke-linejoin', 'round');
-    stroke('#3d4a56', data.diameter * px + 1.2, 1);
-    stroke('#dfe5ea', Math.max(data.diameter * px - 0.6, 0.8), 1);
-    stroke(colours.pipe, data.steel_diameter * px, 0.5);
-    if (data.diameter * px > 14) {
+    stroke('#3d4a56', data.pipe_outer_diameter * px + 1.2, 1);
+    stroke('#dfe5ea', Math.max(data.pipe_outer_diameter * px - 0.6, 0.8), 1);
+    stroke(colours.pipe, data.steel_outer_diameter * px, 0.5);
+    if (data.pipe_outer_diameter * px > 14) {
       frame.plot.append('path').attr('d', line).attr('fill', 'none').attr('stroke', '#fff').attr('stroke-width', 1).attr('stroke-dasharray', '14 4 3 4');
     }
   }
@@ -107,7 +107,7 @@
     const names = [];
     for (const box of data.supports) {
       if (box.p[0] < x0 || box.p[0] > x1) continue;
-      const name = { x: frame.x(box.p[0]) + 5, y: frame.y(pipe_above(box)) - 0.5 * data.diameter * px - 10, text: box.name };
+      const name = { x: frame.x(box.p[0]) + 5, y: frame.y(pipe_above(box)) - 0.5 * data.pipe_outer_diameter * px - 10, text: box.name };
       const end = Report.measured(box.name, 13);
       const right = name.x + 0.57 * end;
       if (name.y - 0.82 * end > frame.margin.top + 2 && right < frame.width - 2) names.push(name);

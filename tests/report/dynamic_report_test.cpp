@@ -174,7 +174,7 @@ TEST(dynamic_report_data, envelopes_run_from_the_tensioner_and_keep_their_peaks)
   const std::vector<double> s = data["envelopes"]["s"];
   EXPECT_DOUBLE_EQ(s.front(), 0.0);
   EXPECT_TRUE(std::is_sorted(s.begin(), s.end()));
-  const std::vector<double> most = data["envelopes"]["mises"]["max"];
+  const std::vector<double> most = data["envelopes"]["von_mises"]["max"];
   const double wanted = *std::max_element(example().von_mises.max.begin(), example().von_mises.max.end());
   EXPECT_NEAR(*std::max_element(most.begin(), most.end()), wanted, 1e-6 * wanted);  // seven digits are kept
 }

@@ -60,7 +60,7 @@ LOOK = """
   for (const panel of document.querySelectorAll('[data-figure=tension], [data-figure=envelope_tension]')) {
     const ticks = [...panel.querySelectorAll('g[text-anchor=end] .tick text')].map((t) => t.textContent);
     const st = Report.data.stations;
-    const all = st.tension.concat(st.wall);
+    const all = st.effective_tension.concat(st.wall_tension);
     if (Report.data.dynamic === undefined && ticks.includes('0') && Math.min(...all) > 0.2 * Math.max(...all)) faults.push('the tension axis begins at zero');
   }
   return faults;

@@ -140,7 +140,7 @@ TEST(report_data, keeps_the_extremes_and_runs_from_the_tensioner) {
   const StaticResults& results = bgl1().results;
   const nlohmann::json data = nlohmann::json::parse(report_data(results));
   const std::vector<double> s = data["stations"]["s"];
-  const std::vector<double> mises = data["stations"]["mises"];
+  const std::vector<double> mises = data["stations"]["von_mises"];
   EXPECT_DOUBLE_EQ(s.front(), 0.0);
   EXPECT_TRUE(std::is_sorted(s.begin(), s.end()));
   // Seven digits are kept.
@@ -161,7 +161,7 @@ TEST(report_data, thins_a_very_long_line_but_keeps_its_peaks) {
     results.stations.push_back(at);
   }
   const nlohmann::json data = nlohmann::json::parse(report_data(results));
-  const std::vector<double> mises = data["stations"]["mises"];
+  const std::vector<double> mises = data["stations"]["von_mises"];
   EXPECT_LT(mises.size(), 3000u);
   EXPECT_DOUBLE_EQ(*std::max_element(mises.begin(), mises.end()), 300e6);
 }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "resultfiles/dynamic_scalars.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/results_writer.h"
+#include "results/fields/dynamic_values.h"
 #include "support/dynamic_case.h"
 #include "support/result_visitors.h"
 #include "support/solved_case.h"
@@ -43,10 +43,9 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   visit_tensioner(results.tensioner, tensioner);
   visit_dynamic_run(results.run, run);
   visit_dynamic_stations(results, stations);
-  visit_dynamic_extreme<const DynamicExtreme>("", "", DynamicExtreme{}, extreme);
+  visit_dynamic_extreme<const DynamicExtreme>(ResultField{}, DynamicExtreme{}, extreme);
   int extremes = 0;
-  visit_dynamic_region(results.sagbend,
-                       [&](const char*, const char*, const char*, const DynamicExtreme&) { ++extremes; });
+  visit_dynamic_region(results.sagbend, [&](const ResultField&, const DynamicExtreme&) { ++extremes; });
   EXPECT_EQ(energy.bytes, sizeof(EnergyBalance));
   EXPECT_EQ(tensioner.bytes, sizeof(TensionerDynamics));
   EXPECT_EQ(run.bytes, sizeof(DynamicRunReport));
@@ -64,12 +63,10 @@ std::string bits_of(const DynamicResults& r) {
   visit_energy(r.energy, bits);
   visit_tensioner(r.tensioner, bits);
   visit_dynamic_run(r.run, bits);
-  const auto extreme = [&](const char*, const char*, const char*, const DynamicExtreme& e) {
-    visit_dynamic_extreme("", "", e, bits);
-  };
+  const auto extreme = [&](const ResultField& f, const DynamicExtreme& e) { visit_dynamic_extreme(f, e, bits); };
   visit_dynamic_region(r.overbend, extreme);
   visit_dynamic_region(r.tower, extreme);
-  visit_dynamic_extreme("", "", r.smallest_tension, bits);
+  visit_dynamic_extreme(ResultField{}, r.smallest_tension, bits);
   visit_dynamic_region(r.sagbend, extreme);
   visit_dynamic_stations(r, bits);
   for (const SupportDynamics& support : r.supports) {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "resultfiles/results_writer.h"
-#include "resultfiles/static_columns.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/static_tables.h"
+#include "results/fields/static_values.h"
 #include "support/result_visitors.h"
 #include "support/solved_case.h"
 
@@ -52,9 +52,9 @@ TEST(field_lists, hold_every_single_value) {
   visit_scene(results, all);
   visit_touchdown(results.touchdown, touchdown);
   visit_solve(results.solve, solve);
-  visit_extreme_fields<const Extreme>("", "", Extreme{}, extreme);
+  visit_extreme_fields<const Extreme>(ResultField{}, Extreme{}, extreme);
   int extremes = 0;
-  visit_region(results.sagbend, [&](const char*, const char*, const char*, const Extreme&) { ++extremes; });
+  visit_region(results.sagbend, [&](const ResultField&, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
                 sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
                 kListBytes + kListBytes + sizeof(results.checks),
@@ -72,12 +72,10 @@ std::string bits_of(const StaticResults& results) {
   visit_scene(results, bits);
   visit_touchdown(results.touchdown, bits);
   visit_solve(results.solve, bits);
-  const auto extreme = [&](const char*, const char*, const char*, const Extreme& e) {
-    visit_extreme_fields("", "", e, bits);
-  };
+  const auto extreme = [&](const ResultField& f, const Extreme& e) { visit_extreme_fields(f, e, bits); };
   if (results.overbend) visit_region(*results.overbend, extreme);
   if (results.tower) visit_region(*results.tower, extreme);
-  visit_extreme_fields("", "", results.smallest_tension, bits);
+  visit_extreme_fields(ResultField{}, results.smallest_tension, bits);
   visit_region(results.sagbend, extreme);
   for (const DerivedSection& section : results.sections) visit_section(section, bits);
   for (const Station& station : results.stations) visit_station(station, bits);

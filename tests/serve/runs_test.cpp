@@ -29,7 +29,7 @@ TEST(serve_runs, a_static_run_leaves_the_files_of_the_command) {
   EXPECT_EQ(serving.get("/api/runs/" + id + "/summary").json["status"], "converged");
   EXPECT_TRUE(serving.get("/api/runs/" + id + "/columns").json.empty());
   const json envelopes = serving.get("/api/runs/" + id + "/envelopes").json;
-  EXPECT_EQ(envelopes["tension"]["static"].size(), envelopes["s"].size());
+  EXPECT_EQ(envelopes["effective_tension"]["static"].size(), envelopes["s"].size());
   EXPECT_EQ(envelopes["z"].size(), envelopes["s"].size());
 }
 
@@ -102,7 +102,7 @@ TEST(serve_runs, a_cancelled_run_keeps_what_was_computed_and_can_go_on) {
     EXPECT_GT(reached, 2.0);
     EXPECT_LT(reached, 3600.0);
     EXPECT_EQ(serving.get(at + "/series?name=top_tension").json["t"].back(), reached);
-    EXPECT_FALSE(serving.get(at + "/envelopes").json["tension"]["max"].empty());
+    EXPECT_FALSE(serving.get(at + "/envelopes").json["effective_tension"]["max"].empty());
     EXPECT_GT(serving.get(at + "/frames").json["total"].get<int>(), 2);
     EXPECT_TRUE(std::filesystem::exists(serving.folder / "runs" / id / ".run"));  // to be taken up again
     serving.restart("model.yaml");  // the next start of the program knows it too

@@ -27,7 +27,7 @@ TEST(serve_static, the_answer_is_a_line_from_tensioner_to_anchor) {
   const std::size_t count = pipe["s"].size();
   ASSERT_GT(count, 20u);
   for (const char* name :
-       {"x", "y", "z", "tension", "moment", "bending_stress", "von_mises", "strain", "utilisation"}) {
+       {"x", "y", "z", "effective_tension", "bending_moment", "bending_stress", "von_mises", "strain", "utilisation"}) {
     EXPECT_EQ(pipe[name].size(), count) << name;
   }
   EXPECT_EQ(pipe["s"].front(), 0.0);
@@ -113,9 +113,9 @@ TEST(serve_static, the_utilisation_of_a_region_is_its_own_von_mises_stress_over_
 
 TEST(serve_static, only_the_lists_asked_for_are_sent) {
   const Serving serving(kSmallLay);
-  const json pipe = serving.post("/api/static", {{"lists", {"tension"}}}).json["pipe"];
-  EXPECT_TRUE(pipe.contains("x") && pipe.contains("tension"));
-  EXPECT_FALSE(pipe.contains("moment") || pipe.contains("strain"));
+  const json pipe = serving.post("/api/static", {{"lists", {"effective_tension"}}}).json["pipe"];
+  EXPECT_TRUE(pipe.contains("x") && pipe.contains("effective_tension"));
+  EXPECT_FALSE(pipe.contains("bending_moment") || pipe.contains("strain"));
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "resultfiles/check_columns.h"
-#include "resultfiles/dynamic_scalars.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/dynamic_values.h"
 #include "runstore/dynamic_histories.h"
 #include "runstore/run_store.h"
 
@@ -36,9 +36,8 @@ struct FillVisitor {
 };
 
 inline void fill_region(DynamicRegion& region, FillVisitor& fill) {
-  visit_dynamic_region(region, [&](const char*, const char*, const char*, DynamicExtreme& extreme) {
-    visit_dynamic_extreme("", "", extreme, fill);
-  });
+  visit_dynamic_region(
+      region, [&](const ResultField& field, DynamicExtreme& extreme) { visit_dynamic_extreme(field, extreme, fill); });
 }
 
 /// A support and a roller for each of statics.
@@ -103,7 +102,7 @@ inline DynamicResults filled_dynamics(const StaticResults& statics) {
   if (statics.overbend) fill_region(results.overbend, fill);
   fill_region(results.sagbend, fill);
   if (statics.tower) fill_region(results.tower, fill);
-  visit_dynamic_extreme("", "", results.smallest_tension, fill);
+  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, fill);
   fill_stations(results, statics, fill);
   fill_supports(results, statics, fill);
   results.hardest_impacts.resize(statics.supports.empty() ? 0 : 5);

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "resultfiles/check_columns.h"
-#include "resultfiles/result_field.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/result_field.h"
 
 namespace overbend::testing {
 
@@ -42,10 +42,10 @@ struct BitsVisitor {
   }
   void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
-  void operator()(const ResultField& field, Region value) { (*this)(field, std::string(word(value))); }
-  void operator()(const ResultField& field, RollerPosition value) { (*this)(field, std::string(word(value))); }
-  void operator()(const ResultField& field, CheckStatus value) { (*this)(field, std::string(word(value))); }
-  void operator()(const ResultField& field, CheckRegion value) { (*this)(field, std::string(word(value))); }
+  template <HasWords Enum>
+  void operator()(const ResultField& field, Enum value) {
+    (*this)(field, std::string(word(value)));
+  }
   void operator()(const ResultField& field, const std::optional<double>& value) {
     if (value) (*this)(field, *value);
   }

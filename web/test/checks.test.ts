@@ -2,7 +2,7 @@ import { describe, expect, test } from 'vitest';
 import { governing, level, ranked } from '../src/logic/checks';
 import type { Check } from '../src/api/types';
 
-const check = (id: string, region: string, utilisation: number | undefined, more: Partial<Check> = {}): Check => ({
+const check = (id: string, region: Check['region'], utilisation: number | undefined, more: Partial<Check> = {}): Check => ({
   id, name: id, code: '', clause: '', region, governing: true, remark: '',
   status: utilisation === undefined ? 'not done' : utilisation > 1 ? 'exceeded' : 'passed', utilisation, ...more,
 });

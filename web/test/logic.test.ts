@@ -197,7 +197,7 @@ test('an answer without unit takes that of the answer before, as a field does', 
 
 test('frames come out as they went in', () => {
   const pack = (v: number[]): string => btoa(String.fromCharCode(...new Uint8Array(new Float32Array(v).buffer)));
-  const c = decode({ total: 9, from: 4, stations: 1, time: [2, 3], pose: [[], []], place: pack([1, 2, 3, 4, 5, 6]), tension: pack([7, 8]), von_mises: pack([9, 10]) });
+  const c = decode({ total: 9, from: 4, stations: 1, time: [2, 3], pose: [[], []], place: pack([1, 2, 3, 4, 5, 6]), effective_tension: pack([7, 8]), von_mises: pack([9, 10]) });
   expect([...c.place]).toEqual([1, 2, 3, 4, 5, 6]);
   expect([...blend(c.place, 0, c.place, 3, 3, 0.5, new Float32Array(3))]).toEqual([2.5, 3.5, 4.5]);
 });

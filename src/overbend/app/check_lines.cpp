@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "report/verdict.h"
-#include "resultfiles/result_field.h"
+#include "results/fields/result_field.h"
 
 namespace overbend {
 namespace {

@@ -100,9 +100,12 @@ void add_serve(CLI::App& program, int& code) {
 
 void add_schema(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("schema", "Print the JSON Schema of the model file.");
-  auto reference = std::make_shared<bool>(false);
-  command->add_flag("--reference", *reference, "Print the reference page (Markdown) instead");
-  command->callback([reference, &code] { code = run_schema(*reference); });
+  auto form = std::make_shared<SchemaForm>(SchemaForm::json);
+  command->add_flag_callback(
+      "--reference", [form] { *form = SchemaForm::reference; }, "Print the reference page (Markdown) instead");
+  command->add_flag_callback(
+      "--types", [form] { *form = SchemaForm::types; }, "Print the TypeScript types of results instead");
+  command->callback([form, &code] { code = run_schema(*form); });
 }
 
 void add_licences(CLI::App& program, int& code) {

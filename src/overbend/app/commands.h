@@ -63,7 +63,9 @@ struct ServeArguments {
 /// The graphic interface, until Ctrl-C.
 int run_serve(const ServeArguments& arguments);
 
-int run_schema(bool reference);
+/// What `schema` prints.
+enum class SchemaForm { json, reference, types };
+int run_schema(SchemaForm form);
 /// Prints the licences of the program and of all that it brings along.
 int run_licences();
 int run_new(const NewOptions& options);

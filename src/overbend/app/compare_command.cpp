@@ -20,7 +20,7 @@ void print(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) std::cout << fmt::format("{:>13}", run.name);
   std::cout << "\n";
   for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
-    const TableUnit unit = table_unit(comparison.quantities[i]);
+    const ShownUnit unit = table_unit(comparison.quantities[i]);
     std::cout << fmt::format("  {:<42}", comparison.quantities[i].name);
     for (const ComparedRun& run : comparison.runs) std::cout << fmt::format("{:>13.5g}", run.values[i] * unit.factor);
     std::cout << " " << unit.name << "\n";

@@ -4,11 +4,22 @@
 #include "app/exit_code.h"
 #include "modelfile/json_schema.h"
 #include "modelfile/reference_page.h"
+#include "serve/type_style.h"
 
 namespace overbend {
 
-int run_schema(bool reference) {
-  std::cout << (reference ? reference_page() : json_schema());
+int run_schema(SchemaForm form) {
+  switch (form) {
+    case SchemaForm::json:
+      std::cout << json_schema();
+      break;
+    case SchemaForm::reference:
+      std::cout << reference_page();
+      break;
+    case SchemaForm::types:
+      std::cout << page_types();
+      break;
+  }
   return kDone;
 }
 

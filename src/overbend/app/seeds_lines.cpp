@@ -20,7 +20,7 @@ void print(const SeedsResults& results) {
     const SeedQuantity& quantity = results.quantities[i];
     const SeedStatistics& s = results.statistics[i];
     if (std::isnan(s.mean)) continue;  // absent in every run
-    const TableUnit unit = table_unit(quantity);
+    const ShownUnit unit = table_unit(quantity);
     std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean * unit.factor,
                              s.std * unit.factor, s.min * unit.factor, s.max * unit.factor, unit.name);
   }

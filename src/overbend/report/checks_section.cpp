@@ -12,7 +12,7 @@
 #include "report/places.h"
 #include "report/verdict.h"
 #include "resultfiles/check_tables.h"
-#include "resultfiles/result_field.h"
+#include "results/fields/result_field.h"
 
 namespace overbend {
 namespace {
@@ -95,11 +95,11 @@ void add_row(html::Table& out, const StaticResults& statics, const CheckRow& row
     out.row({row.name, code_of(row), "", "", "", "", "", "", "", "", "", status_of(row)}, row_class(row));
     return;
   }
-  const TableUnit units = check_unit(row);
+  const ShownUnit units = check_unit(row);
   const Vec3 p = ship_point(statics, row.p_W);
   out.row({row.name, code_of(row), number(row.demand * units.factor), number(row.capacity * units.factor),
-           in_one(units.name), fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1), fixed(p.x(), 1),
-           fixed(p.z(), 1), when(row), status_of(row)},
+           in_one(std::string(units.name)), fixed(row.utilisation, 3), reserve_of(row), fixed(row.from_top, 1),
+           fixed(p.x(), 1), fixed(p.z(), 1), when(row), status_of(row)},
           row_class(row));
 }
 
@@ -136,9 +136,9 @@ std::string inputs_table(const CheckTable& table) {
   for (const CheckRow& row : table.rows) {
     std::string name = row.name + ", " + row.code;
     for (const CheckInput& input : row.inputs) {
-      const TableUnit units = check_unit(input);
+      const ShownUnit units = check_unit(input);
       out.row({name, region_title(row.region), input.symbol, input.meaning, number(input.value * units.factor),
-               units.name});
+               std::string(units.name)});
       name.clear();
     }
   }

@@ -4,13 +4,15 @@
 
 #include "report/history_data.h"
 #include "report/json_number.h"
+#include "resultfiles/comparison_writer.h"
+#include "resultfiles/seeds_writer.h"
 
 namespace overbend {
 namespace {
 
 using nlohmann::json;
 
-constexpr double kKilonewton = 1e-3;
+const double kKilonewton = shown_unit("tension", "N").factor;
 
 json numbers(const std::vector<double>& values, double factor = 1.0) {
   json out = json::array();
@@ -40,10 +42,9 @@ json tensioner_run(const ComparedRun& run) {
 }
 
 json box_run(const ComparedBox& box) {
-  return {{"share", json_number(box.contact_share)}, {"before", json_number(box.static_reaction)},
-          {"peak", json_number(box.peak_reaction)},  {"dent", json_number(box.dent_depth)},
-          {"load", json_number(box.line_load)},      {"row_share", numbers(box.row_share)},
-          {"row_peak", numbers(box.row_peak)}};
+  json out = {{"row_contact_share", numbers(box.row_share)}, {"row_peak_force", numbers(box.row_peak)}};
+  for (const BoxQuantity& rule : box_quantities()) out[rule.quantity.name] = json_number(box.*(rule.value));
+  return out;
 }
 
 json tensioner_data(const Comparison& comparison) {
@@ -64,7 +65,12 @@ json contact_data(const Comparison& comparison) {
     for (const ComparedBox& one : box.runs) seen.push_back(box_run(one));
     boxes.push_back({{"name", box.name}, {"runs", seen}});
   }
-  return {{"runs", runs}, {"boxes", boxes}};
+  json shown = json::object();
+  for (const BoxQuantity& rule : box_quantities()) {
+    const ShownUnit unit = table_unit(rule.quantity);
+    shown[rule.quantity.name] = {{"unit", unit.name}, {"factor", unit.factor}, {"digits", unit.digits}};
+  }
+  return {{"runs", runs}, {"boxes", boxes}, {"shown", shown}};
 }
 
 }  // namespace

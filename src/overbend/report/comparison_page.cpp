@@ -29,8 +29,8 @@ std::string quantities_section(const Comparison& comparison) {
   for (const ComparedRun& run : comparison.runs) head.push_back({run.name, ""});
   html::Table table("", head, "plain");
   for (std::size_t i = 0; i < comparison.quantities.size(); ++i) {
-    const TableUnit unit = table_unit(comparison.quantities[i]);
-    std::vector<std::string> cells = {comparison.quantities[i].description, unit.name};
+    const ShownUnit unit = table_unit(comparison.quantities[i]);
+    std::vector<std::string> cells = {comparison.quantities[i].description, std::string(unit.name)};
     for (const ComparedRun& run : comparison.runs) cells.push_back(shown(run.values.at(i) * unit.factor));
     table.row(cells);
   }

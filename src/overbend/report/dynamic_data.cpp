@@ -1,86 +1,89 @@
 #include "report/dynamic_data.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
 
 #include "report/history_data.h"
-#include "report/json_number.h"
 #include "report/places.h"
+#include "report/report_style.h"
 #include "report/thinning.h"
+#include "results/fields/dynamic_values.h"
 
 namespace overbend {
 namespace {
 
 using nlohmann::json;
 
-struct Column {
-  const char* name;
-  Envelope DynamicResults::*envelope;
-  std::vector<double> DynamicResults::*before;  ///< The static curve.
-};
-
-constexpr std::array<Column, 4> kColumns = {
-    {{"tension", &DynamicResults::effective_tension, &DynamicResults::static_tension},
-     {"moment", &DynamicResults::bending_moment, &DynamicResults::static_moment},
-     {"mises", &DynamicResults::von_mises, &DynamicResults::static_von_mises},
-     {"strain", &DynamicResults::strain, &DynamicResults::static_strain}}};
+/// The largest of these are never thinned away.
+constexpr std::array<Envelope DynamicResults::*, 4> kExtremes = {&DynamicResults::effective_tension,
+                                                                 &DynamicResults::bending_moment,
+                                                                 &DynamicResults::von_mises, &DynamicResults::strain};
 
 bool is_extreme(const DynamicResults& results, std::size_t i) {
-  for (const Column& column : kColumns) {
-    const std::vector<double>& most = (results.*(column.envelope)).max;
-    if (most[i] >= most[i - 1] && most[i] > most[i + 1]) {
-      return true;
+  return std::ranges::any_of(kExtremes, [&](Envelope DynamicResults::*envelope) {
+    const std::vector<double>& most = (results.*envelope).max;
+    return most[i] >= most[i - 1] && most[i] > most[i + 1];
+  });
+}
+
+/// The lists of the stations shown, from the tensioner on.
+struct EnvelopeData {
+  const ReportStyle& style;
+  const std::set<std::size_t>& shown;
+  json lists = json::object();
+
+  void operator()(const ResultField& field, const std::vector<double>& values) {
+    if (field.key(Output::report)) lists[field.name] = list(values, field.from_anchor);
+  }
+  void operator()(const ResultField&, const std::vector<Vec3>&) {}
+  void over_time(const ResultField& field, const Envelope& envelope, const std::vector<double>& statics) {
+    if (!field.key(Output::report)) return;
+    lists[field.name] = {{"min", list(envelope.min, false)},
+                         {"max", list(envelope.max, false)},
+                         {"mean", list(envelope.mean, false)},
+                         {"static", list(statics, false)}};
+  }
+  void spread(const ResultField&, const Envelope&) {}
+
+  json list(const std::vector<double>& values, bool along) const {
+    json out = json::array();
+    for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
+      const double value = values.at(*i);
+      out.push_back(style.number(along ? style.along(value) : value));
     }
+    return out;
   }
-  return false;
-}
+};
 
-json column_data(const std::vector<double>& values, const std::set<std::size_t>& shown) {
-  json out = json::array();
-  for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
-    out.push_back(json_number(values.at(*i)));
-  }
-  return out;
-}
-
-json envelope_data(const StaticResults& statics, const DynamicResults& results) {
+json envelope_data(const ReportStyle& style, const DynamicResults& results) {
   const std::set<std::size_t> shown =
       thinned(results.station_s.size(), [&](std::size_t i) { return is_extreme(results, i); });
-  json s = json::array();
-  for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
-    s.push_back(json_number(from_tensioner(statics, results.station_s[*i])));
-  }
-  json out = {{"s", s}};
-  for (const Column& column : kColumns) {
-    const Envelope& envelope = results.*(column.envelope);
-    out[column.name] = {{"min", column_data(envelope.min, shown)},
-                        {"max", column_data(envelope.max, shown)},
-                        {"mean", column_data(envelope.mean, shown)},
-                        {"before", column_data(results.*(column.before), shown)}};
-  }
-  return out;
+  EnvelopeData data{style, shown};
+  visit_dynamic_stations(results, data);
+  return data.lists;
 }
 
-json region_data(const StaticResults& statics, const DynamicRegion& region) {
-  const auto extreme = [&](const DynamicExtreme& e) {
-    return json{{"value", json_number(e.over_time.max)},
-                {"s", json_number(from_tensioner(statics, e.s))},
-                {"time", json_number(e.time)},
-                {"place", place_name(statics, e.s)}};
-  };
-  return {{"moment", extreme(region.bending_moment)},
-          {"mises", extreme(region.von_mises)},
-          {"strain", extreme(region.strain)}};
+json region_data(const ReportStyle& style, const StaticResults& statics, const DynamicRegion& region) {
+  json all = json::object();
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    if (!field.key(Output::report)) return;
+    JsonWriter<ReportStyle> one(style);
+    visit_instant_of_extreme(extreme, one);
+    one["value"] = style.number(extreme.over_time.max);
+    one["place"] = place_name(statics, extreme.s);
+    all[field.name] = one.take();
+  });
+  return all;
 }
 
-json support_data(const SupportDynamics& box) {
+json support_data(const ReportStyle& style, const SupportDynamics& box) {
   std::map<int, json> rows;  // by index, so that a box without side rollers in a row is no trouble
   for (const RollerDynamics& r : box.rollers) {
-    rows[r.row][word(r.position)] = {
-        {"share", json_number(r.contact_share)}, {"before", json_number(r.static_reaction)},
-        {"least", json_number(r.reaction.min)},  {"mean", json_number(r.reaction.mean)},
-        {"most", json_number(r.reaction.max)},   {"impacts", r.impact_count}};
+    JsonWriter<ReportStyle> one(style);
+    visit_dynamic_roller(r, one);
+    rows[r.row][word(r.position)] = one.take();
   }
   json list = json::array();
   for (auto& [index, row] : rows) {
@@ -89,7 +92,7 @@ json support_data(const SupportDynamics& box) {
   return {{"name", box.name}, {"rows", list}};
 }
 
-json impact_data(const DynamicResults& results) {
+json impact_data(const ReportStyle& style, const DynamicResults& results) {
   std::map<int, const SupportDynamics*> box_of;
   std::map<int, const RollerDynamics*> roller_of;
   for (const SupportDynamics& box : results.supports) {
@@ -104,12 +107,12 @@ json impact_data(const DynamicResults& results) {
     if (roller == roller_of.end()) {
       continue;
     }
-    all.push_back({{"time", json_number(impact.time)},
-                   {"velocity", json_number(impact.approach_velocity)},
-                   {"force", json_number(impact.peak_force)},
-                   {"box", box_of[impact.roller]->name},
-                   {"row", roller->second->row + 1},
-                   {"position", word(roller->second->position)}});
+    JsonWriter<ReportStyle> one(style);
+    visit_impact(impact, one);
+    one["box"] = box_of[impact.roller]->name;
+    one["row"] = roller->second->row + 1;
+    one["position"] = word(roller->second->position);
+    all.push_back(one.take());
   }
   return all;
 }
@@ -117,20 +120,18 @@ json impact_data(const DynamicResults& results) {
 }  // namespace
 
 json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results) {
-  json supports = json::array();
-  for (const SupportDynamics& box : results.supports) {
-    supports.push_back(support_data(box));
-  }
-  return {{"duration", json_number(results.duration)},
-          {"build_up", json_number(results.build_up)},
-          {"envelopes", envelope_data(statics, results)},
-          {"overbend", statics.overbend ? region_data(statics, results.overbend) : json(nullptr)},
-          {"tower", statics.tower ? region_data(statics, results.tower) : json(nullptr)},
-          {"sagbend", region_data(statics, results.sagbend)},
-          {"histories", history_data(statics, results)},
-          {"spectra", spectrum_data(results)},
-          {"supports", supports},
-          {"impacts", impact_data(results)}};
+  const ReportStyle style(statics);
+  JsonWriter data(style);
+  visit_dynamic_keys(results, data, false);
+  data["envelopes"] = envelope_data(style, results);
+  data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : json(nullptr);
+  data["tower"] = statics.tower ? region_data(style, statics, results.tower) : json(nullptr);
+  data["sagbend"] = region_data(style, statics, results.sagbend);
+  data["histories"] = history_data(statics, results);
+  data["spectra"] = spectrum_data(results);
+  data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
+  data["impacts"] = impact_data(style, results);
+  return data.take();
 }
 
 }  // namespace overbend

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "report/dynamic_contacts.h"
 #include "report/dynamic_sections.h"
@@ -10,6 +9,7 @@
 #include "report/quantity.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
+#include "results/fields/dynamic_values.h"
 
 namespace overbend {
 namespace {
@@ -99,22 +99,14 @@ std::string tiles(const StaticResults& statics, const DynamicResults& r) {
   return out + "</div>\n";
 }
 
-struct ExtremeRow {
-  const char* name;
-  const char* unit;
-  double factor;
-  DynamicExtreme DynamicRegion::*member;
-  Extreme RegionResult::*before;
-  int digits;
-  bool stress;  ///< Compared with yield.
-};
-
-constexpr std::array<ExtremeRow, 4> kRows = {{
-    {"Bending moment", "kN m", 1e-3, &DynamicRegion::bending_moment, &RegionResult::bending_moment, 1, false},
-    {"Bending stress", "MPa", 1e-6, &DynamicRegion::bending_stress, &RegionResult::bending_stress, 1, true},
-    {"Strain", "%", 1e2, &DynamicRegion::strain, &RegionResult::strain, 4, false},
-    {"von Mises stress", "MPa", 1e-6, &DynamicRegion::von_mises, &RegionResult::von_mises, 1, true},
-}};
+/// The static extreme of the same quantity.
+Extreme extreme_of(const RegionResult& region, const std::string& name) {
+  Extreme found;
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    if (field.name == name) found = extreme;
+  });
+  return found;
+}
 
 /// Largest values of a region over its length and time beside those of the static state.
 std::string region_table(const StaticResults& statics, const std::string& caption, const DynamicRegion& region,
@@ -132,17 +124,17 @@ std::string region_table(const StaticResults& statics, const std::string& captio
                      {"Z", "m"},
                      {"Place", "", true}},
                     "plain");
-  for (const ExtremeRow& row : kRows) {
-    const DynamicExtreme& now = region.*(row.member);
-    const Extreme& then = before.*(row.before);
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& now) {
+    const Quantity q = quantity(field.name, std::string(field.units));
+    const bool stress = field.units == "Pa";  // compared with yield
+    const Extreme then = extreme_of(before, field.name);
     const Vec3 p = ship_point(statics, now.p_W);
-    table.row({fmt::format("{} [{}]", row.name, row.unit), fixed(now.over_time.max * row.factor, row.digits),
-               fixed(then.value * row.factor, row.digits),
+    table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(now.over_time.max), q.text(then.value),
                then.value > 0.0 ? fixed(now.over_time.max / then.value, 2) : "",
-               row.stress ? fixed(yield_percent(statics, now.s, now.over_time.max), 1) : "",
-               row.stress ? fixed(yield_percent(statics, then.s, then.value), 1) : "", fixed(now.time, 1),
+               stress ? fixed(yield_percent(statics, now.s, now.over_time.max), 1) : "",
+               stress ? fixed(yield_percent(statics, then.s, then.value), 1) : "", fixed(now.time, 1),
                fixed(from_tensioner(statics, now.s), 2), fixed(p.x(), 2), fixed(p.z(), 2), place_name(statics, now.s)});
-  }
+  });
   return table.str();
 }
 

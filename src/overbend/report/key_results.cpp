@@ -5,7 +5,9 @@
 
 #include "report/html.h"
 #include "report/places.h"
+#include "report/quantity.h"
 #include "report/sections.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
@@ -100,24 +102,8 @@ std::string lay_table(const StaticResults& r) {
   return "<h3>Lay configuration</h3>\n<div class=\"columns lay\">\n" + first.str() + second.str() + "</div>\n";
 }
 
-struct ExtremeRow {
-  const char* name;
-  const char* unit;
-  double factor;
-  Extreme RegionResult::*member;
-  int digits;
-  bool stress;  ///< Compared with yield.
-};
-
 /// Largest values of a region with their places.
 std::string region_table(const StaticResults& results, const std::string& caption, const RegionResult& region) {
-  static constexpr ExtremeRow kRows[] = {
-      {"Effective tension", "kN", 1e-3, &RegionResult::effective_tension, 1, false},
-      {"Bending moment", "kN m", 1e-3, &RegionResult::bending_moment, 1, false},
-      {"Bending stress", "MPa", 1e-6, &RegionResult::bending_stress, 1, true},
-      {"Strain", "%", 1e2, &RegionResult::strain, 4, false},
-      {"von Mises stress", "MPa", 1e-6, &RegionResult::von_mises, 1, true},
-  };
   html::Table table(caption,
                     {{"Largest", "", true},
                      {"Value", ""},
@@ -127,13 +113,14 @@ std::string region_table(const StaticResults& results, const std::string& captio
                      {"Z", "m"},
                      {"Place", "", true}},
                     "plain");
-  for (const ExtremeRow& row : kRows) {
-    const Extreme& extreme = region.*(row.member);
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    const Quantity q = quantity(field.name, std::string(field.units));
+    const bool stress = field.units == "Pa";  // compared with yield
     const Vec3 p = ship_point(results, extreme.p_W);
-    table.row({fmt::format("{} [{}]", row.name, row.unit), fixed(extreme.value * row.factor, row.digits),
-               row.stress ? fixed(utilisation(results, extreme), 1) : "", fixed(from_tensioner(results, extreme.s), 2),
+    table.row({fmt::format("{} [{}]", q.name, q.unit), q.text(extreme.value),
+               stress ? fixed(utilisation(results, extreme), 1) : "", fixed(from_tensioner(results, extreme.s), 2),
                fixed(p.x(), 2), fixed(p.z(), 2), place_name(results, extreme.s)});
-  }
+  });
   return table.str();
 }
 

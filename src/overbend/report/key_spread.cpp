@@ -1,44 +1,39 @@
 #include "report/key_spread.h"
 
-#include <array>
-#include <utility>
+#include "report/history_name.h"
+#include "results/fields/dynamic_values.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::array<std::pair<const char*, Spread DynamicResults::*>, 5> kOfLine = {
-    {{"top_tension", &DynamicResults::top_tension},
-     {"bottom_tension", &DynamicResults::bottom_tension},
-     {"lay_back", &DynamicResults::lay_back},
-     {"departure_angle", &DynamicResults::departure_angle},
-     {"stinger_tip_clearance", &DynamicResults::stinger_tip_clearance}}};
+/// Keeps the quantity over time of one name.
+struct SpreadNamed {
+  std::string name;
+  std::optional<Spread> found;
 
-constexpr std::array<std::pair<const char*, DynamicExtreme DynamicRegion::*>, 4> kOfRegion = {
-    {{"bending_moment", &DynamicRegion::bending_moment},
-     {"bending_stress", &DynamicRegion::bending_stress},
-     {"von_mises", &DynamicRegion::von_mises},
-     {"strain", &DynamicRegion::strain}}};
-
-/// Whether a history has this name, or keeps the peaks of it between its rows.
-bool is(const std::string& name, const std::string& quantity) {
-  return name == quantity || name == quantity + "_peak";
-}
+  void spread(const ResultField& field, const Spread& spread) {
+    if (field.name == name) found = spread;
+  }
+  template <class Other>
+  void operator()(const ResultField&, const Other&) {}
+};
 
 std::optional<Spread> of_region(const DynamicRegion& region, const std::string& prefix, const std::string& name) {
-  for (const auto& [quantity, member] : kOfRegion) {
-    if (is(name, prefix + quantity)) return (region.*member).over_time;
-  }
-  return std::nullopt;
+  std::optional<Spread> found;
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    if (name == prefix + field.name) found = extreme.over_time;
+  });
+  return found;
 }
 
 }  // namespace
 
 std::optional<Spread> key_spread(const DynamicResults& results, const std::string& name) {
-  for (const auto& [quantity, member] : kOfLine) {
-    if (is(name, quantity)) return results.*member;
-  }
-  if (const auto spread = of_region(results.overbend, "overbend_", name)) return spread;
-  if (const auto spread = of_region(results.sagbend, "sagbend_", name)) return spread;
+  SpreadNamed of_line{quantity_of(name), {}};
+  visit_dynamic_keys(results, of_line, true);
+  if (of_line.found) return of_line.found;
+  if (const auto spread = of_region(results.overbend, "overbend_", of_line.name)) return spread;
+  if (const auto spread = of_region(results.sagbend, "sagbend_", of_line.name)) return spread;
   for (const SupportDynamics& box : results.supports) {
     if (name == "support/" + box.name + "/reaction") return box.reaction;
     if (name == "support/" + box.name + "/separation") return box.separation;

@@ -3,13 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/fields/static_tables.h"
 #include "results/regions.h"
 
 namespace overbend {
 namespace {
 
-double mix(double a, double b, double t) {
-  return (1.0 - t) * a + t * b;
+/// Gathers where the numbers of a station are.
+struct NumbersOf {
+  std::vector<double*> numbers;
+  void operator()(const ResultField&, double& value) { numbers.push_back(&value); }
+  void operator()(const ResultField&, Vec3& value) {
+    for (double& number : value) numbers.push_back(&number);
+  }
+  void operator()(const ResultField&, Region&) {}
+};
+
+std::vector<double*> numbers_of(Station& station) {
+  NumbersOf visit;
+  visit_station(station, visit);
+  return visit.numbers;
 }
 
 }  // namespace
@@ -23,6 +36,11 @@ Vec3 ship_point(const StaticResults& results, const Vec3& p_W) {
   return {d.dot(astern), d.dot(port), p_W.z()};
 }
 
+Vec3 ship_direction(const StaticResults& results, const Vec3& d_W) {
+  const Vec3 d = ship_point(results, results.stern_shoe_W + d_W);
+  return {d.x(), d.y(), d_W.z()};
+}
+
 Station station_at(const StaticResults& results, double s) {
   const std::vector<Station>& all = results.stations;
   const auto above = std::lower_bound(all.begin(), all.end(), s, [](const Station& a, double at) { return a.s < at; });
@@ -32,19 +50,14 @@ Station station_at(const StaticResults& results, double s) {
   if (above == all.end()) {
     return all.back();
   }
-  const Station& a = *(above - 1);
-  const Station& b = *above;
+  Station a = *(above - 1), b = *above;
   const double t = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0.0;
   Station at = t < 0.5 ? a : b;
+  const double yield_stress = at.yield_stress;  // of one section or the other
+  const std::vector<double*> of_a = numbers_of(a), of_b = numbers_of(b), of_it = numbers_of(at);
+  for (std::size_t i = 0; i < of_it.size(); ++i) *of_it[i] = (1.0 - t) * *of_a[i] + t * *of_b[i];
   at.s = s;
-  at.p_W = (1.0 - t) * a.p_W + t * b.p_W;
-  for (double Station::*member :
-       {&Station::astern, &Station::inclination, &Station::effective_tension, &Station::wall_tension,
-        &Station::bending_moment, &Station::vertical_moment, &Station::lateral_moment, &Station::curvature,
-        &Station::axial_stress, &Station::bending_stress, &Station::hoop_stress, &Station::von_mises, &Station::strain,
-        &Station::seabed_reaction, &Station::penetration}) {
-    at.*member = mix(a.*member, b.*member, t);
-  }
+  at.yield_stress = yield_stress;
   return at;
 }
 

@@ -9,6 +9,9 @@ namespace overbend {
 /// [m].
 Vec3 ship_point(const StaticResults& results, const Vec3& p_W);
 
+/// The same axes, of a direction.
+Vec3 ship_direction(const StaticResults& results, const Vec3& d_W);
+
 /// The pipe at arc length s from the anchor, linear between stations; at the ends the end stations.
 Station station_at(const StaticResults& results, double s);
 

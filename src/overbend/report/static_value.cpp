@@ -1,25 +1,32 @@
 #include "report/static_value.h"
 
-#include <array>
-#include <utility>
+#include "report/history_name.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
 
-using Named = std::pair<const char*, Extreme RegionResult::*>;
+/// Keeps the number of one name.
+struct NumberNamed {
+  std::string name;
+  std::optional<double> found;
 
-constexpr std::array<Named, 4> kOfRegion = {{{"bending_moment", &RegionResult::bending_moment},
-                                             {"bending_stress", &RegionResult::bending_stress},
-                                             {"von_mises", &RegionResult::von_mises},
-                                             {"strain", &RegionResult::strain}}};
+  void operator()(const ResultField& field, double value) {
+    if (field.name == name) found = value;
+  }
+  void operator()(const ResultField& field, const std::optional<double>& value) {
+    if (field.name == name) found = value;
+  }
+  template <class Other>
+  void operator()(const ResultField&, const Other&) {}
+};
 
 std::optional<double> of_region(const RegionResult& region, const std::string& region_name, const std::string& name) {
-  for (const auto& [quantity, member] : kOfRegion) {
-    if (name == region_name + "_" + quantity || name == region_name + "_" + quantity + "_peak") {
-      return (region.*member).value;
-    }
-  }
-  return std::nullopt;
+  std::optional<double> found;
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    if (name == region_name + "_" + field.name) found = extreme.value;
+  });
+  return found;
 }
 
 std::optional<double> of_support(const DynamicResults& results, const std::string& name) {
@@ -34,19 +41,17 @@ std::optional<double> of_support(const DynamicResults& results, const std::strin
 
 std::optional<double> static_value(const StaticResults& statics, const DynamicResults& results,
                                    const std::string& name) {
-  if (name == "top_tension" || name == "top_tension_peak" || name == "top_tension_low") return statics.top_tension;
-  if (name == "smallest_tension") return statics.smallest_tension.value;
-  if (name == "bottom_tension") return statics.bottom_tension;
-  if (name == "lay_back") return statics.lay_back;
-  if (name == "departure_angle") return statics.departure_angle;
-  if (name == "stinger_tip_clearance") return statics.stinger_tip_clearance;
+  NumberNamed of_line{quantity_of(name), {}};
+  visit_lay(statics, of_line);
+  if (of_line.found) return of_line.found;
+  if (of_line.name == smallest_tension_field().name) return statics.smallest_tension.value;
   if (statics.overbend) {
-    if (const auto value = of_region(*statics.overbend, "overbend", name)) return value;
+    if (const auto value = of_region(*statics.overbend, "overbend", of_line.name)) return value;
   }
   if (statics.tower) {
-    if (const auto value = of_region(*statics.tower, "tower", name)) return value;
+    if (const auto value = of_region(*statics.tower, "tower", of_line.name)) return value;
   }
-  if (const auto value = of_region(statics.sagbend, "sagbend", name)) return value;
+  if (const auto value = of_region(statics.sagbend, "sagbend", of_line.name)) return value;
   return of_support(results, name);
 }
 

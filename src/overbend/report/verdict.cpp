@@ -6,7 +6,7 @@
 #include <cctype>
 
 #include "report/html.h"
-#include "resultfiles/result_field.h"
+#include "results/fields/result_field.h"
 
 namespace overbend {
 namespace {

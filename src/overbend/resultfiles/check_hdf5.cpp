@@ -1,8 +1,8 @@
 #include "resultfiles/check_hdf5.h"
 
-#include "resultfiles/check_columns.h"
 #include "resultfiles/hdf5_readers.h"
 #include "resultfiles/hdf5_visitors.h"
+#include "results/fields/check_fields.h"
 
 namespace overbend {
 namespace {

@@ -78,8 +78,8 @@ std::string comparison_table(const Comparison& comparison) {
   CsvTable table(head);
   for_each_row(comparison,
                [&](const std::string& name, const SeedQuantity& quantity, const std::vector<double>& values) {
-                 const TableUnit unit = table_unit(quantity);
-                 table.cell(name).cell(unit.name);
+                 const ShownUnit unit = table_unit(quantity);
+                 table.cell(name).cell(std::string(unit.name));
                  for (const double value : values) table.cell(value * unit.factor);
                  table.cell(quantity.description).end_row();
                });

@@ -4,15 +4,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace overbend {
-
-// From SI to the units of the tables.
-inline constexpr double kKilo = 1e-3, kMillimetres = 1e3, kMega = 1e-6, kPercent = 100.0,
-                        kDegrees = 180.0 / std::numbers::pi;
 
 /// Rows by RFC 4180: commas, CR LF, quotes where a text needs them; twelve digits.
 class CsvTable {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
-#include "resultfiles/dynamic_columns.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/finite_visitor.h"
+#include "results/fields/dynamic_tables.h"
 
 namespace overbend {
 namespace {

@@ -1,7 +1,7 @@
-#include "resultfiles/check_columns.h"
-#include "resultfiles/dynamic_scalars.h"
 #include "resultfiles/finite_check.h"
 #include "resultfiles/finite_visitor.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/dynamic_values.h"
 
 namespace overbend {
 namespace {
@@ -36,9 +36,9 @@ void check_rows(const std::string& name, const Rows& rows, Function visit_row) {
 }
 
 void check_region(const std::string& name, const DynamicRegion& region) {
-  visit_dynamic_region(region, [&](const char* quantity, const char*, const char*, const DynamicExtreme& extreme) {
-    FiniteVisitor visit{"dynamic." + name + "." + quantity + "."};
-    visit_dynamic_extreme("", "", extreme, visit);
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    FiniteVisitor visit{"dynamic." + name + "." + field.name + "."};
+    visit_dynamic_extreme(field, extreme, visit);
   });
 }
 
@@ -70,7 +70,7 @@ void require_finite(const DynamicResults& results) {
   visit.place = "dynamic.run.";
   visit_dynamic_run(results.run, visit);
   visit.place = "dynamic.smallest_tension.";
-  visit_dynamic_extreme("N", "", results.smallest_tension, visit);
+  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, visit);
   check_region("overbend", results.overbend);
   check_region("tower", results.tower);
   check_region("sagbend", results.sagbend);

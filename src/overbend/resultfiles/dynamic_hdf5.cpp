@@ -1,9 +1,9 @@
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/dynamic_blocks.h"
-#include "resultfiles/dynamic_scalars.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/hdf5_visitors.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/dynamic_values.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
@@ -11,16 +11,15 @@ namespace {
 void write_region(Hdf5Writer& file, const std::string& group, const std::string& description,
                   const DynamicRegion& region) {
   file.group(group, description);
-  visit_dynamic_region(
-      region, [&](const std::string& name, const char* units, const char* text, const DynamicExtreme& extreme) {
-        file.group(group + "/" + name, text);
-        ValueWriter visit{file, group + "/" + name};
-        visit_dynamic_extreme(units, text, extreme, visit);
-      });
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    ValueWriter visit{file, group + "/" + field.name};
+    file.group(visit.group, std::string(field.description));
+    visit_dynamic_extreme(field, extreme, visit);
+  });
 }
 
 template <class Function, class Part>
-void write_part(Hdf5Writer& file, const std::string& group, const char* description, Function visit_part,
+void write_part(Hdf5Writer& file, const std::string& group, const std::string& description, Function visit_part,
                 const Part& part) {
   file.group(group, description);
   ValueWriter visit{file, group};
@@ -81,7 +80,6 @@ void write_rows(Hdf5Writer& file, const std::string& group, const char* descript
 /// A line per history; their thinned values stand one history after the other in `low` and `high`.
 void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histories) {
   const std::string group = "/dynamic/thinned";
-  const char* varies = "see column units";
   std::vector<double> low, high;
   write_rows(file, group, "Histories thinned for drawing: a line each", histories,
              [&](const HistorySummary& h, auto& t) {
@@ -93,13 +91,13 @@ void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histor
                t(ResultField{"count", "1",
                              "Number of its stretches, of equal length, from the start of the build-up to the end"},
                  static_cast<std::int64_t>(h.low.size()));
-               visit_spread(ResultField{"", varies, "Of the history from t = 0 on"}, h.over_time, t);
+               visit_spread(ResultField{"", kVaries, "Of the history from t = 0 on"}, h.over_time, t);
                low.insert(low.end(), h.low.begin(), h.low.end());
                high.insert(high.end(), h.high.begin(), h.high.end());
              });
   if (histories.empty()) return;
-  file.write(group + "/low", ResultField{"", varies, "Least value of each stretch"}, low, {low.size()});
-  file.write(group + "/high", ResultField{"", varies, "Greatest value of each stretch"}, high, {high.size()});
+  file.write(group + "/low", ResultField{"", kVaries, "Least value of each stretch"}, low, {low.size()});
+  file.write(group + "/high", ResultField{"", kVaries, "Greatest value of each stretch"}, high, {high.size()});
 }
 
 void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
@@ -141,10 +139,9 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
     write_region(file, "/dynamic/overbend", "Extremes from the tensioner to the inflection below the last support",
                  dynamics.overbend);
   }
-  const auto smallest = [](const auto& part, auto& visit) {
-    visit_dynamic_extreme("N", kSmallestTension, part, visit);
-  };
-  write_part(file, "/dynamic/smallest_tension", kSmallestTension, smallest, dynamics.smallest_tension);
+  const ResultField least = smallest_tension_field();
+  const auto smallest = [&](const auto& part, auto& visit) { visit_dynamic_extreme(least, part, visit); };
+  write_part(file, "/dynamic/" + least.name, std::string(least.description), smallest, dynamics.smallest_tension);
   if (statics.tower) {
     write_region(file, "/dynamic/tower", "Extremes where the clamped guide bends the pipe", dynamics.tower);
   }

@@ -1,19 +1,18 @@
 #include "resultfiles/dynamic_reader.h"
 
 #include "resultfiles/check_hdf5.h"
-#include "resultfiles/dynamic_scalars.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/hdf5_readers.h"
+#include "results/fields/dynamic_values.h"
 
 namespace overbend {
 namespace {
 
 void read_region(const Hdf5Reader& file, const std::string& group, DynamicRegion& region) {
-  visit_dynamic_region(region,
-                       [&](const std::string& name, const char* units, const char* text, DynamicExtreme& extreme) {
-                         ValueReader visit{file, group + "/" + name};
-                         visit_dynamic_extreme(units, text, extreme, visit);
-                       });
+  visit_dynamic_region(region, [&](const ResultField& field, DynamicExtreme& extreme) {
+    ValueReader visit{file, group + "/" + field.name};
+    visit_dynamic_extreme(field, extreme, visit);
+  });
 }
 
 /// Whole columns of the table of stations.
@@ -97,7 +96,7 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   visit_dynamic_run(results.run, visit);
   if (file.has("/dynamic/overbend")) read_region(file, "/dynamic/overbend", results.overbend);
   visit.group = "/dynamic/smallest_tension";
-  visit_dynamic_extreme("N", "", results.smallest_tension, visit);
+  visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, visit);
   if (file.has("/dynamic/tower")) read_region(file, "/dynamic/tower", results.tower);
   read_region(file, "/dynamic/sagbend", results.sagbend);
   const ColumnReader stations{file};

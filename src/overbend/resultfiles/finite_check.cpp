@@ -1,17 +1,17 @@
 #include "resultfiles/finite_check.h"
 
-#include "resultfiles/check_columns.h"
 #include "resultfiles/finite_visitor.h"
-#include "resultfiles/static_columns.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/static_tables.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
 
 void check_region(const std::string& name, const RegionResult& region) {
-  visit_region(region, [&](const char* quantity, const char* units, const char* description, const Extreme& extreme) {
-    FiniteVisitor visit{name + "." + quantity + "."};
-    visit_extreme_fields(units, description, extreme, visit);
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    FiniteVisitor visit{name + "." + field.name + "."};
+    visit_extreme_fields(field, extreme, visit);
   });
 }
 
@@ -52,7 +52,7 @@ void require_finite(const StaticResults& results) {
   visit.place = "solve.";
   visit_solve(results.solve, visit);
   visit.place = "smallest_tension.";
-  visit_extreme_fields("N", kSmallestTension, results.smallest_tension, visit);
+  visit_extreme_fields(smallest_tension_field(), results.smallest_tension, visit);
   if (results.overbend) check_region("overbend", *results.overbend);
   if (results.tower) check_region("tower", *results.tower);
   check_region("sagbend", results.sagbend);

@@ -1,4 +1,5 @@
-/// Refuses numbers that are none as results are visited, but for those that may be absent; see static_columns.h.
+/// Refuses numbers that are none as results are visited, but for those that may be absent; see
+/// results/fields/result_field.h.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "resultfiles/absent.h"
-#include "resultfiles/result_field.h"
+#include "results/fields/result_field.h"
 
 namespace overbend {
 

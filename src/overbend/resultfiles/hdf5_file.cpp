@@ -134,9 +134,9 @@ void Hdf5Writer::write_raw(const std::string& path, const ResultField& field, hi
 }
 
 void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
-  attribute(path, "units", field.units);
+  attribute(path, "units", std::string(field.units));
   attribute(path, "frame", field.frame);
-  attribute(path, "description", field.description);
+  attribute(path, "description", std::string(field.description).append(field.aspect));
   require_disk();
   if (may_be_absent(path)) mark_absent(file_, path);
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "resultfiles/result_field.h"
+#include "results/fields/result_field.h"
 
 namespace overbend {
 

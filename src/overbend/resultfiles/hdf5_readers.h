@@ -1,5 +1,5 @@
-/// Reads results from HDF5 as their fields are visited; see static_columns.h. A value that is missing throws
-/// std::runtime_error with its path.
+/// Reads results from HDF5 as their fields are visited; see results/fields/result_field.h. A value that is missing
+/// throws std::runtime_error with its path.
 #pragma once
 
 #include <cstdint>

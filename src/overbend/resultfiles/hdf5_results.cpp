@@ -1,8 +1,8 @@
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/results_writer.h"
-#include "resultfiles/static_columns.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/static_tables.h"
+#include "results/fields/static_values.h"
 #include "runstore/run_record.h"
 
 namespace overbend {
@@ -11,10 +11,10 @@ namespace {
 void write_region(Hdf5Writer& file, const std::string& group, const std::string& description,
                   const RegionResult& region) {
   file.group(group, description);
-  visit_region(region, [&](const std::string& name, const char* units, const char* text, const Extreme& extreme) {
-    file.group(group + "/" + name, text);
-    ValueWriter visit{file, group + "/" + name};
-    visit_extreme_fields(units, text, extreme, visit);
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    ValueWriter visit{file, group + "/" + field.name};
+    file.group(visit.group, std::string(field.description));
+    visit_extreme_fields(field, extreme, visit);
   });
 }
 
@@ -69,7 +69,7 @@ void write_model(Hdf5Writer& file, const Description& description) {
 }
 
 template <class Function, class Part>
-void write_part(Hdf5Writer& file, const std::string& group, const char* description, Function visit_part,
+void write_part(Hdf5Writer& file, const std::string& group, const std::string& description, Function visit_part,
                 const Part& part) {
   file.group(group, description);
   ValueWriter visit{file, group};
@@ -97,8 +97,9 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
     write_region(file, "/static/overbend", "Extremes from the tensioner to the inflection below the last support",
                  *results.overbend);
   }
-  const auto smallest = [](const auto& part, auto& visit) { visit_extreme_fields("N", kSmallestTension, part, visit); };
-  write_part(file, "/static/smallest_tension", kSmallestTension, smallest, results.smallest_tension);
+  const ResultField least = smallest_tension_field();
+  const auto smallest = [&](const auto& part, auto& visit) { visit_extreme_fields(least, part, visit); };
+  write_part(file, "/static/" + least.name, std::string(least.description), smallest, results.smallest_tension);
   if (results.tower) {
     write_region(file, "/static/tower", "Extremes where the clamped guide bends the pipe", *results.tower);
   }

@@ -1,4 +1,4 @@
-/// Writes results to HDF5 as their fields are visited; see static_columns.h.
+/// Writes results to HDF5 as their fields are visited; see results/fields/result_field.h.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct ValueWriter {
     file.write(path(field), field, values, {values.size()});
   }
   void operator()(const ResultField& field, const std::optional<double>& value) {
-    if (value) (*this)(field, *value);  // absent where the question has no sense: no stinger, no clearance
+    if (value) (*this)(field, *value);  // absent where it does not apply: no stinger, no clearance
   }
   void operator()(const ResultField& field, const Vec3& value) {
     file.write(path(field), field, std::vector<double>{value.x(), value.y(), value.z()}, {3});
@@ -50,10 +50,10 @@ class TableWriter {
   void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
   void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
-  void operator()(const ResultField& field, Region value) { column(field).texts.emplace_back(word(value)); }
-  void operator()(const ResultField& field, RollerPosition value) { column(field).texts.emplace_back(word(value)); }
-  void operator()(const ResultField& field, CheckStatus value) { column(field).texts.emplace_back(word(value)); }
-  void operator()(const ResultField& field, CheckRegion value) { column(field).texts.emplace_back(word(value)); }
+  template <HasWords Enum>
+  void operator()(const ResultField& field, Enum value) {
+    column(field).texts.emplace_back(word(value));
+  }
   void operator()(const ResultField& field, const Vec3& value) {
     for (int i = 0; i < 3; ++i) {
       (*this)(ResultField{component_name(field, i), field.units, field.description, field.frame}, value(i));

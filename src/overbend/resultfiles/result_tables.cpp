@@ -1,75 +1,51 @@
 #include "resultfiles/result_tables.h"
 
-#include "resultfiles/result_field.h"
+#include "resultfiles/csv_fields.h"
 #include "resultfiles/results_writer.h"
+#include "results/fields/static_tables.h"
 
 namespace overbend {
+namespace {
 
-std::vector<std::string> pipe_head() {
-  return {"s [m]",
-          "x [m]",
-          "y [m]",
-          "z [m]",
-          "tension [kN]",
-          "bending moment [kN m]",
-          "curvature [1/m]",
-          "axial stress [MPa]",
-          "bending stress [MPa]",
-          "hoop stress [MPa]",
-          "von Mises stress [MPa]",
-          "strain [%]",
-          "astern [m]",
-          "inclination [deg]",
-          "wall tension [kN]",
-          "vertical moment [kN m]",
-          "lateral moment [kN m]",
-          "seabed reaction [kN/m]",
-          "penetration [m]",
-          "residual curvature [1/m]",
-          "region",
-          "from tensioner [m]"};
+/// A roller's line: its box, its row, itself.
+template <class Visit>
+void visit_roller_line(double top, const SupportResult& support, std::size_t row, const RollerResult& roller,
+                       Visit& visit) {
+  visit_support(support, visit);
+  visit(ResultField{"row", "1", "Number of the row in its box, from 1"}.csv("row"), static_cast<int>(row) + 1);
+  visit_roller(roller, visit);
+  visit_row(support.rows[row], visit);
+  visit_from_tensioner(top, support.rows[row].s, visit);
 }
 
-void pipe_cells(CsvTable& table, const StaticResults& results, const Station& p) {
-  table.cell(p.s).cell(p.p_W.x()).cell(p.p_W.y()).cell(p.p_W.z());
-  table.cell(p.effective_tension * kKilo).cell(p.bending_moment * kKilo).cell(p.curvature);
-  table.cell(p.axial_stress * kMega).cell(p.bending_stress * kMega).cell(p.hoop_stress * kMega);
-  table.cell(p.von_mises * kMega).cell(p.strain * kPercent).cell(p.astern).cell(p.inclination * kDegrees);
-  table.cell(p.wall_tension * kKilo).cell(p.vertical_moment * kKilo).cell(p.lateral_moment * kKilo);
-  table.cell(p.seabed_reaction * kKilo)
-      .cell(p.penetration)
-      .cell(p.residual_curvature)
-      .cell(std::string(word(p.region)))
-      .cell(results.stations.back().s - p.s);
+}  // namespace
+
+std::vector<std::string> pipe_head() {
+  CsvHead head;
+  const Station example{};
+  visit_station(example, head);
+  visit_from_tensioner(0.0, 0.0, head);
+  return head.names;
+}
+
+void pipe_cells(CsvTable& table, const StaticResults& results, const Station& station) {
+  CsvCells cells{table};
+  visit_station(station, cells);
+  visit_from_tensioner(results.stations.back().s, station.s, cells);
 }
 
 std::vector<std::string> supports_head() {
-  return {"name",
-          "row",
-          "position",
-          "reaction normal [kN]",
-          "reaction vertical [kN]",
-          "reaction longitudinal [kN]",
-          "reaction lateral [kN]",
-          "separation [m]",
-          "x [m]",
-          "y [m]",
-          "z [m]",
-          "pipe s [m]",
-          "from tensioner [m]"};
+  CsvHead head;
+  SupportResult support;
+  support.rows.resize(1);
+  visit_roller_line(0.0, support, 0, RollerResult{}, head);
+  return head.names;
 }
 
 void roller_cells(CsvTable& table, const StaticResults& results, const SupportResult& support, std::size_t row,
                   const RollerResult& roller) {
-  table.cell(support.name).cell(std::to_string(row + 1)).cell(std::string(word(roller.position)));
-  table.cell(roller.reaction * kKilo).cell(roller.vertical * kKilo).cell(roller.longitudinal * kKilo);
-  table.cell(roller.lateral * kKilo).cell(roller.separation);
-  table.cell(roller.p_W.x()).cell(roller.p_W.y()).cell(roller.p_W.z());
-  if (support.rows[row].s < 0.0) {
-    table.cell(std::string()).cell(std::string());  // the pipe does not cross the row
-  } else {
-    table.cell(support.rows[row].s).cell(results.stations.back().s - support.rows[row].s);
-  }
+  CsvCells cells{table};
+  visit_roller_line(results.stations.back().s, support, row, roller, cells);
 }
 
 std::string pipe_table(const StaticResults& results) {

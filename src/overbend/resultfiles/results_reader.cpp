@@ -2,16 +2,16 @@
 
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_readers.h"
-#include "resultfiles/static_columns.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/static_tables.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
 
 void read_region(const Hdf5Reader& file, const std::string& group, RegionResult& region) {
-  visit_region(region, [&](const std::string& name, const char* units, const char* text, Extreme& extreme) {
-    ValueReader visit{file, group + "/" + name};
-    visit_extreme_fields(units, text, extreme, visit);
+  visit_region(region, [&](const ResultField& field, Extreme& extreme) {
+    ValueReader visit{file, group + "/" + field.name};
+    visit_extreme_fields(field, extreme, visit);
   });
 }
 
@@ -76,7 +76,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   visit_scene(results, visit);
   if (file.has("/static/overbend")) read_region(file, "/static/overbend", results.overbend.emplace());
   visit.group = "/static/smallest_tension";
-  visit_extreme_fields("N", kSmallestTension, results.smallest_tension, visit);
+  visit_extreme_fields(smallest_tension_field(), results.smallest_tension, visit);
   if (file.has("/static/tower")) read_region(file, "/static/tower", results.tower.emplace());
   read_region(file, "/static/sagbend", results.sagbend);
   read_tables(file, results);

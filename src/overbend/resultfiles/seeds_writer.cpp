@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "resultfiles/absent.h"
-#include "resultfiles/csv_table.h"
+#include "resultfiles/csv_fields.h"
 #include "resultfiles/results_writer.h"
 #include "resultfiles/summary_json.h"
 #include "runstore/append_file.h"
@@ -47,14 +47,10 @@ Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
 
 }  // namespace
 
-TableUnit table_unit(const SeedQuantity& quantity) {
-  if (quantity.units == "N") return {"kN", kKilo};
-  if (quantity.units == "N m") return {"kN m", kKilo};
-  if (quantity.units == "Pa") return {"MPa", kMega};
-  if (quantity.units == "N/m") return {"kN/m", kKilo};
-  if (quantity.name.find("strain") != std::string::npos || quantity.name == "contact_share") return {"%", kPercent};
-  if (quantity.name.find("dent_depth") != std::string::npos) return {"mm", kMillimetres};
-  return {quantity.units == "1" ? "-" : quantity.units, 1.0};
+ShownUnit table_unit(const SeedQuantity& quantity) {
+  ShownUnit unit = shown_unit(quantity.name, quantity.units);
+  if (unit.name.empty()) unit.name = "-";
+  return unit;
 }
 
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {
@@ -75,8 +71,8 @@ std::string seeds_table(const SeedsResults& results) {
   std::vector<std::string> head = {"seed", "folder", "status"};
   std::vector<double> factors;
   for (const SeedQuantity& quantity : results.quantities) {
-    const TableUnit unit = table_unit(quantity);
-    head.push_back(quantity.name + " [" + unit.name + "]");
+    const ShownUnit unit = table_unit(quantity);
+    head.push_back(headed(quantity.name, unit.name));
     factors.push_back(unit.factor);
   }
   CsvTable table(head);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "results/fields/shown_unit.h"
 #include "results/seeds_results.h"
 #include "results/static_results.h"
 
@@ -13,12 +14,8 @@ namespace overbend {
 /// cannot be written.
 void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder);
 
-/// What people read a quantity in, with the factor from SI.
-struct TableUnit {
-  std::string name;
-  double factor = 1.0;
-};
-TableUnit table_unit(const SeedQuantity& quantity);
+/// What people read a quantity in; plain numbers have a dash.
+ShownUnit table_unit(const SeedQuantity& quantity);
 
 /// The text of summary.json: what statics writes, and the key `seeds`.
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);

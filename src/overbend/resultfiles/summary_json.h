@@ -10,9 +10,6 @@ namespace overbend {
 
 using Json = nlohmann::ordered_json;
 
-/// {x, y, z}
-Json place(const Vec3& p_W);
-
 /// What a static analysis writes.
 Json static_summary_json(const StaticResults& results);
 

@@ -41,7 +41,7 @@ Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64
           {"time", times},
           {"pose", poses},
           {"place", stations(block, {&block.x, &block.y, &block.z})},
-          {"tension", stations(block, {&block.effective_tension})},
+          {"effective_tension", stations(block, {&block.effective_tension})},
           {"von_mises", stations(block, {&block.von_mises})}};
 }
 

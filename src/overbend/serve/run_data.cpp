@@ -4,79 +4,32 @@
 #include <cmath>
 
 #include "modelfile/yaml_reader.h"
-#include "report/json_number.h"
 #include "resultfiles/dynamic_reader.h"
-#include "serve/static_json.h"
+#include "serve/page_fields.h"
+#include "serve/page_style.h"
 
 namespace overbend {
 namespace {
 
-/// Values per station in the page's order, from the tensioner on.
-Json reversed(const std::vector<double>& values) {
-  Json list = Json::array();
-  for (auto value = values.rbegin(); value != values.rend(); ++value) list.push_back(seven_digits(*value));
-  return list;
-}
-
-Json envelope(const Envelope& over_time, const std::vector<double>& before) {
-  return {{"static", reversed(before)},
-          {"min", reversed(over_time.min)},
-          {"max", reversed(over_time.max)},
-          {"mean", reversed(over_time.mean)}};
-}
-
-Json dynamic_envelopes(const DynamicResults& r) {
-  std::vector<double> s, x, z;
-  for (const double at : r.station_s) s.push_back(r.station_s.back() - at);
-  for (const Vec3& place : r.static_place) {
-    x.push_back(place.x());
-    z.push_back(place.z());
+/// The static state as envelopes that nothing has moved yet.
+DynamicResults still(const StaticResults& statics) {
+  DynamicResults r;
+  for (const Station& at : statics.stations) {
+    r.station_s.push_back(at.s);
+    r.static_place.push_back(at.p_W);
+    r.static_tension.push_back(at.effective_tension);
+    r.static_moment.push_back(at.bending_moment);
+    r.static_bending_stress.push_back(at.bending_stress);
+    r.static_von_mises.push_back(at.von_mises);
+    r.static_strain.push_back(at.strain);
   }
-  return {{"s", reversed(s)},
-          {"x", reversed(x)},
-          {"z", reversed(z)},
-          {"tension", envelope(r.effective_tension, r.static_tension)},
-          {"moment", envelope(r.bending_moment, r.static_moment)},
-          {"bending_stress", envelope(r.bending_stress, r.static_bending_stress)},
-          {"von_mises", envelope(r.von_mises, r.static_von_mises)},
-          {"strain", envelope(r.strain, r.static_strain)}};
+  return r;
 }
 
-template <class Value>
-Json static_list(const StaticResults& r, Value value) {
-  std::vector<double> values;
-  for (const Station& at : r.stations) values.push_back(value(at));
-  return reversed(values);
-}
-
-template <class Value>
-Json static_values(const StaticResults& r, Value value) {
-  return {{"static", static_list(r, value)}};
-}
-
-Json static_envelopes(const StaticResults& r) {
-  std::vector<double> s;
-  for (const Station& at : r.stations) s.push_back(r.stations.back().s - at.s);
-  return {{"s", reversed(s)},
-          {"x", static_list(r, [](const Station& at) { return at.p_W.x(); })},
-          {"z", static_list(r, [](const Station& at) { return at.p_W.z(); })},
-          {"tension", static_values(r, [](const Station& at) { return at.effective_tension; })},
-          {"moment", static_values(r, [](const Station& at) { return at.bending_moment; })},
-          {"bending_stress", static_values(r, [](const Station& at) { return at.bending_stress; })},
-          {"von_mises", static_values(r, [](const Station& at) { return at.von_mises; })},
-          {"strain", static_values(r, [](const Station& at) { return at.strain; })}};
-}
-
-/// Where a roller stands, in words.
-Json roller_place(const DynamicResults& r, int roller) {
-  for (const SupportDynamics& box : r.supports) {
-    for (const RollerDynamics& one : box.rollers) {
-      if (one.roller == roller) {
-        return {{"support", box.name}, {"row", one.row}, {"position", word(one.position)}};
-      }
-    }
-  }
-  return {{"support", ""}, {"row", 0}, {"position", ""}};
+Json envelopes(const DynamicResults& r, bool over_time) {
+  PageStyle style;
+  if (!r.station_s.empty()) style.top = r.station_s.back();
+  return page_envelopes(style, r, over_time);
 }
 
 }  // namespace
@@ -109,8 +62,8 @@ Json columns_json(const std::vector<HistoryColumn>& columns) {
 }
 
 Json envelopes_json(const std::filesystem::path& h5) {
-  return has_dynamic(h5) ? dynamic_envelopes(read_dynamic_results(h5).results)
-                         : static_envelopes(read_static_results(h5).results);
+  return has_dynamic(h5) ? envelopes(read_dynamic_results(h5).results, true)
+                         : envelopes(still(read_static_results(h5).results), false);
 }
 
 Json run_statics_json(const std::filesystem::path& h5) {
@@ -141,21 +94,11 @@ Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
 }
 
 Json impacts_json(const std::filesystem::path& h5) {
-  Json list = Json::array();
-  if (!has_dynamic(h5)) return {{"total", 0}, {"impacts", list}};
-  const DynamicResults r = read_dynamic_results(h5).results;
-  for (const Impact& impact : r.hardest_impacts) {
-    Json item = {{"time", seven_digits(impact.time)}};
-    item.update(roller_place(r, impact.roller));
-    item["peak_force"] = seven_digits(impact.peak_force);
-    item["approach_velocity"] = seven_digits(impact.approach_velocity);
-    item["duration"] = seven_digits(impact.duration);
-    item["impulse"] = seven_digits(impact.impulse);
-    item["dent_depth"] = seven_digits(impact.dent_depth);
-    item["line_load"] = seven_digits(impact.line_load);
-    list.push_back(std::move(item));
-  }
-  return {{"total", r.impact_count}, {"impacts", list}};
+  DynamicResults r;
+  if (has_dynamic(h5)) r = read_dynamic_results(h5).results;
+  const PageStyle style;
+  return {{"total", r.impact_count},
+          {"impacts", style.rows(r.hardest_impacts, [&](const Impact& hit) { return page_impact(style, r, hit); })}};
 }
 
 }  // namespace overbend

@@ -20,7 +20,7 @@ Json summary_of(const RunInfo& study, const std::filesystem::path& folder) {
 
 /// Name, words and units of a quantity, and its value in every case.
 Json quantity_json(const std::string& name, const Json& about, const Json& cases) {
-  const TableUnit unit = table_unit({name, about["units"].get<std::string>(), "", SeedExtreme::none});
+  const ShownUnit unit = table_unit({name, about["units"].get<std::string>(), "", SeedExtreme::none});
   Json values = Json::array();
   for (const Json& one : cases) values.push_back(one.value(name, Json()));
   return {{"name", name},

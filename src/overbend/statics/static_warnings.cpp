@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/fields/words.h"
 #include "results/regions.h"
 
 namespace overbend {
@@ -124,9 +125,7 @@ void warn_of_field_joints(Warnings& list, const Model& model) {
 }  // namespace
 
 std::string pipe_place(const StaticResults& results, double s) {
-  constexpr const char* kWords[] = {"tower", "overbend", "sagbend", "seabed"};
-  return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s,
-                     kWords[static_cast<std::size_t>(regions(results).of(s))]);
+  return fmt::format("{:.1f} m from the tensioner ({})", results.total_length - s, word(regions(results).of(s)));
 }
 
 void warn_statics(const Model& model, StaticResults& results) {

@@ -1,4 +1,7 @@
-// What the program answers; see docs/api.md. SI units, frame W.
+// What the program answers; see docs/api.md. SI units, frame W. The types of results are made by the program.
+import type { Check, DynamicSummary, Statics, Vector } from './results';
+
+export type * from './results';
 
 export interface Diagnostic { severity: 'error' | 'warning'; line: number; column: number; key: string; message: string }
 
@@ -32,44 +35,8 @@ export interface DiskConflict { error: { reason: string }; disk: { name: string;
 
 export interface Change { path: string; value: unknown }
 
-export type Vector = [number, number, number];
-
-export interface Region {
-  bending_moment: number; bending_stress: number; von_mises: number; strain: number; utilisation: number; s: number;
-}
-
-export interface Roller { position: string; center: Vector; axis: Vector; radius: number; face: number; reaction: number; separation: number }
-
-/** A code check at the place where it is used most; without utilisation where it is not done. */
-export interface Check {
-  id: string; name: string; code: string; clause: string; region: string;
-  status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
-  governing: boolean; remark: string; quantity?: string; units?: string; capacity?: number; utilisation?: number; reserve?: number; at?: { from_top: number }; time?: number | null;
-}
-
-export interface Support {
-  name: string; structure: 'ramp' | 'stinger'; place: Vector; s: number; reaction: number; separation: number; contact: boolean; rollers: Roller[];
-}
-
-export interface PipeLists {
-  s: number[]; x: number[]; y: number[]; z: number[]; tension: number[]; moment: number[];
-  bending_stress: number[]; von_mises: number[]; strain: number[]; utilisation: number[]; checks: number[];
-}
-
 /** A static state: of the open model with the values tried out, or of a run. */
-export interface Lay {
-  status: 'converged';
-  key: {
-    top_tension: number; bottom_tension: number; lay_back: number; departure_angle: number; tip_clearance: number | null;
-    suspended_length: number; largest_reaction: number | { value: number; support: string } | null; overbend: Region | null; tower?: Region | null; sagbend: Region | null;
-  };
-  pipe: PipeLists;
-  touchdown: { s: number; place: Vector } | null;
-  supports: Support[];
-  tensioner: { place: Vector; direction: Vector };
-  checks: Check[];
-  warnings: string[];
-}
+export interface Lay extends Statics { status: 'converged' }
 
 export interface Converged extends Lay { elapsed_ms: number; solve_ms: number; warm: boolean; revision: number }
 
@@ -121,25 +88,13 @@ export interface StudyQuantity {
 
 export interface Column { name: string; unit: string; text: string }
 export interface Series { t: number[]; min: number[]; max: number[] }
-export type Band = { static: number[]; min?: number[]; max?: number[]; mean?: number[] };
-export interface Envelopes { s: number[]; x: number[]; z: number[]; tension: Band; moment: Band; bending_stress: Band; von_mises: Band; strain: Band }
-
-export interface Spread { min: number; max: number; mean: number; std: number }
-export interface RegionSummary { max_bending_moment: Spread; max_bending_stress: Spread; max_von_mises: Spread; max_strain: Spread }
 
 /** What is read of summary.json. */
 export interface RunSummary {
   warnings?: string[];
   checks?: { list: Check[] };
-  dynamic?: {
-    duration: number; seed: number; impact_count: number; warnings?: string[]; checks?: { list: Check[] };
-    top_tension: Spread; bottom_tension: Spread; lay_back: Spread; departure_angle: Spread; stinger_tip_clearance: Spread | null;
-    overbend: RegionSummary | null; tower?: RegionSummary | null; sagbend: RegionSummary | null;
-    supports: { name: string; reaction: Spread; separation: Spread }[];
-  };
+  dynamic?: DynamicSummary;
 }
-
-export interface Impact { time: number; support: string; row: number; position: string; peak_force: number; approach_velocity: number }
 
 export interface NewOffer {
   pipes: { name: string; outside_diameter: number; walls: number[] }[];

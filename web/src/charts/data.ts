@@ -56,7 +56,7 @@ function allowed(key: string, s: Lay, checks: readonly Check[], factor: number):
   if (key === 'utilisation') return [{ y: 1, label: 'yield', kind: 'limit' }];
   if (key === 'checks') return [{ y: 1, label: 'allowable', kind: 'limit' }];
   const out: ChartData['level'] = [];
-  const said = { von_mises: 'von Mises stress', strain: 'longitudinal strain', tension: 'effective tension' }[key];
+  const said = { von_mises: 'von Mises stress', strain: 'longitudinal strain', effective_tension: 'effective tension' }[key];
   const limits = checks.filter((c) => c.quantity === said && c.governing && c.capacity !== undefined);
   if (said && limits.length) {
     const least = limits.reduce((a, b) => (b.capacity! < a.capacity! ? b : a));

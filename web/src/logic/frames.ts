@@ -2,12 +2,12 @@
 
 export interface FramesAnswer {
   total: number; from: number; stations: number; time: number[]; pose: number[][];
-  place: string; tension: string; von_mises: string;
+  place: string; effective_tension: string; von_mises: string;
 }
 
 export interface Chunk {
   from: number; count: number; stations: number; time: number[]; pose: number[][];
-  place: Float32Array; tension: Float32Array; von_mises: Float32Array;
+  place: Float32Array; effective_tension: Float32Array; von_mises: Float32Array;
 }
 
 export function floats(base64: string): Float32Array {
@@ -18,7 +18,7 @@ export function floats(base64: string): Float32Array {
 export function decode(answer: FramesAnswer): Chunk {
   return {
     from: answer.from, count: answer.time.length, stations: answer.stations, time: answer.time, pose: answer.pose,
-    place: floats(answer.place), tension: floats(answer.tension), von_mises: floats(answer.von_mises),
+    place: floats(answer.place), effective_tension: floats(answer.effective_tension), von_mises: floats(answer.von_mises),
   };
 }
 

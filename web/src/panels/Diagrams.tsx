@@ -76,7 +76,7 @@ function Slot({ index }: { index: number }) {
   const asked = slots.value[index] ?? 'elevation';
   const history = asked.startsWith('history:');
   const missing = history && !columns.value.some((c) => `history:${c.name}` === asked);
-  const what = missing ? 'tension' : asked;
+  const what = missing ? 'effective_tension' : asked;
   const inTime = what.startsWith('history:');
   const fetched = useHistory(what, zoom, pixels);
   const data = inTime ? fetched : statics(what);

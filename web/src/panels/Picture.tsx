@@ -21,7 +21,7 @@ const flashTime = 0.7;
 const debug = new URLSearchParams(location.search).has('debug');
 
 /** Frames of a run hold tension and von Mises stress and nothing else. */
-const inFrames = (key: ColourBy): boolean => key === 'tension' || key === 'von_mises';
+const inFrames = (key: ColourBy): boolean => key === 'effective_tension' || key === 'von_mises';
 const coloured = (): ColourBy => (frame.value && !inFrames(colourBy.value) ? 'von_mises' : colourBy.value);
 
 /** Reactions of the boxes at a time, as far as the run has their histories. */
@@ -43,7 +43,7 @@ function range(key: ColourBy, s = shownLay.value): [number, number] {
   let low = Infinity, high = -Infinity;
   for (const v of list) { low = Math.min(low, v); high = Math.max(high, v); }
   if (low > high) return [0, 1];
-  return niceRange((key === 'tension' ? low : 0) * q.factor, high * q.factor);
+  return niceRange((key === 'effective_tension' ? low : 0) * q.factor, high * q.factor);
 }
 
 function Values() {
@@ -115,7 +115,7 @@ export function Picture() {
           const key = coloured(), q = quantity(key)!;
           const [low, high] = range(key);
           const f = frame.value;
-          const values = f ? (key === 'tension' ? f.tension : f.von_mises) : (s.pipe[key] as number[] | undefined) ?? null;
+          const values = f ? (key === 'effective_tension' ? f.effective_tension : f.von_mises) : (s.pipe[key] as number[] | undefined) ?? null;
           v.setColouring({ values: shownFailure.value && !f ? null : values, low: low / q.factor, high: high / q.factor });
         }),
         effect(() => {
@@ -144,7 +144,7 @@ export function Picture() {
       </div>
       <div class="legend" data-flashes={animated ? flashing.value : undefined}>
         <select aria-label="Colour of the pipe" title={animated ? 'A run keeps tension and von Mises stress for its animation; the others are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
-          {quantities.filter((x) => x.key !== 'moment').map((x) => <option key={x.key} value={x.key} disabled={animated && !inFrames(x.key as ColourBy)}>{x.name}{animated && !inFrames(x.key as ColourBy) ? ' (not in animations)' : ''}</option>)}
+          {quantities.filter((x) => x.key !== 'bending_moment').map((x) => <option key={x.key} value={x.key} disabled={animated && !inFrames(x.key as ColourBy)}>{x.name}{animated && !inFrames(x.key as ColourBy) ? ' (not in animations)' : ''}</option>)}
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>

@@ -40,20 +40,19 @@ export function Results() {
   if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Statics appear here as soon as the model is complete.'}</p></section>;
   const k = s.key;
   const ofModel = diagnostics.value.filter((d) => d.severity === 'warning').map((d) => bullet(d.message, [], d.key));
-  const largest = typeof k.largest_reaction === 'number' ? k.largest_reaction : k.largest_reaction?.value ?? null;
   return (
     <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
       <h2>Results {failure.value ? <small>last good one</small> : <small>statics</small>}</h2>
       <RegionBlock name="Overbend" r={k.overbend} />
-      <RegionBlock name="Tower" r={k.tower ?? null} />
+      <RegionBlock name="Tower" r={k.tower} />
       <RegionBlock name="Sagbend" r={k.sagbend} />
       <dl>
         <Value name="top tension" value={k.top_tension} unit="kN" />
         <Value name="bottom tension" value={k.bottom_tension} unit="kN" />
         <Value name="lay-back" value={k.lay_back} unit="m" title="From stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" />
-        <Value name="tip clearance" value={k.tip_clearance} unit="m" title="Pipe over the last stinger roller." />
-        <Value name="largest reaction" value={s.supports.length ? largest : null} unit="kN" />
+        <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" title="Pipe over the last stinger roller." />
+        <Value name="largest reaction" value={s.supports.length ? k.largest_reaction : null} unit="kN" />
       </dl>
       <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
     </section>

@@ -34,7 +34,7 @@ function Table() {
   const groups: [string, Row[]][] = [
     ...(k.overbend ? [['Overbend', regionRows(k.overbend, d?.overbend)] as [string, Row[]]] : []),
     ...(k.tower ? [['Tower', regionRows(k.tower, d?.tower)] as [string, Row[]]] : []),
-    ...(k.sagbend ? [['Sagbend', regionRows(k.sagbend, d?.sagbend)] as [string, Row[]]] : []),
+    ['Sagbend', regionRows(k.sagbend, d?.sagbend)],
     ['Tension', [
       { name: 'top', unit: 'kN', before: k.top_tension, over: d?.top_tension },
       { name: 'bottom', unit: 'kN', before: k.bottom_tension, over: d?.bottom_tension },
@@ -42,7 +42,7 @@ function Table() {
     ['Line', [
       { name: 'lay-back', unit: 'm', before: k.lay_back, over: d?.lay_back },
       { name: 'departure', unit: 'deg', before: k.departure_angle, over: d?.departure_angle },
-      ...(k.tip_clearance === null ? [] : [{ name: 'tip clearance', unit: 'm', before: k.tip_clearance, over: d?.stinger_tip_clearance }]),
+      ...(k.stinger_tip_clearance === null ? [] : [{ name: 'tip clearance', unit: 'm', before: k.stinger_tip_clearance, over: d?.stinger_tip_clearance }]),
     ]],
     ...(reaction ? [['Largest reaction', [reaction]] as [string, Row[]]] : []),
   ];

@@ -10,7 +10,7 @@ import { sayError } from './notices';
 const piece = 60; // frames in one request
 const kept = 24; // pieces held in memory
 
-export interface Shown { time: number; pose: number[]; places: Float32Array; tension: Float32Array; von_mises: Float32Array }
+export interface Shown { time: number; pose: number[]; places: Float32Array; effective_tension: Float32Array; von_mises: Float32Array }
 
 export const active = signal(false);
 export const playing = signal(false);
@@ -118,7 +118,7 @@ async function show(): Promise<void> {
     time: time.value,
     pose: chunk.pose[a]!.map((v, m) => v * (1 - f) + other.pose[b]![m]! * f),
     places: blend(chunk.place, 3 * n * a, other.place, 3 * n * b, 3 * n, f, buffer(3 * n)),
-    tension: blend(chunk.tension, n * a, other.tension, n * b, n, f, buffer(n)),
+    effective_tension: blend(chunk.effective_tension, n * a, other.effective_tension, n * b, n, f, buffer(n)),
     von_mises: blend(chunk.von_mises, n * a, other.von_mises, n * b, n, f, buffer(n)),
   };
 }

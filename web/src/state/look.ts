@@ -12,14 +12,14 @@ function kept<T>(name: string, start: T): Signal<T> {
 
 export type Theme = 'light' | 'dark';
 export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-export type ColourBy = 'von_mises' | 'bending_stress' | 'tension' | 'strain' | 'utilisation' | 'checks';
+export type ColourBy = 'von_mises' | 'bending_stress' | 'effective_tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
 /** Below 1,100 px the panes are tabs: which of them is shown. */
 export const pane = kept<'model' | 'picture' | 'results' | 'diagrams'>('pane', 'picture');
 /** Width of the left pane in px; 0 as the page has it. */
 export const leftWidth = kept<number>('left', 0);
-export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'tension', 'von_mises']);
+export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 'effective_tension', 'von_mises']);
 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */
 export const cursor = signal<number | null>(null);

@@ -1,0 +1,172 @@
+/// The layout of summary.json. Functions of a style, so that the page's types come from the same lines; see
+/// resultfiles/json_fields.h.
+#pragma once
+
+#include <algorithm>
+
+#include "resultfiles/json_fields.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/dynamic_values.h"
+#include "results/fields/static_tables.h"
+
+namespace overbend {
+
+/// The members that one visit gives.
+template <class Style, class Visit>
+auto object_of(const Style& style, Visit visit_members) {
+  JsonWriter<Style> json(style);
+  visit_members(json);
+  return json.take();
+}
+
+template <class Style>
+auto summary_region(const Style& style, const RegionResult& region) {
+  JsonWriter<Style> json(style);
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) { json(field, extreme.value); });
+  visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
+    json[field.place] = style.named("Place", object_of(style, [&](auto& at) { visit_place_of_extreme(extreme, at); }));
+  });
+  return style.named("StaticRegion", json.take());
+}
+
+template <class Style>
+auto summary_support(const Style& style, const SupportResult& support) {
+  JsonWriter<Style> json(style);
+  visit_support(support, json);
+  json["structure"] = style.word(support.stinger ? Structure::stinger : Structure::ramp);
+  json.or_null("separation_lateral", support.has_sides);
+  json["rows"] = style.rows(support.rows, [&](const RowResult& row) {
+    JsonWriter<Style> rollers(style);
+    for (const RollerResult& roller : row.rollers) {
+      rollers[word(roller.position)] = object_of(style, [&](auto& one) { visit_roller(roller, one); });
+    }
+    return rollers.take();
+  });
+  return style.named("StaticSupport", json.take());
+}
+
+/// The numbers of a check; absent where it is not done.
+template <class Style>
+void put_check_numbers(const Style& style, const CheckRow& row, JsonWriter<Style>& json) {
+  json.part(row.status != CheckStatus::not_done, [&](auto& numbers) {
+    visit_check_numbers(row, numbers);
+    numbers["time"] = style.maybe(row.in_time, [&] { return style.number(row.time); });
+  });
+}
+
+template <class Style>
+auto summary_check(const Style& style, const CheckRow& row) {
+  JsonWriter<Style> json(style);
+  visit_check_head(row, json);
+  put_check_numbers(style, row, json);
+  json["remark"] = style.text(row.remark);
+  json["inputs"] = style.rows(row.inputs, [&](const CheckInput& input) {
+    return object_of(style, [&](auto& one) { visit_check_input(input, one); });
+  });
+  return style.named("CheckInFull", json.take());
+}
+
+template <class Style>
+auto summary_checks(const Style& style, const CheckTable& table) {
+  JsonWriter<Style> json(style);
+  const CheckRow* worst = worst_check(table);
+  json["worst"] =
+      style.maybe(worst != nullptr, [&] { return summary_check(style, worst != nullptr ? *worst : CheckRow{}); });
+  json["list"] = style.rows(table.rows, [&](const CheckRow& row) { return summary_check(style, row); });
+  return json.take();
+}
+
+/// The key `static`.
+template <class Style>
+auto static_part(const Style& style, const StaticResults& r) {
+  JsonWriter<Style> json(style);
+  visit_lay(r, json);
+  json["smallest_tension"] = object_of(style, [&](auto& least) {
+    const ResultField field = smallest_tension_field();
+    least(ResultField{"value", field.units, field.description}.summary(), r.smallest_tension.value);
+    least[field.place] = object_of(style, [&](auto& at) { visit_place_of_extreme(r.smallest_tension, at); });
+  });
+  json.or_null("last_support", !r.last_support.empty());
+  json["touchdown"] = object_of(style, [&](auto& touchdown) { visit_touchdown(r.touchdown, touchdown); });
+  json["overbend"] =
+      style.maybe(r.overbend.has_value(), [&] { return summary_region(style, r.overbend.value_or(RegionResult{})); });
+  json["tower"] =
+      style.maybe(r.tower.has_value(), [&] { return summary_region(style, r.tower.value_or(RegionResult{})); });
+  json["sagbend"] = summary_region(style, r.sagbend);
+  json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return summary_support(style, box); });
+  visit_contacts(r, json);
+  for (const char* key : {"largest_reaction", "smallest_separation"}) json.or_null(key, !r.supports.empty());
+  visit_balance(r, json);
+  visit_solve(r.solve, json);
+  return json.take();
+}
+
+template <class Style>
+auto dynamic_region(const Style& style, const DynamicRegion& region) {
+  JsonWriter<Style> json(style);
+  visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
+    json[*field.key(Style::kOutput)] = style.named(
+        "ExtremeOverTime", object_of(style, [&](auto& one) { visit_dynamic_extreme(field, extreme, one); }));
+  });
+  return style.named("RegionSummary", json.take());
+}
+
+template <class Style>
+auto dynamic_support(const Style& style, const SupportDynamics& support) {
+  JsonWriter<Style> json(style);
+  visit_dynamic_support(support, json);
+  json["structure"] = style.word(support.stinger ? Structure::stinger : Structure::ramp);
+  auto rows = Style::Json::array();
+  for (const RollerDynamics& roller : support.rollers) {
+    while (static_cast<int>(rows.size()) <= roller.row) rows.push_back(Style::Json::object());
+    rows[static_cast<std::size_t>(roller.row)][word(roller.position)] =
+        object_of(style, [&](auto& one) { visit_dynamic_roller(roller, one); });
+  }
+  json["rows"] = std::move(rows);
+  return style.named("SupportSummary", json.take());
+}
+
+/// The rollers of a support together.
+template <class Style>
+auto support_impacts(const Style& style, const SupportDynamics& support) {
+  RollerDynamics most;
+  for (const RollerDynamics& roller : support.rollers) {
+    for (double RollerDynamics::*member :
+         {&RollerDynamics::largest_impact_force, &RollerDynamics::largest_approach_velocity,
+          &RollerDynamics::largest_impulse, &RollerDynamics::dent_depth, &RollerDynamics::line_load}) {
+      most.*member = std::max(most.*member, roller.*member);
+    }
+  }
+  JsonWriter<Style> json(style);
+  json["name"] = style.text(support.name);
+  json["count"] = style.count(support.impact_count);
+  visit_hardest(most, json);
+  return json.take();
+}
+
+/// The key `dynamic`.
+template <class Style>
+auto dynamic_part(const Style& style, const StaticResults& statics, const DynamicResults& r) {
+  JsonWriter<Style> json(style);
+  visit_dynamic_keys(r, json, true);
+  json.or_null("stinger_tip_clearance", statics.stinger_tip_clearance.has_value());
+  const ResultField smallest = smallest_tension_field();
+  json[smallest.name] =
+      style.named("ExtremeOverTime",
+                  object_of(style, [&](auto& one) { visit_dynamic_extreme(smallest, r.smallest_tension, one); }));
+  json["overbend"] = style.maybe(statics.overbend.has_value(), [&] { return dynamic_region(style, r.overbend); });
+  json["tower"] = style.maybe(statics.tower.has_value(), [&] { return dynamic_region(style, r.tower); });
+  json["sagbend"] = dynamic_region(style, r.sagbend);
+  json["supports"] = style.rows(r.supports, [&](const SupportDynamics& box) { return dynamic_support(style, box); });
+  json["impacts"] = style.rows(r.supports, [&](const SupportDynamics& box) { return support_impacts(style, box); });
+  json["tensioner"] = object_of(style, [&](auto& one) { visit_tensioner(r.tensioner, one); });
+  json["extremes"] = style.rows(r.extremes, [&](const ExtremeEstimate& e) {
+    return object_of(style, [&](auto& one) { visit_estimate(e, one); });
+  });
+  json["energy_drift"] = style.number(r.energy.drift());
+  visit_dynamic_run(r.run, json);
+  json["checks"] = summary_checks(style, r.checks);
+  return json.take();
+}
+
+}  // namespace overbend

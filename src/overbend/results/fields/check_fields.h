@@ -1,0 +1,105 @@
+/// Rows of the tables of checks; result_field.h has the idea. Their order is that of checks.csv.
+#pragma once
+
+#include "results/dynamic_results.h"
+#include "results/fields/result_field.h"
+
+namespace overbend {
+
+/// What a check is and how it came out.
+template <class Row, class Visit>
+void visit_check_head(Row& r, Visit& visit) {
+  visit(ResultField{"id", "1", "Name of the check for scripts"}.summary().page(), r.id);
+  visit(ResultField{"name", "1", "Name of the check"}.csv("check").summary().page(), r.name);
+  visit(ResultField{"code", "1", "Code with its edition"}.csv("code").summary().page(), r.code);
+  visit(ResultField{"clause", "1", "Clause of the code"}.csv("clause").summary().page(), r.clause);
+  visit(
+      ResultField{"region", "1", "Part of the line: line (all of it), tower, overbend, stinger tip, sagbend or seabed"}
+          .csv("region")
+          .summary()
+          .page(),
+      r.region);
+  visit(ResultField{"status", "1", "passed, exceeded, outside validity or not done"}.csv("status").summary().page(),
+        r.status);
+  visit(ResultField{"governing", "1", "1 where it decides, 0 for information"}.csv("governing").summary().page(),
+        r.governing);
+}
+
+/// The numbers of a check that is done.
+template <class Row, class Visit>
+void visit_check_numbers(Row& r, Visit& visit) {
+  visit(ResultField{"utilisation", "1", "Utilisation, 1 is all of the capacity"}.csv("utilisation").summary().page(),
+        r.utilisation);
+  visit(ResultField{"reserve", "1", "Factor on the load effects that brings the utilisation to 1, at most 999"}
+            .csv("reserve factor")
+            .summary()
+            .page(),
+        r.reserve);
+  visit(ResultField{"quantity", "1", "What demand and capacity are"}.csv("quantity").summary().page(), r.quantity);
+  visit(ResultField{"demand", kVaries, "Demand"}.csv("demand").summary(), r.demand);
+  visit(ResultField{"capacity", kVaries, "Capacity beside the other loads at the station"}
+            .csv("capacity")
+            .summary()
+            .page(),
+        r.capacity);
+  visit(ResultField{"units", "1", "Units of demand and capacity"}.csv("units").summary().page(), r.units);
+  visit(ResultField{"s", "m", "Arc length from the anchor where it is used most"}.csv("s").summary("at/s"), r.s);
+  visit(ResultField{"from_top", "m", "Distance along the pipe from the tensioner"}
+            .csv("from tensioner")
+            .summary("at/from_top")
+            .page("at/from_top"),
+        r.from_top);
+  visit(ResultField{"position", "m", "Place in the static state", kWorldFrame}.csv(kComponents).summary("at/"), r.p_W);
+}
+
+template <class Row, class Visit>
+void visit_check(Row& r, Visit& visit) {
+  visit_check_head(r, visit);
+  visit_check_numbers(r, visit);
+  visit(ResultField{"in_time", "1", "1 of an instant of the run, 0 of the static state or without an instant"},
+        r.in_time);
+  visit(ResultField{"time", "s", "When, where in_time is 1"}.csv("time"), r.time);
+  visit(ResultField{"remark", "1", "What must be said of it"}.csv("remark"), r.remark);
+}
+
+template <class Row, class Visit>
+void visit_check_input(Row& r, Visit& visit) {
+  visit(ResultField{"symbol", "1", "Symbol in the code's formula"}.summary(), r.symbol);
+  visit(ResultField{"meaning", "1", "What it is"}.summary(), r.meaning);
+  visit(ResultField{"value", kVaries, "Its value"}.summary(), r.value);
+  visit(ResultField{"units", "1", "Units of the value"}.summary(), r.units);
+}
+
+/// Columns along the pipe: visit(field, numbers).
+template <class Along, class Visit>
+void visit_check_along(Along& a, Visit& visit) {
+  visit(ResultField{"s", "m", "Unstressed arc length from the anchor"}, a.s);
+  visit(ResultField{"load", "1", "Utilisation, DNV-ST-F101 load controlled"}, a.load);
+  visit(ResultField{"strain", "1", "Utilisation, DNV-ST-F101 displacement controlled; 0 off the supports"}, a.strain);
+  visit(ResultField{"stress", "1", "Equivalent stress over 0.87 f_y; 0 over the supports"}, a.stress);
+  visit(ResultField{"laying", "1", "Strain over the limits of the simplified laying criteria; 0 off the supports"},
+        a.laying);
+  visit(ResultField{"api", "1", "Utilisation, API RP 1111 bending and external pressure"}, a.api);
+  visit(ResultField{"governing", "1", "Largest utilisation that decides at the station"}.page("checks"), a.governing);
+}
+
+/// Design values per station of a run: visit(field, numbers).
+template <class Design, class Visit>
+void visit_station_design(Design& d, Visit& visit) {
+  visit(ResultField{"load", "1", "Largest utilisation, load controlled"}, d.load);
+  visit(ResultField{"load_time", "s", "When it stood"}, d.load_time);
+  visit(ResultField{"moment", "N m", "Design bending moment then"}, d.moment);
+  visit(ResultField{"force", "N", "Design effective force then"}, d.force);
+  visit(ResultField{"load_pressure", "Pa", "External over internal pressure then"}, d.load_pressure);
+  visit(ResultField{"share", "1", "Of the plastic moment, that a roller's force left then"}, d.share);
+  visit(ResultField{"largest_force", "N", "Largest magnitude of the design effective force"}, d.largest_force);
+  visit(ResultField{"strain", "1", "Largest utilisation, displacement controlled; 0 off the supports"}, d.strain);
+  visit(ResultField{"strain_time", "s", "When it stood"}, d.strain_time);
+  visit(ResultField{"design_strain", "1", "Design strain then"}, d.design_strain);
+  visit(ResultField{"strain_pressure", "Pa", "External over internal pressure then"}, d.strain_pressure);
+  visit(ResultField{"von_mises_time", "s", "When the largest von Mises stress stood"}, d.von_mises_time);
+  visit(ResultField{"fibre_strain_time", "s", "When the largest strain stood"}, d.fibre_strain_time);
+  visit(ResultField{"tension_time", "s", "When the largest effective tension stood"}, d.tension_time);
+}
+
+}  // namespace overbend

@@ -1,0 +1,124 @@
+/// The single values of a dynamic analysis; result_field.h has the idea.
+#pragma once
+
+#include "results/fields/dynamic_tables.h"
+#include "results/fields/static_values.h"
+
+namespace overbend {
+
+/// What is directly in the group. `tip` is false where there is no stinger.
+template <class Results, class Visit>
+void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
+  visit(
+      ResultField{"duration", "s", "From t = 0, the end of the build-up; statistics count over it"}.summary().report(),
+      r.duration);
+  visit(ResultField{"build_up", "s", "Time before t = 0 in which loads and motion are brought in"}.summary().report(),
+        r.build_up);
+  visit(ResultField{"output_step", "s", "Time between the rows of the histories"}.summary(), r.output_step);
+  visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}.summary(), r.seed);
+  visit(ResultField{"assumptions", "1", "What had to be assumed"}.summary(), r.assumptions);
+  visit(ResultField{"warnings", "1", "Warnings"}.summary(), r.warnings);
+  visit(ResultField{"impact_count", "1", "Number of all impacts"}.summary(), r.impact_count);
+  visit_spread(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.summary(), r.top_tension, visit);
+  visit_spread(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}.summary(), r.bottom_tension,
+               visit);
+  visit_spread(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}.summary(), r.lay_back,
+               visit);
+  visit_spread(ResultField{"departure_angle", "rad", "From horizontal, at the last support in contact"}.summary(),
+               r.departure_angle, visit);
+  if (!tip) return;
+  visit_spread(ResultField{"stinger_tip_clearance", "m", "Separation at the last row of the stinger"}.summary(),
+               r.stinger_tip_clearance, visit);
+}
+
+/// The four extremes of a region: visit_extreme(field, extreme).
+template <class RegionType, class VisitExtreme>
+void visit_dynamic_region(RegionType& r, VisitExtreme&& visit_extreme) {
+  visit_extreme(ResultField{"bending_moment", "N m", "Largest bending moment of the region"}
+                    .summary("max_bending_moment")
+                    .report(),
+                r.bending_moment);
+  visit_extreme(
+      ResultField{"bending_stress", "Pa", "Largest bending stress of the region"}.summary("max_bending_stress"),
+      r.bending_stress);
+  visit_extreme(ResultField{"strain", "1", "Largest strain of the region"}.summary("max_strain").report(), r.strain);
+  visit_extreme(
+      ResultField{"von_mises", "Pa", "Largest von Mises stress of the region"}.summary("max_von_mises").report(),
+      r.von_mises);
+}
+
+/// Where and when the extreme was.
+template <class Row, class Visit>
+void visit_instant_of_extreme(Row& r, Visit& visit) {
+  visit(
+      ResultField{"s", "m", "Arc length from the anchor where the largest of all was"}.along().summary("at/s").report(),
+      r.s);
+  visit(ResultField{"position", "m", "Place of that station in the static state", kWorldFrame}.summary("at/"), r.p_W);
+  visit(ResultField{"time", "s", "When it was there"}.summary().report(), r.time);
+}
+
+/// `of`: the field of the extreme, from visit_dynamic_region.
+template <class Row, class Visit>
+void visit_dynamic_extreme(const ResultField& of, Row& r, Visit& visit) {
+  visit_spread(ResultField{"", of.units, of.description}.summary("*"), r.over_time, visit);
+  visit_instant_of_extreme(r, visit);
+}
+
+template <class Row, class Visit>
+void visit_energy(Row& r, Visit& visit) {
+  visit(ResultField{"kinetic", "J", "Kinetic energy, change since the start"}, r.kinetic);
+  visit(ResultField{"strain", "J", "Strain energy of the pipe, change since the start"}, r.strain);
+  visit(ResultField{"gravity", "J", "Energy of weight and buoyancy, change since the start"}, r.gravity);
+  visit(ResultField{"contact", "J", "Energy stored in the contacts with rollers, change since the start"}, r.contact);
+  visit(ResultField{"seabed", "J", "Energy stored in the seabed, change since the start"}, r.seabed);
+  visit(ResultField{"fluid", "J", "Work of the water on the pipe"}, r.fluid);
+  visit(ResultField{"rollers", "J", "Work of the moving rollers on the pipe"}, r.rollers);
+  visit(ResultField{"top", "J", "Work of the tensioner on the pipe"}, r.top);
+  visit(ResultField{"anchor", "J", "Work of the anchor on the pipe"}, r.anchor);
+  visit(ResultField{"contact_loss", "J", "Lost in the damping of the contacts"}, r.contact_loss);
+  visit(ResultField{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
+  visit(ResultField{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
+  visit(ResultField{"yielding_loss", "J", "Lost in yielding steel"}, r.yielding_loss);
+  visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);
+  visit(ResultField{"throughput", "J", "Sum of the absolute work and losses"}, r.throughput);
+}
+
+template <class Row, class Visit>
+void visit_tensioner(Row& r, Visit& visit) {
+  visit(ResultField{"mode", "1", "How the machine holds the pipe"}.summary(), r.mode);
+  visit(ResultField{"wanted", "N", "Tension it is set to"}.summary(), r.wanted);
+  visit(ResultField{"range_low", "N", "Operational range, from; 0 without one"}.summary(), r.range_low);
+  visit(ResultField{"range_high", "N", "Operational range, to; 0 without one"}.summary(), r.range_high);
+  visit(ResultField{"travel_limit", "m", "Largest travel either way; 0 without a limit"}.summary(), r.travel_limit);
+  visit_spread(ResultField{"tension", "N", "Force of the tensioner on the pipe along its guide"}.summary("*_tension"),
+               r.tension, visit);
+  visit_spread(ResultField{"travel", "m", "Length paid out since the start, hauled in negative"}.summary("travel_*"),
+               r.travel, visit);
+  visit(ResultField{"time_out_of_range", "s", "Time with the tension outside the range set"}.summary(),
+        r.time_out_of_range);
+  visit(ResultField{"time_holding", "s", "Time in which it held, the tension in its range"}.summary(), r.time_holding);
+  visit(ResultField{"time_delayed", "s", "Time between leaving the range and moving"}.summary(), r.time_delayed);
+  visit(ResultField{"time_paying_out", "s", "Time in which it paid out"}.summary(), r.time_paying_out);
+  visit(ResultField{"time_hauling_in", "s", "Time in which it hauled in"}.summary(), r.time_hauling_in);
+  visit(ResultField{"time_at_limit", "s", "Time at a limit of the machine"}.summary(), r.time_at_limit);
+  visit(ResultField{"pay_out_count", "1", "Number of times the machine has paid out"}.summary(), r.pay_out_count);
+  visit(ResultField{"haul_in_count", "1", "Number of times the machine has hauled in"}.summary(), r.haul_in_count);
+  visit(ResultField{"limit_count", "1", "Number of times it came to the end of its travel"}.summary(), r.limit_count);
+}
+
+template <class Row, class Visit>
+void visit_dynamic_run(Row& r, Visit& visit) {
+  visit(ResultField{"steps", "1", "Time steps"}.summary(), r.steps);
+  visit(ResultField{"rejected_steps", "1", "Steps that were tried again with a smaller one"}.summary(),
+        r.rejected_steps);
+  visit(ResultField{"newton_iterations", "1", "Newton iterations"}.summary(), r.newton_iterations);
+  visit(ResultField{"factorisations", "1", "Factorisations of the whole tangent"}.summary(), r.factorisations);
+  visit(ResultField{"smallest_step", "s", "Smallest time step"}.summary(), r.smallest_step);
+  visit(ResultField{"largest_step", "s", "Largest time step"}.summary(), r.largest_step);
+  visit(ResultField{"wall_time", "s", "Time spent in the loop over time, all sittings together"}.summary(),
+        r.wall_time);
+  visit(ResultField{"real_time_ratio", "1", "Simulated time over time spent"}.summary(), r.real_time_ratio);
+  visit(ResultField{"integrator", "1", "Integrator in time"}.summary(), r.integrator);
+}
+
+}  // namespace overbend

@@ -1,0 +1,226 @@
+// The types of what the program answers about results, and the units they are shown in. Made from the program's
+// table of quantities: do not edit, run `overbend schema --types > web/src/api/results.ts`. SI units, frame W.
+
+export type Vector = [number, number, number];
+
+export interface Region {
+  bending_moment: number;
+  bending_stress: number;
+  von_mises: number;
+  strain: number;
+  utilisation: number;
+  s: number;
+}
+
+export interface PipeLists {
+  s: number[];
+  x: number[];
+  y: number[];
+  z: number[];
+  effective_tension: number[];
+  bending_moment: number[];
+  bending_stress: number[];
+  von_mises: number[];
+  strain: number[];
+  utilisation: number[];
+  checks: number[];
+}
+
+export interface Roller {
+  position: 'bottom' | 'port' | 'starboard';
+  reaction: number;
+  separation: number;
+  axis: Vector;
+  radius: number;
+  face: number;
+  center: Vector;
+}
+
+export interface Support {
+  name: string;
+  place: Vector;
+  s: number;
+  reaction: number;
+  separation: number;
+  structure: 'ramp' | 'stinger';
+  contact: boolean;
+  rollers: Roller[];
+}
+
+export interface Check {
+  id: string;
+  name: string;
+  code: string;
+  clause: string;
+  region: 'line' | 'overbend' | 'stinger tip' | 'sagbend' | 'seabed' | 'tower';
+  status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
+  governing: boolean;
+  remark: string;
+  utilisation?: number;
+  reserve?: number;
+  quantity?: string;
+  capacity?: number;
+  units?: string;
+  at?: { from_top: number; };
+  time?: number | null;
+}
+
+export interface Statics {
+  key: { top_tension: number; bottom_tension: number; lay_back: number; suspended_length: number; departure_angle: number; stinger_tip_clearance: number | null; largest_reaction: number; overbend: Region | null; tower: Region | null; sagbend: Region; };
+  pipe: PipeLists;
+  touchdown: { place: Vector; s: number; };
+  supports: Support[];
+  tensioner: { place: Vector; direction: Vector; };
+  checks: Check[];
+  warnings: string[];
+}
+
+export interface Band {
+  static: number[];
+  min?: number[];
+  max?: number[];
+  mean?: number[];
+}
+
+export interface Envelopes {
+  s: number[];
+  x: number[];
+  z: number[];
+  effective_tension: Band;
+  bending_moment: Band;
+  bending_stress: Band;
+  von_mises: Band;
+  strain: Band;
+}
+
+export interface Impact {
+  support: string;
+  row: number;
+  position: 'bottom' | 'port' | 'starboard';
+  time: number;
+  approach_velocity: number;
+  peak_force: number;
+  duration: number;
+  impulse: number;
+  dent_depth: number;
+  line_load: number;
+}
+
+export interface Spread {
+  min: number;
+  max: number;
+  mean: number;
+  std: number;
+}
+
+export interface ExtremeOverTime {
+  min: number;
+  max: number;
+  mean: number;
+  std: number;
+  at: { s: number; x: number; y: number; z: number; };
+  time: number;
+}
+
+export interface RegionSummary {
+  max_bending_moment: ExtremeOverTime;
+  max_bending_stress: ExtremeOverTime;
+  max_von_mises: ExtremeOverTime;
+  max_strain: ExtremeOverTime;
+}
+
+export interface SupportSummary {
+  name: string;
+  s: number;
+  reaction: Spread;
+  reaction_percentiles: { p50: number; p90: number; p99: number; };
+  vertical: Spread;
+  longitudinal: Spread;
+  lateral: Spread;
+  separation: Spread;
+  contact_share: number;
+  impacts: number;
+  structure: 'ramp' | 'stinger';
+  rows: unknown[];
+}
+
+export interface CheckInFull {
+  id: string;
+  name: string;
+  code: string;
+  clause: string;
+  region: 'line' | 'overbend' | 'stinger tip' | 'sagbend' | 'seabed' | 'tower';
+  status: 'passed' | 'exceeded' | 'outside validity' | 'not done';
+  governing: boolean;
+  utilisation?: number;
+  reserve?: number;
+  quantity?: string;
+  demand?: number;
+  capacity?: number;
+  units?: string;
+  at?: { s: number; from_top: number; x: number; y: number; z: number; };
+  time?: number | null;
+  remark: string;
+  inputs: { symbol: string; meaning: string; value: number; units: string; }[];
+}
+
+export interface DynamicSummary {
+  duration: number;
+  build_up: number;
+  output_step: number;
+  seed: number;
+  assumptions: string[];
+  warnings: string[];
+  impact_count: number;
+  top_tension: Spread;
+  bottom_tension: Spread;
+  lay_back: Spread;
+  departure_angle: Spread;
+  stinger_tip_clearance: Spread | null;
+  smallest_tension: ExtremeOverTime;
+  overbend: RegionSummary | null;
+  tower: RegionSummary | null;
+  sagbend: RegionSummary;
+  supports: SupportSummary[];
+  impacts: { name: string; count: number; largest_impact_force: number; largest_approach_velocity: number; largest_impulse: number; dent_depth: number; line_load: number; }[];
+  tensioner: { mode: string; wanted: number; range_low: number; range_high: number; travel_limit: number; min_tension: number; max_tension: number; mean_tension: number; std_tension: number; travel_min: number; travel_max: number; travel_mean: number; travel_std: number; time_out_of_range: number; time_holding: number; time_delayed: number; time_paying_out: number; time_hauling_in: number; time_at_limit: number; pay_out_count: number; haul_in_count: number; limit_count: number; };
+  extremes: { name: string; units: string; smallest: boolean; peaks: number; observed: number; weibull: { estimate: number; low: number; high: number; }; gumbel: { estimate: number; low: number; high: number; }; enough: boolean; }[];
+  energy_drift: number;
+  steps: number;
+  rejected_steps: number;
+  newton_iterations: number;
+  factorisations: number;
+  smallest_step: number;
+  largest_step: number;
+  wall_time: number;
+  real_time_ratio: number;
+  integrator: string;
+  checks: { worst: CheckInFull | null; list: CheckInFull[]; };
+}
+
+/** By SI unit: in which unit values are shown, times which factor, with how many decimals. */
+export const shownUnits: Record<string, { unit: string; factor: number; digits: number }> = {
+  'N': { unit: 'kN', factor: 0.001, digits: 1 },
+  'N m': { unit: 'kN m', factor: 0.001, digits: 1 },
+  'N/m': { unit: 'kN/m', factor: 0.001, digits: 1 },
+  'N s': { unit: 'kN s', factor: 0.001, digits: 3 },
+  'Pa': { unit: 'MPa', factor: 1e-06, digits: 1 },
+  'J': { unit: 'kJ', factor: 0.001, digits: 3 },
+  'rad': { unit: 'deg', factor: 57.29577951308232, digits: 2 },
+  'rad/s': { unit: 'deg/s', factor: 57.29577951308232, digits: 3 },
+  'm': { unit: 'm', factor: 1, digits: 3 },
+  's': { unit: 's', factor: 1, digits: 4 },
+  '1': { unit: '–', factor: 1, digits: 6 },
+  '-': { unit: '–', factor: 1, digits: 6 },
+};
+
+/** Quantities along the pipe: key in the lists, name, and how SI values are shown. */
+export const quantities = [
+  { key: 'effective_tension', name: 'Effective tension', unit: 'kN', factor: 0.001, digits: 1 },
+  { key: 'bending_moment', name: 'Bending moment', unit: 'kN m', factor: 0.001, digits: 1 },
+  { key: 'bending_stress', name: 'Bending stress', unit: 'MPa', factor: 1e-06, digits: 1 },
+  { key: 'von_mises', name: 'von Mises stress', unit: 'MPa', factor: 1e-06, digits: 1 },
+  { key: 'strain', name: 'Strain', unit: '%', factor: 100, digits: 4 },
+  { key: 'utilisation', name: 'Utilisation of yield', unit: '–', factor: 1, digits: 6 },
+  { key: 'checks', name: 'Utilisation of code checks', unit: '–', factor: 1, digits: 6 },
+] as const;
