@@ -41,7 +41,7 @@ Setting setting(double z, bool loads) {
     lengths.push_back(1.0 + 0.05 * i);
   }
   s.elements = line_elements(s.model, lengths, std::vector<int>(lengths.size(), 0));
-  s.env = line_environment(s.model, Vec3(0.0, 0.01, 0.0), Vec3::UnitY());
+  s.env = line_environment(s.model, LayRoute(Vec3(0.0, 0.01, 0.0), -Vec3::UnitX()));
   s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, z), 5);
   return s;
 }

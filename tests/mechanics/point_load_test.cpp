@@ -28,7 +28,7 @@ TEST(point_load, drag_across_a_level_pipe_is_half_rho_Cd_D_U_squared) {
   d.environment.current = {{0.0, 1.02, 0.0}};
   const Model model = build_model(d);
   const LineElements elements = line_elements(model, {1.0}, {0});
-  const LineEnvironment env = line_environment(model, Vec3::Zero(), Vec3::UnitY());
+  const LineEnvironment env = line_environment(model, LayRoute(Vec3::Zero(), -Vec3::UnitX()));
   const PointLoad load = point_load(elements, env, 0, Vec3(0, 0, -30), Vec3::UnitX());
   EXPECT_NEAR(load.current.y(), 0.5 * 10.05e3 / kGravity * 1.2 * 0.489 * 1.02 * 1.02, 1e-9);  // current goes north
   EXPECT_NEAR(load.weight.z() + load.buoyancy.z(), -368.493, 1e-3);  // [silva2009] table 4, to its printed digits
@@ -39,7 +39,7 @@ TEST(point_load, drag_along_a_pipe_is_the_axial_law) {
   d.environment.current = {{0.0, 0.8, 0.5 * std::numbers::pi}};
   const Model model = build_model(d);
   const LineElements elements = line_elements(model, {1.0}, {0});
-  const LineEnvironment env = line_environment(model, Vec3::Zero(), Vec3::UnitY());
+  const LineEnvironment env = line_environment(model, LayRoute(Vec3::Zero(), -Vec3::UnitX()));
   const PointLoad load = point_load(elements, env, 0, Vec3(0, 0, -30), Vec3::UnitX());
   const double expected = 0.5 * 10.05e3 / kGravity * std::numbers::pi * 0.489 * 0.03 * 0.64;
   EXPECT_NEAR(load.current.x(), expected, 1e-9);

@@ -103,8 +103,8 @@ TEST(model, the_seabed_is_as_deep_as_given_at_the_stern_shoe_and_falls_as_given)
   d.environment.seabed.slope = 2.0 * kDegree;
   d.environment.seabed.slope_towards = 1.5 * std::numbers::pi;  // west, astern
   const Model m = build_model(d);
-  EXPECT_NEAR(m.seabed.height(Vec3(-60.0, 0.0, 0.0)), -89.0, 1e-12);
-  EXPECT_NEAR(m.seabed.height(Vec3(-160.0, 50.0, 0.0)), -89.0 - 100.0 * std::tan(2.0 * kDegree), 1e-9);
+  EXPECT_NEAR(m.seabed.surface.height(-60.0, 0.0), -89.0, 1e-12);
+  EXPECT_NEAR(m.seabed.surface.height(-160.0, 50.0), -89.0 - 100.0 * std::tan(2.0 * kDegree), 1e-9);
 }
 
 TEST(model, segments_count_from_the_tensioner) {

@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "support/allocation_count.h"
+
 namespace overbend {
 namespace {
 
@@ -124,9 +126,9 @@ void expect_as_dense(const Twin& twin, const Eigen::VectorXd& x, const Eigen::Ve
   EXPECT_LT((x - expected).cwiseAbs().maxCoeff(), 1e-9 * expected.cwiseAbs().maxCoeff());  // rounding
 }
 
-class bordered_system_of_any_width : public testing::TestWithParam<int> {};
+class bordered_system_of_any_width : public ::testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(bordered_system, bordered_system_of_any_width,
-                         testing::Values(0, 1, 2, 6, 7, 8, 9, 16, 17, 40), testing::PrintToStringParamName());
+                         ::testing::Values(0, 1, 2, 6, 7, 8, 9, 16, 17, 40), ::testing::PrintToStringParamName());
 
 TEST_P(bordered_system_of_any_width, solves_what_a_dense_solver_solves_on_every_instruction_set) {
   for (const Isa isa : available_isas()) {
@@ -309,6 +311,28 @@ TEST(bordered_system, counts_negative_blocks_and_the_sign_of_the_border) {
   const BorderedReport report = system.factor();
   EXPECT_EQ(report.negative_blocks, 2);
   EXPECT_TRUE(report.negative_border);
+}
+
+TEST(bordered_system, asks_for_no_memory_once_it_is_made) {
+  Twin twin = random_twin(lines_of_a_barge(), 10, best_isa());
+  const BorderedSystem assembled = twin.system;
+  Eigen::VectorXd x = twin.rhs;
+  const std::vector<double*> lines = parts(twin, x);
+  const long before = testing::allocation_count();
+  for (int i = 0; i < 2; ++i) {
+    twin.system.set_zero();
+    for (int line = 0; line < twin.system.lines(); ++line) {
+      twin.system.line(line).copy_from(assembled.line(line), 0);
+    }
+    twin.system.columns(0, 7)[0] = twin.system.rows(0, 9)[0] = 1.0;
+    for (int j = 0; j < 10; ++j) {
+      twin.system.corner(j, j) = 1.0;
+    }
+    const bool solved = twin.system.factor().solved();
+    twin.system.solve(lines, x.data() + twin.border());
+    EXPECT_TRUE(solved);
+  }
+  EXPECT_EQ(testing::allocation_count() - before, 0);
 }
 
 TEST(bordered_system, adds_the_border_of_an_element_to_both_of_its_nodes) {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
-#include "statics/lay_shape.h"
 #include "system/vessel_body.h"
 
 namespace overbend {
@@ -17,17 +17,15 @@ struct StaticStretch {
 };
 
 StaticStretch static_stretch(const LineEnvironment& env, const Vec3& r, double radius, double submerged_weight) {
-  const Vec3 normal(env.bed_normal[0], env.bed_normal[1], env.bed_normal[2]);
-  const double force = env.bed_stiffness * std::max(0.0, radius - (normal.dot(r) - env.bed_offset));
+  const GroundPoint ground = ground_at(env, r);
+  const double force = env.bed_stiffness * std::max(0.0, radius - ground.clearance);
   if (force <= 0.0 || env.bed_stick <= 0.0) {
     return {0.0, 0.0};
   }
-  const Vec3 across(env.route_normal[0], env.route_normal[1], env.route_normal[2]);
-  const double off = across.dot(r) - env.route_offset;
   const double limit_across = env.bed_friction_lateral * force / env.bed_stick;
   const double limit_along = env.bed_friction_axial * force / env.bed_stick;
-  const double pull = submerged_weight * env.bed_along[2] / env.bed_stick;
-  return {std::clamp(off, -limit_across, limit_across), -std::clamp(pull, -limit_along, limit_along)};
+  const double pull = submerged_weight * ground.along_route.z() / env.bed_stick;
+  return {std::clamp(ground.off_route, -limit_across, limit_across), -std::clamp(pull, -limit_along, limit_along)};
 }
 
 /// The far end stays where statics put it.
@@ -81,9 +79,8 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
 }
 
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension) {
-  const LayPlane plane = lay_plane(model, model.mean_pose);
   System system;
-  Line line = pipe_line(model, solution.mesh, plane.tensioner_W, plane.port_W);
+  Line line = pipe_line(model, solution.mesh, lay_route(model, model.mean_pose));
   choose_levels(line.yielding, solution.state.q.data());
   // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
   // length.

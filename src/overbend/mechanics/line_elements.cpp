@@ -38,22 +38,23 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
   return e;
 }
 
-LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W) {
+LineEnvironment line_environment(const Model& model, const LayRoute& route) {
   LineEnvironment env;
-  const Vec3 astern = Vec3::UnitZ().cross(route_normal_W);
-  const Vec3 along = (astern - astern.dot(model.seabed.normal_W) * model.seabed.normal_W).normalized();
+  const BedSurface& bed = model.seabed.surface;
+  const Vec3 start = route.place(0.0);
+  const Vec3 along = bed.along(start, route.direction(0.0));
   for (int i = 0; i < 3; ++i) {
-    env.bed_normal[i] = model.seabed.normal_W(i);
-    env.route_normal[i] = route_normal_W(i);
+    env.bed_normal[i] = bed.normal(start.x(), start.y())(i);
+    env.route_normal[i] = route.port(0.0)(i);
     env.bed_along[i] = along(i);
   }
-  env.bed_offset = model.seabed.normal_W.dot(model.seabed.point_W);
+  env.bed_offset = bed.offset();
   env.bed_stiffness = model.seabed.stiffness;
   env.bed_friction_lateral = model.seabed.friction_lateral;
   env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
   env.bed_damping = model.description.environment.seabed.damping;
-  env.route_offset = route_normal_W.dot(route_point_W);
+  env.route_offset = route.port_offset();
   env.current_rows = static_cast<int>(model.current.z.size());
   env.current_z = model.current.z.data();
   env.current_vx = model.current.vx.data();

@@ -7,6 +7,7 @@
 #include "base/simd.h"
 #include "base/vec.h"
 #include "mechanics/line_kernel.h"
+#include "model/lay_route.h"
 #include "model/model.h"
 
 namespace overbend {
@@ -38,9 +39,8 @@ struct LineElements {
 /// Fills the constants of elements of the given lengths and sections.
 LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections);
 
-/// The surroundings of a line laid along the vertical plane through `route_point_W`. Points into `model`, which must
-/// outlive it.
-LineEnvironment line_environment(const Model& model, const Vec3& route_point_W, const Vec3& route_normal_W);
+/// The surroundings of a line laid along a route. Points into `model`, which must outlive it.
+LineEnvironment line_environment(const Model& model, const LayRoute& route);
 
 /// Immersed fraction of a circular section with its centre at height z above the surface, and its derivative in z: the
 /// exact circular segment.

@@ -13,7 +13,8 @@ struct LineView {
   const double *mass, *displaced_mass, *added_normal, *added_axial;
 };
 
-/// What acts on every element. Directions and points in W.
+/// What acts on every element. Directions and points in W. Bed and route are numbers here and functions of the place in
+/// ground.h and line_kernel_ground.h.
 struct LineEnvironment {
   double bed_normal[3] = {0.0, 0.0, 1.0};
   double bed_offset = -1e30;   ///< normal . point of the bed [m].

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mechanics/line_kernel_batch.h"
+#include "mechanics/line_kernel_ground.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -70,8 +71,8 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
 /// normal force (statics: the pipe was laid on its route and has been pushed off it once).
 inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
                        const Lanes& submerged_weight) {
-  const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
-  const Lanes penetration = radius - (dot(n, r) - env.bed_offset);
+  const auto [n, clearance] = bed_under(env, r);
+  const Lanes penetration = radius - clearance;
   if (!any(penetration)) {
     return;
   }
@@ -82,7 +83,7 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
   add_outer(load.in_r, -stiffness, n, n);
   if (env.bed_friction_axial > 0.0 &&
       env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
-    const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
+    const Vec along = along_route(env, r);
     const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
     const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
     const Lanes limit = env.bed_friction_axial * normal;
@@ -91,8 +92,8 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
     add_outer(load.in_r, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
   }
   if (env.bed_friction_lateral > 0.0) {
-    const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
-    const Lanes off = dot(across, r) - env.route_offset;
+    const Vec across = across_route(env, r);
+    const Lanes off = off_route(env, r);
     const Lanes stick = -env.bed_stick * touching * off;
     const Lanes limit = env.bed_friction_lateral * normal;
     const Lanes sign = off > 0.0 ? all(-1.0) : all(1.0);

@@ -177,8 +177,8 @@ struct BedSlip {
 template <bool kTangent>
 inline BedSlip add_moving_seabed(PointLoad& load, const LineEnvironment& env, const LineMotion& motion,
                                  const MovingPoint& at, const Lanes& radius, const BedSlip& slip) {
-  const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
-  const Lanes penetration = radius - (dot(n, at.r) - env.bed_offset);
+  const auto [n, clearance] = bed_under(env, at.r);
+  const Lanes penetration = radius - clearance;
   if (!any(penetration)) {
     return BedSlip{Lanes{}, Lanes{}};
   }
@@ -193,12 +193,12 @@ inline BedSlip add_moving_seabed(PointLoad& load, const LineEnvironment& env, co
   }
   BedSlip next{Lanes{}, Lanes{}};
   if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
-    const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
+    const Vec across = across_route(env, at.r);
     next.across = add_bed_friction<kTangent>(load, env, motion, n, across, env.bed_friction_lateral, touching, normal,
                                              in_r, dot(across, at.v), slip.across);
   }
   if (env.bed_friction_axial > 0.0 && env.bed_stick > 0.0) {
-    const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
+    const Vec along = along_route(env, at.r);
     next.along = add_bed_friction<kTangent>(load, env, motion, n, along, env.bed_friction_axial, touching, normal, in_r,
                                             dot(along, at.v), slip.along);
   }
@@ -268,8 +268,8 @@ inline void add_energy(LineEnergy& sum, const Batch& e, const LineEnvironment& e
     add_morison<false>(water, env, motion, at, wet, c, inertia);
     sum.fluid_power += sum_of(w * dot(water.f, at.v), used);
 
-    const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
-    const Lanes penetration = c.radius - (dot(n, at.r) - env.bed_offset);
+    const auto [n, clearance] = bed_under(env, at.r);
+    const Lanes penetration = c.radius - clearance;
     if (!any(penetration)) {
       continue;
     }
@@ -280,10 +280,8 @@ inline void add_energy(LineEnergy& sum, const Batch& e, const LineEnvironment& e
     Lanes loss = damping;
     if (motion.bed_slip != nullptr) {
       double* slips = const_cast<double*>(motion.bed_slip);
-      const Vec across{all(env.route_normal[0]), all(env.route_normal[1]), all(env.route_normal[2])};
-      const Vec along{all(env.bed_along[0]), all(env.bed_along[1]), all(env.bed_along[2])};
-      loss += env.bed_stick * (*slip_at(slips, i, 0, padded, first) * dot(across, at.v) +
-                               *slip_at(slips, i, 1, padded, first) * dot(along, at.v));
+      loss += env.bed_stick * (*slip_at(slips, i, 0, padded, first) * dot(across_route(env, at.r), at.v) +
+                               *slip_at(slips, i, 1, padded, first) * dot(along_route(env, at.r), at.v));
     }
     sum.seabed_loss += sum_of(w * loss, used);
   }

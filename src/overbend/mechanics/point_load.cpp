@@ -3,25 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/ground.h"
+
 namespace overbend {
 namespace {
 
-Vec3 vector_of(const double (&v)[3]) {
-  return {v[0], v[1], v[2]};
-}
-
 void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, double submerged_weight, const Vec3& r) {
-  const Vec3 normal = vector_of(env.bed_normal);
-  load.penetration = std::max(0.0, radius - (normal.dot(r) - env.bed_offset));
+  const GroundPoint ground = ground_at(env, r);
+  load.penetration = std::max(0.0, radius - ground.clearance);
   load.seabed_normal = env.bed_stiffness * load.penetration;
-  const Vec3 across = vector_of(env.route_normal);
   const double limit = env.bed_friction_lateral * load.seabed_normal;
-  const double stick = load.penetration > 0.0 ? -env.bed_stick * (across.dot(r) - env.route_offset) : 0.0;
-  const Vec3 along = vector_of(env.bed_along);
+  const double stick = load.penetration > 0.0 ? -env.bed_stick * ground.off_route : 0.0;
   const double axial_limit = env.bed_friction_axial * load.seabed_normal;
-  const double pull = load.penetration > 0.0 ? submerged_weight * along.z() : 0.0;
-  load.seabed = load.seabed_normal * normal + std::clamp(stick, -limit, limit) * across +
-                std::clamp(pull, -axial_limit, axial_limit) * along;
+  const double pull = load.penetration > 0.0 ? submerged_weight * ground.along_route.z() : 0.0;
+  load.seabed = load.seabed_normal * ground.normal + std::clamp(stick, -limit, limit) * ground.across_route +
+                std::clamp(pull, -axial_limit, axial_limit) * ground.along_route;
 }
 
 }  // namespace

@@ -17,15 +17,11 @@ Vec3 turn_S_to_V(const Vec3& d_S) {
   return {-d_S.x(), -d_S.y(), d_S.z()};
 }
 
-SeabedPlane resolve_seabed(const EnvironmentDescription& environment, const Vec3& stern_shoe_W) {
+Seabed resolve_seabed(const EnvironmentDescription& environment, const Vec3& stern_shoe_W) {
   const SeabedDescription& bed = environment.seabed;
-  SeabedPlane plane;
-  plane.point_W = Vec3(stern_shoe_W.x(), stern_shoe_W.y(), -environment.water_depth);
-  plane.normal_W = (std::tan(bed.slope) * azimuth_direction(bed.slope_towards) + Vec3::UnitZ()).normalized();
-  plane.stiffness = bed.stiffness;
-  plane.friction_axial = bed.friction_axial;
-  plane.friction_lateral = bed.friction_lateral;
-  return plane;
+  const Vec3 point_W(stern_shoe_W.x(), stern_shoe_W.y(), -environment.water_depth);
+  const Vec3 normal_W = (std::tan(bed.slope) * azimuth_direction(bed.slope_towards) + Vec3::UnitZ()).normalized();
+  return {BedSurface(point_W, normal_W), bed.stiffness, bed.friction_axial, bed.friction_lateral};
 }
 
 CurrentProfile resolve_current(const std::vector<CurrentPoint>& table) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "model/bed_surface.h"
 #include "model/contact_stiffness.h"
 #include "model/description.h"
 #include "model/section.h"
@@ -20,17 +21,10 @@ struct VesselPose {
   Mat3 R_WV = Mat3::Identity();
 };
 
-/// The seabed as a plane.
-struct SeabedPlane {
-  Vec3 point_W = Vec3::Zero();
-  Vec3 normal_W = Vec3::UnitZ();
+struct Seabed {
+  BedSurface surface;
   double stiffness = 0.0;  ///< [N/m2]
   double friction_axial = 0.0, friction_lateral = 0.0;
-
-  /// Height of the bed under a point [m].
-  double height(const Vec3& p_W) const {
-    return point_W.z() - ((p_W - point_W).x() * normal_W.x() + (p_W - point_W).y() * normal_W.y()) / normal_W.z();
-  }
 };
 
 /// Current as a vector over z, linear in between, constant beyond the ends of the table. Rows by rising z.
@@ -51,7 +45,7 @@ struct Model {
   std::vector<SectionSpan> spans;  ///< By distance from the tensioner; the rest has section 0.
   Supports supports;
   VesselPose mean_pose;
-  SeabedPlane seabed;
+  Seabed seabed;
   CurrentProfile current;
   double water_weight_density = 0.0;  ///< [N/m3]
   double water_density = 0.0;         ///< [kg/m3]

@@ -139,9 +139,9 @@ void DynamicRecorder::find_key_values(const Instant& at) {
   const LineState& state = at.pipe();
   const int top = line_->mesh.nodes() - 1;
   key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
-  const SeabedPlane& bed = model_->seabed;
+  const BedSurface& bed = model_->seabed.surface;
   const double radius = line_->elements.radius[0];
-  const auto clearance = [&](int node) { return bed.normal_W.dot(node_place(state, node) - bed.point_W) - radius; };
+  const auto clearance = [&](int node) { return bed.clearance(node_place(state, node)) - radius; };
   int touchdown = 0;
   for (int node = top; node > 0; --node) {
     if (clearance(node) <= 0.0) {

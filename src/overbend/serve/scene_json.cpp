@@ -67,14 +67,18 @@ Json waves(const Model& model, std::uint64_t seed) {
 Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
   const TensionerDescription& tensioner = model.description.tensioner;
   const Vec3 p_S(tensioner.x, 0.0, tensioner.z);
+  const Vec3 shoe = point_from_ramp(model, model.mean_pose, Vec3::Zero());
+  const BedSurface& bed = model.seabed.surface;
   return {{"status", "ok"},
           {"vessel", vessel(model)},
           {"ramp", structure(model, Structure::ramp)},
           {"stinger", structure(model, Structure::stinger)},
-          {"stern_shoe", place_json(point_from_ramp(model, model.mean_pose, Vec3::Zero()))},
+          {"stern_shoe", place_json(shoe)},
           {"tensioner", place_json(point_from_ramp(model, model.mean_pose, p_S))},
           {"water_depth", seven_digits(model.description.environment.water_depth)},
-          {"seabed", {{"normal", place_json(model.seabed.normal_W)}, {"point", place_json(model.seabed.point_W)}}},
+          {"seabed",
+           {{"normal", place_json(bed.normal(shoe.x(), shoe.y()))},
+            {"point", place_json({shoe.x(), shoe.y(), bed.height(shoe.x(), shoe.y())})}}},
           {"current", current(model)},
           {"waves", waves(model, seed.value_or(dynamic_options(model).seed))},
           {"pipe", {{"outer_radius", seven_digits(0.5 * model.sections.front().outer_diameter)}}}};

@@ -114,12 +114,12 @@ void append_span(LayShape& shape, const FreeSpan& span) {
 }
 
 void append_tail(LayShape& shape, const LayPlane& plane, double tail) {
-  const double dip = -std::atan(plane.bed_slope);
-  const double x0 = shape.distance.back(), z0 = shape.z.back();
+  const double x0 = shape.distance.back(), z0 = shape.z.back(), bed0 = plane.bed(x0);
+  const double level = std::cos(std::atan(plane.bed_slope(x0)));
   const int steps = 200;
   for (int i = 1; i <= steps; ++i) {
-    const double along = tail * i / steps;
-    append(shape, x0 + along * std::cos(dip), z0 - along * std::sin(dip), dip);
+    const double x = x0 + tail * i / steps * level;
+    append(shape, x, z0 + (plane.bed(x) - bed0), -std::atan(plane.bed_slope(x)));
   }
   shape.total = shape.length.back();
 }
@@ -146,15 +146,22 @@ std::size_t departure(const std::vector<Guide2>& points, const FreeSpan& span) {
 
 LayPlane lay_plane(const Model& model, const VesselPose& pose) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  LayPlane plane;
-  plane.tensioner_W = point_from_ramp(model, pose, Vec3(tensioner.x, 0.0, tensioner.z));
-  plane.astern_W = astern_direction(pose);
-  plane.port_W = plane.astern_W.cross(Vec3::UnitZ());
+  const LayRoute route = lay_route(model, pose);
+  LayPlane plane{route, route.place(0.0), route.direction(0.0), route.port(0.0), model.seabed.surface, 0.0, 0.0};
+  plane.radius = model.sections.front().outer_radius();
   const Vec3 guide_W = direction_from_ramp(pose, Vec3(std::cos(tensioner.incline), 0.0, -std::sin(tensioner.incline)));
   plane.guide_dip = std::atan2(-guide_W.z(), guide_W.dot(plane.astern_W));
-  plane.bed_at_tensioner = model.seabed.height(plane.tensioner_W) + model.sections.front().outer_radius();
-  plane.bed_slope = model.seabed.height(plane.tensioner_W + plane.astern_W) - model.seabed.height(plane.tensioner_W);
   return plane;
+}
+
+double LayPlane::bed(double distance) const {
+  const Vec3 at = route.place(distance);
+  return surface.height(at.x(), at.y()) + radius;
+}
+
+double LayPlane::bed_slope(double distance) const {
+  const Vec3 at = route.place(distance);
+  return surface.slope(at.x(), at.y(), route.direction(distance));
 }
 
 double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
@@ -177,13 +184,13 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
   // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
   // allow.
   const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
-  double bed_z = plane.bed_at_tensioner;
+  double bed_z = plane.bed(0.0), landing = 0.0;
   for (int pass = 0; pass < 8; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape
     shape = LayShape{};
     const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
     shape.bottom_tension = H;
     const std::vector<Guide2> points = support_points(model, plane, model.mean_pose);
-    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope, plane.tensioner_W.z());
+    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
       shape.problem = "the seabed falls away astern faster than the pipe hangs down: it never touches down";
       return shape;
@@ -198,7 +205,8 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     shape.last_support = last == 0 ? 0.0 : shape.length.back();
     append_span(shape, span);
-    const double touchdown_bed = plane.bed(shape.distance.back());
+    landing = shape.distance.back();
+    const double touchdown_bed = plane.bed(landing);
     if (std::abs(touchdown_bed - bed_z) < 1e-3) {
       break;
     }

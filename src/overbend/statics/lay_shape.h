@@ -4,20 +4,25 @@
 #include <string>
 #include <vector>
 
+#include "model/lay_route.h"
 #include "model/model.h"
 
 namespace overbend {
 
 /// The vertical plane in which the barge lays, and the frame of the laid tail.
 struct LayPlane {
-  Vec3 tensioner_W = Vec3::Zero();  ///< Pipe axis at the tensioner [m].
-  Vec3 astern_W = Vec3::UnitX();    ///< Horizontal unit vector.
-  Vec3 port_W = Vec3::UnitY();      ///< Horizontal unit vector to port.
-  double guide_dip = 0.0;           ///< Inclination of the guide from horizontal, positive dipping astern [rad].
-  double bed_at_tensioner = 0.0;    ///< Height of the bed under the tensioner [m].
-  double bed_slope = 0.0;           ///< Rise of the bed per metre astern [-].
+  LayRoute route;          ///< From the tensioner on.
+  Vec3 tensioner_W;        ///< Pipe axis at the tensioner [m].
+  Vec3 astern_W;           ///< Horizontal unit vector.
+  Vec3 port_W;             ///< Horizontal unit vector to port.
+  BedSurface surface;      ///< Of the sea bed.
+  double radius = 0.0;     ///< Of the pipe that lies on it [m].
+  double guide_dip = 0.0;  ///< Inclination of the guide from horizontal, positive dipping astern [rad].
 
-  double bed(double distance) const { return bed_at_tensioner + bed_slope * distance; }
+  /// Height of the pipe's axis where it rests on the bed, at a distance along the route [m].
+  double bed(double distance) const;
+  /// Rise of the bed per metre along the route [-].
+  double bed_slope(double distance) const;
 };
 
 LayPlane lay_plane(const Model& model, const VesselPose& pose);

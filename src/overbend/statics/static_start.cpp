@@ -70,6 +70,12 @@ double tension_for_anchor(const Model& model, const LayPlane& plane, double leas
   return std::sqrt(low * high);
 }
 
+/// Unit vector on the bed in the vertical plane of the route, away from the barge.
+Vec3 along_bed(const LayPlane& plane, const Vec3& p_W) {
+  const double distance = plane.route.distance(p_W);
+  return (plane.route.direction(distance) + plane.bed_slope(distance) * Vec3::UnitZ()).normalized();
+}
+
 }  // namespace
 
 std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones) {
@@ -93,7 +99,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     start.failure = floats(pipe);
     return start;
   }
-  if (plane.tensioner_W.z() <= plane.bed_at_tensioner) {
+  if (plane.tensioner_W.z() <= plane.bed(0.0)) {
     start.failure =
         StaticFailure{"the tensioner stands below the seabed", "at the tensioner", "check water depth and tensioner.z"};
     return start;
@@ -102,7 +108,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     start.failure = std::move(failure);
     return start;
   }
-  const double least = hanging_weight(model, plane, plane.bed_at_tensioner);
+  const double least = hanging_weight(model, plane, plane.bed(0.0));
   const bool anchored = !d.tensioner.tension && d.pipe.length && d.pipe.anchor;
   double tension = d.tensioner.tension.value_or(0.0);
   if (anchored) {
@@ -169,7 +175,6 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
   moved.q.resize(6 * to.s.size());
   const double shift =
       from.total_length() - to.total_length();  // arc length counts from the anchor, nodes match from the top
-  const Vec3 along_bed = (plane.astern_W + plane.bed_slope * Vec3::UnitZ()).normalized();
   for (std::size_t node = 0; node < to.s.size(); ++node) {
     const double s = to.s[node] + shift;
     const auto after = std::upper_bound(from.s.begin(), from.s.end(), s);
@@ -178,7 +183,8 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
     const double xi = std::clamp((s - from.s[e]) / from.length[e], 0.0, 1.0);
     const CentrelinePoint at = centreline(q, xi, from.length[e]);
-    Eigen::Map<Vec3>(moved.q.data() + 6 * node) = at.r + std::max(-s, 0.0) * along_bed;
+    const Vec3 beyond = s < 0.0 ? Vec3(-s * along_bed(plane, at.r)) : Vec3::Zero();
+    Eigen::Map<Vec3>(moved.q.data() + 6 * node) = at.r + beyond;
     Eigen::Map<Vec3>(moved.q.data() + 6 * node + 3) = at.a;
   }
   return moved;

@@ -34,7 +34,7 @@ void advance(LineState& to, const LineState& from, const std::vector<double>& dq
 std::unique_ptr<const StaticSystem::Parts> StaticSystem::parts_of(const Model& model, const VesselPose& pose,
                                                                   LineMesh mesh, const LayPlane& plane) {
   auto parts = std::make_unique<Parts>();
-  parts->line = pipe_line(model, std::move(mesh), plane.tensioner_W, plane.port_W);
+  parts->line = pipe_line(model, std::move(mesh), plane.route);
   const std::vector<double>& lengths = parts->line.mesh.length;
   const LineElements& elements = parts->line.elements;
   const double radius = *std::max_element(elements.radius.begin(), elements.radius.begin() + elements.count);
@@ -53,8 +53,8 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
 }
 
 void StaticSystem::hold_ends(const VesselPose& pose) {
-  const Vec3 up = model_->seabed.normal_W;
-  far_direction_ = (plane_.astern_W - plane_.astern_W.dot(up) * up).normalized();
+  const double far = parts_->line.mesh.total_length();
+  far_direction_ = model_->seabed.surface.along(plane_.route.place(far), plane_.route.direction(far));
   held_far_.position = {{plane_.port_W, Vec3::Zero(), Vec3::Zero()}, 1};
   held_far_.tangent = across(far_direction_);
   held_top_.position = all_directions();

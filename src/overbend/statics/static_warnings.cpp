@@ -49,7 +49,7 @@ void warn_of_bed(Warnings& list, const Model& model) {
   std::vector<std::string> below;
   for (const SupportBox& box : model.supports.boxes) {
     const Vec3 point = point_from_ramp(model, model.mean_pose, box.point_S);
-    if (point.z() < model.seabed.height(point)) below.push_back(box.name);
+    if (point.z() < model.seabed.surface.height(point.x(), point.y())) below.push_back(box.name);
   }
   if (below.empty()) return;
   const bool tip =

@@ -160,7 +160,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     solved = solve_on_new_mesh(at, from.shape);
   }
   if (!solved) {
-    return give_up(at, hanging_weight(model, plane, plane.bed_at_tensioner));
+    return give_up(at, hanging_weight(model, plane, plane.bed(0.0)));
   }
   if (auto failure = check_supports(model, at.system)) {
     return fail(*failure);

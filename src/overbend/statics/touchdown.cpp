@@ -30,10 +30,9 @@ std::optional<LinePlace> first_passage(const StaticSystem& system, const Functio
 }  // namespace
 
 double bed_clearance(const StaticSystem& system, const LineState& state, int element, double xi) {
-  const SeabedPlane& bed = system.model().seabed;
   const std::size_t e = static_cast<std::size_t>(element);
   const Vec3 r = centreline(dofs_of(state, element), xi, system.mesh().length[e]).r;
-  return bed.normal_W.dot(r - bed.point_W) - system.elements().radius[e];
+  return system.model().seabed.surface.clearance(r) - system.elements().radius[e];
 }
 
 std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state) {

@@ -10,11 +10,11 @@ double weight_from(const LineMesh& mesh, const LineElements& elements, double fr
   return weight;
 }
 
-Line pipe_line(const Model& model, LineMesh mesh, const Vec3& route_point_W, const Vec3& route_normal_W) {
+Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route) {
   Line line;
   line.mesh = std::move(mesh);
   line.elements = line_elements(model, line.mesh.length, line.mesh.section);
-  line.environment = line_environment(model, route_point_W, route_normal_W);
+  line.environment = line_environment(model, route);
   line.yielding = yielding_elements(model, line.mesh);
   line.force_scale = weight_from(line.mesh, line.elements, line.mesh.s.front());
   return line;

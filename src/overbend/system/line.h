@@ -19,9 +19,9 @@ struct Line {
   double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
 };
 
-/// The pipe of a model on a mesh, its levels of yielding not chosen yet. `route_point_W` and `route_normal_W` are those
-/// of the lay route's vertical plane. Points into `model`, which must outlive the line.
-Line pipe_line(const Model& model, LineMesh mesh, const Vec3& route_point_W, const Vec3& route_normal_W);
+/// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the
+/// line.
+Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route);
 
 /// Weight in air of the elements at or beyond arc length `from` [N].
 double weight_from(const LineMesh& mesh, const LineElements& elements, double from);

@@ -1,0 +1,15 @@
+#include "model/bed_surface.h"
+
+namespace overbend {
+
+double BedSurface::slope(double x, double y, const Vec3& direction_W) const {
+  const Vec3& n = normal(x, y);
+  return -(n.x() * direction_W.x() + n.y() * direction_W.y()) / n.z();
+}
+
+Vec3 BedSurface::along(const Vec3& p_W, const Vec3& direction_W) const {
+  const Vec3& n = normal(p_W.x(), p_W.y());
+  return (direction_W - direction_W.dot(n) * n).normalized();
+}
+
+}  // namespace overbend
