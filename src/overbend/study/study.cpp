@@ -87,6 +87,7 @@ void keep_record(const StudyEnd& end, const StudyPlan& plan, const fs::path& fol
       if (one.seed) record.seeds.push_back(*one.seed);
     }
     record.title = end.statics.title;
+    record.duration = plan.cases.front().duration.value_or(0.0);
     record.state = RunState::done;
     record.progress = 1.0;
   });

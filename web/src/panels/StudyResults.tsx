@@ -21,7 +21,7 @@ function Table({ of }: { of: Study }) {
       <thead><tr>{columns.head.map((c) => <th key={c.name} scope="col" title={c.title}>{c.name}</th>)}</tr></thead>
       {of.quantities.map((q) => (
         <tbody key={q.name}>
-          <tr class="group"><th scope="rowgroup" colSpan={columns.head.length}>{q.text} {q.unit === '-' ? null : <small>{q.unit}</small>}</th></tr>
+          <tr class="group"><th scope="rowgroup" colSpan={columns.head.length}>{q.text}{q.unit === '-' ? null : <>{'\u00a0'}<small>{q.unit}</small></>}</th></tr>
           <tr>{columns.values(q).map((v, i) => <td key={i}>{shown(v, q)}</td>)}</tr>
           {q.gumbel ? <tr><th colSpan={columns.head.length} title="Most probable extreme of three hours by a Gumbel distribution, with its 95 % confidence interval">3 h: {shown(q.gumbel.estimate, q)} ({shown(q.gumbel.low, q)} to {shown(q.gumbel.high, q)})</th></tr> : null}
         </tbody>
@@ -38,6 +38,7 @@ export function StudyResults({ run }: { run: Run }) {
       <h2>{runName(run)} <small>{run.kind === 'seeds' ? `${cases.length} seeds` : `comparison, ${run.of}`}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
+      {run.state === 'done' && run.message ? <p class="standing warn">{run.message}</p> : null}
       {of ? (
         <>
           <div class="acts">
