@@ -7,7 +7,7 @@
   const looks = [{ colour: Report.colours.pipe, rows: '#9fc3e6' }, { colour: Report.colours.second, rows: null }];
 
   const kinds = {
-    share: { title: 'Share of time in contact', axis: '% of time', factor: 100, digits: 1, unit: '%', rows: 'row_share', top: 110, ticks: [0, 25, 50, 75, 100] },
+    share: { title: 'Fraction of time in contact', axis: '% of time', factor: 100, digits: 1, unit: '%', rows: 'row_share', top: 110, ticks: [0, 25, 50, 75, 100] },
     peak: { title: 'Peak reaction', axis: 'Peak reaction [kN]', factor: 1e-3, digits: 1, unit: 'kN', rows: 'row_peak', before: true },
     dent: { title: 'Dent depth of bare steel under the largest force', axis: 'Dent depth [mm]', factor: 1e3, digits: 2, unit: 'mm' },
     load: { title: 'Line load on the coating under the largest force', axis: 'Line load [kN/m]', factor: 1e-3, digits: 1, unit: 'kN/m' },

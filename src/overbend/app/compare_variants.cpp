@@ -10,7 +10,7 @@ namespace overbend {
 const std::vector<Variant>& variants_of(ComparisonOf of) {
   static const std::vector<Variant> kTensioner = {{"off", "Off, held by its brake", "tensioner.mode", "locked"},
                                                   {"controlled", "Controlled", "tensioner.mode", "controlled"},
-                                                  {"constant", "Ideally constant", "tensioner.mode", "constant"}};
+                                                  {"constant", "Constant (ideal)", "tensioner.mode", "constant"}};
   static const std::vector<Variant> kContact = {{"rollers", "Rollers", "supports.contact", "rollers"},
                                                 {"gap_springs", "Gap springs", "supports.contact", "gap_springs"}};
   return of == ComparisonOf::tensioner ? kTensioner : kContact;
@@ -18,10 +18,10 @@ const std::vector<Variant>& variants_of(ComparisonOf of) {
 
 std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description) {
   if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
-    return "tensioner.range is missing: a controlled tensioner works to keep it; give one such as [240 kN, 260 kN]";
+    return "tensioner.range is missing: a controlled tensioner needs a range, for example [240 kN, 260 kN]";
   }
   if (of == ComparisonOf::contact && description.supports.boxes.empty()) {
-    return "the model has no supports whose contact could be compared";
+    return "the model has no supports, so there is no contact to compare";
   }
   return std::nullopt;
 }

@@ -43,7 +43,7 @@ SeedsResults gather(const DynamicCase& shared, const std::vector<SideRun>& seeds
   fill_statistics(results);
   const WaveType type = shared.description.environment.waves.type;
   if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
-    results.warnings.emplace_back("the sea is not random: all seeds give the same");
+    results.warnings.emplace_back("the sea is not random: all seeds give the same results");
   }
   return results;
 }

@@ -39,7 +39,7 @@ bool is_finished(const fs::path& folder, const std::string& input) {
   if (found == mark_text(input)) return true;
   throw std::runtime_error(
       "'" + folder.string() +
-      "' has results of another model file or another build of the program; begin anew with --restart");
+      "' has results of another model file or another build of the program; start again with --restart");
 }
 
 }  // namespace overbend

@@ -135,7 +135,7 @@ ExitCode run_side_by_side(std::vector<SideRun>& runs, const SideOptions& options
     SideWork(options, runs, begins, noun).go();
   }
   if (std::all_of(runs.begin(), runs.end(), [](const SideRun& run) { return run.ended; })) return kDone;
-  std::cerr << "overbend: interrupted; the run goes on with --resume\n";
+  std::cerr << "overbend: interrupted; continue the run with --resume\n";
   return kInterrupted;
 }
 

@@ -103,7 +103,7 @@ RealisationEnd run_realisation(const DynamicCase& shared, const fs::path& folder
     return {kWrongInput, fault.what(), std::nullopt};
   }
   if (outcome.stopped) {
-    return {kInterrupted, "interrupted; the run goes on with --resume", std::move(outcome.results)};
+    return {kInterrupted, "interrupted; continue the run with --resume", std::move(outcome.results)};
   }
   if (outcome.failure) {
     begun->store.remove();
