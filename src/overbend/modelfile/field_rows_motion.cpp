@@ -48,7 +48,7 @@ void add_point(std::vector<Field>& rows, const std::string& key, const std::stri
   rows.push_back(group(kPath + "." + key, text));
   rows.push_back(length(key + ".x", "From midship, forward positive."));
   rows.back().required = true;
-  rows.push_back(length(key + ".y", "From the centreline, to port positive."));
+  rows.push_back(length(key + ".y", "From the centreline, positive to port."));
   rows.back().fallback = "0 m";
   if (!with_height) return;
   rows.push_back(length(key + ".z", "Above the water."));
@@ -59,25 +59,25 @@ void add_point(std::vector<Field>& rows, const std::string& key, const std::stri
 
 std::vector<Field> motion_convention() {
   std::vector<Field> rows;
-  rows.push_back(group(kPath, "What the numbers of the motion's file mean."));
-  rows.push_back(words("set", "Conventions of a program, for all keys that are not given.", convention_sets(),
+  rows.push_back(group(kPath, "Conventions of the motion file."));
+  rows.push_back(words("set", "Conventions of a program, used for all keys not given.", convention_sets(),
                        "house for .csv, wamit for .4, orcaflex for .yml"));
   bool signs = false;
   for (const ConventionKey& key : convention_keys()) {
     if (!signs && key.key.rfind("positive.", 0) == 0) {
-      rows.push_back(group(kPath + ".positive", "What positive motions are."));
+      rows.push_back(group(kPath + ".positive", "Positive directions of the motions."));
       signs = true;
     }
-    rows.push_back(words(key.key, key.text, key.words, "as the file says, else as in the set"));
+    rows.push_back(words(key.key, key.text, key.words, "as stated in the file, otherwise as in the set"));
   }
   add_point(rows, "reference", "Point of the vessel whose motion is given, in the vessel's frame.", true);
-  add_point(rows, "wave_origin", "Point over which the wave has the event that phases count from.", false);
-  add_point(rows, "file_origin", "Origin of the axes in which the file itself gives points.", true);
+  add_point(rows, "wave_origin", "Point at which the wave has the event that phases refer to.", false);
+  add_point(rows, "file_origin", "Origin of the axes in which points in the file are given.", true);
   rows.push_back(length("length_scale", "ULEN of a WAMIT file: rotations are angle times this length per amplitude."));
   rows.back().fallback = "1 m";
   rows.back().range = {.low = 0.0, .high = 1000.0, .low_open = true};
-  rows.push_back(name("vessel_type", "Name, where an OrcaFlex file has several vessel types."));
-  rows.push_back(name("draught", "Name, where the vessel type has several draughts."));
+  rows.push_back(name("vessel_type", "Name, if an OrcaFlex file has several vessel types."));
+  rows.push_back(name("draught", "Name, if the vessel type has several draughts."));
   return rows;
 }
 

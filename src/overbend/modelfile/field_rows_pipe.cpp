@@ -57,7 +57,7 @@ std::vector<Field> section(const std::string& p) {
        .fallback = "77 kN/m^3",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 15e3, .high = 100e3}},
-      {.path = p + ".steel.material", .text = "What the steel does beyond yield.", .fallback_text = "linear"},
+      {.path = p + ".steel.material", .text = "Material law of the steel beyond yield.", .fallback_text = "linear"},
       {.path = p + ".steel.material.law",
        .kind = FieldKind::choice,
        .text = "linear; kappa/kappa_y = M/M_y + A (M/M_y)^B; a stress-strain law integrated over the wall with wall "
@@ -68,12 +68,12 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".steel.material.moment_coefficient",
        .kind = FieldKind::number,
        .text = "A of moment_ramberg_osgood.",
-       .fallback_text = "fitted to the stress-strain law given beside it",
+       .fallback_text = "fitted to the given stress-strain law",
        .range = {.low = 0.0, .high = 10.0, .low_open = true}},
       {.path = p + ".steel.material.moment_exponent",
        .kind = FieldKind::number,
        .text = "B of moment_ramberg_osgood.",
-       .fallback_text = "fitted to the stress-strain law given beside it",
+       .fallback_text = "fitted to the given stress-strain law",
        .range = {.low = 1.0, .high = 100.0, .low_open = true}},
       {.path = p + ".steel.material.hardening_exponent",
        .kind = FieldKind::number,
@@ -96,8 +96,8 @@ std::vector<Field> section(const std::string& p) {
        .range = {.low = 0.0}},
       {.path = p + ".steel.material.stress_strain",
        .kind = FieldKind::list,
-       .text = "Curve of a tension test, rising from the origin, which is not given. The first point ends the straight "
-               "part.",
+       .text = "Stress-strain curve of a tension test, increasing from the origin, which is not listed. The first "
+               "point is the end of the linear part.",
        .fallback_text = "not given"},
       {.path = p + ".steel.material.stress_strain[]", .text = "One point."},
       {.path = p + ".steel.material.stress_strain[].strain",
@@ -116,9 +116,8 @@ std::vector<Field> section(const std::string& p) {
        .range = {.low = 0.0, .low_open = true}},
       {.path = p + ".steel.material.moment_curvature",
        .kind = FieldKind::list,
-       .text =
-           "Moment over curvature of the pipe, rising from the origin, which is not given. The first point ends the "
-           "straight part.",
+       .text = "Moment-curvature curve of the pipe, increasing from the origin, which is not listed. The first point "
+               "is the end of the linear part.",
        .fallback_text = "not given"},
       {.path = p + ".steel.material.moment_curvature[]", .text = "One point."},
       {.path = p + ".steel.material.moment_curvature[].curvature",
@@ -168,7 +167,7 @@ std::vector<Field> section(const std::string& p) {
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1e6, .high = 100e9}},
       {.path = p + ".joint",
-       .text = "Pipe joint with field joints, where infill takes the place of the outermost coating.",
+       .text = "Pipe joint with field joints, at which infill replaces the outermost coating.",
        .fallback_text = "no field joints"},
       {.path = p + ".joint.length",
        .kind = FieldKind::quantity,
@@ -193,44 +192,45 @@ std::vector<Field> section(const std::string& p) {
        .range = {.low = 0.0}},
       {.path = p + ".joint.coated_stiffness",
        .kind = FieldKind::number,
-       .text = "Bending stiffness between the field joints over that of the bare steel, which the joints keep: the "
-               "concrete's. Over the supports and three joints beyond; of the line's own section.",
+       .text = "Ratio of the bending stiffness between field joints, stiffened by concrete, to that of the bare steel, "
+               "which applies at the joints. Used over the supports and three joints beyond, for the main section.",
        .fallback = "1",
        .range = {.low = 1.0, .high = 5.0}},
       {.path = p + ".joint.first",
        .kind = FieldKind::quantity,
-       .text = "Distance of the middle of the first field joint from the tensioner, where coated_stiffness counts.",
+       .text = "Distance of the middle of the first field joint from the tensioner, used with coated_stiffness.",
        .unit = "m",
        .show = "m",
        .fallback_text = "half a pipe joint",
        .range = {.low = 0.0}},
       {.path = p + ".joint.strain_factor",
        .kind = FieldKind::number,
-       .text = "Strain at a field joint over that of the coated pipe beside it, for the strain checks.",
-       .fallback_text = "1, with a warning where concrete stiffens the pipe beside it",
+       .text = "Strain concentration factor of field joints: strain there divided by that of the adjacent coated pipe, "
+               "for the strain checks.",
+       .fallback_text = "1, with a warning for concrete-coated pipe",
        .range = {.low = 1.0, .high = 10.0}},
       {.path = p + ".hydrodynamics", .text = "Morison coefficients, on the outermost diameter."},
       {.path = p + ".hydrodynamics.drag_normal",
        .kind = FieldKind::number,
-       .text = "Drag across the pipe.",
+       .text = "Normal drag.",
        .fallback = "1.2",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.drag_axial",
        .kind = FieldKind::number,
-       .text = "Drag along the pipe.",
+       .text = "Axial drag.",
        .fallback = "0",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.added_mass_normal",
        .kind = FieldKind::number,
-       .text = "Added mass across the pipe.",
+       .text = "Normal added mass.",
        .fallback = "1",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.added_mass_axial",
        .kind = FieldKind::number,
-       .text = "Added mass along the pipe.",
+       .text = "Axial added mass.",
        .fallback = "0",
        .range = {.low = 0.0, .high = 10.0}},
-      {.path = p + ".contents", .text = "What fills the pipe.", .fallback_text = "empty"},
+      {.path = p + ".contents", .text = "Contents of the pipe.", .fallback_text = "empty"},
       {.path = p + ".contents.weight_density",
        .kind = FieldKind::quantity,
        .text = "Weight density of the contents.",
@@ -257,7 +257,7 @@ std::vector<Field> segment_section(const std::string& p) {
     if (whole) continue;
     row.required = false;
     row.fallback.clear();
-    row.fallback_text = "as the line's own";
+    row.fallback_text = "as in the main section";
   }
   return rows;
 }
@@ -265,7 +265,7 @@ std::vector<Field> segment_section(const std::string& p) {
 }  // namespace
 
 std::vector<Field> pipe() {
-  std::vector<Field> rows = {{.path = "pipe", .text = "The line.", .required = true}};
+  std::vector<Field> rows = {{.path = "pipe", .text = "The pipe.", .required = true}};
   const auto append = [&](const std::vector<Field>& more) { rows.insert(rows.end(), more.begin(), more.end()); };
   append(section("pipe"));
   append({
@@ -285,9 +285,9 @@ std::vector<Field> pipe() {
        .range = {.low = 0.0, .low_open = true}},
       {.path = "pipe.segments",
        .kind = FieldKind::list,
-       .text = "Stretches with a section of their own, from the tensioner astern; the rest is the line's own.",
-       .fallback_text = "one section all along"},
-      {.path = "pipe.segments[]", .text = "One stretch; of its section only what differs is given."},
+       .text = "Segments with a different section, from the tensioner astern; the rest has the main section.",
+       .fallback_text = "one section for the whole line"},
+      {.path = "pipe.segments[]", .text = "One segment; only properties that differ from the main section are given."},
       {.path = "pipe.segments[].name",
        .kind = FieldKind::text,
        .text = "For the report.",

@@ -75,7 +75,7 @@ std::vector<Field> vessel() {
        .text = "The lay vessel. Its frame: origin midship on the water, x forward, z up.",
        .required = true},
       {.path = "vessel.name", .kind = FieldKind::text, .text = "For the report.", .fallback = "barge"},
-      size("length", "Over all.", "120 m"),
+      size("length", "Overall.", "120 m"),
       size("beam", "Width.", "30 m"),
       size("depth", "Keel to deck.", "9 m"),
       size("draught", "Keel to water line.", "5 m"),
@@ -111,18 +111,21 @@ std::vector<Field> vessel() {
        .fallback = "fixed",
        .choices = {"fixed"}},
       {.path = "vessel.motion",
-       .text = "Where the motion comes from: one of raos, history, coupled, harmonic; and convention if need be.",
+       .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention if needed.",
        .least = 1,
        .most = 2},
       {.path = "vessel.motion.raos",
        .kind = FieldKind::text,
-       .text = "File of response amplitude operators, beside the model file: .csv, .4 (WAMIT) or .yml (OrcaFlex)."},
+       .text = "File of response amplitude operators, in the folder of the model file: .csv, .4 (WAMIT) or .yml "
+               "(OrcaFlex)."},
       {.path = "vessel.motion.history",
        .kind = FieldKind::text,
-       .text = "CSV file of motion in time, beside the model file: time_s and any of surge_m to yaw_deg."},
+       .text =
+           "CSV file of the motion history, in the folder of the model file: time_s and any of surge_m to yaw_deg."},
       {.path = "vessel.motion.coupled",
        .kind = FieldKind::text,
-       .text = "File of the hull's hydrodynamics, beside the model file: pipe and vessel move together."},
+       .text = "File of the hydrodynamics of the hull, in the folder of the model file: coupled motion of pipe and "
+               "vessel."},
   };
   const std::vector<Field> harmonic = harmonic_motion();
   rows.insert(rows.end(), harmonic.begin(), harmonic.end());

@@ -16,7 +16,7 @@ std::vector<Field> head() {
        .text = "Version of the model file's format.",
        .required = true,
        .range = {.low = kFormatVersion, .high = kFormatVersion}},
-      {.path = "title", .kind = FieldKind::text, .text = "Heads the report.", .fallback_text = "name of the file"},
+      {.path = "title", .kind = FieldKind::text, .text = "Title of the report.", .fallback_text = "name of the file"},
   };
 }
 

@@ -128,7 +128,8 @@ void check_tensioner_range(Checker& check) {
   const FieldValue* tension = tensioner->find("tension");
   if (tension != nullptr && (tension->number < low.number || tension->number > high.number)) {
     // Statics holds the tension as given, so a sweep of tensions needs no new range; only a moving machine would.
-    check.warn(*range, shown + " does not hold the wanted tension, " + tension->shown + "; dynamics will need that");
+    check.warn(*range,
+               shown + " does not contain the set tension, " + tension->shown + "; dynamic analysis will require that");
   }
 }
 
@@ -173,7 +174,7 @@ void check_vessel(Checker& check) {
   }
   const FieldValue* shoe = vessel->find("stern_shoe.x");
   if (shoe != nullptr && shoe->number > 0.0) {
-    check.warn(*shoe, shoe->shown + " stands forward of midship; x is negative towards the stern");
+    check.warn(*shoe, shoe->shown + " is forward of midship; x is negative towards the stern");
   }
 }
 

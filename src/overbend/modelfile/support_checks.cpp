@@ -90,7 +90,8 @@ void check_rows_have_room(Checker& check, const FieldValue& box, const FieldValu
   if (length->given) {
     check.error(*length, length->shown, "more than 0 m for " + std::to_string(rows->integer) + " rows");
   } else {
-    check.missing(box, "length", "a length with its unit: " + std::to_string(rows->integer) + " rows stand along it");
+    check.missing(box, "length",
+                  "a length with its unit: " + std::to_string(rows->integer) + " rows are spread along it");
   }
 }
 
