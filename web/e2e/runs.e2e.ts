@@ -44,7 +44,7 @@ test('impacts light up, the tensioner says what it does, boxes have the colour o
   await page.locator('[aria-label=Time]').evaluate((el, t) => { const input = el as HTMLInputElement; input.value = String(t); input.dispatchEvent(new Event('input', { bubbles: true })); }, Math.ceil((hardest.time + 0.05) * 20) / 20);
   await page.waitForFunction(() => Number((document.querySelector('.legend') as HTMLElement).dataset.flashes) > 0);
   expect(await page.evaluate(() => (window as unknown as { __view: { stage: { flashGroup: { children: unknown[] } } } }).__view.stage.flashGroup.children.length)).toBeGreaterThan(0);
-  expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|about to move|pays out|hauls in|at its limit)/);
+  expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|waiting for its delay|pays out|hauls in|at its limit)/);
   expect(await page.locator('.readings').innerText()).toMatch(/travel\s+-?[\d.]+ m/);
   expect(await page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
   await page.selectOption('[aria-label="Diagram 2"]', 'history:tensioner/tension');

@@ -166,7 +166,7 @@ VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
       return motion;
     case VesselMotion::history:
       if (!vessel.history) {
-        throw std::invalid_argument("the vessel's motion in time, " + vessel.motion_file + ", could not be read");
+        throw std::invalid_argument("the motion history of the vessel, " + vessel.motion_file + ", could not be read");
       }
       follow_history(motion, vessel);
       return motion;

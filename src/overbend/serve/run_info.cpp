@@ -69,7 +69,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     if (run.started == 0.0) run.started = modified(summary_file);
   } else if (!run.ended()) {
     run.state = RunState::cancelled;
-    run.message = "the program ended before the run";
+    run.message = "the program ended before the run started";
   }
   run.resumable = run.state != RunState::done && can_be_resumed(folder);
   return run;

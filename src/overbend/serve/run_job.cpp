@@ -131,7 +131,7 @@ void RunQueue::end_interrupted(const Job& job, const std::function<bool()>& keep
   const bool kept = keep_results();
   update(
       job.id, [&](RunInfo& run) { run.has_results = run.has_results || kept; }, false);
-  end(job.id, RunState::cancelled, kept ? "cancelled; what was computed is kept" : "cancelled before t = 0");
+  end(job.id, RunState::cancelled, kept ? "cancelled; results computed so far are kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

@@ -28,7 +28,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
   const ModelText text = model.now();
   const ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
-    HttpFault fault(422, "the model has errors; mend them first");
+    HttpFault fault(422, "the model has errors; correct them first");
     fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
     throw fault;
   }
@@ -38,7 +38,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
 /// The run, when it has results to be read; 404 before.
 RunInfo done(const RunQueue& runs, const HttpRequest& request) {
   RunInfo run = runs.find(request.parts[0]);
-  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are there when it is done");
+  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are available when it is finished");
   return run;
 }
 

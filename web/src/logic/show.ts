@@ -7,7 +7,7 @@ export const quantities: Shown[] = [
   { key: 'bending_stress', name: 'Bending stress', unit: 'MPa', factor: 1e-6 },
   { key: 'von_mises', name: 'von Mises stress', unit: 'MPa', factor: 1e-6 },
   { key: 'strain', name: 'Strain', unit: '%', factor: 100 },
-  { key: 'utilisation', name: 'Utilisation of yield', unit: '–', factor: 1 },
+  { key: 'utilisation', name: 'von Mises stress / yield stress', unit: '–', factor: 1 },
   { key: 'checks', name: 'Utilisation of code checks', unit: '–', factor: 1 },
 ];
 

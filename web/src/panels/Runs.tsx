@@ -45,19 +45,19 @@ function Card({ run }: { run: Run }) {
     <li class={`run ${run.state}${mine ? ' chosen' : ''}`}>
       <button type="button" class="runhead" aria-pressed={mine} onClick={() => select(mine ? null : run.id)}>
         <b>{runName(run)}</b>
-        <span class="brief">{run.kind === 'dynamic' ? 'in time' : 'static'} · {words[run.state]}{run.started ? ` · ${when(run.started)}` : ''}</span>
+        <span class="brief">{run.kind === 'dynamic' ? 'dynamic' : 'static'} · {words[run.state]}{run.started ? ` · ${when(run.started)}` : ''}</span>
       </button>
       {going ? (
         <>
           <div class="bar" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * run.progress)}><i style={{ width: `${100 * run.progress}%` }} /></div>
           <p class="brief">
-            {Math.round(100 * run.progress)} %{left !== null ? `, ${inWords(left)} to go` : ''}
+            {Math.round(100 * run.progress)} %{left !== null ? `, ${inWords(left)} remaining` : ''}
             {run.time !== undefined ? ` · t = ${tidy(run.time, 4)} s` : ''}
           </p>
           {run.top_tension !== undefined || run.worst_stress !== undefined ? (
             <dl class="livevalues">
               {run.top_tension !== undefined ? <div class="kv"><dt>top tension</dt><dd>{tidy(run.top_tension / 1e3, 4)} <small>kN</small></dd></div> : null}
-              {run.worst_stress !== undefined ? <div class="kv"><dt>worst stress</dt><dd>{tidy(run.worst_stress / 1e6, 4)} <small>MPa</small></dd></div> : null}
+              {run.worst_stress !== undefined ? <div class="kv"><dt>maximum stress</dt><dd>{tidy(run.worst_stress / 1e6, 4)} <small>MPa</small></dd></div> : null}
             </dl>
           ) : null}
         </>
@@ -69,7 +69,7 @@ function Card({ run }: { run: Run }) {
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
         {run.has_results ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
         {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
-        {run.resumable && !going ? <button type="button" title="Goes on where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
+        {run.resumable && !going ? <button type="button" title="Continue where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
         {mine && !going ? <Delete run={run} /> : null}
       </div>
     </li>
