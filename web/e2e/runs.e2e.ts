@@ -139,7 +139,7 @@ test('values are live during a long run, until it is cancelled', async () => {
 test('what was computed before the cancel is shown and animated', async () => {
   const pane = page.locator('section[aria-label="Results of the run"]');
   await pane.locator('table.minmax').waitFor();
-  expect(await pane.innerText()).toMatch(/Cancelled\. What is shown is the first [\d.]+ s/);
+  expect(await pane.innerText()).toMatch(/Cancelled\. Results of the first [\d.]+ s are shown/);
   await page.waitForSelector('.animation');
   expect(await page.locator('.run.cancelled >> text=Report').count()).toBe(1);
   await bench.shot(page, 'cancelled');
