@@ -20,7 +20,8 @@ each error with its line. `overbend schema` prints the same as JSON Schema, whic
 Frames: vessel positions are measured from midship at the water line, x forward and z up; tensioner, ramp and stinger from the
 stern shoe, X astern and Z up. Azimuths are clockwise from north.
 
-In the tables, `[]` stands for each item of a list and `*` for a name of your own. "required" applies if the group that contains the key is given.
+In the tables, `[]` denotes each item of a list and `*` a name of your own. "required" applies if the group that contains the
+key is given.
 )";
 
 std::string escaped(const std::string& text) {
