@@ -1,4 +1,4 @@
-/// Runs in time side by side, a thread each: progress, interruption, taking up again.
+/// Dynamic runs in parallel, one thread each: progress, interruption, resuming.
 #pragma once
 
 #include <filesystem>

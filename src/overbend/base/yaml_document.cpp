@@ -137,7 +137,7 @@ class TreeBuilder : public YAML::EventHandler {
     return at.empty() ? for_display(key) : at + "." + for_display(key);
   }
 
-  /// Where the parser stands, "supports.ramp.boxes[2]".
+  /// Path of the parser's current position, "supports.ramp.boxes[2]".
   std::string path() const {
     std::string text;
     for (const Frame& frame : stack_) {

@@ -10,7 +10,7 @@ namespace {
 
 using Six = std::array<double, 6>;
 
-/// The six freedoms with their derivatives in time.
+/// The six degrees of freedom with their time derivatives.
 struct Freedoms {
   Six value{}, rate{}, acceleration{};
 };

@@ -11,7 +11,7 @@ namespace {
 
 using html::fixed;
 
-/// "never" and "always" are told from shares that only round to them.
+/// "never" and "always" are distinguished from fractions that only round to them.
 std::string share(double part) {
   if (part <= 0.0) return "0";
   if (part >= 1.0) return "100";

@@ -126,7 +126,7 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
   return list.str();
 }
 
-/// Numbers of the sea; its kind stands in the report's head.
+/// Numbers of the sea; its type is in the report's header.
 void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
   if (waves.type == WaveType::none) {
     list.add("Waves", "none");

@@ -17,7 +17,7 @@
 namespace overbend {
 namespace {
 
-/// The inputs are told as the program understands them; what it cannot read any more is still printed at the end.
+/// The inputs are shown as the program reads them; a model text it can no longer read is still printed at the end.
 std::optional<Description> description_of(const std::string& model_text) {
   return read_model_text(model_text, "model.yaml").description;
 }

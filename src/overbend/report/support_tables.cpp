@@ -14,7 +14,7 @@ using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// A line of the static summary where no support stands.
+/// A line of the static summary without a support.
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
   const Vec3 p = ship_point(results, at.p_W);

@@ -106,7 +106,7 @@ void replace_file(const fs::path& file, std::string_view text, const std::functi
   try {
     sync_folder(target.parent_path());
   } catch (const std::runtime_error&) {
-    // Some file systems cannot; the new content stands all the same.
+    // Some file systems cannot; the new content is in place all the same.
   }
 }
 

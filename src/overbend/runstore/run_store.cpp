@@ -266,7 +266,7 @@ std::vector<Impact> RunStore::impact_block(std::int64_t first, std::int64_t coun
 }
 
 void RunStore::remove() noexcept {
-  std::error_code ignored;  // the results stand; a folder that stays behind harms nobody
+  std::error_code ignored;  // the results are in place; a leftover folder is harmless
   fs::remove_all(files_->folder, ignored);
   if (files_->made) fs::remove(files_->folder.parent_path(), ignored);
 }

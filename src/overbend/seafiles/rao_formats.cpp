@@ -179,7 +179,7 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
   RaoFile content;
   for (std::size_t i = 0; i < table.rows.size() && !faults.full(); ++i) {
     const TextRow& row = table.rows[i];
-    if (i == 0 && !cell_number(row.cells[0])) continue;  // a headline may stand over the numbers
+    if (i == 0 && !cell_number(row.cells[0])) continue;  // there may be a header line above the numbers
     if (row.cells.size() != 7) {
       faults.error(row.line, std::to_string(row.cells.size()) + " numbers", "seven: PER BETA I MOD PHA RE IM");
       continue;

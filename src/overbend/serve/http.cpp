@@ -22,7 +22,7 @@ std::vector<std::string_view> split(std::string_view path) {
   return parts;
 }
 
-/// What stands for the '*'; nothing when the path is another.
+/// The parts matched by '*'; nothing when the path is another.
 std::optional<std::vector<std::string>> match(const std::string& pattern, const std::string& path) {
   const std::vector<std::string_view> wanted = split(pattern), found = split(path);
   if (wanted.size() != found.size()) return std::nullopt;

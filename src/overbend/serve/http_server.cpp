@@ -103,7 +103,7 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(1U << 20U);  // told to the other side: a slider asks thousands of times
+  server.set_keep_alive_max_count(1U << 20U);  // sent to the client: a slider makes thousands of requests
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (port_ <= 0) {
     throw PortFault(fmt::format("the port {} on 127.0.0.1 is not available; another program may be using it", port));

@@ -67,7 +67,7 @@ Json static_envelopes(const StaticResults& r) {
           {"strain", static_values(r, [](const Station& at) { return at.strain; })}};
 }
 
-/// Where a roller stands, in words.
+/// Position of a roller, in words.
 Json roller_place(const DynamicResults& r, int roller) {
   for (const SupportDynamics& box : r.supports) {
     for (const RollerDynamics& one : box.rollers) {

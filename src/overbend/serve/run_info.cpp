@@ -34,7 +34,7 @@ double modified(const fs::path& file) {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
 }
 
-/// Results that stand beside a checkpoint are those of a run that was cancelled.
+/// Results beside a checkpoint are those of a cancelled run.
 bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
   std::error_code fault;
   return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);

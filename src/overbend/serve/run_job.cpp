@@ -15,9 +15,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Progress is told this often at most.
+/// Progress is reported this often at most.
 constexpr auto kTold = std::chrono::milliseconds(100);
-/// A run that the machine kills goes on from here.
+/// A killed run continues from here.
 constexpr auto kCheckpoint = std::chrono::seconds(30);
 
 /// Largest of the columns of von Mises stress of a row.
@@ -40,7 +40,7 @@ Description description_of(const ModelText& model, double duration) {
   return std::move(*reading.description);
 }
 
-/// How the command line goes on with a run; empty where the model stands in no file as it was run.
+/// Command line that continues a run; empty if the model as run is not in a file.
 std::string command_of(const ModelText& model, double duration, const std::string& folder) {
   if (!model.saved || model.name.empty()) return "";
   const std::string time = duration > 0.0 ? fmt::format(" --duration '{} s'", duration) : "";

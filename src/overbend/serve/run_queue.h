@@ -29,11 +29,11 @@ class RunQueue {
   /// Queues a run of the model as it is now. `duration` [s] 0: the model's. Throws HttpFault when the folder cannot
   /// be.
   RunInfo add(const ModelText& model, const std::string& title, const std::string& kind, double duration);
-  /// A run in time that is stopped keeps what it has computed: results so far, and the checkpoint to go on from.
+  /// A stopped dynamic run keeps what it has computed: results so far, and the checkpoint to continue from.
   RunInfo cancel(const std::string& id);
   /// Gives a run the user's name and note.
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
-  /// Removes a run that has ended, with its folder; HttpFault 409 while it goes on.
+  /// Removes a run that has ended, with its folder; HttpFault 409 while it is in progress.
   void remove(const std::string& id);
   /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
   /// it cannot be resumed.

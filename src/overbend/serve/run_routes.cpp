@@ -62,7 +62,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 }
 
 /// A history, so far or as a whole. A run that waits, failed or was cancelled has an empty one and not a fault: a page
-/// asks by what it was last told, and the run may have ended since.
+/// asks with its last known state, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
   if (!run.has_results) return {};

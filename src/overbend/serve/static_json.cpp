@@ -79,7 +79,7 @@ Json pipe(const StaticResults& r, const std::vector<std::string>* lists) {
   return all;
 }
 
-/// Von Mises stress of an extreme over the yield stress where it stands.
+/// Von Mises stress of an extreme divided by the yield stress at its location.
 double utilisation(const StaticResults& r, const Extreme& von_mises) {
   const auto nearest =
       std::ranges::min_element(r.stations, {}, [&](const Station& at) { return std::abs(at.s - von_mises.s); });
