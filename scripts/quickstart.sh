@@ -21,5 +21,5 @@ build/release/overbend dynamic examples/bgl1-workable-sea.yaml --duration '120 s
 echo
 echo "Done. Open the reports in a browser:"
 echo "  $PWD/$results/report.html          statics"
-echo "  $PWD/$results-waves/report.html    statics and the run in time"
+echo "  $PWD/$results-waves/report.html    static and dynamic analysis"
 echo "Beside each lie summary.json, pipe.csv, supports.csv and results.h5."

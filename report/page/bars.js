@@ -92,7 +92,7 @@
   function smallest_of(shown) {
     const all = data.supports.flatMap((box) => box.rows.flatMap((row) => row.rollers.filter((roller) => !passed(roller)).map((roller) => ({ box, roller }))));
     const least = d3.least(all.filter(({ roller }) => shown.some((p) => p.name === roller.position)), ({ roller }) => roller.separation);
-    if (!least) return 'none, the pipe lies outside the rollers';
+    if (!least) return 'none, the pipe is outside the rollers';
     return `${Report.fixed(1e3 * least.roller.separation, 2)} mm at ${least.box.name}, ${least.roller.position}`;
   }
 

@@ -32,7 +32,7 @@
       flush();
     }
     along.curve(frame, [[0, 1], [end, 1]], colours.accent, '8 4', 1.3);
-    along.level_name(frame, 1, 'all of the capacity');
+    along.level_name(frame, 1, 'full capacity');
     Report.legend(frame, used.slice().reverse().map((k) => ({ text: k.name, colour: k.colour, dash: k.dash })));
     const worst = d3.greatest(shown, (i) => checks.governing[i]);
     Report.mark(frame, checks.s[worst], checks.governing[worst], `${Report.fixed(checks.governing[worst], 3)} at ${Report.fixed(checks.s[worst], 1)} m`, colours.pipe);

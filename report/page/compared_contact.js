@@ -7,7 +7,7 @@
   const looks = [{ colour: Report.colours.pipe, rows: '#9fc3e6' }, { colour: Report.colours.second, rows: null }];
 
   const kinds = {
-    share: { key: 'contact_share', title: 'Share of time in contact', axis: '% of time', rows: 'row_contact_share', top: 110, ticks: [0, 25, 50, 75, 100] },
+    share: { key: 'contact_share', title: 'Fraction of time in contact', axis: '% of time', rows: 'row_contact_share', top: 110, ticks: [0, 25, 50, 75, 100] },
     peak: { key: 'peak_reaction', title: 'Peak reaction', rows: 'row_peak_force', before: true },
     dent: { key: 'dent_depth', title: 'Dent depth of bare steel under the largest force', name: 'Dent depth' },
     load: { key: 'line_load', title: 'Line load on the coating under the largest force', name: 'Line load' },

@@ -74,7 +74,7 @@
       .attr('stroke', look.colour).attr('stroke-width', look.width).attr('stroke-dasharray', look.dash || null).attr('stroke-linejoin', 'round');
   }
 
-  const axes = { tension: 'Tension [kN]', travel: 'Travel, paid out positive [m]' };
+  const axes = { tension: 'Tension [kN]', travel: 'Travel, positive when paid out [m]' };
 
   Report.compared_tensioner = function (panel, part) {
     const [kind, view] = part.split('_');
@@ -96,6 +96,6 @@
     if (kind === 'travel' && mark_limit(frame)) entries.push({ text: 'limit', colour: Report.colours.accent, dash: '2 3' });
     Report.legend(frame, entries);
     Report.legend(frame, strip(frame), 22);
-    frame.over.append('text').attr('class', 'soft').attr('x', frame.margin.left).attr('y', 42).text('Strip below: what the controlled tensioner does');
+    frame.over.append('text').attr('class', 'soft').attr('x', frame.margin.left).attr('y', 42).text('Strip below: state of the controlled tensioner');
   };
 })();

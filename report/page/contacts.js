@@ -37,7 +37,7 @@
         if (roller.static_reaction > 0) frame.plot.append('circle').attr('cx', frame.x(at)).attr('cy', frame.y(109)).attr('r', 3.6).attr('fill', '#1b2733');
       }
       zero_line(frame);
-      Report.legend(frame, [{ text: 'share of time in contact', colour: position.colour, block: true }, { text: 'carries in the static state', colour: '#1b2733', dot: true }]);
+      Report.legend(frame, [{ text: 'fraction of time in contact', colour: position.colour, block: true }, { text: 'carries in the static state', colour: '#1b2733', dot: true }]);
     }
   };
 
@@ -71,7 +71,7 @@
     const end = by_time ? Math.max(dynamic.duration, d3.max(impacts, x)) : 1.08 * d3.max(impacts, x) || 1;
     const frame = Report.frame(panel, {
       height: 290, x: [0, end], y: [0, 1.14 * hi], title: `Peak force of the ${impacts.length > 1 ? impacts.length + ' ' : ''}hardest impact${impacts.length > 1 ? 's' : ''}, ${by_time ? 'in time' : 'against the velocity of approach'}`,
-      x_label: by_time ? 'Time from the end of the build-up [s]' : 'Normal velocity at first touch [m/s]', y_label: 'Peak force [kN]',
+      x_label: by_time ? 'Time from the end of the build-up [s]' : 'Normal velocity at first contact [m/s]', y_label: 'Peak force [kN]',
     });
     const colour_of = (hit) => positions.find((p) => p.name === hit.position).colour;
     for (const hit of [...impacts].reverse()) {  // the hardest on top

@@ -39,7 +39,7 @@
     group.attr('clip-path', `url(#${clip})`);
     svg.append('text').attr('class', 'title').attr('x', 16).attr('y', 20).text(title);
     key(svg, height, data.supports.length > 0);
-    d3.select(panel).append('div').attr('class', 'hint').text('drag to turn');
+    d3.select(panel).append('div').attr('class', 'hint').text('drag to rotate');
     let waiting = false;
     svg.call(d3.drag().on('drag', (event) => {
       azimuth -= event.dx * 0.008;

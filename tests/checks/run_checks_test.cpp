@@ -306,7 +306,7 @@ TEST(run_checks, limits_of_the_equipment_are_judged_where_given) {
   EXPECT_NEAR(row_of(table, "tensioner_load", CheckRegion::line).utilisation, 250.0 / 240.0, 1e-6);
   EXPECT_NEAR(row_of(table, "tip_clearance", CheckRegion::line).capacity, *bgl1().statics.stinger_tip_clearance, 1e-12);
   EXPECT_DOUBLE_EQ(row_of(table, "yield_share", CheckRegion::overbend).capacity, 0.85 * 414e6);
-  EXPECT_EQ(find(table, "yield_share", CheckRegion::sagbend), nullptr);  // needs a run in time
+  EXPECT_EQ(find(table, "yield_share", CheckRegion::sagbend), nullptr);  // needs a dynamic analysis
 }
 
 TEST(run_checks, an_arrestor_is_judged_by_its_cross_over) {

@@ -115,7 +115,7 @@ TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   d.tensioner.acceleration = 0.1;
   d.tensioner.travel = 2.5;
   EXPECT_EQ(mentions(d, "accelerates and brakes at 0.1 m/s2"), 1);
-  EXPECT_EQ(mentions(d, "its travel ends 2.5 m either way"), 1);
+  EXPECT_EQ(mentions(d, "its travel is limited to 2.5 m either way"), 1);
   d.tensioner.mode = TensionerMode::constant;
   EXPECT_EQ(mentions(d, "keeps the tension constant, without mass"), 1);
   EXPECT_EQ(mentions(d, "mass and weight of the pipe behind the tensioner are neglected"), 1);

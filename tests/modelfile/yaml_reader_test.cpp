@@ -165,7 +165,7 @@ TEST(yaml_reader, a_range_that_does_not_hold_the_tension_is_a_warning_for_static
   text.replace(text.find(tension), tension.size(), "tension: 300 kN");
   const Description d = read_good(text);
   ASSERT_FALSE(d.warnings.empty());
-  EXPECT_NE(d.warnings.back().find("does not hold the wanted tension, '300 kN'"), std::string::npos)
+  EXPECT_NE(d.warnings.back().find("does not contain the set tension, '300 kN'"), std::string::npos)
       << d.warnings.back();
 }
 

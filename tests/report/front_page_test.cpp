@@ -119,9 +119,9 @@ TEST(assumptions, what_decides_stands_before_what_was_given_and_the_rest) {
   EXPECT_GE(lists[1].size(), 5u);
   EXPECT_EQ(lists[0].size() + lists[1].size() + lists[2].size(), bgl1().results.assumptions.size());
   const std::string page = report_html(bgl1().results, bgl1().model_text);
-  const std::size_t decides = page.find("<h3>What decides the result</h3>");
+  const std::size_t decides = page.find("<h3>Governing assumptions</h3>");
   EXPECT_LT(decides, page.find("Steel of section"));
-  EXPECT_LT(page.find("in statics they are frictionless"), page.find("<h3>What the model file sets"));
+  EXPECT_LT(page.find("in statics they are frictionless"), page.find("<h3>Settings of the model file"));
 }
 
 TEST(front_page, shows_the_document_control_of_the_model_file_and_leaves_room_for_the_rest) {

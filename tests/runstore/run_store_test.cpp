@@ -65,7 +65,7 @@ TEST(run_store, is_held_by_one_at_a_time) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   std::optional<ResumedRun> run = RunStore::resume(folder.path(), kModel, kSeed);
-  EXPECT_NE(fault_of(folder.path()).find("another run is at work"), std::string::npos);
+  EXPECT_NE(fault_of(folder.path()).find("another run is active"), std::string::npos);
   EXPECT_THROW(RunStore::create(folder.path(), kModel, kSeed), std::runtime_error);
   run.reset();
   EXPECT_EQ(fault_of(folder.path()), "");

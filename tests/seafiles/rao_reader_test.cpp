@@ -199,7 +199,7 @@ TEST(rao_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expe
       {"a.4", "  10. 0. 7 1. 0. 1. 0.\n", 1, "a mode from 1 to 6"},
       {"a.rao", "1 2 3", 0, "'.rao', expected .csv, .4 (WAMIT) or .yml (OrcaFlex)"},
       {"a.yml", "VesselTypes: []\n", 1, "a list of groups with their names"},
-      {"a.yml", "VesselTypes: [\n", 2, "no valid YAML"},
+      {"a.yml", "VesselTypes: [\n", 2, "invalid YAML"},
   };
   for (const Fault& fault : faults) {
     const WrittenFile file(fault.name, fault.text);

@@ -39,7 +39,7 @@ TEST(spectrum_reader, every_fault_is_told_with_file_line_and_column) {
       {"", "a.csv: ", "empty file"},
       {"f,S\n1,2\n", "a.csv:1: ", "frequency_hz,density_m2_hz"},
       {"omega_rad_s,density_m2_hz\n1,2\n", "a.csv:1: ", "the header"},
-      {"omega_rad_s,density_m2s\n0.1,1\n", "a.csv: ", "2 rows at least"},
+      {"omega_rad_s,density_m2s\n0.1,1\n", "a.csv: ", "at least 2 rows"},
       {"omega_rad_s,density_m2s\n0.1,1\n0.2,x\n", "a.csv:3: density_m2s: ", "'x'"},
       {"omega_rad_s,density_m2s\n0.1,1\n0.2,nan\n", "a.csv:3: density_m2s: ", "'nan'"},
       {"omega_rad_s,density_m2s\n0.1,1\n0.2,-1\n", "a.csv:3: density_m2s: ", "0 or more"},
@@ -97,7 +97,7 @@ TEST_F(SpectrumFile, that_is_not_there_is_told_but_does_not_stop_statics) {
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
   ASSERT_EQ(reading.description->warnings.size(), 1U);
-  EXPECT_NE(reading.description->warnings[0].find("dynamics will need it"), std::string::npos);
+  EXPECT_NE(reading.description->warnings[0].find("dynamic analysis will require it"), std::string::npos);
 }
 
 TEST_F(SpectrumFile, that_is_a_folder_is_refused) {
@@ -120,7 +120,7 @@ TEST_F(SpectrumFile, doubtful_waves_are_told) {
     const char *waves, *words;
   };
   const Doubt doubts[] = {
-      {"{type: jonswap, hs: 8 m, tp: 8 s, from: 0 deg}", "steeper than wind raises it"},
+      {"{type: jonswap, hs: 8 m, tp: 8 s, from: 0 deg}", "steeper than a wind sea"},
       {"{type: airy, height: 2 m, period: 8 s, gamma: 2, from: 0 deg}", "has no meaning for waves of type airy"},
       {"{type: pierson_moskowitz, hs: 2 m, tp: 8 s, gamma: 2, from: 0 deg}", "no meaning"},
       {"{type: jonswap, hs: 2 m, tp: 8 s, phase: 20 deg, from: 0 deg}", "no meaning"},

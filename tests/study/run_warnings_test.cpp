@@ -60,7 +60,7 @@ TEST(run_warnings, a_vessel_that_stands_still_in_a_sea_is_told) {
 TEST(run_warnings, a_mean_off_the_wanted_tension_is_told_and_so_is_a_drift) {
   DynamicResults r = sound();
   r.tensioner.tension.mean = 240e3;
-  EXPECT_TRUE(only(warnings_of(r), "4.0 % below the 250.0 kN wanted"));
+  EXPECT_TRUE(only(warnings_of(r), "4.0 % below the set tension of 250.0 kN"));
   EXPECT_TRUE(only(warnings_of(sound(), 8e3), "drifts: it rises by 8"));
   EXPECT_TRUE(only(warnings_of(sound(), -8e3), "drifts: it falls by"));
 }
@@ -69,7 +69,7 @@ TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
   DynamicResults r = sound();
   r.energy.throughput = 1e6;
   r.energy.error = 2e3;
-  EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run is off by 0.002"));
+  EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run has an error of 0.002"));
 }
 
 TEST(run_warnings, a_trend_is_a_trend_only_beyond_chance) {

@@ -110,7 +110,7 @@ test('a number without unit takes the unit that stood there, in the dialogue as 
   await page.keyboard.press('Enter');
   await expect.poll(text).toContain('water_depth: 290 ft');
   await page.click('header >> text=New…');
-  await page.click('dialog >> text=Go on without saving');
+  await page.click('dialog >> text=Continue without saving');
   await page.waitForSelector('#n-depth');
   await page.fill('#n-depth', '300 ft');
   await page.press('#n-depth', 'Tab');

@@ -44,7 +44,7 @@ test('impacts light up, the tensioner says what it does, boxes have the colour o
   await page.locator('[aria-label=Time]').evaluate((el, t) => { const input = el as HTMLInputElement; input.value = String(t); input.dispatchEvent(new Event('input', { bubbles: true })); }, Math.ceil((hardest.time + 0.05) * 20) / 20);
   await page.waitForFunction(() => Number((document.querySelector('.legend') as HTMLElement).dataset.flashes) > 0);
   expect(await page.evaluate(() => (window as unknown as { __view: { stage: { flashGroup: { children: unknown[] } } } }).__view.stage.flashGroup.children.length)).toBeGreaterThan(0);
-  expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|about to move|pays out|hauls in|at its limit)/);
+  expect(await page.locator('.readings').innerText()).toMatch(/tensioner (holds|waiting for its delay|pays out|hauls in|at its limit)/);
   expect(await page.locator('.readings').innerText()).toMatch(/travel\s+-?[\d.]+ m/);
   expect(await page.locator('.rollerkey').innerText()).toMatch(/box, to [\d.]+ kN/);
   await page.selectOption('[aria-label="Diagram 2"]', 'history:tensioner/tension');
@@ -139,7 +139,7 @@ test('values are live during a long run, until it is cancelled', async () => {
 test('what was computed before the cancel is shown and animated', async () => {
   const pane = page.locator('section[aria-label="Results of the run"]');
   await pane.locator('table.minmax').waitFor();
-  expect(await pane.innerText()).toMatch(/Cancelled\. What is shown is the first [\d.]+ s/);
+  expect(await pane.innerText()).toMatch(/Cancelled\. Results of the first [\d.]+ s are shown/);
   await page.waitForSelector('.animation');
   expect(await page.locator('.run.cancelled >> text=Report').count()).toBe(1);
   await bench.shot(page, 'cancelled');

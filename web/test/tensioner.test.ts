@@ -7,7 +7,7 @@ import type { Scene } from '../src/api/types';
 
 describe('the tensioner', () => {
   test('its states have words', () => {
-    expect([0, 1, 2, 3, 4].map((v) => tensionerState(v)?.words)).toEqual(['holds', 'about to move', 'pays out', 'hauls in', 'at its limit']);
+    expect([0, 1, 2, 3, 4].map((v) => tensionerState(v)?.words)).toEqual(['holds', 'waiting for its delay', 'pays out', 'hauls in', 'at its limit']);
     expect(tensionerState(null)).toBeNull();
     expect(tensionerState(7)).toBeNull();
   });

@@ -44,7 +44,7 @@ std::string point(const Vec3& p) {
 
 void print_places(const Model& model) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  std::cout << "\nPlaces in the world frame: x east, y north, z up [m]; origin midship at the mean water level\n";
+  std::cout << "\nPositions in the world frame: x east, y north, z up [m]; origin midship at the mean water level\n";
   std::cout << fmt::format("  {:<24}{:>10}{:>10}{:>10}\n", "", "x", "y", "z");
   const auto place = [&](const std::string& name, const Vec3& p_S) {
     std::cout << fmt::format("  {:<24}{}\n", name, point(point_from_ramp(model, model.mean_pose, p_S)));
@@ -95,8 +95,9 @@ std::vector<std::string> print_raos(const Model& model) {
                            raos.headings.size(), raos.omegas.size(), raos.omegas.front(), raos.omegas.back());
   const RaoLimits limits =
       long_wave_limits(raos, vessel.length, vessel.draught, model.description.environment.water_depth);
-  std::cout << fmt::format("  against the water in waves of {:.4g} m; lags in deg behind the crest{}\n",
-                           limits.wave_length, limits.long_enough ? "" : "; too short against the vessel to judge by");
+  std::cout << fmt::format("  compared with the water in waves of {:.4g} m; lags in deg behind the crest{}\n",
+                           limits.wave_length,
+                           limits.long_enough ? "" : "; too short relative to the vessel to be conclusive");
   std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8}{:>10}{:>12}\n", "travelling", "freedom", "over", "ratio", "lag",
                            "expected");
   constexpr std::array<const char*, 5> kOver = {"mean orbit", "mean orbit", "wave amplitude", "wave slope",

@@ -19,11 +19,11 @@
 namespace overbend {
 namespace {
 
-constexpr const char* kStrictHelp = "Exit code 4 where a code check is exceeded; the results are written all the same";
+constexpr const char* kStrictHelp = "Exit code 4 if a code check is exceeded; the results are still written";
 
 void add_check(CLI::App& program, int& code) {
   CLI::App* command =
-      program.add_subcommand("check", "Read and validate a model; print what was understood. Writes nothing.");
+      program.add_subcommand("check", "Read and validate a model; print how it was understood. Writes no files.");
   auto model = std::make_shared<std::string>();
   command->add_option("MODEL", *model, "Model file (YAML)")->required();
   command->callback([model, &code] { code = run_check(*model); });
@@ -35,31 +35,33 @@ void add_static(CLI::App& program, int& code) {
   auto output = std::make_shared<std::string>();
   auto strict = std::make_shared<bool>(false);
   command->add_option("MODEL", *model, "Model file (YAML)")->required();
-  command->add_option("-o,--output", *output, "Folder for the results; left out: MODEL's name with .results, here");
+  command->add_option("-o,--output", *output, "Folder for the results; default: MODEL's name with .results, here");
   command->add_flag("--strict", *strict, kStrictHelp);
   command->callback([model, output, strict, &code] { code = run_static(*model, *output, *strict); });
 }
 
-/// What runs in time have in common; `what` works in threads.
+/// Options common to dynamic runs; `what` works in threads.
 template <class Arguments>
 void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what) {
   command->add_option("MODEL", arguments.model_file, "Model file (YAML)")->required();
   command->add_option("--duration", arguments.duration, "Simulated time instead of the model's: '600 s'");
-  CLI::Option* resume = command->add_flag("--resume", arguments.take_up.resume, "Go on from the last checkpoint");
-  command->add_flag("--restart", arguments.take_up.restart, "Drop an unfinished run and begin anew")->excludes(resume);
+  CLI::Option* resume = command->add_flag("--resume", arguments.take_up.resume, "Continue from the last checkpoint");
+  command->add_flag("--restart", arguments.take_up.restart, "Discard an unfinished run and start again")
+      ->excludes(resume);
   command->add_option("--checkpoint", arguments.checkpoint_every, "Seconds between checkpoints")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--threads", arguments.threads, what + " at work at the same time; left out: one per core")
+  command->add_option("--threads", arguments.threads, what + " run in parallel; default: one per core")
       ->check(CLI::Range(1, 4096));
 }
 
 void add_dynamic(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand(
-      "dynamic", "Statics, then the time domain; writes a folder of results. Ctrl-C leaves a checkpoint.");
+      "dynamic",
+      "Static, then dynamic analysis in the time domain; writes a folder of results. Ctrl-C leaves a checkpoint.");
   auto arguments = std::make_shared<DynamicArguments>();
   command->add_option("-o,--output", arguments->output,
-                      "Folder for the results; left out: MODEL's name with .results, here");
+                      "Folder for the results; default: MODEL's name with .results, here");
   add_run_options(command, *arguments, "Seeds");
   command->add_flag("--strict", arguments->strict, kStrictHelp);
   command->callback([arguments, &code] { code = run_dynamic(*arguments); });
@@ -68,13 +70,13 @@ void add_dynamic(CLI::App& program, int& code) {
 void add_compare(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand(
       "compare",
-      "Variants of a model in time, beside each other; writes a folder with a page. Ctrl-C leaves checkpoints.");
+      "Dynamic analysis of variants of a model, compared; writes a folder with a page. Ctrl-C leaves checkpoints.");
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("--of", arguments->of, "tensioner: off, controlled, constant; contact: rollers, gap springs")
       ->required()
       ->check(CLI::IsMember({"tensioner", "contact"}));
   command->add_option("-o,--output", arguments->output,
-                      "Folder for the variants and the page; left out: MODEL's name with .comparison, here");
+                      "Folder for the variants and the page; default: MODEL's name with .comparison, here");
   add_run_options(command, *arguments, "Variants");
   command->callback([arguments, &code] { code = run_compare(*arguments); });
 }
@@ -87,13 +89,13 @@ void add_report(CLI::App& program, int& code) {
 }
 
 void add_serve(CLI::App& program, int& code) {
-  CLI::App* command = program.add_subcommand("serve", "The graphic interface, for a browser on this machine.");
+  CLI::App* command = program.add_subcommand("serve", "Graphical interface, for a browser on this machine.");
   auto arguments = std::make_shared<ServeArguments>();
   command->add_option("MODEL", arguments->model_file, "Model file (YAML) to open");
-  command->add_option("--port", arguments->port, "Port on 127.0.0.1; left out: any that is free")
+  command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: any free port")
       ->check(CLI::Range(1, 65535));
   command->add_option("--folder", arguments->folder,
-                      "Folder of models and runs; left out: MODEL's, or the current one");
+                      "Folder of models and runs; default: that of MODEL, or the current one");
   command->add_flag("!--no-browser", arguments->browser, "Only print the address");
   command->callback([arguments, &code] { code = run_serve(*arguments); });
 }
@@ -109,8 +111,8 @@ void add_schema(CLI::App& program, int& code) {
 }
 
 void add_licences(CLI::App& program, int& code) {
-  CLI::App* command =
-      program.add_subcommand("licences", "Print the licences of the program and of what page and report bring along.");
+  CLI::App* command = program.add_subcommand(
+      "licences", "Print the licences of the program and of the packages bundled with page and report.");
   command->callback([&code] { code = run_licences(); });
 }
 
@@ -120,21 +122,21 @@ void add_new(CLI::App& program, int& code) {
   command->add_option("--pipe", options->pipe, "Nominal size in inches (4 to 48) or outside diameter: 16, '406.4 mm'");
   command->add_option("--depth", options->depth, "Water depth: '89 m'");
   command->add_option("--wall", options->wall,
-                      "Wall thickness; left out: the thinnest of API 5L that passes the checks");
+                      "Wall thickness; default: the thinnest of API 5L that passes the checks");
   command->add_option("--yield", options->yield, "Yield stress")->capture_default_str();
   command->add_option("--coating", options->coating, "Thickness of the corrosion coating")->capture_default_str();
-  command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; left out: none");
-  command->add_option("--lay", options->lay, "s: over a stinger; j: straight from a tower")
+  command->add_option("--concrete", options->concrete, "Thickness of the concrete coating; default: none");
+  command->add_option("--lay", options->lay, "s: over a stinger; j: directly from a tower")
       ->check(CLI::IsMember({"s", "j"}))
       ->capture_default_str();
-  command->add_option("--vessel", options->vessel, "barge, BGL-1 or ship; left out: by the depth")
+  command->add_option("--vessel", options->vessel, "barge, BGL-1 or ship; default: chosen by depth")
       ->check(CLI::IsMember({"barge", "BGL-1", "ship"}));
-  command->add_option("--stinger-radius", options->stinger_radius, "Left out: so that the overbend passes its checks");
-  command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; left out: one every 5 m")
+  command->add_option("--stinger-radius", options->stinger_radius, "Default: so that the overbend passes its checks");
+  command->add_option("--boxes", options->boxes, "Roller boxes on the stinger; default: one every 5 m")
       ->check(CLI::Range(1, 100));
-  command->add_option("--tension", options->tension, "Left out: so that the sagbend passes its checks");
-  command->add_option("--title", options->title, "Heads the report");
-  command->add_option("-o,--output", options->output, "File to write; left out: standard output");
+  command->add_option("--tension", options->tension, "Default: so that the sagbend passes its checks");
+  command->add_option("--title", options->title, "Title of the report");
+  command->add_option("-o,--output", options->output, "File to write; default: standard output");
   command->add_flag("--force", options->force, "Overwrite an existing file");
   command->callback([options, &code] { code = run_new(*options); });
 }
@@ -148,8 +150,8 @@ int print_completion(const CLI::App& program, const std::string& of) {
 }
 
 void add_completion(CLI::App& program, int& code) {
-  CLI::App* command =
-      program.add_subcommand("completion", "Print the completion of a shell (bash, zsh) or the manual page (man).");
+  CLI::App* command = program.add_subcommand(
+      "completion", "Print the completion script of a shell (bash, zsh) or the manual page (man).");
   auto of = std::make_shared<std::string>();
   command->add_option("FOR", *of, "What for")->required()->check(CLI::IsMember({"bash", "zsh", "man"}));
   command->callback([&program, of, &code] { code = print_completion(program, *of); });

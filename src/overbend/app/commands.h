@@ -60,7 +60,7 @@ struct ServeArguments {
   bool browser = true;     ///< Open one at the page.
 };
 
-/// The graphic interface, until Ctrl-C.
+/// The graphical interface, until Ctrl-C.
 int run_serve(const ServeArguments& arguments);
 
 /// What `schema` prints.

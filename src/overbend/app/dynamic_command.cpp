@@ -44,7 +44,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
                       : fmt::format(", the hardest {:.1f} kN\n", r.hardest_impacts.front().peak_force / 1e3));
   }
   std::cout << check_lines(r.checks);
-  std::cout << fmt::format("  {:<28}{:>12.1e} of what passed\n", "energy drift", r.energy.drift());
+  std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);
   std::cout << warning_lines(r.warnings);
@@ -53,7 +53,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
 /// Where there is nothing left to run: says so and shows what it gave.
 int tell_finished(const fs::path& folder, bool strict) {
   const StoredDynamics stored = read_dynamic_results(folder / "results.h5");
-  std::cerr << fmt::format("The run in {} is finished: its {:.6g} s are all there is. Without --resume it runs anew.\n",
+  std::cerr << fmt::format("The run in {} is finished after {:.6g} s. Without --resume it is run again.\n",
                            folder.string(), stored.results.duration);
   print_results(stored.statics.results, stored.results);
   std::cout << "Results are in " << folder.string() << "\n";

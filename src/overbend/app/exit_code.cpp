@@ -25,7 +25,7 @@ ExitCode code_of(RunEnding ending) {
 
 ExitCode tell(const RunEnd& end) {
   if (end.ending == RunEnding::interrupted) {
-    std::cerr << "overbend: interrupted; the run goes on with --resume\n";
+    std::cerr << "overbend: interrupted; continue the run with --resume\n";
   } else if (!end.why.empty()) {
     std::cerr << "overbend: " << end.why << "\n";
   }

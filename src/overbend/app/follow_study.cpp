@@ -40,8 +40,8 @@ class FollowedStudy : public CaseWatch {
   void tell_beginning(const CaseRun& run) const {
     if (!resume_ || run.ended) return;
     std::cerr << (run.begun_before
-                      ? fmt::format("Goes on from t = {:.1f} s.\n", run.from)
-                      : fmt::format("There is no unfinished run in {}: begins anew.\n", run.folder.string()));
+                      ? fmt::format("Continuing from t = {:.1f} s.\n", run.from)
+                      : fmt::format("There is no unfinished run in {}: starting a new one.\n", run.folder.string()));
   }
 
   static std::string words(const DynamicProgress& at) {

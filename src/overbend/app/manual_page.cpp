@@ -62,11 +62,11 @@ std::string options_of(const DescribedCommand& command) {
 constexpr const char* kExit =
     ".SH EXIT STATUS\n"
     ".TP\n0\nDone.\n"
-    ".TP\n1\nA fault of the program or of the machine.\n"
+    ".TP\n1\nAn error of the program or of the machine.\n"
     ".TP\n2\nThe model file or the command line is wrong; what, and what is expected, is on standard error.\n"
     ".TP\n3\nNo solution was found; what, where and why is on standard error.\n"
-    ".TP\n4\nWith \\fB\\-\\-strict\\fR: a code check is exceeded. The results are written all the same.\n"
-    ".TP\n130\nInterrupted; \\fB\\-\\-resume\\fR goes on from the last checkpoint.\n";
+    ".TP\n4\nWith \\fB\\-\\-strict\\fR: a code check is exceeded. The results are still written.\n"
+    ".TP\n130\nInterrupted; \\fB\\-\\-resume\\fR continues from the last checkpoint.\n";
 
 constexpr const char* kExamples =
     ".SH EXAMPLES\n"
@@ -91,8 +91,8 @@ std::string manual_page(const std::vector<DescribedCommand>& commands, const std
       ".SH NAME\noverbend \\- analysis of offshore pipeline installation\n"
       ".SH SYNOPSIS\n{}"
       ".SH DESCRIPTION\n"
-      "Calculates how a pipe hangs between a laying vessel and the seabed, at rest and in waves, from a model file in "
-      "YAML. The keys of that file: \\fBoverbend schema \\-\\-reference\\fR.\n"
+      "Static and dynamic analysis of a pipe between lay vessel and seabed, from a model file in YAML. The keys of "
+      "that file: \\fBoverbend schema \\-\\-reference\\fR.\n"
       ".SH OPTIONS\n{}.SH COMMANDS\n{}{}{}",
       roff(version), lines, options_of(commands.front()), details, kExit, kExamples);
 }

@@ -49,7 +49,7 @@ void Progress::show(double at, const std::string& text) {
   last_ = Clock::now();
   const double done = (at - from_) / (to_ - from_);
   const double left = at > begun_at_ ? seconds_since(start_) * (to_ - at) / (at - begun_at_) : 0.0;
-  const std::string line = fmt::format("{:5.1f} %  {}  {} to go", 100.0 * done, text, clock_text(left));
+  const std::string line = fmt::format("{:5.1f} %  {}  {} remaining", 100.0 * done, text, clock_text(left));
   if (terminal_) {
     constexpr int kWidth = 24;
     const int filled = static_cast<int>(done * kWidth);

@@ -47,8 +47,8 @@ int run_serve(const ServeArguments& arguments) {
   const fs::path asked(arguments.model_file);
   if (!arguments.folder.empty() && asked.has_parent_path() &&
       !fs::equivalent(asked.parent_path(), options.folder, ignored)) {
-    std::cerr << "overbend serve: " << asked.string() << " does not lie in the folder '" << options.folder.string()
-              << "'; leave out --folder to work in the model's own\n";
+    std::cerr << "overbend serve: " << asked.string() << " is not in the folder '" << options.folder.string()
+              << "'; omit --folder to use the folder of the model\n";
     return kWrongInput;
   }
   if (!fs::is_directory(options.folder, ignored)) {

@@ -34,8 +34,8 @@ std::string words(const Unfinished& found) {
 std::optional<bool> ask(const Unfinished& found) {
   const bool sound = found.run.fault.empty();
   std::cerr << "overbend: " << words(found) << "\n"
-            << (sound ? "Go on with it (g), drop it and begin anew (a), or leave it (any other key)? "
-                      : "Drop it and begin anew (a), or leave it (any other key)? ")
+            << (sound ? "Go on with it (g), discard it and start again (a), or leave it (any other key)? "
+                      : "Discard it and start again (a), or leave it (any other key)? ")
             << std::flush;
   std::string answer;
   std::getline(std::cin, answer);
@@ -52,8 +52,8 @@ std::optional<bool> goes_on(const std::vector<fs::path>& folders, const TakeUp& 
   if (!found) return false;
   if (isatty(STDIN_FILENO) == 1 && isatty(STDERR_FILENO) == 1) return ask(*found);
   std::cerr << "overbend: " << words(*found) << "; "
-            << (found->run.fault.empty() ? "go on with --resume, or drop it and begin anew with --restart"
-                                         : "drop it and begin anew with --restart")
+            << (found->run.fault.empty() ? "continue with --resume, or discard it and start again with --restart"
+                                         : "discard it and start again with --restart")
             << "\n";
   return std::nullopt;
 }

@@ -1,4 +1,4 @@
-/// What is wrong with the user's input: collected, then told all at once.
+/// Errors in the user's input: collected, then reported all at once.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct Diagnostic {
   std::string file;
   int line = 0, column = 0;
   std::string key;       ///< Full path of the key, "pipe.steel.wall_thickness"; may be empty.
-  std::string found;     ///< What stands there.
+  std::string found;     ///< What was found.
   std::string expected;  ///< What should; empty for a plain remark.
-  std::string hint;      ///< What would mend it; may be empty.
+  std::string hint;      ///< How to correct it; may be empty.
 };
 
 /// `model.yaml:12: pipe.steel.wall_thickness: found '250 mm', expected less than 203.2 mm; hint`

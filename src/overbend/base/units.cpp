@@ -99,7 +99,7 @@ class UnitSystem {
     if (length <= 0 || length >= static_cast<int>(buffer.size()) - 1) return {};
     const std::string text(buffer.data(), static_cast<std::size_t>(length));
     if (text.find_first_of("@(") != std::string::npos) return {};
-    const std::size_t space = text.find(' ');  // "1000 m-2.kg.s-2": a scale stands before the base units
+    const std::size_t space = text.find(' ');  // "1000 m-2.kg.s-2": a scale precedes the base units
     if (space != std::string::npos) return text.substr(space + 1);
     return parse_number(text) ? "1" : text;
   }

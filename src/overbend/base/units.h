@@ -20,7 +20,7 @@ std::optional<double> parse_number(std::string_view text);
 struct QuantityReading {
   std::optional<double> value;  ///< In SI; empty when the text is not a quantity of the wanted dimension.
   std::string found;            ///< What the text is, for a message: "'89 kN' (a force)".
-  std::string hint;             ///< What would mend it; may be empty.
+  std::string hint;             ///< How to correct it; may be empty.
 };
 
 /// Reads "number unit" as a quantity of the dimension whose SI unit is `si_unit`.

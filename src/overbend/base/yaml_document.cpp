@@ -127,7 +127,7 @@ class TreeBuilder : public YAML::EventHandler {
       complain(mark, "a key that is not a word", "a word and a colon", "");
     } else if (const auto [first, fresh] = top.seen.try_emplace(key.text, key.line); !fresh) {
       diagnostics_.add({Severity::error, file_, key.line, key.column, joined(key.text), "the key a second time",
-                        "it once", "it stands already in line " + std::to_string(first->second)});
+                        "it once", "it is already in line " + std::to_string(first->second)});
     }
     top.pending = YamlEntry{key.text, key.line, key.column, {}};
   }
@@ -137,7 +137,7 @@ class TreeBuilder : public YAML::EventHandler {
     return at.empty() ? for_display(key) : at + "." + for_display(key);
   }
 
-  /// Where the parser stands, "supports.ramp.boxes[2]".
+  /// Path of the parser's current position, "supports.ramp.boxes[2]".
   std::string path() const {
     std::string text;
     for (const Frame& frame : stack_) {
@@ -192,10 +192,10 @@ std::optional<YamlNode> parse_yaml(const std::string& text, const std::string& f
     return root;
   } catch (const YAML::Exception& fault) {
     diagnostics.add({Severity::error, file, fault.mark.line + 1, fault.mark.column + 1, "",
-                     "no valid YAML, column " + std::to_string(fault.mark.column + 1) + ": " + in_our_words(fault.msg),
+                     "invalid YAML, column " + std::to_string(fault.mark.column + 1) + ": " + in_our_words(fault.msg),
                      "", ""});
   } catch (const std::exception& fault) {
-    diagnostics.add({Severity::error, file, 0, 0, "", std::string("no valid YAML: ") + fault.what(), "", ""});
+    diagnostics.add({Severity::error, file, 0, 0, "", std::string("invalid YAML: ") + fault.what(), "", ""});
   }
   return std::nullopt;
 }

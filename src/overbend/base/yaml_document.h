@@ -1,4 +1,4 @@
-/// A YAML text as a plain tree that remembers where everything stands. Only the part of YAML that a model file needs:
+/// A YAML text as a plain tree that records the position of every value. Only the part of YAML that a model file needs:
 /// one document of maps, lists and scalars; no anchors, aliases or tags.
 #pragma once
 

@@ -32,7 +32,7 @@ inline CheckRow row_of(const CheckTitle& title, CheckRegion region) {
   return row;
 }
 
-/// Where it stands; when, for a value of a run in time.
+/// Its location; and its time, for a value of a dynamic run.
 inline void place_row(CheckRow& row, const CheckStation& station) {
   row.s = station.s;
   row.from_top = station.from_top;

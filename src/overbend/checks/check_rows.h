@@ -10,7 +10,7 @@ namespace overbend {
 /// DNV-ST-F101: collapse, propagation, load and displacement controlled local buckling.
 std::vector<CheckRow> dnv_rows(const CheckStations& all, const CheckSettings& settings);
 
-/// Simplified laying criteria: strain over the supports, equivalent stress where the pipe hangs free; shares of yield.
+/// Simplified laying criteria: strain over the supports, equivalent stress in the free span; fractions of yield.
 std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings& settings);
 
 /// API RP 1111.

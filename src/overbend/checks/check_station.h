@@ -1,4 +1,4 @@
-/// What the checks need of a station, of the static state or over a run in time.
+/// What the checks need of a station, for the static state or over a dynamic run.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// A value and the moment at which it stood (0 in statics).
+/// A value and its time (0 in statics).
 struct Timed {
   double value = 0.0;
   double time = 0.0;

@@ -1,7 +1,7 @@
 /// Local buckling under combined loading, DNV-ST-F101 (edition 2021) sec. 5.4.6: load controlled (LCC).
 ///
-/// Recalled from the standard (the format stands since DNV-OS-F101 2007), not compared with its printed pages. SI
-/// units.
+/// Recalled from the standard (the format has been in use since DNV-OS-F101 2007), not compared with its printed pages.
+/// SI units.
 #pragma once
 
 #include "checks/dnv_pressure.h"

@@ -1,4 +1,4 @@
-/// Pressures that a pipe stands, DNV-ST-F101 (edition 2021). Diameters and walls in m, stresses and pressures in Pa.
+/// Pressure resistance of a pipe, DNV-ST-F101 (edition 2021). Diameters and walls in m, stresses and pressures in Pa.
 ///
 /// Collapse and propagation were read in a public implementation that cites clause and equation; the cross-over of a
 /// buckle arrestor and the burst pressure are recalled. None was compared with the printed standard.

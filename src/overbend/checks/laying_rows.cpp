@@ -88,7 +88,7 @@ void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegio
   rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", dynamic" : ", static");
 }
 
-/// The static state of a run, so that its static limits can be judged beside those in time.
+/// The static state of a run, so that its static limits can be checked beside the dynamic ones.
 CheckStations at_rest(const CheckStations& all) {
   CheckStations rest = all;
   rest.in_time = false;

@@ -28,7 +28,7 @@ inline LoadFactors system_check_factors(double condition) {
   return {1.2 * condition, condition / 1.1, 0.7, 0.7};
 }
 
-/// Largest |gamma_F a + gamma_E b| over unfavourable and favourable factors: the worst stands at a corner. [unit of a]
+/// Largest |gamma_F a + gamma_E b| over unfavourable and favourable factors: the worst case is a corner. [unit of a]
 inline double design_size(const LoadFactors& f, const Vec3& functional, const Vec3& environmental) {
   const double a = functional.squaredNorm(), b = environmental.squaredNorm(), ab = functional.dot(environmental);
   const auto squared = [&](double F, double E) { return F * F * a + 2.0 * F * E * ab + E * E * b; };

@@ -14,7 +14,8 @@ void append(std::vector<CheckRow>& rows, const std::vector<CheckRow>& more) {
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
-/// The strain over the supports against criterion I and, in time, II; 0 for a grade that the criteria do not know.
+/// The strain over the supports relative to criterion I and, in dynamic analysis, II; 0 for a grade not covered by the
+/// criteria.
 double laying_at(const CheckStations& all, const CheckStation& station) {
   const CheckSection& section = all.section_of(station);
   if (!section.laying) return 0.0;

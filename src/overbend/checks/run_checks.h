@@ -1,4 +1,4 @@
-/// The table of code checks of a static state or of a run in time.
+/// The table of code checks of a static state or of a dynamic run.
 #pragma once
 
 #include "model/model.h"
@@ -7,10 +7,10 @@
 
 namespace overbend {
 
-/// Of the static state: stations must stand.
+/// Of the static state: stations must be set.
 CheckTable check_statics(const Model& model, const StaticResults& statics);
 
-/// Of a run: stations, envelopes and the design values must stand.
+/// Of a run: stations, envelopes and the design values must be set.
 CheckTable check_dynamics(const Model& model, const StaticResults& statics, const DynamicResults& dynamics);
 
 /// Puts the table into the results, and what it assumes among their assumptions, in place of an earlier table.

@@ -3,7 +3,7 @@
 
 namespace overbend {
 
-/// A factor with its first two derivatives in time.
+/// A factor with its first two time derivatives.
 struct BuildUp {
   double value = 1.0;         ///< [-]
   double rate = 0.0;          ///< [1/s]

@@ -1,8 +1,8 @@
 /// Search for the rollers that a line may touch: one cell around all supports, inside it one cell per roller box,
-/// [silva2009] figures 6 and 7. Cells stand in the ramp/stinger frame S and so move with the vessel.
+/// [silva2009] figures 6 and 7. Cells are fixed in the ramp/stinger frame S and so move with the vessel.
 ///
 /// A cell is bounded along the vessel and above the rollers. It is open below and to the sides: a roller holds the pipe
-/// on its desired side, so a pipe that stands on the wrong side must be found. Along the vessel it reaches far enough
+/// on its desired side, so a pipe on the wrong side must be found. Along the vessel it reaches far enough
 /// for every closest point whose distance to the roller's axis is less than both radii and kWrongSideReach together. An
 /// element that meets no cell costs two comparisons.
 #pragma once

@@ -105,7 +105,7 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
   }
 }
 
-/// Drag of a steady current, normal and tangential parts (Morison; DNV-RP-C205), times the wetted share.
+/// Drag of a steady current, normal and tangential parts (Morison; DNV-RP-C205), times the wetted fraction.
 inline void add_drag(PointLoad& load, const LineEnvironment& env, const Lanes& z, const Vec& a, const Wetting& wet,
                      const Lanes& drag_normal, const Lanes& drag_axial) {
   if (!any(wet.share)) {

@@ -93,7 +93,7 @@ inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
 /// Morison's force of moving water on the moving pipe: drag on the relative velocity and added mass on the relative
 /// acceleration, each with its normal and tangential part, and the force rho A a_water of the pressure field that
 /// accelerates the displaced water (Morison et al. 1950; DNV-RP-C205 section 6). The last acts in all directions: along
-/// the pipe it is the gradient of the dynamic pressure that the effective tension contains. Times the wetted share.
+/// the pipe it is the gradient of the dynamic pressure that the effective tension contains. Times the wetted fraction.
 template <bool kTangent>
 inline void add_morison(PointLoad& load, const LineEnvironment& env, const LineMotion& motion, const MovingPoint& at,
                         const Wetting& wet, const LoadConstants& c, const InertiaConstants& i) {

@@ -196,7 +196,8 @@ void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, do
               g3 * (Mb + Mb.transpose()) + 3.0 * m * g5 * (Ma + Ma.transpose());
   Mat3 h_ba = -g3 * (Ma + Ma.transpose()), h_bb = Mat3::Zero();
   if (tangent != nullptr) {
-    const Mat3 k_a = -g3 * (b * a.transpose() + m * one);  // parts along a drop out: the moment stands across the pipe
+    const Mat3 k_a =
+        -g3 * (b * a.transpose() + m * one);  // parts along a vanish: the moment is perpendicular to the pipe
     const Mat3 along = *tangent * k_a;
     h_aa += k_a.transpose() * along;
     h_ba += g1 * along;

@@ -7,7 +7,7 @@
 ///        |           |
 ///     ===|===========o=====   roller axis (C, a), half a face either way of C
 ///
-/// The closest point between the C1 centreline and the axis stands at a continuous xi along the element, so that
+/// The closest point between the C1 centreline and the axis is at a continuous xi along the element, so that
 /// sliding from one element to the next never changes the force. Within the face the distance is that of the centreline
 /// projected along the roller's axis (the axis is a line); beyond the face it is the distance to the end of the axis,
 /// so that the pipe runs off over a rounded end.

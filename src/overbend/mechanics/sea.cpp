@@ -100,7 +100,7 @@ void set_regular(Sea& sea, const WavesDescription& waves) {
 
 /// Components of equal energy, one from each slice of the spectrum's energy at a place drawn within it.
 void set_random(Sea& sea, const WavesDescription& waves, std::uint64_t seed) {
-  if (waves.components < 1) throw std::invalid_argument("a random sea needs one component at least");
+  if (waves.components < 1) throw std::invalid_argument("a random sea needs at least one component");
   const WaveSpectrum spectrum(waves);
   Random random(seed);
   const int count = waves.components;

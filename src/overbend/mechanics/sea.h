@@ -52,7 +52,7 @@ Sea make_sea(std::vector<WaveComponent> components, double depth);
 
 struct WaterState {
   Vec3 velocity = Vec3::Zero();      ///< [m/s]
-  Vec3 acceleration = Vec3::Zero();  ///< Derivative of the velocity in time at the point [m/s2].
+  Vec3 acceleration = Vec3::Zero();  ///< Time derivative of the velocity at the point [m/s2].
   double elevation = 0.0;            ///< Of the surface over the point [m].
   /// Dynamic pressure over the water's weight density: the pressure is that weight density times (head - z) [m]. Phase
   /// speed times horizontal velocity over gravity, which balances the acceleration above: rho a = -grad p.

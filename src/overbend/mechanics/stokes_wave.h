@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Harmonics 1 to 5 stand at 0 to 4. No mean Eulerian current.
+/// Harmonics 1 to 5 are at indices 0 to 4. No mean Eulerian current.
 struct StokesWave {
   double depth = 0.0;                 ///< [m]
   double omega = 0.0;                 ///< [rad/s]
@@ -28,7 +28,7 @@ struct WaveKinematics {
   Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   double pressure_head = 0.0;  ///< Of the dynamic pressure, without the square of the velocity [m].
 };
-/// Velocity, its derivative in time at a fixed point and the pressure that goes with it; z between the bed and the
+/// Velocity, its time derivative at a fixed point and the corresponding pressure; z between the bed and the
 /// surface, which is not checked.
 WaveKinematics kinematics(const StokesWave& wave, double t, double x, double y, double z);
 

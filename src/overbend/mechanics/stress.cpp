@@ -41,7 +41,7 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   SectionStress stress;
   stress.wall_tension = loads.effective_tension - po * section.pressure_area + pi * section.internal_area;
   stress.axial = stress.wall_tension / section.steel_area;
-  const double nominal = loads.bending_moment * section.youngs_modulus / section.EI * outer;  // the steel's share
+  const double nominal = loads.bending_moment * section.youngs_modulus / section.EI * outer;  // the stress in the steel
   const double largest = std::max(loads.curvature, loads.largest_curvature);
   stress.bending = std::min(nominal, borne(section, largest * outer));
   stress.hoop = mean + difference / (inner * inner);

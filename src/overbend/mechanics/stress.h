@@ -1,6 +1,6 @@
 /// Stresses of the steel section from the resultants of the rod.
 ///
-/// Effective tension N and true wall tension differ by the pressures on the steel's own surfaces. The coating stands
+/// Effective tension N and true wall tension differ by the pressures on the surfaces of the steel. The coating stands
 /// under water pressure all round, carries no axial force beyond that, and so drops out: A_e is the area of the steel's
 /// outside diameter.
 #pragma once

@@ -15,7 +15,7 @@ bool moves(const TensionerMachine& m) {
   return m.state == TensionerState::pay_out || m.state == TensionerState::haul_in;
 }
 
-/// Greatest speed w after `h` from which it can still stand where its travel ends, `room` ahead now, braking within its
+/// Greatest speed w after `h` from which it can still stop at its travel limit, `room` ahead now, braking within its
 /// acceleration and for one more step at least [m/s]: h (v + w) / 2 + max(w^2 / (2 a), h w / 2) = room.
 double stoppable_speed(double room, double v, double acceleration, double h) {
   const double left = std::max(room - 0.5 * h * v, 0.0);
@@ -39,7 +39,7 @@ void start_moving(const TensionerLaw& law, const Travel& travel, TensionerMachin
   m.timer = 0.0;
 }
 
-/// One change of state of a machine that stands, if there is one to make.
+/// One change of state of a machine at rest, if there is one to make.
 bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   const bool beyond = excess(law, m, m.tension, travel.speed) >= -law.resolution;
   switch (m.state) {
@@ -68,7 +68,7 @@ bool change_once(const TensionerLaw& law, const Travel& travel, TensionerMachine
   return false;
 }
 
-/// Turns with the speed, and stands where its travel ends. A speed that would count as restored is not yet a turn.
+/// Reverses with the speed, and stops at its travel limit. A speed that would count as restored is not yet a turn.
 Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
   if (-m.side * travel.speed > kRestored * law.velocity) {
     m.side = -m.side;

@@ -12,7 +12,7 @@ inline constexpr int kTensionerStates = 5;
 
 /// What decides the speed over a step. Speeds count positive when it pays out.
 enum class TensionerDrive {
-  brake,     ///< It stands.
+  brake,     ///< At rest.
   governor,  ///< The tension decides: T = T0 + slope * speed.
   slowest,   ///< The least speed that it can have at the end of the step.
   fastest,   ///< The greatest.
@@ -52,7 +52,7 @@ struct SpeedBounds {
   double slowest = 0.0, fastest = 0.0;
 };
 
-/// From `now` over `h`; `authority` (0 to 1) is the share of the response velocity that it may use. It has to stand
+/// From `now` over `h`; `authority` (0 to 1) is the fraction of the response velocity that it may use. It has to stand
 /// where its travel ends.
 SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& machine, const Travel& now,
                              double authority, double h);

@@ -10,7 +10,7 @@ namespace {
 
 using Six = std::array<double, 6>;
 
-/// The six freedoms with their derivatives in time.
+/// The six degrees of freedom with their time derivatives.
 struct Freedoms {
   Six value{}, rate{}, acceleration{};
 };
@@ -166,7 +166,7 @@ VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
       return motion;
     case VesselMotion::history:
       if (!vessel.history) {
-        throw std::invalid_argument("the vessel's motion in time, " + vessel.motion_file + ", could not be read");
+        throw std::invalid_argument("the motion history of the vessel, " + vessel.motion_file + ", could not be read");
       }
       follow_history(motion, vessel);
       return motion;

@@ -1,4 +1,4 @@
-/// Prescribed motion of the vessel in time, with exact first and second derivatives.
+/// Prescribed motion history of the vessel, with exact first and second derivatives.
 ///
 /// Frames: W (x east, y north, z up), V fixed in the vessel (origin midship on the water, x forward, y port, z up).
 /// Theory: docs/theory/vessel-motion.md.
@@ -43,7 +43,7 @@ struct VesselMotionModel {
   Vec3 reference_V = Vec3::Zero();  ///< Point that the translations are of [m].
   std::vector<MotionTerm> terms;
   MotionSpline spline;
-  /// Times the description covers; a run that goes on beyond `last` has no data to go by [s].
+  /// Times covered by the description; there are no data beyond `last` [s].
   double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();
   /// Share of the sea's variance at frequencies that the RAO table does not reach, below and above.
   double below_table = 0.0, above_table = 0.0;
@@ -68,7 +68,7 @@ struct PointMotion {
 };
 PointMotion point_motion(const RigidMotion& m, const Vec3& p_V);
 
-/// A direction fixed in the vessel, with its first and second derivative in time, in W.
+/// A direction fixed in the vessel, with its first and second time derivatives, in W.
 struct DirectionMotion {
   Vec3 direction, rate, acceleration;
 };

@@ -9,7 +9,7 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 
 using Bits = long long __attribute__((vector_size(8 * OVERBEND_ISA_WIDTH), may_alias));
 
-/// Added and taken away, rounds to the nearest integer, which then stands in the low bits.
+/// Added and taken away, rounds to the nearest integer, which is then in the low bits.
 inline constexpr double kRounder = 0x1.8p52;
 
 /// For |x| below 1e6: pi/2 is taken off in two parts, of which the first has 33 bits.

@@ -21,7 +21,7 @@ struct WaveInstant {
   double t = 0.0, factor = 1.0, factor_rate = 0.0;
 };
 
-/// Components for which k |z| is larger are left out at depth: at 9 each has lost all but e^-9 = 1.2e-4 of its motion.
+/// Components for which k |z| is larger are neglected at depth: at 9 the motion has decayed to e^-9 = 1.2e-4.
 inline constexpr double kWaveReach = 9.0;
 
 /// `out` gets eight doubles a point: velocity, acceleration, elevation, head of the dynamic pressure; `points` has x,

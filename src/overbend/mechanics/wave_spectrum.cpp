@@ -64,7 +64,7 @@ void WaveSpectrum::set_wind_sea(const WavesDescription& waves) {
 }
 
 void WaveSpectrum::set_table(const std::vector<SpectrumPoint>& points) {
-  if (points.size() < 2) throw std::invalid_argument("a spectrum needs two points at least");
+  if (points.size() < 2) throw std::invalid_argument("a spectrum needs at least two points");
   table_ = points;
   const int parts = 1 + 4096 / static_cast<int>(points.size());
   omega_.push_back(points.front().omega);

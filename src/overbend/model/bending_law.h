@@ -29,7 +29,7 @@ const Directions& directions();
 
 /// Springs for one wall tension and hoop stress.
 struct BendingLevel {
-  double z = 0.0;                                  ///< Height for which it stands [m].
+  double z = 0.0;                                  ///< Elevation to which it applies [m].
   std::array<double, kSliders> stiffness{};        ///< Of each slider in every direction [N m2].
   std::array<double, kStrainPoints> mid_strain{};  ///< Of the axis, beyond the elastic strain [-].
 };
@@ -43,7 +43,7 @@ struct BendingLaw {
   double fit_error = 0.0;                         ///< Of the moment, relative, the largest of all levels.
 };
 
-/// Springs between two levels: index of the lower and the share of the upper.
+/// Springs between two levels: index of the lower level and weight of the upper.
 struct LevelMix {
   int lower = 0;
   double share = 0.0;

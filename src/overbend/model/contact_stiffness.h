@@ -8,7 +8,7 @@ namespace overbend {
 /// Structure of a roller with its bearings and box where the model gives none [N/m]: half a millimetre under 25 kN.
 inline constexpr double kRollerStructure = 50e6;
 
-/// Parts of a contact's stiffness; 0 stands for a rigid part.
+/// Parts of a contact's stiffness; 0 means a rigid part.
 struct ContactStiffness {
   double shell = 0.0;      ///< Of the pipe's wall, which flattens under the roller [N/m].
   double coating = 0.0;    ///< [N/m]
@@ -39,7 +39,7 @@ struct Shell {
   double response(double n, double lambda) const;
 };
 
-/// Radial stiffness of a long shell under a load that stands on one line across it, over `bearing` [m] of its
+/// Radial stiffness of a long shell under a load on one line across it, over `bearing` [m] of its
 /// circumference [N/m]: the sum of `Shell::response` over all waves of a load P, without n = 0 and n = 1, which do not
 /// flatten the section (the second is the bending of the pipe as a beam, which the rod has).
 double shell_stiffness(const Shell& shell, double bearing);

@@ -135,7 +135,7 @@ struct WavesDescription {
   int components = 200;
   std::uint64_t seed = 1;
   std::string spectrum_file;            ///< For `user`: CSV of frequency and spectral density.
-  std::vector<SpectrumPoint> spectrum;  ///< What stands in it, by rising frequency; empty when it could not be read.
+  std::vector<SpectrumPoint> spectrum;  ///< Its points, by increasing frequency; empty when it could not be read.
 };
 
 struct EnvironmentDescription {
@@ -209,7 +209,7 @@ enum class RollerDamping {
   textbook,  ///< -ln e / sqrt(pi^2 + ln^2 e), for comparison with programs that take it.
 };
 
-/// What stands for the stiffness of a roller that gives none.
+/// Stiffness used for a roller that gives none.
 enum class RollerStiffness {
   physical,  ///< Springs in series of pipe shell, coating and roller structure.
   penalty,   ///< EI/h^3 of the pipe's elements: as good as rigid in statics.
@@ -246,7 +246,7 @@ struct BoxDescription {
   int rows = 1;
 };
 
-/// What stands for the supports: their rollers, or one gap spring for each box.
+/// Model of the supports: their rollers, or one gap spring for each box.
 enum class SupportContact { rollers, gap_springs };
 
 struct SupportsDescription {

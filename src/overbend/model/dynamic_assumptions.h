@@ -1,4 +1,4 @@
-/// What had to be assumed for motion in time.
+/// Assumptions of the dynamic analysis.
 #pragma once
 
 #include <string>

@@ -46,7 +46,8 @@ void resolve_sections(Model& model) {
   }
 }
 
-/// Length from the tensioner over which field joints are told apart: the supports and three pipe joints beyond.
+/// Length from the tensioner over which field joints are modelled separately: the supports and three pipe joints
+/// beyond.
 double jointed_length(const Description& d, double joint) {
   double reach = 0.0;
   for (const BoxDescription& box : d.supports.boxes) reach = std::max(reach, box.x + box.length - d.tensioner.x);

@@ -1,4 +1,4 @@
-/// Motion of the vessel as recorded in time.
+/// Recorded motion history of the vessel.
 #pragma once
 
 #include <array>

@@ -66,7 +66,7 @@ RaoLimits long_wave_limits(const RaoTable& raos, double vessel_length, double dr
 std::vector<std::string> limit_warnings(const RaoLimits& limits) {
   std::vector<std::string> warnings;
   if (!limits.long_enough) return warnings;
-  // Headings that mirror each other say the same of a freedom: it is told of the first.
+  // Headings that mirror each other say the same of a degree of freedom: it is reported for the first only.
   std::set<int> told;
   for (const RaoLimitRow& row : limits.rows) {
     if (row.agrees || !told.insert(row.freedom).second) continue;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kSlack = 1e-9;  ///< Headings that differ by less are the same [rad].
 
-/// Two places of an axis and the share of the second; each may be meant as its mirror image.
+/// Two points of an axis and the weight of the second; each may be a mirror image.
 struct Bracket {
   std::size_t low = 0, high = 0;
   bool mirror_low = false, mirror_high = false;

@@ -39,7 +39,7 @@ struct Section {
 };
 
 /// Section properties from the layers. EA and EI are of the steel alone; the field-joint infill replaces the outermost
-/// coating over its share of the joint ([silva2009] table 4); buoyancy acts on the outermost diameter.
+/// coating over part of the joint ([silva2009] table 4); buoyancy acts on the outermost diameter.
 /// `water_weight_density` [N/m3].
 Section derive_section(const std::string& name, const SectionDescription& description, double water_weight_density);
 

@@ -7,7 +7,7 @@ namespace overbend {
 namespace {
 
 constexpr int kTable = 240;           ///< Intervals of a fibre's table, each way.
-constexpr double kLeastSlope = 1e-5;  ///< Of Young's modulus: what stands for perfect plasticity.
+constexpr double kLeastSlope = 1e-5;  ///< Of Young's modulus: used for perfect plasticity.
 
 PlasticStrain from_points(const std::vector<CurvePoint>& curve, double modulus) {
   PlasticStrain plastic;

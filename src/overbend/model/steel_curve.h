@@ -26,7 +26,7 @@ PlasticStrain plastic_strain(const SteelDescription& steel);
 /// Axial stress of a fibre over its axial strain while the hoop stress stays: deformation theory of plasticity
 /// (Hencky 1924) with von Mises' equivalent stress s_e^2 = s^2 - s s_h + s_h^2,
 ///     strain = (s - nu s_h)/E + plastic(s_e)/s_e (s - s_h/2),
-/// tabulated, with cubic interpolation. Radial stress is left out.
+/// tabulated, with cubic interpolation. Radial stress is neglected.
 class FibreCurve {
  public:
   FibreCurve(const SteelDescription& steel, const PlasticStrain& plastic, double hoop_stress, double largest_strain);

@@ -47,7 +47,7 @@ Roller bottom_roller(const RollerKindDescription& kind, const RowFrame& row) {
   return roller;
 }
 
-/// A side roller leans outwards by its angle from horizontal; it stands off the centred pipe by its clearance.
+/// A side roller leans outwards by its angle from horizontal; its distance from the centred pipe is its clearance.
 Roller side_roller(const SideRollerDescription& side, const RowFrame& row, double pipe_radius,
                    RollerPosition position) {
   const double outward = position == RollerPosition::port ? 1.0 : -1.0;

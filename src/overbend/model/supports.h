@@ -39,7 +39,7 @@ struct Roller {
   RollerStiffness default_stiffness = RollerStiffness::physical;
   double structure_stiffness = 0.0;  ///< [N/m]
   RollerDamping damping = RollerDamping::clipped;
-  double tangential_stiffness = 0.0;  ///< [N/m]; 0 = a share of the normal one.
+  double tangential_stiffness = 0.0;  ///< [N/m]; 0 = a fraction of the normal one.
 
   /// Middle of the face: the reference point R_i of the separation, [silva2009] figure 11.
   Vec3 face_middle_S() const { return center_S + radius * normal_S; }
@@ -74,21 +74,21 @@ struct Supports {
 /// constant radius. Two points give their chord, one gives `fallback`. Points are (X, Z) in S, running astern.
 std::vector<double> curve_inclinations(const std::vector<Eigen::Vector2d>& points, double fallback);
 
-/// Tangential stiffness of a roller that has none of its own, as a share of the normal one: sticking friction stretches
+/// Tangential stiffness of a roller that gives none, as a fraction of the normal one: sticking friction stretches
 /// by millimetres at most.
 inline constexpr double kTangentialShare = 0.1;
 
-/// Length of what stands for a gap spring [m]: no pipe that is to be laid comes near its ends.
+/// Length of the rollers that represent a gap spring [m]: no pipe that is to be laid comes near its ends.
 inline constexpr double kGapSpringReach = 20.0;
 
-/// The kind of row that stands for a gap spring: a bottom roller so wide that the pipe does not leave it and, where the
+/// The roller row that represents a gap spring: a bottom roller so wide that the pipe does not leave it and, where the
 /// kind has sides, upright ones as long, which act to port and starboard alone. Radii, clearance and stiffness are the
 /// kind's; nothing is lost in it, neither to damping nor to friction.
 RollerKindDescription gap_spring(const RollerKindDescription& kind);
 
 /// Places every roller; with SupportContact::gap_springs one gap spring in the middle of each box instead.
-/// `pipe_radius` is that of the coated pipe [m] at a length from the tensioner: side rollers stand off a centred pipe
-/// by their clearance.
+/// `pipe_radius` is that of the coated pipe [m] at a length from the tensioner: side rollers are clear of a centred
+/// pipe by their clearance.
 Supports place_supports(const Description& description, const std::function<double(double)>& pipe_radius);
 /// The same for a pipe of one radius.
 Supports place_supports(const Description& description, double pipe_radius);

@@ -7,7 +7,7 @@ namespace overbend {
 double linear_wave_number(double omega, double depth);
 
 /// Coefficients of the Stokes wave of fifth order for one k d [fenton1985, table 1]. A_ij are given times cosh(j k d),
-/// which stays finite in deep water: the share of the potential's j-th harmonic at still water level.
+/// which stays finite in deep water: the part of the potential's j-th harmonic at still water level.
 struct StokesCoefficients {
   double a11, a22, a31, a33, a42, a44, a51, a53, a55;
   double b22, b31, b42, b44, b53, b55;

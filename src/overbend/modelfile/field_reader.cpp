@@ -61,8 +61,7 @@ class FieldReader {
     }
     if (!reading.unusual.empty()) {
       diagnostics_.add({Severity::warning, file_, node.line, 0, path,
-                        reading.value->shown + " is unusual, it is mostly " + reading.unusual, "",
-                        "is the unit right?"});
+                        reading.value->shown + " is unusual, typical is " + reading.unusual, "", "is the unit right?"});
     }
     reading.value->path = path;
     reading.value->line = line;

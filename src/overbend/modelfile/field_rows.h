@@ -42,7 +42,7 @@ std::vector<Field> friction(const std::string& path, const std::string& text, do
       {.path = path + ".lateral",
        .member = defaults(lateral),
        .kind = FieldKind::number,
-       .text = "Across the pipe.",
+       .text = "Normal to the pipe.",
        .range = range},
   };
 }

@@ -68,7 +68,7 @@ void add_point(std::vector<Field>& rows, const std::string& key, const Member& p
   rows.push_back(group(kPath + "." + key, point, text));
   rows.push_back(length(key + ".x", component(0), "From midship, forward positive."));
   rows.back().required = true;
-  rows.push_back(length(key + ".y", with_default(component(1), 0.0), "From the centreline, to port positive."));
+  rows.push_back(length(key + ".y", with_default(component(1), 0.0), "From the centreline, positive to port."));
   if (!with_height) return;
   rows.push_back(length(key + ".z", component(2), "Above the water."));
   rows.back().required = true;
@@ -79,31 +79,30 @@ void add_point(std::vector<Field>& rows, const std::string& key, const Member& p
 std::vector<Field> motion_convention() {
   std::vector<Field> rows;
   // Kept apart from the description, for the reader of the motion's file: modelfile/motion_files.h.
-  rows.push_back(group(kPath, read_elsewhere(), "What the numbers of the motion's file mean."));
-  rows.push_back(words("set", fills(&RaoSettings::set), "Conventions of a program, for all keys that are not given.",
+  rows.push_back(group(kPath, read_elsewhere(), "Conventions of the motion file."));
+  rows.push_back(words("set", fills(&RaoSettings::set), "Conventions of a program, used for all keys not given.",
                        convention_sets(), "house for .csv, wamit for .4, orcaflex for .yml"));
   bool signs = false;
   for (const ConventionKey& key : convention_keys()) {
     if (!signs && key.key.rfind("positive.", 0) == 0) {
-      rows.push_back(group(kPath + ".positive", {}, "What positive motions are."));
+      rows.push_back(group(kPath + ".positive", {}, "Positive directions of the motions."));
       signs = true;
     }
     const Member word = taken_by<RaoSettings>(
         [name = key.key](RaoSettings& settings, const FieldValue& value) { settings.words[name] = value.text; });
-    rows.push_back(words(key.key, word, key.text, key.words, "as the file says, else as in the set"));
+    rows.push_back(words(key.key, word, key.text, key.words, "as stated in the file, otherwise as in the set"));
   }
   add_point(rows, "reference", point(&RaoSettings::reference),
             "Point of the vessel whose motion is given, in the vessel's frame.", true);
   add_point(rows, "wave_origin", point(&RaoSettings::wave_origin),
-            "Point over which the wave has the event that phases count from.", false);
+            "Point at which the wave has the event that phases refer to.", false);
   add_point(rows, "file_origin", opened_by<RaoSettings>(state_file_origin),
-            "Origin of the axes in which the file itself gives points.", true);
+            "Origin of the axes in which points in the file are given.", true);
   rows.push_back(length("length_scale", defaults(&RaoSettings::length_scale),
                         "ULEN of a WAMIT file: rotations are angle times this length per amplitude."));
   rows.back().range = {.low = 0.0, .high = 1000.0, .low_open = true};
-  rows.push_back(
-      name("vessel_type", &RaoSettings::vessel_type, "Name, where an OrcaFlex file has several vessel types."));
-  rows.push_back(name("draught", &RaoSettings::draught, "Name, where the vessel type has several draughts."));
+  rows.push_back(name("vessel_type", &RaoSettings::vessel_type, "Name, if an OrcaFlex file has several vessel types."));
+  rows.push_back(name("draught", &RaoSettings::draught, "Name, if the vessel type has several draughts."));
   return rows;
 }
 

@@ -64,7 +64,7 @@ std::vector<Field> section(const std::string& p) {
        .usual = {.low = 15e3, .high = 100e3}},
       {.path = p + ".steel.material",
        .member = enters(&SteelDescription::material),
-       .text = "What the steel does beyond yield.",
+       .text = "Material law of the steel beyond yield.",
        .fallback_text = "linear"},
       {.path = p + ".steel.material.law",
        .member = defaults(&MaterialDescription::law),
@@ -75,13 +75,13 @@ std::vector<Field> section(const std::string& p) {
        .member = fills(&MaterialDescription::moment_coefficient),
        .kind = FieldKind::number,
        .text = "A of moment_ramberg_osgood.",
-       .fallback_text = "fitted to the stress-strain law given beside it",
+       .fallback_text = "fitted to the given stress-strain law",
        .range = {.low = 0.0, .high = 10.0, .low_open = true}},
       {.path = p + ".steel.material.moment_exponent",
        .member = fills(&MaterialDescription::moment_exponent),
        .kind = FieldKind::number,
        .text = "B of moment_ramberg_osgood.",
-       .fallback_text = "fitted to the stress-strain law given beside it",
+       .fallback_text = "fitted to the given stress-strain law",
        .range = {.low = 1.0, .high = 100.0, .low_open = true}},
       {.path = p + ".steel.material.hardening_exponent",
        .member = fills(&MaterialDescription::hardening_exponent),
@@ -106,8 +106,8 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".steel.material.stress_strain",
        .member = enters(&MaterialDescription::stress_strain),
        .kind = FieldKind::list,
-       .text = "Curve of a tension test, rising from the origin, which is not given. The first point ends the straight "
-               "part.",
+       .text = "Stress-strain curve of a tension test, increasing from the origin, which is not listed. The first "
+               "point is the end of the linear part.",
        .fallback_text = "not given"},
       {.path = p + ".steel.material.stress_strain[]", .member = appends<CurvePoint>(), .text = "One point."},
       {.path = p + ".steel.material.stress_strain[].strain",
@@ -129,9 +129,8 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".steel.material.moment_curvature",
        .member = enters(&MaterialDescription::moment_curvature),
        .kind = FieldKind::list,
-       .text =
-           "Moment over curvature of the pipe, rising from the origin, which is not given. The first point ends the "
-           "straight part.",
+       .text = "Moment-curvature curve of the pipe, increasing from the origin, which is not listed. The first point "
+               "is the end of the linear part.",
        .fallback_text = "not given"},
       {.path = p + ".steel.material.moment_curvature[]", .member = appends<CurvePoint>(), .text = "One point."},
       {.path = p + ".steel.material.moment_curvature[].curvature",
@@ -189,7 +188,7 @@ std::vector<Field> section(const std::string& p) {
        .usual = {.low = 1e6, .high = 100e9}},
       {.path = p + ".joint",
        .member = enters(&SectionDescription::joint),
-       .text = "Pipe joint with field joints, where infill takes the place of the outermost coating.",
+       .text = "Pipe joint with field joints, at which infill replaces the outermost coating.",
        .fallback_text = "no field joints"},
       {.path = p + ".joint.length",
        .member = fills(&JointDescription::length),
@@ -217,13 +216,13 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".joint.coated_stiffness",
        .member = defaults(&JointDescription::coated_stiffness),
        .kind = FieldKind::number,
-       .text = "Bending stiffness between the field joints over that of the bare steel, which the joints keep: the "
-               "concrete's. Over the supports and three joints beyond; of the line's own section.",
+       .text = "Ratio of the bending stiffness between field joints, stiffened by concrete, to that of the bare steel, "
+               "which applies at the joints. Used over the supports and three joints beyond, for the main section.",
        .range = {.low = 1.0, .high = 5.0}},
       {.path = p + ".joint.first",
        .member = fills(&JointDescription::first),
        .kind = FieldKind::quantity,
-       .text = "Distance of the middle of the first field joint from the tensioner, where coated_stiffness counts.",
+       .text = "Distance of the middle of the first field joint from the tensioner, used with coated_stiffness.",
        .unit = "m",
        .show = "m",
        .fallback_text = "half a pipe joint",
@@ -231,8 +230,9 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".joint.strain_factor",
        .member = fills(&JointDescription::strain_factor),
        .kind = FieldKind::number,
-       .text = "Strain at a field joint over that of the coated pipe beside it, for the strain checks.",
-       .fallback_text = "1, with a warning where concrete stiffens the pipe beside it",
+       .text = "Strain concentration factor of field joints: strain there divided by that of the adjacent coated pipe, "
+               "for the strain checks.",
+       .fallback_text = "1, with a warning for concrete-coated pipe",
        .range = {.low = 1.0, .high = 10.0}},
       {.path = p + ".hydrodynamics",
        .member = enters(&SectionDescription::hydrodynamics),
@@ -240,24 +240,24 @@ std::vector<Field> section(const std::string& p) {
       {.path = p + ".hydrodynamics.drag_normal",
        .member = defaults(&HydrodynamicsDescription::drag_normal),
        .kind = FieldKind::number,
-       .text = "Drag across the pipe.",
+       .text = "Normal drag.",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.drag_axial",
        .member = defaults(&HydrodynamicsDescription::drag_axial),
        .kind = FieldKind::number,
-       .text = "Drag along the pipe.",
+       .text = "Axial drag.",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.added_mass_normal",
        .member = defaults(&HydrodynamicsDescription::added_mass_normal),
        .kind = FieldKind::number,
-       .text = "Added mass across the pipe.",
+       .text = "Normal added mass.",
        .range = {.low = 0.0, .high = 10.0}},
       {.path = p + ".hydrodynamics.added_mass_axial",
        .member = defaults(&HydrodynamicsDescription::added_mass_axial),
        .kind = FieldKind::number,
-       .text = "Added mass along the pipe.",
+       .text = "Axial added mass.",
        .range = {.low = 0.0, .high = 10.0}},
-      {.path = p + ".contents", .text = "What fills the pipe.", .fallback_text = "empty"},
+      {.path = p + ".contents", .text = "Contents of the pipe.", .fallback_text = "empty"},
       {.path = p + ".contents.weight_density",
        .member = defaults(&SectionDescription::contents_weight_density),
        .kind = FieldKind::quantity,
@@ -302,7 +302,7 @@ std::vector<Field> segment_section(const std::string& p) {
     if (whole) continue;
     row.required = false;
     row.member.standard.reset();
-    row.fallback_text = "as the line's own";
+    row.fallback_text = "as in the main section";
   }
   return rows;
 }
@@ -311,7 +311,7 @@ std::vector<Field> segment_section(const std::string& p) {
 
 std::vector<Field> pipe() {
   std::vector<Field> rows = {
-      {.path = "pipe", .member = enters(&Description::pipe), .text = "The line.", .required = true}};
+      {.path = "pipe", .member = enters(&Description::pipe), .text = "The pipe.", .required = true}};
   append(rows, section_of<PipeDescription>("pipe", section("pipe")));
   append(rows,
          {
@@ -333,11 +333,11 @@ std::vector<Field> pipe() {
               .range = {.low = 0.0, .low_open = true}},
              {.path = "pipe.segments",
               .kind = FieldKind::list,
-              .text = "Stretches with a section of their own, from the tensioner astern; the rest is the line's own.",
-              .fallback_text = "one section all along"},
+              .text = "Segments with a different section, from the tensioner astern; the rest has the main section.",
+              .fallback_text = "one section for the whole line"},
              {.path = "pipe.segments[]",
               .member = opened_by<PipeDescription>(add_segment),
-              .text = "One stretch; of its section only what differs is given."},
+              .text = "One segment; only properties that differ from the main section are given."},
              {.path = "pipe.segments[].name",
               .member = fills(&SegmentDescription::name),
               .kind = FieldKind::text,

@@ -59,7 +59,7 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
       {.path = p + ".radius",
        .member = taken_by<StructureKeys>(take_radius),
        .kind = FieldKind::quantity,
-       .text = "Nominal radius, for the report; the boxes rule.",
+       .text = "Nominal radius, for the report; the geometry is that of the boxes.",
        .unit = "m",
        .show = "m",
        .fallback_text = "not given",
@@ -67,7 +67,7 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
       {.path = p + ".roller",
        .member = fills(&StructureKeys::roller),
        .kind = FieldKind::text,
-       .text = "Kind of roller row of its boxes, a name under rollers.",
+       .text = "Type of roller row of its boxes, a name under rollers.",
        .fallback_text = "each box names its own"},
       {.path = p + ".rows",
        .member = defaults(&StructureKeys::rows),
@@ -76,14 +76,14 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
        .range = rows},
       {.path = p + ".boxes",
        .kind = FieldKind::list,
-       .text = "Roller boxes in the order the pipe runs, astern.",
+       .text = "Roller boxes in order from the tensioner astern.",
        .required = true,
        .least = 1},
       {.path = b, .member = opened_by<StructureKeys>(add_box), .text = "One roller box."},
       {.path = b + ".name",
        .member = fills(&BoxDescription::name),
        .kind = FieldKind::text,
-       .text = "Names it in results; no two alike.",
+       .text = "Name in the results; must be unique.",
        .fallback_text = "ramp 1, 2, ... or stinger 1, 2, ..."},
       {.path = b + ".x",
        .member = fills(&BoxDescription::x),
@@ -102,21 +102,21 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
       {.path = b + ".offset",
        .member = defaults(&BoxDescription::offset),
        .kind = FieldKind::quantity,
-       .text = "Raises the box along the outward normal of the curve through the boxes.",
+       .text = "Moves the box along the outward normal of the curve through the boxes.",
        .unit = "m",
        .show = "m",
        .range = {.low = -100.0, .high = 100.0}},
       {.path = b + ".length",
        .member = defaults(&BoxDescription::length),
        .kind = FieldKind::quantity,
-       .text = "Along the pipe; with more than one row it must be given.",
+       .text = "Length along the pipe; required with more than one row.",
        .unit = "m",
        .show = "m",
        .range = {.low = 0.0, .high = 1000.0}},
       {.path = b + ".incline",
        .member = fills(&BoxDescription::incline),
        .kind = FieldKind::quantity,
-       .text = "Of the box from horizontal, positive when it dips astern.",
+       .text = "Inclination of the box from horizontal, positive downwards astern.",
        .unit = "rad",
        .show = "deg",
        .fallback_text = "tangent of the smooth curve through the boxes",
@@ -124,13 +124,13 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
       {.path = b + ".roller",
        .member = fills(&BoxDescription::roller),
        .kind = FieldKind::text,
-       .text = "Kind of roller row of this box.",
-       .fallback_text = "as the structure's"},
+       .text = "Type of roller row of this box.",
+       .fallback_text = "as for the structure"},
       {.path = b + ".rows",
        .member = fills(&BoxDescription::rows),
        .kind = FieldKind::integer,
        .text = "Roller rows of this box.",
-       .fallback_text = "as the structure's",
+       .fallback_text = "as for the structure",
        .range = rows},
   };
 }
@@ -139,8 +139,8 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
 
 std::vector<Field> rollers() {
   std::vector<Field> rows = {
-      {.path = "rollers", .text = "Kinds of roller row by a name of your own; supports name the kind they have."},
-      {.path = "rollers.*", .member = opened_by<Description>(add_kind), .text = "One kind of roller row."},
+      {.path = "rollers", .text = "Types of roller row, each with a name of your own, to which the supports refer."},
+      {.path = "rollers.*", .member = opened_by<Description>(add_kind), .text = "One type of roller row."},
       {.path = "rollers.*.bottom",
        .member = enters(&RollerKindDescription::bottom),
        .text = "The roller under the pipe.",
@@ -149,7 +149,7 @@ std::vector<Field> rollers() {
       roller_size("bottom.face", fills(&BottomRollerDescription::face), "Length of the roller.", 100.0),
       {.path = "rollers.*.sides",
        .member = enters(&RollerKindDescription::sides),
-       .text = "A roller on either side.",
+       .text = "A roller on each side.",
        .fallback_text = "bottom roller only"},
       roller_size("sides.radius", fills(&SideRollerDescription::radius), "Radius.", 10.0),
       roller_size("sides.face", fills(&SideRollerDescription::face), "Length of the roller.", 100.0),
@@ -171,28 +171,27 @@ std::vector<Field> rollers() {
       {.path = "rollers.*.stiffness",
        .member = fills(&RollerKindDescription::stiffness),
        .kind = FieldKind::quantity,
-       .text = "Stiffness of the contact of pipe and roller as a whole.",
+       .text = "Total stiffness of the contact between pipe and roller.",
        .unit = "N/m",
        .show = "kN/m",
-       .fallback_text = "as default_stiffness says",
+       .fallback_text = "according to default_stiffness",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1e4, .high = 1e12}},
       {.path = "rollers.*.default_stiffness",
        .member = defaults(&RollerKindDescription::default_stiffness),
        .kind = FieldKind::choice,
-       .text =
-           "Where no stiffness is given. physical: pipe shell, coating and roller structure in series; penalty: EI/h^3 "
-           "of the pipe's elements, nearly rigid."},
+       .text = "Used if no stiffness is given. physical: pipe shell, coating and roller structure in series; penalty: "
+               "EI/h^3 of the pipe's elements, nearly rigid."},
       {.path = "rollers.*.structure_stiffness",
        .member = with_default(fills(&RollerKindDescription::structure_stiffness), kRollerStructure),
        .kind = FieldKind::quantity,
-       .text = "Of the roller with its bearings and box, a part of the physical stiffness.",
+       .text = "Stiffness of the roller with its bearings and box, part of the physical contact stiffness.",
        .unit = "N/m",
        .show = "kN/m",
        .range = {.low = 0.0, .low_open = true},
        .usual = {.low = 1e5, .high = 1e10}},
   };
-  append(rows, friction<RollerKindDescription>("rollers.*.friction", "Coulomb friction of pipe on roller",
+  append(rows, friction<RollerKindDescription>("rollers.*.friction", "Coulomb friction of the pipe on a roller",
                                                &RollerKindDescription::friction_axial,
                                                &RollerKindDescription::friction_lateral));
   append(
@@ -207,11 +206,11 @@ std::vector<Field> rollers() {
            .member = defaults(&RollerKindDescription::damping),
            .kind = FieldKind::choice,
            .text = "clipped: impacts rebound with the coefficient of restitution; textbook: the common formula, which "
-                   "takes rollers to pull at the end of a rebound, for comparison."},
+                   "assumes that rollers pull at the end of a rebound, for comparison."},
           {.path = "rollers.*.tangential_stiffness",
            .member = fills(&RollerKindDescription::tangential_stiffness),
            .kind = FieldKind::quantity,
-           .text = "Of a roller against a pipe that friction makes stick to it.",
+           .text = "Tangential stiffness of the contact while friction sticks.",
            .unit = "N/m",
            .show = "kN/m",
            .fallback_text = "a tenth of the normal stiffness",
@@ -222,16 +221,16 @@ std::vector<Field> rollers() {
 }
 
 std::vector<Field> supports() {
-  std::vector<Field> rows = {{.path = "supports",
-                              .member = enters(&Description::supports),
-                              .text = "Ramp and stinger, in the ramp/stinger frame.",
-                              .fallback_text = "the pipe hangs from the tensioner (J-lay)"},
-                             {.path = "supports.contact",
-                              .member = defaults(&SupportsDescription::contact),
-                              .kind = FieldKind::choice,
-                              .text = "rollers: each stands for itself; gap_springs: for comparison with traditional "
-                                      "models, one spring with gaps in the middle of each box, without damping and "
-                                      "friction."}};
+  std::vector<Field> rows = {
+      {.path = "supports",
+       .member = enters(&Description::supports),
+       .text = "Ramp and stinger, in the ramp/stinger frame.",
+       .fallback_text = "the pipe hangs from the tensioner (J-lay)"},
+      {.path = "supports.contact",
+       .member = defaults(&SupportsDescription::contact),
+       .kind = FieldKind::choice,
+       .text = "rollers: contact at each roller; gap_springs: for comparison with traditional models, one gap spring "
+               "in the middle of each box, without damping and friction."}};
   append(rows, structure(Structure::ramp, &SupportsDescription::ramp_radius, "Roller boxes on the vessel."));
   append(rows, structure(Structure::stinger, &SupportsDescription::stinger_radius, "Roller boxes on the stinger."));
   return rows;

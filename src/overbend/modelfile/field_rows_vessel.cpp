@@ -105,7 +105,7 @@ std::vector<Field> vessel() {
        .member = defaults(&VesselDescription::name),
        .kind = FieldKind::text,
        .text = "For the report."},
-      size("length", &VesselDescription::length, "Over all."),
+      size("length", &VesselDescription::length, "Overall."),
       size("beam", &VesselDescription::beam, "Width."),
       size("depth", &VesselDescription::depth, "Keel to deck."),
       size("draught", &VesselDescription::draught, "Keel to water line."),
@@ -143,15 +143,18 @@ std::vector<Field> vessel() {
        .text = "fixed, or a group with one of the keys below. Only dynamics uses it.",
        .choices = {word_of(VesselMotion::fixed)}},
       {.path = "vessel.motion",
-       .text = "Where the motion comes from: one of raos, history, coupled, harmonic; and convention if need be.",
+       .text = "Source of the motion: one of raos, history, coupled, harmonic; with convention if needed.",
        .least = 1,
        .most = 2},
       motion_file(VesselMotion::raos,
-                  "File of response amplitude operators, beside the model file: .csv, .4 (WAMIT) or .yml (OrcaFlex)."),
-      motion_file(VesselMotion::history,
-                  "CSV file of motion in time, beside the model file: time_s and any of surge_m to yaw_deg."),
-      motion_file(VesselMotion::coupled,
-                  "File of the hull's hydrodynamics, beside the model file: pipe and vessel move together."),
+                  "File of response amplitude operators, in the folder of the model file: .csv, .4 (WAMIT) or .yml "
+                  "(OrcaFlex)."),
+      motion_file(
+          VesselMotion::history,
+          "CSV file of the motion history, in the folder of the model file: time_s and any of surge_m to yaw_deg."),
+      motion_file(
+          VesselMotion::coupled,
+          "File of the hydrodynamics of the hull, in the folder of the model file: coupled motion of pipe and vessel."),
   };
   append(rows, harmonic_motion());
   return rows;

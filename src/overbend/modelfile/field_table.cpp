@@ -18,7 +18,7 @@ std::vector<Field> head() {
       {.path = "title",
        .member = fills(&Description::title),
        .kind = FieldKind::text,
-       .text = "Heads the report.",
+       .text = "Title of the report.",
        .fallback_text = "name of the file"},
   };
 }

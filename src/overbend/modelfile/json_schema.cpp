@@ -22,7 +22,7 @@ void add_words(const Field& field, Json& schema) {
   const std::string range = range_words(field, field.range);
   if (field.kind == FieldKind::quantity) text += " [" + dimension_name(field.unit) + ", " + field.show + "]";
   if (!range.empty()) text += " Range: " + range + ".";
-  if (!field.fallback_text.empty()) text += " Left out: " + field.fallback_text + ".";
+  if (!field.fallback_text.empty()) text += " If omitted: " + field.fallback_text + ".";
   schema["description"] = text;
 }
 

@@ -28,7 +28,8 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
     const auto at_x = point.get_number(x), at_y = point.get_number(y);
     if (!at_x || !at_y) return;
     if (*at_x <= last_x || *at_y < last_y) {
-      check.error(point, "a point that does not rise", "curve points in rising order, counted from the origin");
+      check.error(point, "a point that does not increase",
+                  "curve points in increasing order, starting from the origin");
       return;
     }
     const double slope = (*at_y - last_y) / (*at_x - last_x);
@@ -36,7 +37,7 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
       const bool first = last_x == 0.0;
       check.error(point, first ? "a point steeper than " + std::string(straight.name) : "a curve that grows steeper",
                   first ? "at most " + format_quantity(straight.slope * *at_x, straight.unit, straight.shown) + " there"
-                        : "a curve that bends downwards only: each stretch no steeper than the one before");
+                        : "a concave curve: no segment steeper than the previous one");
       return;
     }
     last_x = *at_x;
@@ -62,15 +63,14 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
     check.missing(*material, "stress_strain", "the points of a tension test");
   }
   if (law == MaterialLaw::moment_curvature && !material->mentions("moment_curvature")) {
-    check.missing(*material, "moment_curvature", "the points of the pipe's moment over curvature");
+    check.missing(*material, "moment_curvature", "the points of the moment-curvature curve of the pipe");
   }
   if (law == MaterialLaw::moment_ramberg_osgood && a != b) {
     check.missing(*material, a ? "moment_exponent" : "moment_coefficient",
-                  "both A and B, or neither to have them fitted");
+                  "both A and B, or neither if they are to be fitted");
   }
   if (law == MaterialLaw::moment_ramberg_osgood && !a && !b && !exponent && !curve) {
-    check.missing(*material, "moment_coefficient",
-                  "A and B, or a hardening_exponent or stress_strain that they can be fitted to");
+    check.missing(*material, "moment_coefficient", "A and B, or a hardening_exponent or stress_strain to fit them to");
   }
   if (exponent && !curve && yield > 0.0 && material->get_number("yield_strain").value_or(1.0) <= yield / modulus) {
     check.error(*material->find("yield_strain"), "a total strain at yield of " + material->find("yield_strain")->shown,

@@ -55,7 +55,8 @@ void check_section(Checker& check, const FieldValue& section, const FieldValue& 
   if (joint->get_number("coated_stiffness").value_or(1.0) > 1.0 &&
       joint->get_number("strain_factor").value_or(1.0) > 1.0) {
     check.warn(*joint,
-               "coated_stiffness already gathers strain at the field joints; strain_factor multiplies it again");
+               "coated_stiffness already includes the strain concentration at the field joints; strain_factor "
+               "multiplies the strain again");
   }
   const FieldValue* coatings = own_or_line(section, pipe, "coatings");
   const bool uncoated = coatings == nullptr ? !section.mentions("coatings") : coatings->children.empty();
@@ -103,11 +104,11 @@ void check_tension(Checker& check) {
   const FieldValue* anchor = pipe->find("anchor");
   if (!tension && !(pipe->mentions("length") && pipe->mentions("anchor"))) {
     check.missing(*tensioner, "tension", "a force with its unit",
-                  "or give pipe.length together with pipe.anchor, and the tension follows");
+                  "or give pipe.length and pipe.anchor, from which the tension follows");
   }
   if (tension && length != nullptr && anchor != nullptr) {
     check.error(*length, "a length, an anchor and a tension", "two of the three; the third follows",
-                "leave out pipe.length, pipe.anchor or tensioner.tension");
+                "omit pipe.length, pipe.anchor or tensioner.tension");
   }
 }
 
@@ -117,7 +118,7 @@ void check_tensioner_range(Checker& check) {
   const FieldValue* range = tensioner->find("range");
   if (!tensioner->mentions("range") && tensioner->get_word<TensionerMode>("mode") == TensionerMode::controlled) {
     check.missing(*tensioner, "range", "the lowest and highest tension, such as [240 kN, 260 kN]",
-                  "a controlled tensioner works to keep its range");
+                  "a controlled tensioner needs a range");
   }
   if (range == nullptr || range->children.size() != 2) return;
   const FieldValue& low = range->children[0];
@@ -130,7 +131,8 @@ void check_tensioner_range(Checker& check) {
   const FieldValue* tension = tensioner->find("tension");
   if (tension != nullptr && (tension->number < low.number || tension->number > high.number)) {
     // Statics holds the tension as given, so a sweep of tensions needs no new range; only a moving machine would.
-    check.warn(*range, shown + " does not hold the wanted tension, " + tension->shown + "; dynamics will need that");
+    check.warn(*range,
+               shown + " does not contain the set tension, " + tension->shown + "; dynamic analysis will require that");
   }
 }
 
@@ -142,7 +144,8 @@ void check_tensioner_mode(Checker& check) {
   const bool controlled = mode ? *mode == TensionerMode::controlled : tensioner->mentions("range");
   const auto velocity = check.root().get_number("tensioner.velocity");
   if (controlled && velocity.value_or(0.0) <= 0.0) {
-    check.warn(*tensioner, "a controlled tensioner without velocity never moves: dynamics holds it as a locked brake");
+    check.warn(*tensioner,
+               "a controlled tensioner without velocity never moves: in dynamic analysis it is a locked brake");
   }
 }
 
@@ -154,7 +157,7 @@ void check_current(Checker& check) {
     if (depth == nullptr) continue;
     if (before != nullptr && depth->number <= before->number) {
       check.error(*depth, depth->shown, "more than the depth before it, " + before->shown,
-                  "the current goes by increasing depth");
+                  "the current is listed by increasing depth");
     }
     if (water_depth && depth->number > *water_depth * (1.0 + 1e-12)) {
       check.warn(*depth, depth->shown + " is below the seabed at the stern shoe");
@@ -174,7 +177,7 @@ void check_vessel(Checker& check) {
   }
   const FieldValue* shoe = vessel->find("stern_shoe.x");
   if (shoe != nullptr && shoe->number > 0.0) {
-    check.warn(*shoe, shoe->shown + " stands forward of midship; x is negative towards the stern");
+    check.warn(*shoe, shoe->shown + " is forward of midship; x is negative towards the stern");
   }
 }
 
@@ -185,7 +188,7 @@ void check_files(Checker& check, const std::string& file) {
     if (value == nullptr) continue;
     std::error_code fault;
     if (!std::filesystem::exists(resolved_file(value->text, file), fault)) {
-      check.warn(*value, "the file " + value->shown + " is not there; dynamics will need it");
+      check.warn(*value, "the file " + value->shown + " does not exist; dynamic analysis will require it");
     }
   }
 }

@@ -33,7 +33,7 @@ void check_order(Checker& check) {
       if (x == nullptr) continue;
       if (before != nullptr && x->number <= before->number) {
         check.error(*x, x->shown, "more than " + before->shown + " of " + before_words,
-                    "supports run astern: x grows from box to box");
+                    "supports are listed astern: x increases from box to box");
       }
       before = x;
       before_words = box_words(box);
@@ -71,12 +71,12 @@ std::vector<std::string> roller_kinds(const FieldValue& root) {
 void check_kind_is_known(Checker& check, const FieldValue& roller, const std::vector<std::string>& kinds) {
   if (std::find(kinds.begin(), kinds.end(), roller.text) != kinds.end()) return;
   if (kinds.empty()) {
-    check.error(roller, "the unknown kind of roller " + roller.shown, "a kind described under rollers",
+    check.error(roller, "the unknown type of roller " + roller.shown, "a type defined under rollers",
                 "there is none; add the group rollers");
     return;
   }
   const std::string near = nearest_word(roller.text, kinds);
-  check.error(roller, "the unknown kind of roller " + roller.shown, one_of(kinds),
+  check.error(roller, "the unknown type of roller " + roller.shown, one_of(kinds),
               near.empty() ? "" : "did you mean '" + near + "'?");
 }
 
@@ -88,7 +88,8 @@ void check_rows_have_room(Checker& check, const FieldValue& box, const FieldValu
   if (length->given) {
     check.error(*length, length->shown, "more than 0 m for " + std::to_string(rows->integer) + " rows");
   } else {
-    check.missing(box, "length", "a length with its unit: " + std::to_string(rows->integer) + " rows stand along it");
+    check.missing(box, "length",
+                  "a length with its unit: " + std::to_string(rows->integer) + " rows are spread along it");
   }
 }
 
@@ -110,7 +111,7 @@ void check_rollers(Checker& check) {
         used.insert(own->text);
         check_kind_is_known(check, *own, kinds);
       } else if (!group->mentions("roller") && !box.mentions("roller")) {
-        check.missing(box, "roller", "the name of a kind of roller row",
+        check.missing(box, "roller", "the name of a type of roller row",
                       "give it here or once for all boxes under " + path_of(structure));
       }
       check_rows_have_room(check, box, *group);
@@ -119,7 +120,7 @@ void check_rollers(Checker& check) {
   const FieldValue* rollers = check.root().find("rollers");
   if (rollers == nullptr) return;
   for (const FieldValue& kind : rollers->children) {
-    if (used.count(kind.key) == 0) check.warn(kind, "no box has this kind of roller");
+    if (used.count(kind.key) == 0) check.warn(kind, "no box uses this type of roller");
   }
 }
 

@@ -50,7 +50,7 @@ void check_keys(Checker& check, const FieldValue& waves, const WaveKeys& keys) {
   for (const std::string key : {"hs", "tp", "height", "period", "phase", "gamma", "spreading", "spectrum_file"}) {
     const FieldValue* extra = waves.find(key);
     if (extra == nullptr || !extra->given || holds(keys.needed, key) || holds(keys.allowed, key)) continue;
-    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is left unused");
+    check.warn(*extra, std::string("has no meaning for waves of type ") + word_of(keys.type) + " and is not used");
   }
 }
 
@@ -79,9 +79,10 @@ void check_regular(Checker& check, const FieldValue& waves, WaveType type, doubl
   }
   const double ursell = ursell_number(height->number, length, depth);
   if (type == WaveType::stokes5 && ursell > kStokesUrsell) {
-    check.error(*height, height->shown + ", for which H L^2/d^3 is " + format_number(ursell, 3),
-                "at most " + format_number(kStokesUrsell),
-                "so long a wave" + in_depth + " is beyond Stokes' theory; type airy, a lower or a shorter wave is not");
+    check.error(
+        *height, height->shown + ", for which H L^2/d^3 is " + format_number(ursell, 3),
+        "at most " + format_number(kStokesUrsell),
+        "a wave of this length" + in_depth + " is beyond Stokes' theory; use type airy, or a lower or shorter wave");
   }
 }
 
@@ -90,8 +91,8 @@ void check_sea(Checker& check, const FieldValue& waves) {
   if (!hs || !tp) return;
   const double ratio = *tp / std::sqrt(*hs);
   if (ratio >= kSteepSea) return;
-  check.warn(*waves.find("tp"), "the sea is steeper than wind raises it: Tp/sqrt(Hs) is " + format_number(ratio, 3) +
-                                    ", seas have " + format_number(kSteepSea) + " and more");
+  check.warn(*waves.find("tp"), "the sea is steeper than a wind sea: Tp/sqrt(Hs) is " + format_number(ratio, 3) +
+                                    ", normally " + format_number(kSteepSea) + " and more");
 }
 
 }  // namespace

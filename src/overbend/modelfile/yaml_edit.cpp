@@ -15,7 +15,7 @@ using Kind = YamlNode::Kind;
 std::string nested(const std::vector<std::string>& parts, std::size_t first, std::string value) {
   for (std::size_t i = parts.size(); i > first; --i) {
     const std::string& part = parts[i - 1];
-    if (part[0] == '[' && part != "[0]") throw YamlEditFault("a list begins with its item [0]");
+    if (part[0] == '[' && part != "[0]") throw YamlEditFault("a list starts with item [0]");
     const bool item = part[0] == '[';
     std::string around = item ? "[" : "{" + yaml_scalar(part) + ": ";
     around.append(value).append(item ? "]" : "}");
@@ -47,7 +47,7 @@ class Editor {
     // A group or list that would be left empty goes as well.
     while (spots.size() > 2 && members(*spots.back().parent) == 1) spots.pop_back();
     const YamlSpot& at = spots.back();
-    if (at.parent == nullptr || members(*at.parent) == 1) throw YamlEditFault("nothing would be left of the model");
+    if (at.parent == nullptr || members(*at.parent) == 1) throw YamlEditFault("the model would be empty");
     return extent_.flow(*at.parent) ? remove_flow(at) : remove_block(at);
   }
 
@@ -75,7 +75,7 @@ class Editor {
       return with(begin, extent_.end(node), stays_quoted ? '"' + value + '"' : value);
     }
     if (at.parent->kind == Kind::list) {
-      if (nothing) throw YamlEditFault("an empty item stands there");
+      if (nothing) throw YamlEditFault("there is an empty item");
       return with(extent_.begin(node), extent_.end(node), value);
     }
     const std::size_t colon = extent_.after_colon(at.parent->entries[at.index]);
@@ -86,7 +86,7 @@ class Editor {
   }
 
   std::string insert_key(const YamlNode& map, const std::vector<std::string>& parts, const std::string& value) const {
-    if (parts[0][0] == '[') throw YamlEditFault("a group has keys, no items by number");
+    if (parts[0][0] == '[') throw YamlEditFault("a group has keys, not numbered items");
     if (extent_.flow(map)) {
       const std::string entry = yaml_scalar(parts[0]) + ": " + nested(parts, 1, value);
       const std::size_t at = map.entries.empty() ? extent_.begin(map) + 1 : extent_.end(map.entries.back());
@@ -121,7 +121,7 @@ class Editor {
 
   std::string append(const YamlNode& list, const std::vector<std::string>& parts, const std::string& value) const {
     const auto index = leading_index(parts[0]);
-    if (!index) throw YamlEditFault("a list has items by number, no keys");
+    if (!index) throw YamlEditFault("a list has numbered items, not keys");
     if (index->first != list.items.size()) {
       throw YamlEditFault("the list has " + std::to_string(list.items.size()) + " items; the next is [" +
                           std::to_string(list.items.size()) + "]");
@@ -152,7 +152,7 @@ class Editor {
     const std::size_t line = extent_.line_begin(from);
     if (text_.find_first_not_of(' ', line) != from) {
       // The first key of "- a: 1" has the dash before it: the next takes its place.
-      if (at.index + 1 == members(*at.parent)) throw YamlEditFault("an unusual layout stands there");
+      if (at.index + 1 == members(*at.parent)) throw YamlEditFault("the layout there is unusual");
       return with(from, begin(*at.parent, at.index + 1), "");
     }
     const std::size_t end_of_line = text_.find('\n', end(*at.parent, at.index));
@@ -196,7 +196,7 @@ bool took_effect(const std::string& text, const YamlChange& change, const std::s
 std::string edited(const std::string& text, const YamlChange& change) {
   const std::optional<YamlNode> root = parsed(text);
   if (!root || root->kind != Kind::map || root->entries.empty()) {
-    throw YamlEditFault("the text cannot be read as YAML; mend it first");
+    throw YamlEditFault("the text cannot be read as YAML; correct it first");
   }
   const Editor editor(text, *root);
   const bool remove = change.kind == YamlChange::Kind::remove;
@@ -259,7 +259,7 @@ std::string edit_yaml(const std::string& text, const std::vector<YamlChange>& ch
     } catch (const std::runtime_error& fault) {
       throw YamlEditFault(
           "'" + change.path + "' cannot be set: " + fault.what() +
-          (std::string(fault.what()).find("mend") == std::string::npos ? "; change it in the text" : ""));
+          (std::string(fault.what()).find("correct it") == std::string::npos ? "; change it in the text" : ""));
     }
   }
   return now;

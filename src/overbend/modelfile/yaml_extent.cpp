@@ -49,7 +49,7 @@ std::size_t YamlExtent::quoted_end(std::size_t at) const {
 std::size_t YamlExtent::scalar_end(const YamlNode& node) const {
   const std::size_t at = begin(node);
   if (at < text_.size() && (text_[at] == '"' || text_[at] == '\'')) return quoted_end(at);
-  if (text_.compare(at, node.text.size(), node.text) != 0) refuse("a text of several lines stands there");
+  if (text_.compare(at, node.text.size(), node.text) != 0) refuse("there is a text of several lines");
   return at + node.text.size();
 }
 
@@ -79,7 +79,7 @@ std::size_t YamlExtent::after_colon(const YamlEntry& entry) const {
     at += entry.key.size();
   }
   at = std::min(text_.find_first_not_of(" \t", at), text_.size());
-  if (at == text_.size() || text_[at] != ':') refuse("an unusual way to write a key stands there");
+  if (at == text_.size() || text_[at] != ':') refuse("a key is written there in an unusual way");
   return at + 1;
 }
 
@@ -98,7 +98,7 @@ std::size_t YamlExtent::end(const YamlNode& node) const {
       if (!node.text.empty()) return scalar_end(node);
       break;
   }
-  refuse("nothing stands there");
+  refuse("there is nothing there");
 }
 
 std::size_t YamlExtent::end(const YamlEntry& entry) const {

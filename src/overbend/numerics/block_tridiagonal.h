@@ -60,7 +60,7 @@ void add_element(BlockTridiagonal& system, int node, const Matrix& k) {
   }
 }
 
-/// Solves in place by block elimination with row pivoting inside each block; the solutions stand in the columns of the
+/// Solves in place by block elimination with row pivoting inside each block; the solutions are in the columns of the
 /// right-hand sides. The blocks are overwritten by what `resolve` needs.
 BlockSolveReport solve(BlockTridiagonal& system);
 
@@ -68,7 +68,7 @@ BlockSolveReport solve(BlockTridiagonal& system);
 /// the solution. About a fifth of the work of `solve`.
 void resolve(BlockTridiagonal& solved, double* x);
 
-/// Factors anew from node `first` on, where blocks have been put in afresh; the factors of the nodes before it stand.
+/// Factors anew from node `first` on, where blocks have been set again; the factors of the nodes before it are kept.
 /// Right-hand sides are left to `resolve`.
 BlockSolveReport refactor(BlockTridiagonal& solved, int first);
 

@@ -35,7 +35,7 @@ struct Row {
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
 constexpr double kPivotFloor = 1e-14;
 
-/// Rows are exchanged where a pivot is smaller than this share of what stands below it, or of what it was at first.
+/// Rows are exchanged where a pivot is smaller than this fraction of the entries below it, or of its initial value.
 constexpr double kPivotShare = 0.02;
 constexpr double kPivotLoss = 1e-10;
 

@@ -8,7 +8,7 @@
 namespace overbend {
 
 /// Histograms of `size` quantities that are never negative and are sampled together, each sample weighted by the time
-/// it stands for. Every quantity has kBins bins of equal width; where a value goes beyond them, the width doubles and
+/// it represents. Every quantity has kBins bins of equal width; where a value goes beyond them, the width doubles and
 /// bins join in pairs. So a quantile is known to within 2/kBins of the largest value, whatever the values are and
 /// however long they come. Exact zeros are counted apart.
 class RunningQuantiles {

@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// Statistics of `size` quantities that are sampled together, each sample weighted by the time it stands for. Welford's
+/// Statistics of `size` quantities that are sampled together, each sample weighted by the time it represents. Welford's
 /// recurrence with weights [west1979]: no differences of large sums, so that a small spread about a large mean keeps
 /// its digits. A value that is not a number is absent: the quantity is passed over in that sample.
 class RunningStatistics {

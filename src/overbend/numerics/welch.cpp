@@ -61,7 +61,7 @@ PowerSpectrum power_spectrum(std::span<const double> values, double step) {
 
   const double power = std::inner_product(window.begin(), window.end(), window.begin(), 0.0);
   for (std::size_t k = 0; k < spectrum.density.size(); ++k) {
-    const bool alone = k == 0 || 2 * k == padded;  // all others stand for a negative frequency too
+    const bool alone = k == 0 || 2 * k == padded;  // all others also represent a negative frequency
     spectrum.density[k] *= (alone ? 1.0 : 2.0) * step / (power * spectrum.segments);
     spectrum.frequency.push_back(static_cast<double>(k) / (static_cast<double>(padded) * step));
   }

@@ -142,13 +142,13 @@ std::string inputs_table(const CheckTable& table) {
       name.clear();
     }
   }
-  return html::folded("The numbers that went into each check", out.str());
+  return html::folded("Input values of each check", out.str());
 }
 
 /// What the table comes to, and what its columns mean.
 std::string headline(const CheckTable& table) {
   return "<p>" + html::escape(verdict_of(table, {}).because) +
-         " The reserve factor is the factor on the load effects, pressure apart, that brings the utilisation to 1. "
+         " The reserve factor is the factor on the load effects, at unchanged pressure, at which the utilisation is 1. "
          "The formulas have not been compared with the printed standards; see the assumptions.</p>\n";
 }
 
@@ -172,8 +172,9 @@ std::string checks_section(const StaticResults& statics, const CheckTable& table
 }
 
 std::string check_inputs_section(const CheckTable& table) {
-  return table.rows.empty() ? ""
-                            : html::section("check-inputs", "Appendix: numbers of the checks", inputs_table(table));
+  return table.rows.empty()
+             ? ""
+             : html::section("check-inputs", "Appendix: input values of the checks", inputs_table(table));
 }
 
 nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table) {

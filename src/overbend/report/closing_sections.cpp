@@ -49,7 +49,7 @@ std::string solver_table(const StaticResults& r) {
 std::string balance_section(const StaticResults& results) {
   std::string body = "<div class=\"columns\">\n" + force_table(results) + solver_table(results) + "</div>\n";
   if (!results.solve.history.empty()) {
-    body += "<h3>Course of the solution</h3>\n<ol class=\"history\">\n";
+    body += "<h3>Solution history</h3>\n<ol class=\"history\">\n";
     for (const std::string& stage : results.solve.history) {
       body += "<li>" + html::escape(stage) + "</li>\n";
     }
@@ -60,7 +60,7 @@ std::string balance_section(const StaticResults& results) {
 
 std::string model_text_section(const std::string& model_text) {
   return html::section("model", "Appendix: model file",
-                       html::folded("The input as it was given", "<pre>" + html::escape(model_text) + "</pre>"));
+                       html::folded("Model file as given", "<pre>" + html::escape(model_text) + "</pre>"));
 }
 
 }  // namespace overbend

@@ -37,24 +37,26 @@ std::string quantities_section(const Comparison& comparison) {
   std::vector<std::string> warnings = {"Warnings", "-"};
   for (const ComparedRun& run : comparison.runs) warnings.push_back(std::to_string(run.results.warnings.size()));
   table.row(warnings);
-  return html::section("quantities", "What each gave",
+  return html::section("quantities", "Results of the variants",
                        table.str() + "<p class=\"small\">From the end of the build-up to the end of the run.</p>\n");
 }
 
 const std::vector<Figure>& figures_of(ComparisonOf of) {
   static const std::vector<Figure> kTensioner = {
       {"compared_tensioner",
-       "Tension at the tensioner in time: off, controlled and constant, with the operational range",
+       "Time history of tension at the tensioner: off, controlled and constant, with the operational range",
        {"tension_whole", "tension_close"}},
-      {"compared_tensioner", "Travel of the tensioner in time", {"travel_whole", "travel_close"}}};
+      {"compared_tensioner", "Time history of tensioner travel", {"travel_whole", "travel_close"}}};
   static const std::vector<Figure> kContact = {
       {"compared_contact",
-       "Share of time in contact, box by box and for each bottom roller; \u00d7 marks a box that never carries",
+       "Fraction of time in contact, per box and bottom roller; \u00d7 marks a box that never carries",
        {"share"}},
       {"compared_contact",
-       "Peak reaction of each box; the white line is the static value, dots are single bottom rollers",
+       "Peak reaction of each box; the white line marks the static value, dots are individual bottom rollers",
        {"peak"}},
-      {"compared_contact", "What the hardest contact of each box may do to steel and coating", {"dent", "load"}}};
+      {"compared_contact",
+       "Possible damage to steel and coating by the hardest contact of each box",
+       {"dent", "load"}}};
   return of == ComparisonOf::tensioner ? kTensioner : kContact;
 }
 
@@ -70,7 +72,7 @@ std::string links_section(const Comparison& comparison) {
     items += fmt::format("<li><a href=\"{0}/report.html\">{0}</a>: {1}</li>\n", html::escape(run.name),
                          html::escape(run.words));
   }
-  return html::section("reports", "The reports of the variants", "<ul>\n" + items + "</ul>\n");
+  return html::section("reports", "Reports of the variants", "<ul>\n" + items + "</ul>\n");
 }
 
 std::vector<std::string> all_warnings(const Comparison& comparison) {
@@ -91,7 +93,7 @@ std::string comparison_html(const StaticResults& statics, const Comparison& comp
   entries.emplace_back("Status", status_words("completed", warnings.size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written_now());
-  const std::string kind = tensioner ? "Tensioner off, controlled and constant" : "Rollers against gap springs";
+  const std::string kind = tensioner ? "Tensioner off, controlled and constant" : "Rollers and gap springs";
   const std::string body = title_block("Comparison: " + kind, statics.title, entries) + findings_section(comparison) +
                            warnings_section(warnings) + figures(comparison) + quantities_section(comparison) +
                            boxes_section(comparison) + links_section(comparison) + model_text_section(model_text);

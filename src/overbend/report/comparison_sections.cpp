@@ -22,7 +22,7 @@ std::string tension_words(const ComparedRun& run) {
 
 std::string counts_words(const TensionerDynamics& t) {
   const std::string at_limit =
-      t.limit_count > 0 ? fmt::format(", and stands {} s at the end of its travel", fixed(t.time_at_limit, 1)) : "";
+      t.limit_count > 0 ? fmt::format(", and is at its travel limit for {} s", fixed(t.time_at_limit, 1)) : "";
   return fmt::format(", pays out {} and hauls in {} times{}", t.pay_out_count, t.haul_in_count, at_limit);
 }
 
@@ -79,7 +79,7 @@ const ComparedBoxes* farthest(const Comparison& comparison, double sign) {
 std::string against(const ComparedBoxes& box) {
   const ComparedBox &rollers = box.runs[0], &springs = box.runs[1];
   return fmt::format(
-      "{}: {} kN with gap springs against {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
+      "{}: {} kN with gap springs compared with {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
       "the coating",
       box.name, fixed(springs.peak_force / 1e3, 1), fixed(rollers.peak_force / 1e3, 1),
       fixed(springs.dent_depth * 1e3, 2), fixed(rollers.dent_depth * 1e3, 2), fixed(springs.line_load / 1e3, 1),
@@ -95,14 +95,13 @@ std::vector<std::string> meaning(const Comparison& comparison) {
   std::vector<std::string> list;
   if (const ComparedBoxes* missed = farthest(comparison, 1.0)) {
     list.push_back(
-        fmt::format("For dents and coating a check with gap springs is on the unsafe side at {} of {} boxes, "
-                    "most at {}.",
+        fmt::format("For dents and coating load, gap springs are non-conservative at {} of {} boxes, most at {}.",
                     below, boxes, against(*missed)));
   }
   if (const ComparedBoxes* strict = farthest(comparison, -1.0)) {
     list.push_back(
-        fmt::format("It is too strict at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
-                    "rollers where the pipe meets them.",
+        fmt::format("They are conservative at {} of {} boxes, most at {}. A spring carries at the middle of its box, "
+                    "rollers where the pipe touches them.",
                     boxes - below, boxes, against(*strict)));
   }
   return list;

@@ -67,7 +67,7 @@ std::string contact_tiles(const StaticResults& statics, const DynamicResults& r)
                 fmt::format("{} m/s at {}, t = {} s", fixed(impact.approach_velocity, 3),
                             find_roller(r, impact.roller).name(), fixed(impact.time, 1)));
   } else {
-    out += tile("Impacts", "none", "", "the pipe never comes down on a roller");
+    out += tile("Impacts", "none", "", "the pipe never lands on a roller");
   }
   out += tile(
       "Rollers that lose contact", std::to_string(count.losing), fmt::format("of {}", count.carrying),
@@ -142,8 +142,8 @@ void judge(std::vector<std::string>& all, const StaticResults& statics, const ch
            const DynamicExtreme& extreme) {
   if (yields(statics, extreme)) {
     all.push_back(
-        fmt::format("{} von Mises stress in the dynamic run: {}. The steel is taken as linear elastic, so what lies "
-                    "beyond yield only indicates that the lay is not feasible as given",
+        fmt::format("{} von Mises stress in the dynamic run: {}. The steel is assumed linear elastic: a stress beyond "
+                    "yield only indicates that the lay is not feasible as given",
                     name, stress_note(statics, extreme)));
   }
 }
@@ -190,9 +190,9 @@ std::string dynamic_key_results(const StaticResults& statics, const DynamicResul
       statics, has_overbend(statics) ? "Sagbend: from there to touchdown" : "Suspended pipe: tensioner to touchdown",
       results.sagbend, statics.sagbend);
   body +=
-      "</div>\n<p class=\"small\">Times count from the end of the build-up, and so do all statistics. Along pipe: "
+      "</div>\n<p class=\"small\">Times and statistics start at the end of the build-up. Along pipe: "
       "unstressed length from the tensioner. X: horizontal, astern of the stern shoe. Z: above the mean water level. "
-      "Places are those of the static state. Ratio: dynamic over static.</p>\n";
+      "Locations are those of the static state. Ratio: dynamic divided by static.</p>\n";
   return html::section("results", "Key results", body);
 }
 

@@ -27,7 +27,7 @@ std::string energy_tables(const EnergyBalance& e) {
   const auto row = [](html::Table& table, const char* name, double value, const char* css = "") {
     table.row({name, fixed(value / 1e3, 3)}, css);
   };
-  html::Table in = energy_listing("Energy: work done on the pipe, and where it went");
+  html::Table in = energy_listing("Energy: work done on the pipe, and losses");
   row(in, "Work of the water", e.fluid);
   row(in, "Work of the rollers' motion", e.rollers);
   row(in, "Work at the tensioner", e.top);
@@ -46,8 +46,8 @@ std::string energy_tables(const EnergyBalance& e) {
   row(stored, "Seabed", e.seabed);
   row(stored, "Stored", e.kinetic + e.strain + e.gravity + e.contact + e.seabed, "total");
   row(stored, "Stored + lost - work in", e.error);
-  row(stored, "Work and losses passed, absolute", e.throughput);
-  stored.row({"Drift, error over what has passed", fixed(100.0 * e.drift(), 4) + " %"}, "total");
+  row(stored, "Total energy exchanged (sum of absolute values)", e.throughput);
+  stored.row({"Drift, error relative to energy exchanged", fixed(100.0 * e.drift(), 4) + " %"}, "total");
   return in.str() + stored.str();
 }
 
@@ -63,9 +63,9 @@ std::string run_table(const DynamicResults& r) {
       .row({"Newton iterations", std::to_string(run.newton_iterations), ""})
       .row({"Newton iterations per step", fixed(static_cast<double>(run.newton_iterations) / steps, 2), ""})
       .row({"Factorisations of the whole tangent", std::to_string(run.factorisations), ""})
-      .row({"Rows of histories every", fmt::format("{:.4g}", r.output_step), "s"})
+      .row({"Output step of histories", fmt::format("{:.4g}", r.output_step), "s"})
       .row({"Time in the loop", fixed(run.wall_time, 1), "s"})
-      .row({"Simulated over elapsed time", fmt::format("{:.3g}", run.real_time_ratio), ""});
+      .row({"Simulated time divided by elapsed time", fmt::format("{:.3g}", run.real_time_ratio), ""});
   return table.str();
 }
 
@@ -86,16 +86,16 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
         .row({"Time out of the operational range", share(t.time_out_of_range), ""});
   }
   if (t.mode != "locked") {
-    table.row({"Travel, paid out positive", spread_words(t.travel, 1.0, 3), "m"});
+    table.row({"Travel, positive when paid out", spread_words(t.travel, 1.0, 3), "m"});
   }
   if (t.mode == "controlled") {
-    table.row({"Limit of the travel", t.travel_limit > 0.0 ? fixed(t.travel_limit, 2) : "none", "m"})
-        .row({"Time it held", share(t.time_holding), ""})
-        .row({"Time it waited its delay", share(t.time_delayed), ""})
-        .row({"Time it paid out", share(t.time_paying_out) + ", " + std::to_string(t.pay_out_count) + " times", ""})
-        .row({"Time it hauled in", share(t.time_hauling_in) + ", " + std::to_string(t.haul_in_count) + " times", ""})
-        .row({"Time at the end of its travel", share(t.time_at_limit) + ", " + std::to_string(t.limit_count) + " times",
-              ""});
+    table.row({"Travel limit", t.travel_limit > 0.0 ? fixed(t.travel_limit, 2) : "none", "m"})
+        .row({"Time holding", share(t.time_holding), ""})
+        .row({"Time waiting for its delay", share(t.time_delayed), ""})
+        .row({"Time paying out", share(t.time_paying_out) + ", " + std::to_string(t.pay_out_count) + " times", ""})
+        .row({"Time hauling in", share(t.time_hauling_in) + ", " + std::to_string(t.haul_in_count) + " times", ""})
+        .row(
+            {"Time at its travel limit", share(t.time_at_limit) + ", " + std::to_string(t.limit_count) + " times", ""});
   }
   return html::section("tensioner", "Tensioner", table.str());
 }
@@ -103,7 +103,7 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
 std::string dynamic_run_section(const DynamicResults& results) {
   return html::section("run", "Appendix: energy balance and run",
                        "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) +
-                           "</div>\n<p class=\"small\">Integrator: " + html::escape(results.run.integrator) +
+                           "</div>\n<p class=\"small\">Time integration: " + html::escape(results.run.integrator) +
                            ".</p>\n");
 }
 

@@ -38,7 +38,7 @@ class Statistics {
   void add(const std::string& name, const std::string& units, const Spread& spread, bool largest = false) {
     const Quantity q = quantity(name, units);
     const std::optional<double> before = static_value(statics_, results_, name);
-    table_.row({largest ? q.name + ", largest of the region" : q.name, q.unit, before ? q.text(*before) : "",
+    table_.row({largest ? q.name + ", maximum of the region" : q.name, q.unit, before ? q.text(*before) : "",
                 q.text(spread.min), q.text(spread.mean), q.text(spread.max), q.text(spread.std),
                 before && *before > 0.0 && has_ratio(units) ? fixed(spread.max / *before, 2) : ""});
   }
@@ -87,7 +87,7 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
   if (r.extremes.empty()) {
     return "";
   }
-  html::Table table("Most probable largest values in three hours",
+  html::Table table("Most probable extremes in three hours",
                     {{"Quantity", "", true},
                      {"Unit", "", true},
                      {"Static", ""},
@@ -118,10 +118,9 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
     table.row(cells);
   }
   return table.str() +
-         "<p class=\"small\">Interval: 95 % confidence. Peaks are the largest values between mean up-crossings after "
-         "the build-up. Where there "
-         "are too few of them nothing is fitted, and the observed value is all that is known. Observed: largest of "
-         "this run, whose length may differ from three hours.</p>\n";
+         "<p class=\"small\">Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the "
+         "build-up. If there are too few of them no distribution is fitted, and only the observed value is given. "
+         "Observed: maximum of this run, whose duration may differ from three hours.</p>\n";
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 using html::fixed;
 
-/// "never" and "always" are told from shares that only round to them.
+/// "never" and "always" are distinguished from fractions that only round to them.
 std::string share(double part) {
   if (part <= 0.0) return "0";
   if (part >= 1.0) return "100";
@@ -54,9 +54,9 @@ std::string support_table(const DynamicResults& results) {
         box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
   }
   return table.str() +
-         "<p class=\"small\">99 %: not passed for that share of the time. Lateral: to port positive. Separation: clear "
-         "distance of pipe and roller, the smallest of "
-         "the box's bottom rollers; negative is penetration by the contact stiffness. Contact: any roller of the box "
+         "<p class=\"small\">99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance "
+         "between pipe and roller, the smallest of the box's bottom rollers; negative is penetration by the contact "
+         "stiffness. Contact: any roller of the box "
          "carries.</p>\n";
 }
 
@@ -136,7 +136,7 @@ std::string dynamic_supports_section(const DynamicResults& results) {
 std::string dynamic_rollers_section(const DynamicResults& results) {
   return results.supports.empty()
              ? ""
-             : html::section("dynamic-rollers", "Appendix: rollers one by one, over time", roller_table(results));
+             : html::section("dynamic-rollers", "Appendix: individual rollers over time", roller_table(results));
 }
 
 std::string impacts_section(const StaticResults& statics, const DynamicResults& results) {
@@ -146,7 +146,7 @@ std::string impacts_section(const StaticResults& statics, const DynamicResults& 
   constexpr std::size_t kPrinted = 20;
   const std::size_t count = results.hardest_impacts.size();
   if (count == 0) {
-    return html::section("impacts", "Impacts", "<p>The pipe never comes down on a roller it has left.</p>\n");
+    return html::section("impacts", "Impacts", "<p>The pipe never lands on a roller after leaving it.</p>\n");
   }
   const std::size_t first = std::min(count, kPrinted);
   html::Table table = impact_table(first < static_cast<std::size_t>(results.impact_count)
@@ -163,12 +163,12 @@ std::string impacts_section(const StaticResults& statics, const DynamicResults& 
     }
     body += html::folded(fmt::format("The next {}", count - first), more.str(), false);
   }
-  return html::section(
-      "impacts", "Impacts",
-      body +
-          "<p class=\"small\">From first touch until the pipe leaves the roller or rests on it. Dent depth: of bare "
-          "steel under the peak force, the coating's help left out. Line load: peak force over the length of the "
-          "coating under the roller.</p>\n");
+  return html::section("impacts", "Impacts",
+                       body +
+                           "<p class=\"small\">Duration: from first contact until the pipe leaves the roller or rests "
+                           "on it. Dent depth: in bare steel under the peak force, neglecting the coating. Line load: "
+                           "peak force over the length of the "
+                           "coating under the roller.</p>\n");
 }
 
 }  // namespace overbend

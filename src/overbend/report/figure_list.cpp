@@ -28,8 +28,8 @@ std::string figure_list(const std::vector<Figure>& figures,
 std::string figure_section(const std::string& id, const std::string& heading, const std::string& figures) {
   return figures.empty() ? ""
                          : html::section(id, heading,
-                                         "<noscript><p>The figures are drawn by scripts, which this browser does not "
-                                         "run. The tables hold the same results.</p></noscript>\n" +
+                                         "<noscript><p>The figures are drawn by scripts, which are disabled in this "
+                                         "browser. The tables contain the same results.</p></noscript>\n" +
                                              figures);
 }
 

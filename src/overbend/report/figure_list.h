@@ -1,4 +1,4 @@
-/// How figures of the page are told to its scripts.
+/// How figures of the page are passed to its scripts.
 #pragma once
 
 #include <functional>

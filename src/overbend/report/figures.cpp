@@ -20,9 +20,9 @@ const std::vector<Figure>& all_figures() {
       {"moment", "Bending moment", {"whole", "overbend"}},
       {"bending", "Bending stress", {"whole", "overbend"}},
       {"mises", "von Mises stress", {"whole", "overbend"}},
-      {"strain", "Longitudinal strain, largest over the section", {"whole", "overbend"}},
-      {"reactions", "Reactions of the rollers, row by row", {"bars"}},
-      {"separations", "Separation of pipe and rollers, row by row", {"bars"}},
+      {"strain", "Longitudinal strain, maximum over the section", {"whole", "overbend"}},
+      {"reactions", "Reactions of the rollers, per row", {"bars"}},
+      {"separations", "Separation between pipe and rollers, per row", {"bars"}},
   };
   return kFigures;
 }

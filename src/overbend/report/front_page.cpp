@@ -59,7 +59,7 @@ std::string utilisation_card(const StaticResults& statics, const CheckTable& che
   }
   if (bars.empty()) return "";
   return "<div class=\"card\"><h3>Utilisation, governing check of each region</h3>\n" + bars +
-         "<p class=\"small\">The mark on the bar is all of the capacity. " + escape(reach) +
+         "<p class=\"small\">The mark on the bar is the full capacity. " + escape(reach) +
          " The formulas have not been compared with the printed standards.</p></div>\n";
 }
 

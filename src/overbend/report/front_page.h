@@ -1,4 +1,4 @@
-/// The first page: what the document is, what the analysis comes to, what to beware of, what stands where.
+/// The first page: document control, verdict, warnings, contents.
 #pragma once
 
 #include <string>

@@ -178,7 +178,7 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   }
   histories.add_between("tension", "top_tension");
   histories.add("tension", "bottom_tension");
-  if (results.tensioner.mode != "locked") {  // a locked one stands, and its tension is that of the pipe's top
+  if (results.tensioner.mode != "locked") {  // a locked one does not move, and its tension is that of the pipe's top
     histories.add("tensioner", "tensioner/tension");
     histories.shade(results.tensioner.range_low, results.tensioner.range_high);
     histories.add("tensioner", "tensioner/travel");

@@ -94,9 +94,9 @@ std::string vessel_table(const Description& model) {
       .add("Stern shoe, x from midship and z", general(vessel.stern_shoe_x) + ", " + general(vessel.stern_shoe_z), "m")
       .add("Tensioner X, Z from the stern shoe", general(model.tensioner.x) + ", " + general(model.tensioner.z), "m")
       .add("Tensioner incline", model.tensioner.incline * kDegrees, "deg")
-      .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction held" : "pinned");
+      .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction fixed" : "pinned");
   if (model.tensioner.tension) {
-    list.add("Wanted tension", 1e-3 * *model.tensioner.tension, "kN");
+    list.add("Set tension", 1e-3 * *model.tensioner.tension, "kN");
   }
   if (model.supports.ramp_radius) {
     list.add("Ramp radius", *model.supports.ramp_radius, "m");
@@ -126,7 +126,7 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
   return list.str();
 }
 
-/// Numbers of the sea; its kind stands in the report's head.
+/// Numbers of the sea; its type is in the report's header.
 void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed) {
   if (waves.type == WaveType::none) {
     list.add("Waves", "none");
@@ -140,7 +140,7 @@ void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed)
     }
     list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
   }
-  list.add("Waves come from", waves.from * kDegrees, "deg");
+  list.add("Waves from", waves.from * kDegrees, "deg");
 }
 
 std::string dynamics_table(const Description& model, const DynamicResults& results) {
@@ -152,7 +152,7 @@ std::string dynamics_table(const Description& model, const DynamicResults& resul
       .add("Added mass, normal and axial", general(water.added_mass_normal) + ", " + general(water.added_mass_axial));
   if (model.dynamics) {
     if (model.dynamics->step) list.add("Fixed step", *model.dynamics->step, "s");
-    if (model.dynamics->max_step) list.add("Largest step allowed", *model.dynamics->max_step, "s");
+    if (model.dynamics->max_step) list.add("Maximum step", *model.dynamics->max_step, "s");
   }
   const TensionerDescription& tensioner = model.tensioner;
   if (tensioner.range_low && tensioner.range_high) {
@@ -201,8 +201,8 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
 }
 
 std::string assumptions_section(const std::vector<std::string>& assumptions) {
-  constexpr std::array<const char*, 3> kHeads = {"What decides the result", "What the model file sets, as understood",
-                                                 "What holds besides"};
+  constexpr std::array<const char*, 3> kHeads = {"Governing assumptions", "Settings of the model file",
+                                                 "Other assumptions"};
   const std::array<std::vector<std::string>, 3> lists = ranked(assumptions);
   std::string body;
   for (std::size_t i = 0; i < lists.size(); ++i) {

@@ -47,7 +47,7 @@ std::string tiles(const StaticResults& r) {
     out += tile("Suspended length", fixed(r.suspended_length, 1), "m", "along the pipe, to touchdown");
     out += tile("Sagbend moment", fixed(r.sagbend.bending_moment.value / 1e3, 1), "kN m",
                 fixed(from_tensioner(r, r.sagbend.bending_moment.s), 1) + " m along the pipe");
-    out += tile("Sagbend strain", fixed(r.sagbend.strain.value * 1e2, 4), "%", "longitudinal, largest");
+    out += tile("Sagbend strain", fixed(r.sagbend.strain.value * 1e2, 4), "%", "longitudinal, maximum");
   }
   if (!r.supports.empty()) {
     out +=
@@ -131,9 +131,8 @@ std::vector<std::string> static_remarks(const StaticResults& results) {
   const auto judge = [&](const char* name, const RegionResult& region) {
     if (utilisation(results, region.von_mises) > 100.0) {
       all.push_back(
-          fmt::format("{} von Mises stress: {}. The steel is taken as linear elastic, so what lies beyond yield only "
-                      "indicates that "
-                      "the lay is not feasible as given",
+          fmt::format("{} von Mises stress: {}. The steel is assumed linear elastic: a stress beyond yield only "
+                      "indicates that the lay is not feasible as given",
                       name, stress_note(results, region.von_mises)));
     }
   };
@@ -172,7 +171,7 @@ std::string key_results(const StaticResults& results, const std::string& id, con
   body += "</div>\n" + lay_table(results);
   body +=
       "<p class=\"small\">Along pipe: unstressed length from the tensioner. X: horizontal, astern of the stern shoe. "
-      "Y: to port of the vessel's axis. Z: above the mean water level. All of the pipe's axis.</p>\n";
+      "Y: to port of the vessel's axis. Z: above the mean water level. All refer to the pipe's axis.</p>\n";
   return html::section(id, heading, body);
 }
 

@@ -64,8 +64,8 @@ std::string lay_setting_section(const StaticResults& results, const std::optiona
           "the coated pipe rests; offset: raises the box from there along the normal of the support curve. Along pipe: "
           "from the tensioner. Reaction: resultant of the box; separation: the smallest of its bottom rollers, "
           "negative "
-          "is penetration by the contact stiffness. Boxes in grey carry nothing" +
-          std::string(dynamic != nullptr ? " in the static state. Largest and smallest are those of the run.</p>\n"
+          "is penetration due to the contact stiffness. Boxes in grey carry no load" +
+          std::string(dynamic != nullptr ? " in the static state. Maxima and minima are those of the run.</p>\n"
                                          : ".</p>\n"));
 }
 

@@ -16,7 +16,7 @@ struct Quantity {
 };
 
 /// For the script name and SI units of a history or an extreme: "support/stinger 8/reaction" in N becomes
-/// "Reaction, stinger 8" in kN. A name that is not known is told as it is, its underscores as blanks; unknown units
+/// "Reaction, stinger 8" in kN. An unknown name is shown as it is, with underscores as blanks; unknown units
 /// stay.
 Quantity quantity(const std::string& name, const std::string& units);
 

@@ -17,7 +17,7 @@
 namespace overbend {
 namespace {
 
-/// The inputs are told as the program understands them; what it cannot read any more is still printed at the end.
+/// The inputs are shown as the program reads them; a model text it can no longer read is still printed at the end.
 std::optional<Description> description_of(const std::string& model_text) {
   return read_model_text(model_text, "model.yaml").description;
 }
@@ -62,7 +62,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
                            rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
                            model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
-  front.reach = "Checks of the static state alone: what waves add needs a run in time.";
+  front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   front.entries = subject_entries(results);
   front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
@@ -80,7 +80,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
       dynamic_key_results(statics, results) + lay_setting_section(statics, description, &results) + checks +
       dynamic_figures_section(statics, results, figure) + dynamic_statistics_section(statics, results) +
       dynamic_supports_section(results) + impacts_section(statics, results) + tensioner_section(statics, results);
-  const std::string before = key_results(statics, "static-results", "The static state from which the run starts") +
+  const std::string before = key_results(statics, "static-results", "Initial static state") +
                              figures_section(statics, "figures", "Figures of the static state", figure) +
                              static_tables(statics);
   const std::string closing = inputs_section(statics, description, &results) +
@@ -90,7 +90,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                               balance_section(statics) + model_text_section(model_text);
   const std::string rest = dynamic + before + closing;
   FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, dynamic_remarks(statics, results));
-  front.reach = "Largest values of one run of " + duration_words(results.duration) + ".";
+  front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
   front.entries = dynamic_entries(statics, results, description, written_now());
   return whole_page(statics.title + " - dynamic analysis", front_page(front, statics, results.checks, rest),
                     report_data(statics, &results));

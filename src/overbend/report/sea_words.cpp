@@ -61,13 +61,13 @@ std::string sea_words(const WavesDescription& waves) {
 std::string motion_words(const VesselDescription& vessel) {
   switch (vessel.motion) {
     case VesselMotion::fixed:
-      return "none, held fast";
+      return "none, fixed";
     case VesselMotion::raos:
       return "RAOs of " + file_name(vessel.motion_file);
     case VesselMotion::history:
       return "recorded, " + file_name(vessel.motion_file);
     case VesselMotion::coupled:
-      return "coupled with the hull's motion, " + file_name(vessel.motion_file);
+      return "coupled with the hull motion, " + file_name(vessel.motion_file);
     case VesselMotion::harmonic:
       break;
   }
@@ -77,7 +77,7 @@ std::string motion_words(const VesselDescription& vessel) {
       words += (words.empty() ? "harmonic: " : ", ") + std::string(freedom);
     }
   }
-  return words.empty() ? "none, held fast" : words;
+  return words.empty() ? "none, fixed" : words;
 }
 
 }  // namespace overbend

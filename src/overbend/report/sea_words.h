@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// "JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1.35 by rule, from 180 deg, long-crested"; "calm water". Gamma is told where it
+/// "JONSWAP, Hs 4 m, Tp 12.9 s, gamma 1.35 by rule, from 180 deg, long-crested"; "calm water". Gamma is given where it
 /// is the rule's and not the user's, too.
 std::string sea_words(const WavesDescription& waves);
 

@@ -17,20 +17,20 @@ std::string title_block(const std::string& kind, const std::string& title,
                         const std::string& control = "");
 /// What is laid, from what, where: for the title block.
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
-/// "converged", or "converged, 2 warnings": they stand further down and must not be missed.
+/// "converged", or "converged, 2 warnings": they are further down and must not be missed.
 std::string status_words(const std::string& state, std::size_t warnings);
 /// The warnings of the run, and what its numbers call for in words.
 std::vector<std::string> static_remarks(const StaticResults& results);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
 /// Inputs as the program understood them; without a description (a model text that cannot be read) what results tell.
-/// `dynamic`, not null for the report of a run in time, adds what only counts there.
+/// `dynamic`, not null for the report of a dynamic run, adds what applies only there.
 std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
                            const DynamicResults* dynamic);
 /// By what hangs on them.
 std::string assumptions_section(const std::vector<std::string>& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.
 std::string static_summary_table(const StaticResults& results);
-/// How every box is set and what that makes it carry; with a run in time also the ends of that. Empty in J-lay.
+/// Setting of every box and its reaction; for a dynamic run also minima and maxima. Empty in J-lay.
 std::string lay_setting_section(const StaticResults& results, const std::optional<Description>& description,
                                 const DynamicResults* dynamic);
 std::string support_table(const StaticResults& results);

@@ -14,7 +14,7 @@ using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
-/// A line of the static summary where no support stands.
+/// A line of the static summary without a support.
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
   const Vec3 p = ship_point(results, at.p_W);
@@ -83,12 +83,12 @@ std::string static_summary_table(const StaticResults& results) {
   return table.str() +
          "<p class=\"small\">X: horizontal, astern of the stern shoe; Y: to port of the vessel's axis; Z: above the "
          "mean "
-         "water level. Horizontal reaction: across the box, to port positive. Pipe at a support: place at the middle "
-         "of the box, largest values over its length. "
+         "water level. Horizontal reaction: across the box, positive to port. Pipe at a support: position at the "
+         "middle of the box, maxima over its length. "
          "Separation: "
-         "clear distance of pipe and roller, the smallest of the box's bottom rollers (vertical) and side rollers "
-         "(horizontal); negative is penetration by the contact stiffness or, where a pipe has passed the end of a side "
-         "roller, its distance beyond that roller's line.</p>\n";
+         "clear distance between pipe and roller, the smallest of the box's bottom rollers (vertical) and side rollers "
+         "(horizontal); negative is penetration due to the contact stiffness or, if the pipe has passed the end of a "
+         "side roller, its distance beyond the line of that roller.</p>\n";
 }
 
 std::string support_table(const StaticResults& results) {
@@ -123,7 +123,7 @@ std::string support_table(const StaticResults& results) {
   return table.str() +
          "<p class=\"small\">X, Z: middle of the box, where the underside of the coated pipe rests; Z above the mean "
          "water "
-         "level. Longitudinal: along the box, astern positive; lateral: to port positive.</p>\n";
+         "level. Longitudinal: along the box, positive astern; lateral: positive to port.</p>\n";
 }
 
 std::string rollers_section(const StaticResults& results) {
@@ -154,7 +154,7 @@ std::string rollers_section(const StaticResults& results) {
       }
     }
   }
-  return html::section("rollers", "Appendix: rollers one by one, static state",
+  return html::section("rollers", "Appendix: individual rollers, static state",
                        html::folded(fmt::format("All {} rollers", count), table.str()));
 }
 

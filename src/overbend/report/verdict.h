@@ -11,7 +11,7 @@ namespace overbend {
 
 enum class VerdictKind {
   passed,
-  reserved,  ///< Nothing exceeded, but something stands against relying on that.
+  reserved,  ///< Nothing exceeded, but with reservations.
   exceeded,
   open,  ///< Nothing could be judged.
 };

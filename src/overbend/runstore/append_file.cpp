@@ -95,7 +95,7 @@ void AppendFile::verify(const std::vector<std::uint64_t>& sums) {
 
 void AppendFile::refuse_damaged(std::uint64_t offset) const {
   throw std::runtime_error("the file '" + file_.string() + "' is damaged: behind byte " + std::to_string(offset) +
-                           " it does not hold what was written");
+                           " the content is not what was written");
 }
 
 void AppendFile::append(std::span<const double> values) {

@@ -96,7 +96,7 @@ class AppendFile {
   BlockSums sums_;
 };
 
-/// Writes all bytes from `offset` on: at their place, so that what is tried again after a fault does not stand there
+/// Writes all bytes from `offset` on: at their place, so that a retry after a fault does not write them
 /// twice. Throws std::runtime_error that names `file`.
 void write_at(std::uint64_t offset, std::span<const std::byte> bytes, int id, const std::filesystem::path& file);
 

@@ -67,7 +67,7 @@ class Decoder {
     return value;
   }
   void expect_end() const {
-    if (!bytes_.empty()) throw std::runtime_error("it holds more than it should");
+    if (!bytes_.empty()) throw std::runtime_error("it contains extra data");
   }
 
  private:
@@ -146,8 +146,8 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 /// What lies between the mark and the checksum.
 std::string_view content_of(std::string_view bytes) {
-  if (!bytes.starts_with(kMagic)) throw std::runtime_error("it does not begin as one");
-  if (bytes.size() < kMagic.size() + sizeof(std::uint64_t)) throw std::runtime_error("it is cut short");
+  if (!bytes.starts_with(kMagic)) throw std::runtime_error("it is not a checkpoint file");
+  if (bytes.size() < kMagic.size() + sizeof(std::uint64_t)) throw std::runtime_error("it is truncated");
   const std::string_view summed = bytes.substr(0, bytes.size() - sizeof(std::uint64_t));
   std::uint64_t stored = 0;
   std::memcpy(&stored, bytes.data() + summed.size(), sizeof stored);
@@ -180,7 +180,7 @@ RunCheckpoint read_checkpoint(const std::filesystem::path& file) {
   }
   if (checkpoint.version != program_identity()) {
     throw std::runtime_error("the checkpoint '" + file.string() + "' is of version " + checkpoint.version +
-                             " of the program, this is " + program_identity() + "; begin anew with --restart");
+                             " of the program, this is " + program_identity() + "; start again with --restart");
   }
   return checkpoint;
 }

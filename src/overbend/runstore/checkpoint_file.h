@@ -1,4 +1,4 @@
-/// The file that lets a dynamic run be taken up again.
+/// The file from which a dynamic run can be resumed.
 #pragma once
 
 #include <cstdint>

@@ -77,7 +77,7 @@ void verify(const fs::path& file) {
   }
   stream.seekg(0);
   if (seal.length != size - sizeof seal || checksum(stream, seal.length) != seal.sum || !stream) {
-    refuse(file, "is damaged: it is not what the program wrote");
+    refuse(file, "is damaged: its content is not what the program wrote");
   }
 }
 

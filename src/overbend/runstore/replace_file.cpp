@@ -28,7 +28,7 @@ fs::path end_of_links(const fs::path& file) {
   std::error_code fault;
   if (!fs::is_symlink(fs::symlink_status(file, fault))) return file;
   fs::path target = fs::canonical(file, fault);
-  if (fault) refuse(file, "it is a link that leads nowhere");
+  if (fault) refuse(file, "it is a broken link");
   return target;
 }
 
@@ -39,7 +39,7 @@ std::optional<struct stat> present(const fs::path& file) {
     if (errno == ENOENT) return std::nullopt;
     refuse_file(file, "written");
   }
-  if (!S_ISREG(found.st_mode)) refuse(file, "it is no plain file");
+  if (!S_ISREG(found.st_mode)) refuse(file, "it is not a regular file");
   // A rename asks the folder alone; a file that its owner protects stays as it is.
   if (::access(file.c_str(), W_OK) != 0) refuse_file(file, "written");
   return found;
@@ -85,7 +85,7 @@ class Beside {
     if (::fstat(descriptor_.id(), &own) != 0) refuse_file(file_, "written");
     const bool foreign = before.st_uid != own.st_uid || before.st_gid != own.st_gid;
     if (foreign && ::fchown(descriptor_.id(), before.st_uid, before.st_gid) != 0) {
-      refuse(file_, "it belongs to another user or group and could not remain theirs");
+      refuse(file_, "it belongs to another user or group, and the ownership could not be preserved");
     }
     if (::fchmod(descriptor_.id(), before.st_mode & 07777) != 0) refuse_file(file_, "written");
   }
@@ -106,7 +106,7 @@ void replace_file(const fs::path& file, std::string_view text, const std::functi
   try {
     sync_folder(target.parent_path());
   } catch (const std::runtime_error&) {
-    // Some file systems cannot; the new content stands all the same.
+    // Some file systems cannot; the new content is in place all the same.
   }
 }
 

@@ -30,7 +30,7 @@ FileDescriptor lock(const fs::path& folder) {
   if (descriptor.id() < 0) refuse_file(file, "written");
   if (::flock(descriptor.id(), LOCK_EX | LOCK_NB) == 0) return descriptor;
   if (errno != EWOULDBLOCK) refuse_file(file, "locked");
-  throw std::runtime_error("another run is at work in the folder '" + folder.parent_path().string() + "'");
+  throw std::runtime_error("another run is active in the folder '" + folder.parent_path().string() + "'");
 }
 
 bool same_columns(const std::vector<HistoryColumn>& a, const std::vector<HistoryColumn>& b) {
@@ -57,11 +57,11 @@ Impact impact_of(const double* n) {
 
 void require_same_input(const RunCheckpoint& stored, const std::string& hash, std::uint64_t seed) {
   if (stored.model_hash != hash) {
-    throw std::runtime_error("the model file has changed since the run was begun; begin anew with --restart");
+    throw std::runtime_error("the model file has changed since the run was started; start again with --restart");
   }
   if (stored.seed != seed) {
     throw std::runtime_error("the stored run has seed " + std::to_string(stored.seed) + ", this one " +
-                             std::to_string(seed) + "; begin anew with --restart");
+                             std::to_string(seed) + "; start again with --restart");
   }
 }
 
@@ -179,9 +179,9 @@ std::optional<ResumedRun> RunStore::resume(const fs::path& output_dir, const std
 void RunStore::begin(const std::vector<HistoryColumn>& columns, int stations) {
   if (files_->begun) {
     if (same_columns(columns, files_->record.columns) && stations == files_->record.stations) return;
-    throw std::runtime_error("the stored run has other histories or stations; begin anew with --restart");
+    throw std::runtime_error("the stored run has other histories or stations; start again with --restart");
   }
-  if (columns.empty() || stations < 0) throw std::invalid_argument("a run needs a column at least");
+  if (columns.empty() || stations < 0) throw std::invalid_argument("a run needs at least one column");
   files_->record.columns = columns;
   files_->record.stations = stations;
   files_->open();
@@ -266,7 +266,7 @@ std::vector<Impact> RunStore::impact_block(std::int64_t first, std::int64_t coun
 }
 
 void RunStore::remove() noexcept {
-  std::error_code ignored;  // the results stand; a folder that stays behind harms nobody
+  std::error_code ignored;  // the results are in place; a leftover folder is harmless
   fs::remove_all(files_->folder, ignored);
   if (files_->made) fs::remove(files_->folder.parent_path(), ignored);
 }

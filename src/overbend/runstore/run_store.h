@@ -14,20 +14,20 @@ namespace overbend {
 /// A run that was begun and not finished.
 struct StoredRun {
   double time = 0.0;  ///< Of its last checkpoint [s].
-  std::string fault;  ///< Why it cannot be taken up again; empty: nothing is known against it.
+  std::string fault;  ///< Why it cannot be resumed; empty if no reason is known.
 };
 
 struct ResumedRun;
 
 /// The hidden folder `.run` inside the folder of results: rows, snapshots and impacts in flat files of little-endian
 /// doubles, and the last checkpoint with the lengths of those files. Memory does not grow with the run. Whenever the
-/// process dies, what stands in the folder is a run at its last checkpoint. One process at a time may hold it. Unless
+/// process dies, the folder contains a run at its last checkpoint. One process at a time may hold it. Unless
 /// it says otherwise a function throws std::runtime_error with the reason when the disk refuses.
 class RunStore : public DynamicSink {
  public:
-  /// Begins a run anew; an older one in the folder is dropped. Makes the folder of results where it is missing. Throws
+  /// Starts a new run; an older one in the folder is discarded. Makes the folder of results where it is missing. Throws
   /// std::runtime_error also when another process holds the run. What is not the model's text but part of the input
-  /// (tables of motion) belongs into `model_text` as well: the run can be taken up with the same text only.
+  /// (tables of motion) belongs into `model_text` as well: the run can be resumed with the same text only.
   static RunStore create(const std::filesystem::path& output_dir, const std::string& model_text, std::uint64_t seed);
 
   /// What there is to take up; nullopt when there is nothing. Does not throw.
@@ -78,7 +78,7 @@ class RunStore : public DynamicSink {
   std::unique_ptr<Files> files_;
 };
 
-/// A run taken up again: the state it goes on from, and the store that holds what was found before it.
+/// A resumed run: the state it continues from, and the store with its previous data.
 struct ResumedRun {
   RunStore store;
   DynamicCheckpoint state;

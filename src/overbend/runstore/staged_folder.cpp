@@ -153,7 +153,7 @@ bool StagedFolder::exchange(const std::vector<std::string>& mine) {
   return true;
 }
 
-/// One by one, what stood there aside; all back when one refuses.
+/// One by one, moving existing files aside; all are restored if one fails.
 void StagedFolder::move_in(std::vector<std::string> names, const std::string& last,
                            const std::vector<std::string>& before) {
   std::stable_partition(names.begin(), names.end(), [&](const std::string& name) { return name != last; });

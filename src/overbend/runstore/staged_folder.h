@@ -16,10 +16,10 @@ class UnusableFolder : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Files are written to path(), a temporary folder beside the one they are meant for, which commit() puts in its place
-/// at one stroke. Of the old folder goes what the program wrote there the last time (it keeps a list in the file
-/// `.overbend-files`); everything else in it is the user's and is carried over. Without commit() everything is removed
-/// again, also the folders that had to be made.
+/// Files are written to path(), a temporary folder beside the target, which commit() moves into place in one step.
+/// Files that the program wrote to the old folder are removed (it keeps a list in the file
+/// `.overbend-files`); everything else in it belongs to the user and is kept. Without commit() everything is removed
+/// again, also the folders that had to be created.
 ///
 /// Where folders cannot be exchanged (another file system than that of the folder above, a folder above that cannot
 /// be written, the current folder, which would be pulled away under the shell) the temporary folder lies within, and
@@ -35,9 +35,9 @@ class StagedFolder {
 
   const std::filesystem::path& path() const { return staging_; }
 
-  /// Puts all files in place, `last` at the end where it goes one by one: whoever waits for it finds the others new.
-  /// `folders` are folders of results within that belong to these; those of the last time that are not among them go.
-  /// Throws UnusableFolder, with the old folder as it was.
+  /// Puts all files in place, `last` at the end where it goes one by one: a process that waits for it finds the others
+  /// updated. `folders` are folders of results within that belong to these; those of the last time that are not among
+  /// them go. Throws UnusableFolder, with the old folder as it was.
   void commit(const std::string& last, const std::vector<std::string>& folders = {});
 
  private:

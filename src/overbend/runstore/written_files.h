@@ -25,7 +25,7 @@ bool mark_staged(const std::filesystem::path& folder);
 bool unmark_staged(const std::filesystem::path& folder);
 bool is_marked_staged(const std::filesystem::path& folder);
 
-/// A folder about to be exchanged for a new one, which will stand at `place`.
+/// A folder about to be exchanged for a new one at `place`.
 bool mark_old(const std::filesystem::path& folder, const std::filesystem::path& place);
 void unmark_old(const std::filesystem::path& folder);
 bool is_mark(const std::string& name);

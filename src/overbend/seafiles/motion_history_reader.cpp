@@ -55,14 +55,14 @@ class HistoryReader {
       columns_.push_back(column);
     }
     if (std::find(columns_.begin(), columns_.end(), 0U) == columns_.end()) {
-      complain(header.line, "a header without time_s", "time_s and the freedoms that move");
+      complain(header.line, "a header without time_s", "time_s and the degrees of freedom that move");
     }
   }
 
   void read_row(const TextRow& row) {
     if (row.cells.size() != columns_.size()) {
       complain(row.line, std::to_string(row.cells.size()) + " cells",
-               std::to_string(columns_.size()) + ", as many as the header has");
+               std::to_string(columns_.size()) + ", as many as in the header");
       return;
     }
     double time = 0.0;

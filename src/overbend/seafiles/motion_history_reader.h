@@ -1,4 +1,4 @@
-/// Motion of the vessel in time from a CSV file.
+/// Motion history of the vessel from a CSV file.
 #pragma once
 
 #include <optional>

@@ -97,7 +97,7 @@ class Assembly {
     const std::size_t at = (h * table_.omegas.size() + w) * 6 + k;
     if (line_[at] != 0 && std::abs(table_.values[at] - value) > 1e-6 * (1e-3 + std::abs(value))) {
       complain(record.line, fmt::format("{} a second time, with another value", place_words(h, w, k)),
-               fmt::format("it once; it stands already in line {}", line_[at]));
+               fmt::format("it once; it is already in line {}", line_[at]));
       return;
     }
     line_[at] = record.line;
@@ -110,7 +110,7 @@ class Assembly {
                                      [&](const RaoRecord& r) { return static_cast<std::size_t>(r.freedom) == k; });
       if (!given) {
         table_.assumptions.push_back(
-            fmt::format("The RAOs of {} say nothing of {}; it is taken as zero.", file_, kFreedomNames[k]));
+            fmt::format("The RAOs of {} do not contain {}; it is taken as zero.", file_, kFreedomNames[k]));
         continue;
       }
       for (std::size_t i = k; i < line_.size(); i += 6) {
@@ -127,12 +127,12 @@ class Assembly {
     double widest = one_sided ? 2.0 * std::max(h.front(), kPi - h.back()) : h.front() + 2.0 * kPi - h.back();
     for (std::size_t i = 1; i < h.size(); ++i) widest = std::max(widest, h[i] - h[i - 1]);
     if (one_sided) {
-      table_.assumptions.push_back(
-          fmt::format("The RAOs of {} cover one side of the vessel; the other is taken as its mirror image.", file_));
+      table_.assumptions.push_back(fmt::format(
+          "The RAOs of {} cover one side of the vessel; the other is assumed to be its mirror image.", file_));
     }
     if (widest * kDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",
-                        fmt::format("neighbouring headings lie {:.4g} deg apart; between them responses are "
+                        fmt::format("neighbouring headings are {:.4g} deg apart; between them responses are "
                                     "interpolated linearly",
                                     widest * kDegrees),
                         "", ""});

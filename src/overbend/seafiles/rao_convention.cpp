@@ -34,12 +34,12 @@ const std::vector<ConventionKey>& convention_keys() {
   static const std::vector<ConventionKey> kKeys = {
       {"phase", "Whether a positive phase is behind (lag) or ahead of (lead) the wave.", {"lag", "lead"}},
       {"phase_zero",
-       "Event of the wave at its origin from which phases count.",
+       "Event of the wave at its origin to which phases refer.",
        {"crest", "trough", "up_crossing", "down_crossing"}},
       {"heading_zero",
-       "What waves of heading 0 meet first: the stern (they come from astern) or the bow.",
+       "End of the vessel that waves of heading 0 reach first: the stern (they come from astern) or the bow.",
        {"stern", "bow"}},
-      {"heading_sense", "Sense in which headings count, seen from above.", {"anticlockwise", "clockwise"}},
+      {"heading_sense", "Sense of increasing heading, seen from above.", {"anticlockwise", "clockwise"}},
       {"rotation",
        "Unit of roll, pitch and yaw: per wave amplitude, per greatest slope (k a; in the angle's own unit) or per "
        "steepness (height over length).",

@@ -1,6 +1,6 @@
 /// What the numbers of an RAO file mean, and their translation into the convention of the house.
 ///
-/// Settings are words under short keys ("phase": "lead"). The same keys stand in the model file under
+/// Settings are words under short keys ("phase": "lead"). The same keys are used in the model file under
 /// vessel.motion.convention, in the remarks at the head of a CSV file, and come from what other programs' files say.
 #pragma once
 
@@ -41,7 +41,7 @@ struct RaoSettings {
   std::string vessel_type, draught;  ///< By name, where a file holds several.
 };
 
-/// One number pair of a file as it stands there, angles in rad.
+/// One number pair of a file as given, angles in rad.
 struct RaoRecord {
   double heading = 0.0;    ///< As numbered in the file [rad].
   double omega = 0.0;      ///< [rad/s]

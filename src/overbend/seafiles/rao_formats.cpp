@@ -66,7 +66,8 @@ std::optional<Vec3> point_of(std::string_view text) {
 
 void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& faults) {
   point = point_of(remark.cells[1]);
-  if (!point) faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres between blanks, '0 0 0.818'");
+  if (!point)
+    faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres separated by blanks, '0 0 0.818'");
 }
 
 /// A remark that settles a key; others are nobody's business.
@@ -135,7 +136,7 @@ bool amplitude_is_right(double amplitude, int line, TableFaults& faults) {
 void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRecord>& records, TableFaults& faults) {
   if (row.cells.size() != columns.count) {
     faults.error(row.line, std::to_string(row.cells.size()) + " cells",
-                 std::to_string(columns.count) + ", as many as the header has");
+                 std::to_string(columns.count) + ", as many as in the header");
     return;
   }
   const auto heading = number(row, columns.heading, "heading_deg", faults);
@@ -143,7 +144,8 @@ void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRec
   const auto amplitude = number(row, columns.amplitude, "amplitude", faults);
   const auto phase = number(row, columns.phase, columns.phase_name, faults);
   const int freedom = freedom_of(row.cells[columns.freedom]);
-  if (freedom < 0) faults.error(row.line, quoted(row.cells[columns.freedom]), "a freedom, surge to yaw or 1 to 6");
+  if (freedom < 0)
+    faults.error(row.line, quoted(row.cells[columns.freedom]), "a degree of freedom, surge to yaw or 1 to 6");
   if (!heading || !wave || !amplitude || !phase || freedom < 0) return;
   const std::optional<double> omega = frequency(*wave, columns.wave_name);
   if (!omega) {
@@ -177,7 +179,7 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
   RaoFile content;
   for (std::size_t i = 0; i < table.rows.size() && !faults.full(); ++i) {
     const TextRow& row = table.rows[i];
-    if (i == 0 && !cell_number(row.cells[0])) continue;  // a headline may stand over the numbers
+    if (i == 0 && !cell_number(row.cells[0])) continue;  // there may be a header line above the numbers
     if (row.cells.size() != 7) {
       faults.error(row.line, std::to_string(row.cells.size()) + " numbers", "seven: PER BETA I MOD PHA RE IM");
       continue;

@@ -103,7 +103,7 @@ class OrcaFlexReader {
       if (name != nullptr && !wanted.empty() && name->text == wanted) return &item;
     }
     complain(list->line, key, wanted.empty() ? "several" : "none called '" + for_display(wanted) + "'", one_of(names),
-             "choose by vessel.motion.convention." + asked_by);
+             "select with vessel.motion.convention." + asked_by);
     return nullptr;
   }
 
@@ -121,7 +121,7 @@ class OrcaFlexReader {
   void read_settings(const YamlNode& type) {
     if (member(type, "RAOPhaseConvention") == nullptr && given_.words.count("phase") == 0) {
       complain(type.line, "RAOPhaseConvention", "nothing (the key is missing)", "lags or leads",
-               "say which by vessel.motion.convention.phase");
+               "give vessel.motion.convention.phase");
     }
     for (const Setting& setting : settings()) {
       std::vector<std::string> known;
@@ -146,7 +146,7 @@ class OrcaFlexReader {
       content_.stated.words["rotation"] = per == "max wave slope" ? "per_slope" : "rad_per_steepness";
     } else if (given_.words.count("rotation") == 0) {
       complain(member(type, "RAOWaveUnit")->line, "RAOWaveUnit", "degrees per " + per, "per amplitude, or radians",
-               "say which is meant by vessel.motion.convention.rotation");
+               "give vessel.motion.convention.rotation");
     }
   }
 
@@ -216,7 +216,7 @@ class OrcaFlexReader {
       const auto columns = columns_of(entry.key, complete);
       if (!complete) {
         complain(entry.line, "RAOPeriodOrFrequency", "not all of RAOSurgeAmp, RAOSurgePhase to RAOYawPhase",
-                 "amplitude and phase of the six freedoms");
+                 "amplitude and phase of the six degrees of freedom");
         return;
       }
       for (const YamlNode& row : entry.value.items) read_row(row, *heading, columns);

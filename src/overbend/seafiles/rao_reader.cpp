@@ -28,19 +28,18 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
     table.reference_V = given.file_origin + *stated.reference;
     if (set == "orcaflex" && !given.file_origin_stated) {
       table.assumptions.push_back(name +
-                                  " place their origin in the file's vessel axes; the origin of these is taken midship "
-                                  "at the water line.");
+                                  " give their origin in the vessel axes of the file; the origin of these axes is "
+                                  "assumed at midship on the water line.");
     }
   } else {
-    table.assumptions.push_back(
-        name + " do not say which point of the vessel they are of; midship at the water line is taken.");
+    table.assumptions.push_back(name + " do not state their reference point; midship on the water line is assumed.");
   }
   if (given.wave_origin) {
     table.wave_origin_V = *given.wave_origin;
   } else if (stated.wave_origin) {
     table.wave_origin_V = given.file_origin + *stated.wave_origin;
   } else if (set == "wamit") {
-    table.assumptions.push_back(name + " are taken with phases relative to the wave at midship (X = Y = 0).");
+    table.assumptions.push_back(name + " are assumed to have phases relative to the wave at midship (X = Y = 0).");
   } else {
     table.wave_origin_V = table.reference_V;
   }

@@ -111,7 +111,7 @@ class SpectrumReader {
     if (columns_ == nullptr) {
       complain("", "an empty file", "a wave spectrum");
     } else if (points_.size() < 2) {
-      complain("", std::to_string(points_.size()) + " rows", "2 rows at least");
+      complain("", std::to_string(points_.size()) + " rows", "at least 2 rows");
     } else {
       double energy = 0.0;
       for (const SpectrumPoint& point : points_) energy += point.density;
@@ -144,7 +144,8 @@ void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
     diagnostics.add({Severity::error, path, 0, 0, "environment.waves.spectrum_file", why, "", ""});
   };
   if (!std::filesystem::is_regular_file(path, fault)) return refuse("not a file with a wave spectrum");
-  if (std::filesystem::file_size(path, fault) > kLargestFile) return refuse("larger than 16 MB, which no spectrum is");
+  if (std::filesystem::file_size(path, fault) > kLargestFile)
+    return refuse("larger than 16 MB, too large for a spectrum");
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();

@@ -11,7 +11,8 @@ namespace overbend {
 
 /// Reads CSV text: a header that names the columns and with them the units, `omega_rad_s,density_m2s` or
 /// `frequency_hz,density_m2_hz`, then two rows or more by rising frequency. Lines that begin with # are passed over.
-/// Densities are one-sided. `path` names the text in messages; every fault is told with its line. Empty after a fault.
+/// Densities are one-sided. `path` names the text in messages; every error is reported with its line. Empty after a
+/// fault.
 std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std::string& path,
                                               Diagnostics& diagnostics);
 

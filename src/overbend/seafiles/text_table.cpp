@@ -52,9 +52,9 @@ std::optional<std::string> read_text_file(const std::string& path, Diagnostics& 
     return std::nullopt;
   };
   std::error_code fault;
-  if (!std::filesystem::is_regular_file(path, fault)) return refuse("this is no file that can be read");
+  if (!std::filesystem::is_regular_file(path, fault)) return refuse("this file cannot be read");
   const std::uintmax_t size = std::filesystem::file_size(path, fault);
-  if (fault || size > kLargestFile) return refuse("larger than 64 MB, which no such file is");
+  if (fault || size > kLargestFile) return refuse("larger than 64 MB, too large for such a file");
   std::ifstream file(path, std::ios::binary);
   std::string text(static_cast<std::size_t>(size), '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));

@@ -53,7 +53,8 @@ fs::path place(const fs::path& folder, const std::string& name) {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
                     std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (bare && data_name(name)) return folder / name;
-  throw HttpFault(422, "'" + name + "' is no name for a data file", "a plain name that ends in .csv, .4 or .yml");
+  throw HttpFault(422, "'" + name + "' is not a valid name for a data file",
+                  "a plain name that ends in .csv, .4 or .yml");
 }
 
 HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {

@@ -1,4 +1,4 @@
-/// Data that models mention: response amplitude operators, motion in time, spectra.
+/// Data that models refer to: response amplitude operators, motion histories, spectra.
 #pragma once
 
 #include <filesystem>

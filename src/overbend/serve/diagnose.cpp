@@ -16,7 +16,7 @@ std::string message_of(const Diagnostic& diagnostic) {
   return text;
 }
 
-/// Column of the value with that path, where it stands in that line.
+/// Column of the value with that path, if it is in that line.
 std::optional<int> column_of_value(const YamlNode& root, const std::string& path, int line) {
   std::string rest;
   const std::vector<YamlSpot> spots = follow_path(root, path, rest);

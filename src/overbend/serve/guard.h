@@ -21,7 +21,7 @@ bool own_host(const std::string& host, int port);
 bool own_origin(const std::string& origin, int port);
 
 /// A word that opens the page once, within a minute, for a program of the same user. The address of a browser is seen
-/// by all users of the machine in the list of processes, so the token does not stand there.
+/// by all users of the machine in the list of processes, so the token is not part of it.
 class OneTimeCode {
  public:
   /// A new one; an earlier one opens nothing any more. May be called from any thread, as take().

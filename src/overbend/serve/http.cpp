@@ -22,7 +22,7 @@ std::vector<std::string_view> split(std::string_view path) {
   return parts;
 }
 
-/// What stands for the '*'; nothing when the path is another.
+/// The parts matched by '*'; nothing when the path is another.
 std::optional<std::vector<std::string>> match(const std::string& pattern, const std::string& path) {
   const std::vector<std::string_view> wanted = split(pattern), found = split(path);
   if (wanted.size() != found.size()) return std::nullopt;
@@ -47,11 +47,11 @@ HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
     answer.update(fault.beside);
     return json_answer(answer, fault.status);
   } catch (const nlohmann::json::exception&) {
-    return error_answer(400, "the request is not laid out as it should be", "docs/api.md says how");
+    return error_answer(400, "the request does not have the required form", "see docs/api.md");
   } catch (const FileFault& fault) {
     return error_answer(507, fault.what(), "the disk may be full");
   } catch (const std::exception& fault) {
-    return error_answer(500, fault.what(), "this is a fault of the program");
+    return error_answer(500, fault.what(), "this is an error of the program");
   }
 }
 
@@ -66,7 +66,7 @@ double HttpRequest::number(const std::string& name, double fallback) const {
   const std::string text = parameter(name);
   if (text.empty()) return fallback;
   const std::optional<double> value = parse_number(text);
-  if (!value) throw HttpFault(400, "the parameter " + name + " is no number");
+  if (!value) throw HttpFault(400, "the parameter " + name + " is not a number");
   return *value;
 }
 
@@ -77,7 +77,7 @@ Json HttpRequest::json() const {
     return true;
   };
   Json read = Json::parse(body.empty() ? "{}" : body, shallow, false);
-  if (!read.is_object()) throw HttpFault(400, "the body of the request is no JSON object");
+  if (!read.is_object()) throw HttpFault(400, "the body of the request is not a JSON object");
   return read;
 }
 

@@ -16,7 +16,7 @@ struct HttpRequest {
   std::string method, path;
   std::multimap<std::string, std::string> query;
   std::string body;
-  std::vector<std::string> parts;  ///< What stood for the '*' of the route's pattern.
+  std::vector<std::string> parts;  ///< The parts matched by '*' in the route's pattern.
 
   /// First value of a parameter of the address; empty where there is none.
   std::string parameter(const std::string& name) const;
@@ -46,7 +46,7 @@ class HttpFault : public std::runtime_error {
 };
 
 struct HttpRoute {
-  std::string method, pattern;  ///< "/api/runs/*/summary": '*' stands for one part.
+  std::string method, pattern;  ///< "/api/runs/*/summary": '*' matches one part.
   std::function<HttpAnswer(const HttpRequest&)> handler;
 };
 

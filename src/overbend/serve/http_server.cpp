@@ -35,7 +35,7 @@ void fill(httplib::Response& to, HttpAnswer answer) {
 const char* words(int status) {
   switch (status) {
     case 413:
-      return "the request is larger than 2 MB, which no model is";
+      return "the request is larger than 2 MB";
     case 404:
       return "there is nothing at this address";
     default:
@@ -52,16 +52,16 @@ bool bears_token(const httplib::Request& request, const std::string& token) {
 /// beforehand and comes as it is can be kept within the limit.
 HttpAnswer body_refusal(const httplib::Request& request) {
   if (request.has_header("Transfer-Encoding")) {
-    return error_answer(411, "the request does not say how long its body is", "send it with Content-Length");
+    return error_answer(411, "the request does not state the length of its body", "send it with Content-Length");
   }
   if (request.has_header("Content-Encoding")) {
-    return error_answer(415, "the body of the request is packed", "send it without Content-Encoding");
+    return error_answer(415, "the body of the request is compressed", "send it without Content-Encoding");
   }
   if (!request.has_header("Content-Length")) return {};
   const std::string length = request.get_header_value("Content-Length");
   const bool number = !length.empty() && length.find_first_not_of("0123456789") == std::string::npos;
   if (!number || request.get_header_value_count("Content-Length") > 1) {
-    return error_answer(400, "the request does not say clearly how long its body is");
+    return error_answer(400, "the length of the request body is ambiguous");
   }
   if (length.size() > 12 || std::stoull(length) > HttpServer::kLargestBody) return error_answer(413, words(413));
   const bool takes_body = request.method == "PUT" || request.method == "POST";
@@ -71,12 +71,13 @@ HttpAnswer body_refusal(const httplib::Request& request) {
 
 HttpAnswer refusal(const httplib::Request& request, int port, const std::string& token) {
   if (!own_host(request.get_header_value("Host"), port) || !own_origin(request.get_header_value("Origin"), port)) {
-    return error_answer(403, "this server answers its own page only", "open the address that the program printed");
+    return error_answer(403, "this server accepts requests from its own page only",
+                        "open the address that the program printed");
   }
   if (request.path.size() > kLongestPath) return error_answer(414, "the address is too long");
   if (HttpAnswer answer = body_refusal(request); !answer.type.empty()) return answer;
   if (!request.path.starts_with("/api") || bears_token(request, token)) return {};
-  return error_answer(401, "the token of the address is missing or of an earlier start",
+  return error_answer(401, "the token of the address is missing or from an earlier session",
                       "open the address that the program printed");
 }
 
@@ -102,10 +103,10 @@ HttpServer::HttpServer(std::vector<HttpRoute> routes, EventHub& events, int port
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   server.set_tcp_nodelay(true);
-  server.set_keep_alive_max_count(1U << 20U);  // told to the other side: a slider asks thousands of times
+  server.set_keep_alive_max_count(1U << 20U);  // sent to the client: a slider makes thousands of requests
   port_ = port == 0 ? server.bind_to_any_port("127.0.0.1") : server.bind_to_port("127.0.0.1", port) ? port : -1;
   if (port_ <= 0) {
-    throw PortFault(fmt::format("the port {} on 127.0.0.1 cannot be had; another program may use it", port));
+    throw PortFault(fmt::format("the port {} on 127.0.0.1 is not available; another program may be using it", port));
   }
   server.widen();
   guard();

@@ -24,7 +24,7 @@ Json si_value(const YamlNode& node, const Field& row) {
   return reading.value->kind == FieldValue::Kind::number ? Json(seven_digits(reading.value->number)) : Json(nullptr);
 }
 
-/// Walks the table of fields and what stands in the text side by side.
+/// Walks the table of fields and the text in parallel.
 class Lister {
  public:
   Json take() { return std::move(list_); }
@@ -51,7 +51,7 @@ class Lister {
     return found == map.entries.end() ? nullptr : &*found;
   }
 
-  /// The row of the shape that stands in the text, else the first.
+  /// The row of the shape used in the text, else the first.
   static const Field& row_of(const FieldNode& field, const YamlNode* node) {
     const Field* row = nullptr;
     if (node != nullptr && node->kind == Kind::scalar) row = field.scalar;

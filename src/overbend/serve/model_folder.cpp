@@ -28,13 +28,13 @@ void put(const fs::path& file, std::string_view text, const std::function<void()
   } catch (const HttpFault&) {
     throw;
   } catch (const std::runtime_error& fault) {
-    throw HttpFault(422, fault.what(), "nothing has been changed; another name or folder may do");
+    throw HttpFault(422, fault.what(), "nothing has been changed; try another name or folder");
   }
 }
 
 HttpFault changed_on_disk(const std::string& name, const std::string& text, const std::string& version) {
-  HttpFault fault(409, "the file " + name + " has another content than the page knows",
-                  "take the file's, put yours in its place, or save under another name");
+  HttpFault fault(409, "the file " + name + " has changed since the page read it",
+                  "take the version of the file, replace it with yours, or save under another name");
   fault.more["reason"] = "disk";
   fault.beside["disk"] = {{"name", name}, {"text", text}, {"version", version}};
   return fault;
@@ -46,7 +46,7 @@ fs::path ModelFolder::place(const std::string& name) const {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
                     std::none_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32; });
   if (!bare || !model_name(name)) {
-    throw HttpFault(422, "'" + name + "' is no name for a model file",
+    throw HttpFault(422, "'" + name + "' is not a valid name for a model file",
                     "a plain name that ends in .yaml, without folders");
   }
   return folder_ / name;

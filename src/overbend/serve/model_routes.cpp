@@ -11,7 +11,7 @@ namespace {
 std::string text_of(const Json& request, const char* key) {
   const auto found = request.find(key);
   if (found == request.end() || !found->is_string()) {
-    throw HttpFault(400, std::string("the request lacks '") + key + "'", "docs/api.md says how it is laid out");
+    throw HttpFault(400, std::string("the request lacks '") + key + "'", "see docs/api.md");
   }
   return found->get<std::string>();
 }

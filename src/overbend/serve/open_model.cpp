@@ -40,7 +40,8 @@ ModelText OpenModel::now() const {
 
 void OpenModel::require(std::int64_t revision) const {
   if (revision == model_.revision) return;
-  HttpFault fault(409, "the model has been changed elsewhere since", "take the newer one, or put yours in its place");
+  HttpFault fault(409, "the model has been changed elsewhere since",
+                  "take the newer version, or replace it with yours");
   fault.more["reason"] = "revision";
   fault.beside = model_json(model_);
   throw fault;

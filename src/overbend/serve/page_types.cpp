@@ -56,7 +56,7 @@ std::string quantity_table() {
   QuantityRows rows;
   const DynamicResults example;
   visit_dynamic_stations(example, rows);
-  rows.add("utilisation", "Utilisation of yield", shown_unit("utilisation", "1"));
+  rows.add("utilisation", "von Mises stress / yield stress", shown_unit("utilisation", "1"));
   rows.add("checks", "Utilisation of code checks", shown_unit("checks", "1"));
   return "/** Quantities along the pipe: key in the lists, name, and how SI values are shown. */\n"
          "export const quantities = [\n" +

@@ -11,7 +11,7 @@ namespace overbend {
 namespace {
 
 /// A place as the list has it: the bytes of the address as this machine's number, then the port. A program may reach
-/// the same address through IPv6, where more stands in front.
+/// the same address through IPv6, with a longer prefix.
 std::string place(int port) {
   return fmt::format("{:08X}:{:04X}", htonl(INADDR_LOOPBACK), port);
 }

@@ -89,7 +89,7 @@ Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
     const std::optional<YamlNode> root = parse_yaml(text, file, faults);
     if (root) description = read_still_model(*root, file).description;
   }
-  if (!description) throw HttpFault(422, "the model of the run does not read any more");
+  if (!description) throw HttpFault(422, "the model of the run can no longer be read");
   return scene_json(build_model(*description), seed);
 }
 

@@ -30,7 +30,7 @@ Json impacts_json(const std::filesystem::path& h5);
 
 /// The static state that a run began with, as POST /api/static gives it.
 Json run_statics_json(const std::filesystem::path& h5);
-/// What stands still in a run and the very sea that it had, as GET /api/scene. `file`: path of its model as it was
+/// Everything that does not move in a run, and its sea, as GET /api/scene. `file`: path of its model as it was
 /// read. HttpFault where the text stored with the results is none that is read today.
 Json run_scene_json(const std::filesystem::path& h5, const std::string& file);
 

@@ -25,7 +25,7 @@ double modified(const fs::path& file) {
   return static_cast<double>(std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count());
 }
 
-/// Results that stand beside a checkpoint are those of a run that was cancelled.
+/// Results beside a checkpoint are those of a cancelled run.
 bool cancelled_on_the_way(const RunInfo& run, const fs::path& folder) {
   std::error_code fault;
   return run.state == RunState::cancelled && fs::exists(folder / ".run", fault);
@@ -65,7 +65,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
     if (run.started == 0.0) run.started = modified(summary_file);
   } else if (!run.ended()) {
     run.state = RunState::cancelled;
-    run.message = "the program ended before the run";
+    run.message = "the program ended before the run started";
   }
   run.resumable = run.state != RunState::done && can_be_resumed(run, folder.parent_path());
   return run;

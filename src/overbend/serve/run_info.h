@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// How a run in time stands.
+/// Progress of a dynamic run.
 struct RunNow {
   double time = 0.0, end = 0.0;  ///< [s]
   double top_tension = 0.0;      ///< [N]

@@ -16,9 +16,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Progress is told this often at most.
+/// Progress is reported this often at most.
 constexpr auto kTold = std::chrono::milliseconds(100);
-/// A run that the machine kills goes on from a checkpoint no older [s].
+/// A killed run continues from a checkpoint no older than this [s].
 constexpr double kCheckpoint = 30.0;
 
 /// Largest of the columns of von Mises stress of a row.
@@ -47,8 +47,7 @@ StudyPlan plan_of(const RunInfo& run, const Description& description) {
   return std::get<StudyPlan>(plan);
 }
 
-/// How the command line goes on with a run; empty where the model is in no file as it was run, or the command would run
-/// other seeds.
+/// Command line that continues a run; empty if the model as run is not in a file, or the command would run other seeds.
 std::string command_of(const ModelText& model, const RunInfo& run, const std::string& folder) {
   if (!model.saved || model.name.empty() || run.kind == "seeds") return "";
   const std::string command = run.kind == "comparison" ? "compare --of " + run.of : "dynamic";
@@ -211,9 +210,9 @@ void RunQueue::end_interrupted(const Job& job) {
     return end(id, RunState::cancelled,
                "the program ended; the run can be resumed" + command_of(job.model, job.run, folder(job.run).string()));
   }
-  if (job.run.is_study()) return end(id, RunState::cancelled, "cancelled; what its cases computed is kept");
+  if (job.run.is_study()) return end(id, RunState::cancelled, "cancelled; results computed by its cases are kept");
   end(id, RunState::cancelled,
-      find(id).has_results ? "cancelled; what was computed is kept" : "cancelled before t = 0");
+      find(id).has_results ? "cancelled; results computed so far are kept" : "cancelled before t = 0");
 }
 
 }  // namespace overbend

@@ -56,7 +56,7 @@ RunQueue::~RunQueue() {
   }
   changed_.notify_all();
   worker_.join();
-  for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run");
+  for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run started");
 }
 
 RunInfo RunQueue::add(const ModelText& model, const RunRecord& order) {
@@ -88,7 +88,7 @@ RunInfo RunQueue::cancel(const std::string& id) {
     waited = std::erase_if(waiting_, [&](const Job& job) { return job.run.id == id; }) > 0;
     if (!waited && at(id).state == RunState::running) stop_ = true;
   }
-  if (waited) end(id, RunState::cancelled, "cancelled before it began");
+  if (waited) end(id, RunState::cancelled, "cancelled before it started");
   return find(id);
 }
 
@@ -108,7 +108,7 @@ void RunQueue::remove(const std::string& id) {
   const RunInfo run = find_whole(id);
   {
     const std::lock_guard<std::mutex> hold(mutex_);
-    if (!at(id).ended()) throw HttpFault(409, "the run goes on", "cancel it first");
+    if (!at(id).ended()) throw HttpFault(409, "the run is still in progress", "cancel it first");
     std::erase_if(runs_, [&](const RunInfo& one) { return one.id == id || one.parent == id; });
   }
   std::error_code fault;
@@ -129,7 +129,7 @@ RunInfo RunQueue::resume(const std::string& id) {
     const std::lock_guard<std::mutex> hold(mutex_);
     RunInfo& now = at(id);
     if (!now.ended() || !now.resumable || job.model.text.empty()) {
-      throw HttpFault(409, "the run cannot be resumed", "it has no checkpoint that it could go on from");
+      throw HttpFault(409, "the run cannot be resumed", "it has no checkpoint to continue from");
     }
     now.state = RunState::queued;
     now.resumable = false;

@@ -29,12 +29,12 @@ class RunQueue {
   /// Queues a run of the model as it is now: what `order` says of kind, title, duration, seeds and comparison. Throws
   /// HttpFault when the folder cannot be.
   RunInfo add(const ModelText& model, const RunRecord& order);
-  /// A dynamic run that is stopped keeps what it has computed: results so far, and the checkpoint to go on from. So
+  /// A stopped dynamic run keeps what it has computed: results so far, and the checkpoint to continue from. So
   /// does every case of a study. HttpFault 409 for a single case.
   RunInfo cancel(const std::string& id);
   /// Gives a run the user's name and note.
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
-  /// Removes a run that has ended, with its folder and its cases; HttpFault 409 while it goes on.
+  /// Removes a run that has ended, with its folder and its cases; HttpFault 409 while it is in progress.
   void remove(const std::string& id);
   /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
   /// it cannot be resumed.

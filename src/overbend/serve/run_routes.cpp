@@ -75,7 +75,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
   const ModelText text = model.now();
   const ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
-    HttpFault fault(422, "the model has errors; mend them first");
+    HttpFault fault(422, "the model has errors; correct them first");
     fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
     throw fault;
   }
@@ -85,7 +85,7 @@ HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& requ
 /// The run, when it has results to be read; 404 before.
 RunInfo done(const RunQueue& runs, const HttpRequest& request) {
   RunInfo run = runs.find(request.parts[0]);
-  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are there when it is done");
+  if (!run.has_results) throw HttpFault(404, "the run has no results", "they are available when it is finished");
   return run;
 }
 
@@ -111,7 +111,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 }
 
 /// A history, so far or as a whole. A run that waits, failed or was cancelled has an empty one and not a fault: a page
-/// asks by what it was last told, and the run may have ended since.
+/// asks with its last known state, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
   if (!run.has_results || run.is_study()) return {};

@@ -38,14 +38,14 @@ Json current(const Model& model) {
   return rows;
 }
 
-/// The components of the sea that a run in time has, the largest ones.
+/// The largest components of the sea of a dynamic run.
 Json waves(const Model& model, std::uint64_t seed) {
   const Description& d = model.description;
   Sea sea;
   try {
     sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, seed);
   } catch (const std::logic_error&) {
-    return Json::array();  // a run in time will say what is wrong; the picture has flat water
+    return Json::array();  // a dynamic run will report what is wrong; the picture has flat water
   }
   std::vector<WaveComponent> largest = sea.components;
   std::stable_sort(largest.begin(), largest.end(),

@@ -1,4 +1,4 @@
-/// The graphic interface's server, put together.
+/// The server of the graphical interface, assembled from its parts.
 #pragma once
 
 #include <memory>

@@ -16,7 +16,8 @@ namespace overbend {
 /// to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
-/// What stands still, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the model.
+/// Everything that does not move, and the sea: GET /api/scene. The sea has the seed given, else that of a run of the
+/// model.
 Json scene_json(const Model& model, std::optional<std::uint64_t> seed = std::nullopt);
 
 /// [x, y, z] in W.

@@ -27,15 +27,15 @@ std::vector<Case> variants_of(ComparisonOf of) {
   }
   return {variant("off", "Off, held by its brake", "tensioner.mode", "locked"),
           variant("controlled", "Controlled", "tensioner.mode", "controlled"),
-          variant("constant", "Ideally constant", "tensioner.mode", "constant")};
+          variant("constant", "Constant (ideal)", "tensioner.mode", "constant")};
 }
 
 std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description) {
   if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
-    return "tensioner.range is missing: a controlled tensioner works to keep it; give one such as [240 kN, 260 kN]";
+    return "tensioner.range is missing: a controlled tensioner needs a range, for example [240 kN, 260 kN]";
   }
   if (of == ComparisonOf::contact && description.supports.boxes.empty()) {
-    return "the model has no supports whose contact could be compared";
+    return "the model has no supports, so there is no contact to compare";
   }
   return std::nullopt;
 }

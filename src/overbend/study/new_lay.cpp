@@ -89,7 +89,7 @@ bool tower_stands(const NewModel& model) {
 std::string leaning(const NewModel& model) {
   return fmt::format(
       "--lay: with the {:.4g} kN that keep the sagbend within its checks the pipe hangs at {:.0f} degrees "
-      "from horizontal, and no tower leans beyond {:.0f}; expected s, or deeper water",
+      "from horizontal, and no tower is inclined beyond {:.0f}; expected s, or deeper water",
       1e-3 * model.tension, model.departure_angle / kDeg, kFlattestTower / kDeg);
 }
 
@@ -103,13 +103,13 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
   for (int trial = 0; trial < kTrials; ++trial) {
     std::variant<NewModel, std::string> chosen = choose_model(options, margins);
     if (auto* why = std::get_if<std::string>(&chosen)) {
-      return against.empty() ? *why : fmt::format("{} (with the one before, {})", *why, against);
+      return against.empty() ? *why : fmt::format("{} (with the previous values, {})", *why, against);
     }
     lay.model = std::get<NewModel>(chosen);
     lay.text = model_text(lay.model);
     const ModelReading reading = read_model_text(lay.text, "model.yaml");
     if (!reading.description) {
-      return "these values make no valid model:\n" + reading.diagnostics.lines(Severity::error).front();
+      return "these values do not give a valid model:\n" + reading.diagnostics.lines(Severity::error).front();
     }
     const Verdict verdict = judge(*reading.description);
     if (!lay.model.stinger &&
@@ -124,7 +124,7 @@ std::variant<NewLay, std::string> choose_lay(const NewOptions& options) {
   if (free.wall && free.tension && free.radius) {
     return fmt::format("no wall, tension and stinger radius were found that pass the checks of this lay: {}", against);
   }
-  lay.model.note = "with what was given " + against;
+  lay.model.note = "with the values given, " + against;
   lay.text = model_text(lay.model);
   return lay;
 }

@@ -116,7 +116,7 @@ bool is_finished(const fs::path& folder, const std::string& input) {
   if (record->input == text_hash(input) && record->program == program_identity()) return true;
   throw std::runtime_error(
       "'" + folder.string() +
-      "' has results of another model file or another build of the program; begin anew with --restart");
+      "' has results of another model file or another build of the program; start again with --restart");
 }
 
 }  // namespace overbend

@@ -32,9 +32,8 @@ double deviation(const DynamicResults& results, const std::string& name) {
 void warn_of_short_run(DynamicResults& results) {
   if (results.duration >= kThreeHours || results.extremes.empty()) return;
   results.warnings.push_back(
-      fmt::format("the extremes of three hours are extrapolated from a run of {0:.3g} min, and the largest values of "
-                  "the run are those "
-                  "of {0:.3g} min alone",
+      fmt::format("the three-hour extremes are extrapolated from a run of {0:.3g} min, and the maxima of the run are "
+                  "those of {0:.3g} min only",
                   results.duration / 60.0));
 }
 
@@ -44,7 +43,7 @@ void warn_of_still_vessel(DynamicResults& results) {
     if (deviation(results, freedom) > kStandsStill) return;
   }
   results.warnings.emplace_back(
-      "the vessel does not move in this sea: vessel.motion gives it none, and all that acts on the pipe is the water");
+      "the vessel does not move in this sea: vessel.motion is fixed, and only the water acts on the pipe");
 }
 
 void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
@@ -53,15 +52,15 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   const double off = t.tension.mean / t.wanted - 1.0;
   if (std::abs(off) > kOffMean) {
     results.warnings.push_back(
-        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the {:.1f} kN wanted",
+        fmt::format("the mean tension at the tensioner is {:.1f} kN, {:.1f} % {} the set tension of {:.1f} kN",
                     1e-3 * t.tension.mean, 100.0 * std::abs(off), off > 0.0 ? "above" : "below", 1e-3 * t.wanted));
   }
   const double change = trend(tension);
   if (std::abs(change) > kDrift * t.wanted) {
-    results.warnings.push_back(fmt::format(
-        "the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the tension "
-        "wanted; statistics are those of a record that is not steady",
-        change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
+    results.warnings.push_back(
+        fmt::format("the mean tension at the tensioner drifts: it {} by {:.1f} kN over the run, {:.1f} % of the set "
+                    "tension; the statistics are those of a non-stationary record",
+                    change > 0.0 ? "rises" : "falls", 1e-3 * std::abs(change), 100.0 * std::abs(change) / t.wanted));
   }
 }
 
@@ -69,9 +68,8 @@ void warn_of_energy(DynamicResults& results) {
   const double drift = results.energy.drift();
   if (std::abs(drift) <= kMostDrift) return;
   results.warnings.push_back(
-      fmt::format("the energy balance of the run is off by {:.2g} of the energy that has passed: the motion is not "
-                  "resolved; give a "
-                  "shorter step (analysis.dynamic.max_step), or leave a fixed step out",
+      fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is not "
+                  "resolved; reduce analysis.dynamic.max_step, or omit a fixed step",
                   std::abs(drift)));
 }
 

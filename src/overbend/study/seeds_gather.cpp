@@ -61,7 +61,7 @@ std::vector<Rule> rules(const StaticResults& statics) {
         [](const Results& r) { return static_cast<double>(r.impact_count); });
   }
   add({"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest}, worst_utilisation);
-  add({"energy_drift", "1", "Error of the energy balance over the energy that has passed", kNone},
+  add({"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},
       [](const Results& r) { return r.energy.drift(); });
   return list;
 }

@@ -62,7 +62,7 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
   fill_statistics(results);
   const WaveType type = shared.description.environment.waves.type;
   if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
-    results.warnings.emplace_back("the sea is not random: all seeds give the same");
+    results.warnings.emplace_back("the sea is not random: all seeds give the same results");
   }
   return results;
 }

@@ -221,6 +221,6 @@ export const quantities = [
   { key: 'bending_stress', name: 'Bending stress', unit: 'MPa', factor: 1e-06, digits: 1 },
   { key: 'von_mises', name: 'von Mises stress', unit: 'MPa', factor: 1e-06, digits: 1 },
   { key: 'strain', name: 'Strain', unit: '%', factor: 100, digits: 4 },
-  { key: 'utilisation', name: 'Utilisation of yield', unit: '–', factor: 1, digits: 6 },
+  { key: 'utilisation', name: 'von Mises stress / yield stress', unit: '–', factor: 1, digits: 6 },
   { key: 'checks', name: 'Utilisation of code checks', unit: '–', factor: 1, digits: 6 },
 ] as const;

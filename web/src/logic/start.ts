@@ -35,7 +35,7 @@ function quantity(text: string, like: string, units: string, least: number, most
   if (!q) return 'a number is missing';
   if (!sameFamily(q.unit, like)) return `"${q.unit}" is not one of ${units}`;
   const si = toSi(q.number, q.unit);
-  if (si < least || si > most) return `should lie between ${tidy(least / toSi(1, shown))} and ${tidy(most / toSi(1, shown))} ${shown}`;
+  if (si < least || si > most) return `should be between ${tidy(least / toSi(1, shown))} and ${tidy(most / toSi(1, shown))} ${shown}`;
   return null;
 }
 

@@ -4,7 +4,7 @@ export interface TensionerState { words: string; tone: 'good' | 'warn' | 'move' 
 
 const states: TensionerState[] = [
   { words: 'holds', tone: 'good', way: 0, limit: false },
-  { words: 'about to move', tone: 'warn', way: 0, limit: false },
+  { words: 'waiting for its delay', tone: 'warn', way: 0, limit: false },
   { words: 'pays out', tone: 'move', way: 1, limit: false },
   { words: 'hauls in', tone: 'move', way: -1, limit: false },
   { words: 'at its limit', tone: 'bad', way: 0, limit: true },
@@ -14,7 +14,7 @@ export const tensionerState = (value: number | null | undefined): TensionerState
   (value === null || value === undefined || !Number.isFinite(value) ? null : states[Math.round(value)] ?? null);
 
 const own: Record<string, string> = {
-  'tensioner/tension': 'Tensioner: tension', 'tensioner/travel': 'Tensioner: travel, paid out positive', 'tensioner/state': 'Tensioner: state (0 holds, 1 delay, 2 out, 3 in, 4 limit)',
+  'tensioner/tension': 'Tensioner: tension', 'tensioner/travel': 'Tensioner: travel, positive when paid out', 'tensioner/state': 'Tensioner: state (0 holds, 1 delay, 2 out, 3 in, 4 limit)',
   top_tension: 'Top tension', bottom_tension: 'Bottom tension', lay_back: 'Lay-back', departure_angle: 'Departure angle',
   stinger_tip_clearance: 'Stinger tip clearance', energy_drift: 'Energy drift', step: 'Time step', elevation: 'Water surface at the stern',
 };

@@ -11,7 +11,7 @@ const used = (c: Check): string => (c.utilisation === undefined ? '–' : tidy(c
 function Governing({ check }: { check: Check }) {
   return (
     <div class={`region ${level(check)}`}>
-      <button type="button" class="regionhead" title={`${check.name}; ${check.code} ${check.clause}. Show the place`} onClick={() => { cursor.value = check.at?.from_top ?? null; }}>
+      <button type="button" class="regionhead" title={`${check.name}; ${check.code} ${check.clause}. Show its location`} onClick={() => { cursor.value = check.at?.from_top ?? null; }}>
         <span>{regionName(check.region)}</span><b>{used(check)}</b>
       </button>
       <div class="bar" role="presentation"><i style={{ width: `${Math.min(100, 100 * (check.utilisation ?? 0))}%` }} /></div>

@@ -62,7 +62,7 @@ function Legend({ data }: { data: ChartData }) {
   const shown = data.lines.filter((l) => !l.band || l.name === 'largest');
   return (
     <ul class="chartlegend" aria-label="Lines">
-      {shown.map((l) => <li key={l.name}><i class={l.band ? 'band' : l.width === -1 ? 'barkey' : l.dash ? 'dashed' : ''} style={{ '--line': l.colour }} />{l.band && band ? 'least to largest' : l.name}</li>)}
+      {shown.map((l) => <li key={l.name}><i class={l.band ? 'band' : l.width === -1 ? 'barkey' : l.dash ? 'dashed' : ''} style={{ '--line': l.colour }} />{l.band && band ? 'minimum to maximum' : l.name}</li>)}
     </ul>
   );
 }
@@ -121,13 +121,13 @@ function Slot({ index }: { index: number }) {
             {quantities.map((q) => <option key={q.key} value={q.key}>{q.name}</option>)}
             <option value="reactions">Box reactions</option>
           </optgroup>
-          {columns.value.length ? <optgroup label={`In time: ${selected.value ? runName(selected.value) : ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
+          {columns.value.length ? <optgroup label={`Time histories: ${selected.value ? runName(selected.value) : ''}`}>{columns.value.map((c) => <option key={c.name} value={`history:${c.name}`} title={c.text}>{columnName(c.name)}</option>)}</optgroup> : null}
         </select>
         <output class="read" aria-live="off">{read}</output>
         <span class="exports">{(['png', 'svg', 'csv'] as const).map((kind) => <button key={kind} type="button" class="tiny" disabled={!data} title={`Save as ${kind.toUpperCase()}`} onClick={() => chart.current?.export(kind)}>{kind}</button>)}</span>
       </figcaption>
       {data ? <Legend data={data} /> : null}
-      <div class="plot" ref={box} style={data ? undefined : { visibility: 'hidden' }} title={inTime ? 'Drag to zoom, double click for all, click to go to a time' : 'Drag to zoom, double click for all'} />
+      <div class="plot" ref={box} style={data ? undefined : { visibility: 'hidden' }} title={inTime ? 'Drag to zoom, double-click to reset, click to go to an instant' : 'Drag to zoom, double-click to reset'} />
       {data ? null : <p class="empty over">{inTime ? 'Loading…' : calmLay.value ? 'The model has no roller boxes.' : 'No solution yet.'}</p>}
     </figure>
   );

@@ -44,7 +44,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
     }
   };
 
-  const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `Left out: ${left}.` : ''].filter(Boolean).join(' ');
+  const hint = [field.text, field.range ? `Range: ${field.range}.` : '', !field.given && left ? `If omitted: ${left}.` : ''].filter(Boolean).join(' ');
   const other = field.kind === 'quantity' ? twin(typed || (field.given ? '' : left)) : '';
   return (
     <div class={`row${field.kind === 'text' || field.kind === 'choice' ? ' wide' : ''}${wrong ? ' wrong' : message ? ' warned' : ''}${field.given ? '' : ' absent'}`} title={hint}>

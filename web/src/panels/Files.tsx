@@ -40,7 +40,7 @@ export function SaveAsDialog() {
     <Dialog title="Save as" close={close}>
       <form onSubmit={(e) => { e.preventDefault(); if (good) void save(full.trim()).then((done) => { if (done || overwrite.value) close(); }); }}>
         <div class="row"><label for="save-name">file name</label><input id="save-name" value={name} onInput={(e) => setName(e.currentTarget.value)} /><span class="twin" /></div>
-        <p class="brief">{good ? (there ? `${full} is there already: both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'A name without slashes.'}</p>
+        <p class="brief">{good ? (there ? `${full} already exists: both texts are shown before it is replaced.` : `in ${list?.folder ?? ''}`) : 'A name without slashes.'}</p>
         <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={!good}>Save</button></footer>
       </form>
     </Dialog>
@@ -72,10 +72,10 @@ export function UnsavedDialog() {
   };
   return (
     <Dialog title="Changes are not saved" close={stay}>
-      <p><b>{title.value}</b> has changes that are in no file. {next === 'start' ? 'A new model' : 'Opening another model'} takes its place.</p>
+      <p><b>{title.value}</b> has unsaved changes. {next === 'start' ? 'A new model' : 'Opening another model'} replaces it.</p>
       <footer>
         <button type="button" onClick={stay}>Cancel</button>
-        <button type="button" class="danger" onClick={go}>Go on without saving</button>
+        <button type="button" class="danger" onClick={go}>Continue without saving</button>
         <button type="button" class="main" onClick={keep}>{fileName.value ? 'Save first' : 'Save as…'}</button>
       </footer>
     </Dialog>
@@ -90,8 +90,8 @@ export function OverwriteDialog() {
   const own = o.name === fileName.value;
   const rows = differences(o.theirs, o.mine);
   return (
-    <Dialog title={own ? `${o.name} has changed on disk` : `${o.name} is there already`} close={close} wide>
-      <p>{own ? 'Another program has changed the file since it was read here.' : 'The folder has a file of that name.'} Nothing has been written. Lines that differ:</p>
+    <Dialog title={own ? `${o.name} has changed on disk` : `${o.name} already exists`} close={close} wide>
+      <p>{own ? 'Another program has changed the file since it was read.' : 'The folder already contains a file of that name.'} Nothing has been written. Lines that differ:</p>
       <div class="compare" role="table" aria-label="The two texts">
         <div class="heads" role="row"><b role="columnheader">in the file</b><b role="columnheader">here</b></div>
         {rows.map((r, i) => (r.gap ? <div key={i} class="gap">…</div> : <div key={i} role="row" class={r.left === r.right ? '' : 'differs'}><code role="cell">{r.left ?? ''}</code><code role="cell">{r.right ?? ''}</code></div>))}

@@ -140,10 +140,10 @@ export function Picture() {
       <div class="canvas" ref={box} tabIndex={0} role="img" aria-label="Barge, stinger, pipe, water and seabed. Keys 1 to 6 change the view."
         onKeyDown={(e) => { const v = views.find((x) => x[1] === e.key); if (v) view.current?.go(v[0]); }} />
       <div class="viewbuttons" role="toolbar" aria-label="Views">
-        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the picture)`} disabled={!ready || !known} onClick={() => view.current?.go(name)}>{name}</button>)}
+        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the 3-D view)`} disabled={!ready || !known} onClick={() => view.current?.go(name)}>{name}</button>)}
       </div>
       <div class="legend" data-flashes={animated ? flashing.value : undefined}>
-        <select aria-label="Colour of the pipe" title={animated ? 'A run keeps tension and von Mises stress for its animation; the others are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
+        <select aria-label="Colour of the pipe" title={animated ? 'A run stores tension and von Mises stress for its animation; the other quantities are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
           {quantities.filter((x) => x.key !== 'bending_moment').map((x) => <option key={x.key} value={x.key} disabled={animated && !inFrames(x.key as ColourBy)}>{x.name}{animated && !inFrames(x.key as ColourBy) ? ' (not in animations)' : ''}</option>)}
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
@@ -152,9 +152,9 @@ export function Picture() {
       </div>
       {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
       <Values />
-      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{withoutPaths(bad.why)}</p>{errors.value[0] ? <button type="button" onClick={() => leadToFault(errors.value[0]!)}>Show {errors.value[0].key ? keyName(errors.value[0].key) : `line ${errors.value[0].line}`}</button> : null}{known ? <p class="brief">The last good one is shown in grey.</p> : null}</div> : null}
+      {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{withoutPaths(bad.why)}</p>{errors.value[0] ? <button type="button" onClick={() => leadToFault(errors.value[0]!)}>Show {errors.value[0].key ? keyName(errors.value[0].key) : `line ${errors.value[0].line}`}</button> : null}{known ? <p class="brief">The last valid solution is shown in grey.</p> : null}</div> : null}
       {problem ? <p class="failure">{problem}</p> : null}
-      {!hasModel.value ? <div class="welcome"><h2>Lay a pipe</h2><p>Answer a few questions and see the S at once, or open an example.</p><button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button></div> : null}
+      {!hasModel.value ? <div class="welcome"><h2>New pipelay model</h2><p>Answer a few questions to see the lay at once, or open an example.</p><button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button></div> : null}
       {debug ? <Speed /> : null}
     </section>
   );

@@ -22,7 +22,7 @@ function RegionBlock({ name, r }: { name: string; r: Region | null }) {
   const level = r.utilisation > 1 ? 'over' : r.utilisation > 0.87 ? 'near' : 'good';
   return (
     <div class={`region ${level}`}>
-      <button type="button" class="regionhead" title="Show the place" onClick={() => { cursor.value = r.s; }}>
+      <button type="button" class="regionhead" title="Show the location" onClick={() => { cursor.value = r.s; }}>
         <span>{name}</span><b>{tidy(100 * r.utilisation, 3)} %</b><small> of yield</small>
       </button>
       <div class="bar" role="presentation"><i style={{ width: `${Math.min(100, 100 * r.utilisation)}%` }} /></div>
@@ -37,21 +37,21 @@ function RegionBlock({ name, r }: { name: string; r: Region | null }) {
 
 export function Results() {
   const s = calm.value;
-  if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Statics appear here as soon as the model is complete.'}</p></section>;
+  if (!s) return <section class="results"><h2>Results</h2><p class="empty">{failure.value ? '' : 'Static results appear here as soon as the model is complete.'}</p></section>;
   const k = s.key;
   const ofModel = diagnostics.value.filter((d) => d.severity === 'warning').map((d) => bullet(d.message, [], d.key));
   return (
     <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
-      <h2>Results {failure.value ? <small>last good one</small> : <small>statics</small>}</h2>
+      <h2>Results {failure.value ? <small>last valid solution</small> : <small>statics</small>}</h2>
       <RegionBlock name="Overbend" r={k.overbend} />
       <RegionBlock name="Tower" r={k.tower} />
       <RegionBlock name="Sagbend" r={k.sagbend} />
       <dl>
         <Value name="top tension" value={k.top_tension} unit="kN" />
         <Value name="bottom tension" value={k.bottom_tension} unit="kN" />
-        <Value name="lay-back" value={k.lay_back} unit="m" title="From stern shoe to touchdown." />
+        <Value name="lay-back" value={k.lay_back} unit="m" title="Horizontal distance from stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" />
-        <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" title="Pipe over the last stinger roller." />
+        <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" title="Clearance of the pipe over the last stinger roller." />
         <Value name="largest reaction" value={s.supports.length ? k.largest_reaction : null} unit="kN" />
       </dl>
       <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />

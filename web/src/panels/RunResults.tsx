@@ -63,9 +63,9 @@ export function Standing({ run }: { run: Run }) {
   const d = runSummary.value?.dynamic;
   switch (run.state) {
     case 'failed': return <p class="standing bad" role="alert"><b>This run failed.</b> {withoutPaths(run.message)}</p>;
-    case 'queued': return <p class="standing">Waiting for the run before it.</p>;
-    case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results come when it is done. {run.parent ? null : <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button>}</p>;
-    case 'cancelled': return <p class="standing warn"><b>Cancelled.</b> {d ? `What is shown is the first ${tidy(d.duration, 5)} s.` : run.message}</p>;
+    case 'queued': return <p class="standing">Waiting for the previous run.</p>;
+    case 'running': return <p class="standing">Running: {Math.round(100 * run.progress)} %{run.time !== undefined ? `, t = ${tidy(run.time, 4)} s` : ''}. Results are available when it is finished. {run.parent ? null : <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button>}</p>;
+    case 'cancelled': return <p class="standing warn"><b>Cancelled.</b> {d ? `Results of the first ${tidy(d.duration, 5)} s are shown.` : run.message}</p>;
     default: return d ? <p class="standing">{tidy(d.duration, 5)} s, seed {d.seed}, {d.impact_count === 1 ? '1 impact' : `${d.impact_count} impacts`}</p> : null;
   }
 }
@@ -79,7 +79,7 @@ export function RunResults() {
   const loading = run.has_results && !ofRun.value;
   return (
     <section class="results ofrun" aria-label="Results of the run">
-      <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'run in time' : 'static run'}</small></h2>
+      <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'dynamic run' : 'static run'}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
       {loading ? <p class="brief">Loading…</p> : <Table />}

@@ -36,7 +36,7 @@ function Delete({ run }: { run: Run }) {
   return <><button type="button" class="danger" onClick={() => void deleteRun(run.id)}>Delete with all files</button><button type="button" onClick={() => setSure(false)}>Keep</button></>;
 }
 
-const kindWords = (run: Run): string => (run.kind === 'static' ? 'static' : run.kind === 'dynamic' ? 'in time' : run.kind === 'seeds' ? 'several seeds' : `comparison, ${run.of}`);
+const kindWords = (run: Run): string => (run.kind === 'static' ? 'static' : run.kind === 'dynamic' ? 'dynamic' : run.kind === 'seeds' ? 'several seeds' : `comparison, ${run.of}`);
 
 /** The cases of a study, each a run that can be looked at. */
 function Cases({ study }: { study: Run }) {
@@ -67,13 +67,13 @@ function Card({ run }: { run: Run }) {
         <>
           <div class="bar" role="progressbar" aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(100 * run.progress)}><i style={{ width: `${100 * run.progress}%` }} /></div>
           <p class="brief">
-            {Math.round(100 * run.progress)} %{left !== null ? `, ${inWords(left)} to go` : ''}
+            {Math.round(100 * run.progress)} %{left !== null ? `, ${inWords(left)} remaining` : ''}
             {run.time !== undefined ? ` · t = ${tidy(run.time, 4)} s` : ''}
           </p>
           {run.top_tension !== undefined || run.worst_stress !== undefined ? (
             <dl class="livevalues">
               {run.top_tension !== undefined ? <div class="kv"><dt>top tension</dt><dd>{tidy(run.top_tension / 1e3, 4)} <small>kN</small></dd></div> : null}
-              {run.worst_stress !== undefined ? <div class="kv"><dt>worst stress</dt><dd>{tidy(run.worst_stress / 1e6, 4)} <small>MPa</small></dd></div> : null}
+              {run.worst_stress !== undefined ? <div class="kv"><dt>maximum stress</dt><dd>{tidy(run.worst_stress / 1e6, 4)} <small>MPa</small></dd></div> : null}
             </dl>
           ) : null}
         </>
@@ -86,7 +86,7 @@ function Card({ run }: { run: Run }) {
         {going ? <button type="button" onClick={() => void cancelRun(run.id)}>Cancel</button> : null}
         {run.has_results && run.kind !== 'seeds' ? <a class="button" href={reportAddress(run.id)} download={`${run.id}.html`}>Report</a> : null}
         {run.has_results && !mine ? <button type="button" onClick={() => select(run.id)}>{run.kind === 'dynamic' ? 'Animate' : 'Show'}</button> : null}
-        {run.resumable && !going ? <button type="button" title="Goes on where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
+        {run.resumable && !going ? <button type="button" title="Continue where it was stopped" onClick={() => void resumeRun(run.id)}>Resume</button> : null}
         {mine && !going ? <Delete run={run} /> : null}
       </div>
     </li>

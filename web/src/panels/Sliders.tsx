@@ -49,7 +49,7 @@ export function Sliders() {
   const ranged = (value: number, low: number, high: number): { low: number; high: number } => { const [l, h] = span(value, low, high); return { low: l, high: h }; };
   return (
     <section class="sliders" aria-label="Try out">
-      <h2>Try out <small>drag and watch</small></h2>
+      <h2>Try out <small>drag to see the effect</small></h2>
       {b.tension !== null ? <Slider id="tension" name="tension" unit="kN" start={round(b.tension / 1e3)} {...ranged(b.tension / 1e3, 0.4, 2.5)} step={b.tension > 1e6 ? 5 : 1} /> : null}
       {b.depth !== null ? <Slider id="depth" name="water depth" unit="m" start={round(b.depth)} {...ranged(b.depth, 0.5, 1.6)} step={b.depth > 500 ? 5 : 0.5} /> : null}
       {b.radius !== null ? <Slider id="radius" name="stinger radius" unit="m" start={round(b.radius)} {...ranged(b.radius, 0.6, 2)} step={1} /> : null}

@@ -75,7 +75,7 @@ export function StartDialog() {
             </select>
             <span class="twin">{pipe ? `${tidy(pipe.outside_diameter * 1e3)} mm` : ''}</span>
           </div>
-          {field('wall', 'wall thickness', 'chosen for you', pipe?.walls.map((w) => `${tidy(w * 1e3)} mm`))}
+          {field('wall', 'wall thickness', 'automatic', pipe?.walls.map((w) => `${tidy(w * 1e3)} mm`))}
           {field('yield', 'yield stress', 'e.g. 414 MPa', offer.grades.map((g) => `${tidy(g.yield / 1e6)} MPa`))}
           {field('coating', 'corrosion coating', 'none')}
           {field('concrete', 'concrete', 'none')}
@@ -93,16 +93,16 @@ export function StartDialog() {
             <select id="n-lay" value={a.lay} onChange={(e) => set('lay', e.currentTarget.value)}><option value="s">S-lay, over a stinger</option><option value="j">J-lay, from a tower</option></select>
             <span class="twin" />
           </div>
-          {a.lay === 's' ? field('stinger_radius', 'stinger radius', 'chosen for you') : null}
-          {a.lay === 's' ? field('boxes', 'stinger roller boxes', 'chosen for you') : null}
-          {field('tension', 'tension', 'chosen for you')}
+          {a.lay === 's' ? field('stinger_radius', 'stinger radius', 'automatic') : null}
+          {a.lay === 's' ? field('boxes', 'stinger roller boxes', 'automatic') : null}
+          {field('tension', 'tension', 'automatic')}
         </fieldset>
         <div class="row title">
           <label for="n-title">title</label>
-          <input id="n-title" value={a.title} placeholder="chosen for you" onInput={(e) => set('title', e.currentTarget.value)} />
+          <input id="n-title" value={a.title} placeholder="automatic" onInput={(e) => set('title', e.currentTarget.value)} />
         </div>
         {refused.all ? <p class="fault" role="alert">{refused.all}</p> : null}
-        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Lay it</button></footer>
+        <footer><button type="button" onClick={close}>Cancel</button><button type="submit" class="main" disabled={busy || Object.keys(faults).length > 0}>Create</button></footer>
       </form>
     </Dialog>
   );

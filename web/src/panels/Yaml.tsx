@@ -37,7 +37,7 @@ export function Yaml() {
     <div class="yaml">
       <div class="editor" ref={box}>{ready ? null : <p class="empty">Loading the editor…</p>}</div>
       {diagnostics.value.length ? (
-        <ul class="faults" aria-label="Faults of the model">
+        <ul class="faults" aria-label="Errors in the model">
           {diagnostics.value.map((d, i) => (
             <li key={i} class={d.severity}><button type="button" onClick={() => editor.current?.goTo(d.line)}><b>line {d.line}</b> {d.message}</button></li>
           ))}
