@@ -1,4 +1,4 @@
-/// A model with its equilibrium, ready for a run in time.
+/// A model with its equilibrium, ready for a dynamic run.
 #pragma once
 
 #include <memory>

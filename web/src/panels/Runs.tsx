@@ -88,7 +88,7 @@ export function Runs() {
   return (
     <div class="runs">
       <form class="startrun" onSubmit={(e) => { e.preventDefault(); if (good && ready) void startRun('dynamic', seconds); }}>
-        <h3>Run in time</h3>
+        <h3>Dynamic run</h3>
         <div class="row">
           <label for="run-duration">duration</label>
           <input id="run-duration" value={typed} aria-invalid={!good} onInput={(e) => setTyped(e.currentTarget.value)} />
