@@ -122,7 +122,7 @@ Group bgl1_example() {
       "The BGL-1 example with one support per box",
       "Corrected table, tensioner as a pin, rollers of 1e5 kN/m, no friction, no current. The beam solver's bottom "
       "tensions\n(205.6 kN for 250, 156.0 for 200, 255.7 for 300) are not used: they violate the first integral of a "
-      "frictionless rod,\nT + T2/(2 EA) + EI kappa2/2 + hanging weight = constant, by 0.5 to 1 kN; it "
+      "frictionless rod,\nT+T2/(2 EA)+EI kappa2/2+(suspended weight) = constant, by 0.5 to 1 kN; it "
       "gives 204.96 kN for 250. The bending moment in the sagbend is affected by this tension, and touchdown by both, "
       "so these references are accurate to 1 % and 1 m.",
       {column({"relative offsets",

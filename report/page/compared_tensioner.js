@@ -1,4 +1,4 @@
-// The tensioner off, controlled and constant: tension and travel in time, one above the other in one diagram.
+// The tensioner off, controlled and constant: histories of tension and travel in one diagram.
 'use strict';
 (function () {
   const data = Report.data.comparison;

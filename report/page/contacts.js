@@ -70,7 +70,7 @@
     const hi = d3.max(impacts, (hit) => hit.peak_force) / 1e3;
     const end = by_time ? Math.max(dynamic.duration, d3.max(impacts, x)) : 1.08 * d3.max(impacts, x) || 1;
     const frame = Report.frame(panel, {
-      height: 290, x: [0, end], y: [0, 1.14 * hi], title: `Peak force of the ${impacts.length > 1 ? impacts.length + ' ' : ''}hardest impact${impacts.length > 1 ? 's' : ''}, ${by_time ? 'in time' : 'against the velocity of approach'}`,
+      height: 290, x: [0, end], y: [0, 1.14 * hi], title: `Peak force of the ${impacts.length > 1 ? impacts.length + ' ' : ''}hardest impact${impacts.length > 1 ? 's' : ''}, ${by_time ? 'over time' : 'against the velocity of approach'}`,
       x_label: by_time ? 'Time from the end of the build-up [s]' : 'Normal velocity at first contact [m/s]', y_label: 'Peak force [kN]',
     });
     const colour_of = (hit) => positions.find((p) => p.name === hit.position).colour;

@@ -1,4 +1,4 @@
-// Quantities in time and their spectra.
+// Time histories and their spectra.
 'use strict';
 (function () {
   const data = Report.data;

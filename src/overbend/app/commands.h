@@ -46,7 +46,7 @@ struct CompareArguments {
   int threads = 0;                 ///< Variants at work at the same time; 0: as many as there are cores.
 };
 
-/// Variants of one model in time, each into a folder of its own, and what they gave beside each other. Interrupted, it
+/// Dynamic runs of variants of one model, each in a separate folder, and their comparison. Interrupted, it
 /// leaves checkpoints and returns kInterrupted.
 int run_compare(const CompareArguments& arguments);
 

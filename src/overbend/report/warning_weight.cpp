@@ -33,7 +33,7 @@ WeighedWarning weigh(const std::string& warning) {
 
 const std::vector<std::string>& serious_phrases() {
   static const std::vector<std::string> kPhrases = {
-      "lies beyond yield only",
+      "beyond yield only indicates",
       "passes the yield stress in time",
       "the pipe has left '",
       "the pipe left '",

@@ -1,4 +1,4 @@
-/// What variants of one model gave in the same run in time. Plain data, SI units.
+/// Results of variants of one model in the same dynamic run. Plain data, SI units.
 #pragma once
 
 #include <string>

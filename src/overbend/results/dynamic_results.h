@@ -78,7 +78,7 @@ struct SupportDynamics {
   std::vector<RollerDynamics> rollers;
 };
 
-/// A quantity in time, thinned for drawing: least and greatest of each of at most 2,000 equal stretches of time.
+/// A time history, thinned for plotting: minimum and maximum of each of at most 2,000 equal time intervals.
 struct HistorySummary {
   std::string name;         ///< For scripts: "top_tension", "heave", "support/stinger 8/reaction".
   std::string units;        ///< SI.

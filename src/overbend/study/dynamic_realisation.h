@@ -1,4 +1,4 @@
-/// One run in time into one folder: a realisation of the sea.
+/// One dynamic run into one folder: a realisation of the sea.
 #pragma once
 
 #include <cstdint>

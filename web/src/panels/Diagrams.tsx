@@ -1,4 +1,4 @@
-// The diagrams at the bottom: each place shows what its menu says, along the pipe or in time.
+// The diagrams at the bottom: each shows the quantity selected in its menu, along the pipe or over time.
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';

@@ -26,7 +26,7 @@ async function act(path: string, value: unknown): Promise<void> {
 /** Keys that are shown although they are left out, for what is given asks for them. */
 function asked(path: string): string[] {
   if (path === 'environment.waves') return askedOfWaves(byPath.value.get(`${path}.type`)?.value);
-  // what a run in time needs is offered in models that have none yet
+  // the keys for a dynamic run are offered in models that have none yet
   return path === 'vessel' ? ['motion'] : path === 'environment' ? ['waves'] : [];
 }
 

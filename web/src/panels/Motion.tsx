@@ -1,4 +1,4 @@
-// How the vessel moves: fixed, by a file of response amplitude operators, by a file in time, or by harmonics.
+// Vessel motion: fixed, by a file of response amplitude operators, by a motion history, or by harmonics.
 import type { ComponentChildren } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { get, post } from '../api/client';

@@ -1,4 +1,4 @@
-// The run that is looked at: static beside what was least and greatest in time, its warnings, how it stands.
+// The selected run: static values with minima and maxima over time, its warnings, its state.
 import type { Lay, Region, RegionSummary, Run, RunSummary, Spread } from '../api/types';
 import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';

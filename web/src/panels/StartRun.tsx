@@ -42,7 +42,7 @@ export function StartRun() {
   const ready = hasModel.value && !first;
   return (
     <form class="startrun" onSubmit={(e) => { e.preventDefault(); if (good && goodSeeds && ready) void startRun(orderOf(kind, seconds, seeds)); }}>
-      <h3>Run in time</h3>
+      <h3>Dynamic run</h3>
       <div class="row">
         <label for="run-kind">what</label>
         <select id="run-kind" value={kind} onChange={(e) => setKind(e.currentTarget.value as Kind)}>{kinds.map(([id, name]) => <option key={id} value={id}>{name}</option>)}</select>
