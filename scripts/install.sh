@@ -33,7 +33,7 @@ installed() {
 }
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-  echo "scripts/install.sh: this is not a Debian system; install these (or their like) yourself: ${wanted[*]}" >&2
+  echo "scripts/install.sh: this is not a Debian system; install these packages (or equivalents) yourself: ${wanted[*]}" >&2
   exit 1
 fi
 

@@ -15,11 +15,11 @@ cmake --build --preset release --target overbend --parallel "$(nproc)"
 echo "== Solving the statics of examples/bgl1.yaml"
 build/release/overbend static examples/bgl1.yaml -o "$results"
 
-echo "== Two minutes of the same lay in a sea in which work goes on"
+echo "== Dynamic analysis: two minutes of the same lay in a workable sea"
 build/release/overbend dynamic examples/bgl1-workable-sea.yaml --duration '120 s' -o "$results-waves"
 
 echo
 echo "Done. Open the reports in a browser:"
 echo "  $PWD/$results/report.html          statics"
 echo "  $PWD/$results-waves/report.html    static and dynamic analysis"
-echo "Beside each lie summary.json, pipe.csv, supports.csv and results.h5."
+echo "The same folders contain summary.json, pipe.csv, supports.csv and results.h5."

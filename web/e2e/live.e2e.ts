@@ -79,7 +79,7 @@ test('stinger radius and box height move rollers, and are written into the model
   await page.waitForSelector('.notice.good');
   const { text } = await (await bench.api('model')).json() as { text: string };
   expect(text).toContain('radius: 170 m');
-  expect(text).toContain('# three digits mended');
+  expect(text).toContain('# three values corrected');
   await page.click('[aria-label=Undo]');
   await page.waitForFunction(() => (document.querySelector('[aria-label="stinger radius, typed"]') as HTMLInputElement).value === '150 m');
 });

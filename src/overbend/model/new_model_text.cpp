@@ -69,7 +69,7 @@ pipe:
                         as_said(model.said.concrete, model.concrete, "m", "mm"));
     text += "  joint: {length: 12.2 m, field_joint: 0.7 m, infill_weight_density: 10.065 kN/m^3}\n";
   }
-  return text + fmt::format("  # weighs {:.4g} kN/m in the water\n", model.submerged_weight / 1e3);
+  return text + fmt::format("  # submerged weight {:.4g} kN/m\n", model.submerged_weight / 1e3);
 }
 
 std::string vessel_text(const NewModel& model) {
@@ -95,8 +95,8 @@ std::string tension_text(const NewModel& model) {
 
 std::string tower_text(const NewModel& model) {
   return fmt::format(R"(
-tensioner:                             # the pipe hangs straight from it: no supports
-  x: 0 m                               # from the stern shoe, astern positive; the pipe's axis
+tensioner:                             # the pipe hangs directly from it: no supports
+  x: 0 m                               # from the stern shoe, positive astern; the pipe's axis
   z: {:.6g} m
   incline: {:.4g} deg                   # from horizontal
   guide: pinned
@@ -121,11 +121,11 @@ std::string supports_text(const NewModel& model) {
   std::string text =
       fmt::format(R"(
 tensioner:
-  x: {:.3f} m                       # from the stern shoe, astern positive, z up; the pipe's axis
+  x: {:.3f} m                       # from the stern shoe, positive astern, z up; the pipe's axis
   z: {:.3f} m
   tension: {}                      # a catenary of this tension leaves at {:.3g} deg
 
-rollers:                               # kinds of roller row, used by name below
+rollers:                               # types of roller row, used by name below
   v:
     bottom: {{radius: 0.15 m, face: {face:.3g} m}}
     sides: {{radius: 0.15 m, face: {face:.3g} m, angle: 60 deg, clearance: 0.05 m}}
