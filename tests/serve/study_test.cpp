@@ -123,6 +123,7 @@ TEST(serve_study, a_cancelled_study_goes_on_and_finished_cases_are_not_run_again
   serving.restart("");
   EXPECT_EQ(serving.wait_for(id)["resumable"], true);
   EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 200);
+  for (const json& one : cases_of(serving, id)) EXPECT_NE(one["state"], "cancelled") << one;  // they wait or are done
   const json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(serving.get("/api/runs/" + id + "/study").json["cases"].size(), count);

@@ -22,7 +22,7 @@ test('several seeds are started, cancelled and resumed', async () => {
   for (const next of ['text=Resume', 'text=Delete…']) {
     await page.waitForFunction(() => Number(document.querySelector('.run.running [role=progressbar]')?.getAttribute('aria-valuenow') ?? -1) >= 0 && document.querySelector('.cases .running'));
     await bench.shot(page, 'study-running');
-    await page.click('.run.running >> text=Cancel');
+    await page.locator('.run.running').getByRole('button', { name: 'Cancel', exact: true }).click();
     await page.waitForSelector('.run.cancelled', { timeout: 60_000 });
     await page.click(`.run.cancelled >> ${next}`);
   }

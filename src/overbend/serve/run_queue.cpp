@@ -134,9 +134,18 @@ RunInfo RunQueue::resume(const std::string& id) {
     now.state = RunState::queued;
     now.resumable = false;
     now.message.clear();
+    for (RunInfo& one : runs_) {
+      if (one.parent != id || one.state == RunState::done) continue;
+      one.state = RunState::queued;
+      one.message.clear();
+    }
     waiting_.push_back(std::move(job));
   }
   changed_.notify_all();
+  for (const RunInfo& one : cases_of(run)) {
+    update(
+        one.id, [](RunInfo&) {}, false);
+  }
   update(
       id, [](RunInfo&) {}, true);
   return find(id);
