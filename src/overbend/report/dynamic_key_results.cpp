@@ -17,8 +17,8 @@ namespace {
 using html::fixed;
 using html::tile;
 
-std::string range(double lo, double hi, int digits) {
-  return fixed(lo, digits) + " to " + fixed(hi, digits);
+std::string range(const Quantity& q, const Spread& spread, int digits) {
+  return q.text(spread.min, digits) + " to " + q.text(spread.max, digits);
 }
 
 bool has_overbend(const StaticResults& statics) {
@@ -42,28 +42,28 @@ bool yields(const StaticResults& statics, const DynamicExtreme& extreme) {
 
 std::string stress_tile(const StaticResults& statics, const std::string& name, const DynamicExtreme& extreme,
                         double before) {
-  return tile(name, fixed(extreme.over_time.max / 1e6, 1), "MPa",
-              stress_note(statics, extreme) + "; static " + fixed(before / 1e6, 1), yields(statics, extreme));
+  return tile(name, stresses().text(extreme.over_time.max, 1), stresses().unit,
+              stress_note(statics, extreme) + "; static " + stresses().text(before, 1), yields(statics, extreme));
 }
 
 std::string strain_tile(const StaticResults& statics, const std::string& name, const DynamicExtreme& extreme,
                         double before) {
-  return tile(name, fixed(extreme.over_time.max * 1e2, 4), "%",
+  return tile(name, strains().text(extreme.over_time.max, 4), strains().unit,
               fmt::format("at {}, t = {} s; static {}", where(statics, extreme), fixed(extreme.time, 1),
-                          fixed(before * 1e2, 4)));
+                          strains().text(before, 4)));
 }
 
 std::string contact_tiles(const StaticResults& statics, const DynamicResults& r) {
   const ContactCount count = count_contacts(r);
   std::string out;
   if (count.hardest.roller != nullptr) {
-    out +=
-        tile("Largest roller reaction", fixed(count.hardest.roller->reaction.max / 1e3, 1), "kN",
-             fmt::format("{}; static {}", count.hardest.name(), fixed(count.hardest.roller->static_reaction / 1e3, 1)));
+    out += tile(
+        "Largest roller reaction", forces().text(count.hardest.roller->reaction.max, 1), forces().unit,
+        fmt::format("{}; static {}", count.hardest.name(), forces().text(count.hardest.roller->static_reaction, 1)));
   }
   if (!r.hardest_impacts.empty()) {
     const Impact& impact = r.hardest_impacts.front();
-    out += tile("Hardest impact", fixed(impact.peak_force / 1e3, 1), "kN",
+    out += tile("Hardest impact", forces().text(impact.peak_force, 1), forces().unit,
                 fmt::format("{} m/s at {}, t = {} s", fixed(impact.approach_velocity, 3),
                             find_roller(r, impact.roller).name(), fixed(impact.time, 1)));
   } else {
@@ -73,22 +73,22 @@ std::string contact_tiles(const StaticResults& statics, const DynamicResults& r)
       "Rollers that lose contact", std::to_string(count.losing), fmt::format("of {}", count.carrying),
       fmt::format("carrying in the static state; {} of {} bottom rollers never touched", count.never, count.bottom));
   if (statics.stinger_tip_clearance) {
-    out += tile("Stinger tip clearance", range(r.stinger_tip_clearance.min * 1e3, r.stinger_tip_clearance.max * 1e3, 1),
-                "mm", "pipe to the last bottom roller; static " + fixed(*statics.stinger_tip_clearance * 1e3, 1));
+    out += tile("Stinger tip clearance", range(clearances(), r.stinger_tip_clearance, 1), clearances().unit,
+                "pipe to the last bottom roller; static " + clearances().text(*statics.stinger_tip_clearance, 1));
   }
   return out;
 }
 
 std::string tiles(const StaticResults& statics, const DynamicResults& r) {
   std::string out = "<div class=\"tiles\">\n";
-  out += tile("Top tension", range(r.top_tension.min / 1e3, r.top_tension.max / 1e3, 1), "kN",
-              "effective, at the tensioner; static " + fixed(statics.top_tension / 1e3, 1));
+  out += tile("Top tension", range(forces(), r.top_tension, 1), forces().unit,
+              "effective, at the tensioner; static " + forces().text(statics.top_tension, 1));
   if (has_overbend(statics)) {
     out += stress_tile(statics, "Overbend von Mises", r.overbend.von_mises, statics.overbend->von_mises.value);
   }
   out += stress_tile(statics, "Sagbend von Mises", r.sagbend.von_mises, statics.sagbend.von_mises.value);
-  out += tile("Bottom tension", range(r.bottom_tension.min / 1e3, r.bottom_tension.max / 1e3, 1), "kN",
-              "horizontal, at touchdown; static " + fixed(statics.bottom_tension / 1e3, 1));
+  out += tile("Bottom tension", range(forces(), r.bottom_tension, 1), forces().unit,
+              "horizontal, at touchdown; static " + forces().text(statics.bottom_tension, 1));
   if (!r.supports.empty()) {
     out += contact_tiles(statics, r);
   }

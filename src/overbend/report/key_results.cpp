@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numbers>
 
 #include "report/html.h"
 #include "report/places.h"
@@ -15,8 +14,6 @@ namespace {
 using html::fixed;
 using html::tile;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
 double utilisation(const StaticResults& results, const Extreme& extreme) {
   return yield_percent(results, extreme.s, extreme.value);
 }
@@ -28,34 +25,34 @@ std::string stress_note(const StaticResults& results, const Extreme& extreme) {
 }
 
 std::string stress_tile(const StaticResults& results, const std::string& name, const Extreme& extreme) {
-  return tile(name, fixed(extreme.value / 1e6, 1), "MPa", stress_note(results, extreme),
+  return tile(name, stresses().text(extreme.value, 1), stresses().unit, stress_note(results, extreme),
               utilisation(results, extreme) > 100.0);
 }
 
 std::string tiles(const StaticResults& r) {
   std::string out = "<div class=\"tiles\">\n";
-  out += tile("Top tension", fixed(r.top_tension / 1e3, 1), "kN", "effective, at the tensioner");
-  out += tile("Bottom tension", fixed(r.bottom_tension / 1e3, 1), "kN", "horizontal, at touchdown");
+  out += tile("Top tension", forces().text(r.top_tension, 1), forces().unit, "effective, at the tensioner");
+  out += tile("Bottom tension", forces().text(r.bottom_tension, 1), forces().unit, "horizontal, at touchdown");
   if (r.overbend) {
     out += stress_tile(r, "Overbend von Mises", r.overbend->von_mises);
   }
   out += stress_tile(r, "Sagbend von Mises", r.sagbend.von_mises);
   out += tile("Lay-back", fixed(r.lay_back, 1), "m", "stern shoe to touchdown");
-  out += tile("Departure angle", fixed(r.departure_angle * kDegrees, 2), "deg",
+  out += tile("Departure angle", angles().text(r.departure_angle, 2), angles().unit,
               "at " + (r.last_support.empty() ? std::string("the tensioner") : r.last_support));
   if (r.supports.empty()) {  // in J-lay the sagbend is all there is
     out += tile("Suspended length", fixed(r.suspended_length, 1), "m", "along the pipe, to touchdown");
-    out += tile("Sagbend moment", fixed(r.sagbend.bending_moment.value / 1e3, 1), "kN m",
+    out += tile("Sagbend moment", moments().text(r.sagbend.bending_moment.value, 1), moments().unit,
                 fixed(from_tensioner(r, r.sagbend.bending_moment.s), 1) + " m along the pipe");
-    out += tile("Sagbend strain", fixed(r.sagbend.strain.value * 1e2, 4), "%", "longitudinal, maximum");
+    out += tile("Sagbend strain", strains().text(r.sagbend.strain.value, 4), strains().unit, "longitudinal, maximum");
   }
   if (!r.supports.empty()) {
-    out +=
-        tile("Largest roller reaction", fixed(r.largest_reaction / 1e3, 1), "kN", "at " + r.largest_reaction_support);
+    out += tile("Largest roller reaction", forces().text(r.largest_reaction, 1), forces().unit,
+                "at " + r.largest_reaction_support);
   }
   if (r.stinger_tip_clearance) {
-    out +=
-        tile("Stinger tip clearance", fixed(*r.stinger_tip_clearance * 1e3, 1), "mm", "pipe to the last bottom roller");
+    out += tile("Stinger tip clearance", clearances().text(*r.stinger_tip_clearance, 1), clearances().unit,
+                "pipe to the last bottom roller");
   }
   return out + "</div>\n";
 }
@@ -66,9 +63,9 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
   const auto row = [&](const std::string& name, const std::string& value, const std::string& unit) {
     rows.push_back({name, value, unit});
   };
-  row("Tension at the tensioner (effective)", fixed(r.top_tension / 1e3, 2), "kN");
-  row("Largest effective tension", fixed(r.largest_tension / 1e3, 2), "kN");
-  row("Horizontal tension at touchdown", fixed(r.bottom_tension / 1e3, 2), "kN");
+  row("Tension at the tensioner (effective)", forces().text(r.top_tension, 2), forces().unit);
+  row("Largest effective tension", forces().text(r.largest_tension, 2), forces().unit);
+  row("Horizontal tension at touchdown", forces().text(r.bottom_tension, 2), forces().unit);
   if (r.residual_curvature > 0.0) {
     row("Residual curvature at touchdown", fmt::format("{:.5f}", r.residual_curvature), "1/m");
   }
@@ -78,13 +75,14 @@ std::vector<std::array<std::string, 3>> lay_quantities(const StaticResults& r) {
   row("Suspended length", fixed(r.suspended_length, 2), "m");
   row("Tensioner to anchor, along the pipe", fixed(r.total_length, 2), "m");
   row(r.last_support.empty() ? "Departure angle, at the tensioner" : "Departure angle, at " + r.last_support,
-      fixed(r.departure_angle * kDegrees, 3), "deg");
+      angles().text(r.departure_angle, 3), angles().unit);
   row("Touchdown, drift to port of the vessel's axis", fixed(ship_point(r, r.touchdown.p_W).y(), 2), "m");
   if (r.stinger_tip_clearance) {
     row("Stinger tip clearance (negative: in contact)", fixed(*r.stinger_tip_clearance, 4), "m");
   }
   if (!r.supports.empty()) {
-    row("Largest reaction of one roller, at " + r.largest_reaction_support, fixed(r.largest_reaction / 1e3, 2), "kN");
+    row("Largest reaction of one roller, at " + r.largest_reaction_support, forces().text(r.largest_reaction, 2),
+        forces().unit);
     row("Smallest separation of a bottom roller", fixed(r.smallest_separation, 4), "m");
   }
   return rows;

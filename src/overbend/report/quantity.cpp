@@ -40,8 +40,8 @@ std::string words(const std::string& name) {
 
 }  // namespace
 
-std::string Quantity::text(double si) const {
-  return html::fixed(shown(si), digits);
+std::string Quantity::text(double si, int decimals) const {
+  return html::fixed(shown(si), decimals);
 }
 
 Quantity quantity(const std::string& name, const std::string& units) {

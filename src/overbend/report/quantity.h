@@ -12,13 +12,35 @@ struct Quantity {
   int digits = 3;
 
   double shown(double si) const { return factor * si; }
-  std::string text(double si) const;
+  std::string text(double si) const { return text(si, digits); }
+  std::string text(double si, int decimals) const;
 };
 
 /// For the script name and SI units of a history or an extreme: "support/stinger 8/reaction" in N becomes
 /// "Reaction, stinger 8" in kN. An unknown name is shown as it is, with underscores as blanks; unknown units
 /// stay.
 Quantity quantity(const std::string& name, const std::string& units);
+
+// What has no name of its own.
+inline Quantity forces() {
+  return quantity("force", "N");
+}
+inline Quantity moments() {
+  return quantity("moment", "N m");
+}
+inline Quantity stresses() {
+  return quantity("stress", "Pa");
+}
+inline Quantity strains() {
+  return quantity("strain", "1");
+}
+inline Quantity angles() {
+  return quantity("angle", "rad");
+}
+/// Small distances between pipe and roller.
+inline Quantity clearances() {
+  return {"clearance", "mm", 1e3, 1};
+}
 
 /// A duration in the largest unit that leaves it above one: "45 s", "10 min", "3 h". [s]
 std::string duration_words(double seconds);

@@ -6,8 +6,8 @@ export type Vector = [number, number, number];
 export interface Region {
   bending_moment: number;
   bending_stress: number;
-  von_mises: number;
   strain: number;
+  von_mises: number;
   utilisation: number;
   s: number;
 }
@@ -125,8 +125,8 @@ export interface ExtremeOverTime {
 export interface RegionSummary {
   max_bending_moment: ExtremeOverTime;
   max_bending_stress: ExtremeOverTime;
-  max_von_mises: ExtremeOverTime;
   max_strain: ExtremeOverTime;
+  max_von_mises: ExtremeOverTime;
 }
 
 export interface SupportSummary {

@@ -3,7 +3,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';
 import { along, colours, reactions, shape, type ChartData } from '../charts/data';
-import { display, quantities } from '../logic/show';
+import { display, quantities, quantity } from '../logic/show';
 import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
 import { calmLay, ofRun, shownFailure, shownScene } from '../state/shown';
@@ -75,7 +75,7 @@ function Slot({ index }: { index: number }) {
   const [pixels, setPixels] = useState(600);
   const asked = slots.value[index] ?? 'elevation';
   const history = asked.startsWith('history:');
-  const missing = history && !columns.value.some((c) => `history:${c.name}` === asked);
+  const missing = history ? !columns.value.some((c) => `history:${c.name}` === asked) : !['elevation', 'plan', 'reactions'].includes(asked) && !quantity(asked);
   const what = missing ? 'effective_tension' : asked;
   const inTime = what.startsWith('history:');
   const fetched = useHistory(what, zoom, pixels);

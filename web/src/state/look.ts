@@ -1,5 +1,6 @@
 // How the page looks, kept from one visit to the next: theme, colouring, chosen diagrams; and the common cursor.
 import { effect, signal, type Signal } from '@preact/signals';
+import { quantity } from '../logic/show';
 import type { Picked } from '../view/picking';
 
 function kept<T>(name: string, start: T): Signal<T> {
@@ -14,6 +15,7 @@ export type Theme = 'light' | 'dark';
 export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
 export type ColourBy = 'von_mises' | 'bending_stress' | 'effective_tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
+if (!quantity(colourBy.value)) colourBy.value = 'von_mises';  // kept from a visit when it had another name
 export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
 /** Below 1,100 px the panes are tabs: which of them is shown. */
 export const pane = kept<'model' | 'picture' | 'results' | 'diagrams'>('pane', 'picture');
