@@ -144,6 +144,13 @@ TEST(binding, a_segment_changes_only_what_it_gives) {
   EXPECT_EQ(d.pipe.section.steel.material.law, MaterialLaw::ramberg_osgood);
 }
 
+TEST(binding, a_segment_may_take_the_exponent_of_its_law_from_the_line) {
+  const Description d = read_good(with_segment(", steel: {material: {law: moment_ramberg_osgood}}"));
+  ASSERT_EQ(d.pipe.segments.size(), 1U);
+  EXPECT_EQ(d.pipe.segments[0].section.steel.material.law, MaterialLaw::moment_ramberg_osgood);
+  EXPECT_EQ(d.pipe.segments[0].section.steel.material.hardening_exponent, 20.0);
+}
+
 TEST(binding, coatings_of_a_segment_replace_those_of_the_line) {
   const Description d = read_good(with_segment(", coatings: [{thickness: 3 mm, weight_density: 9 kN/m^3}]"));
   ASSERT_EQ(d.pipe.segments.size(), 1U);

@@ -145,9 +145,9 @@ TEST(running_statistics, an_empty_state_can_be_saved_too) {
 TEST(running_statistics, refuse_what_does_not_fit) {
   RunningStatistics statistics(2);
   const std::vector<double> three(3);
-  EXPECT_THROW(statistics.add(three, 1.0), std::invalid_argument);
-  EXPECT_THROW(statistics.add(std::span(three).first(2), -1.0), std::invalid_argument);
-  EXPECT_THROW(statistics.restore(three), std::invalid_argument);
+  EXPECT_THROW(statistics.add(three, 1.0), std::logic_error);
+  EXPECT_THROW(statistics.add(std::span(three).first(2), -1.0), std::logic_error);
+  EXPECT_THROW(statistics.restore(three), std::logic_error);
 }
 
 }  // namespace

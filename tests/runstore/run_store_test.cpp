@@ -112,8 +112,8 @@ TEST(run_store, takes_nothing_in_before_it_has_begun_and_no_row_of_another_size)
   EXPECT_THROW(store.impact(impact(0)), std::logic_error);
   EXPECT_THROW(store.checkpoint(state(0)), std::logic_error);
   store.begin(columns(), kStations);
-  EXPECT_THROW(store.row(two), std::invalid_argument);
-  EXPECT_THROW(store.snapshot(0.0, two), std::invalid_argument);
+  EXPECT_THROW(store.row(two), std::logic_error);
+  EXPECT_THROW(store.snapshot(0.0, two), std::logic_error);
 }
 
 TEST(run_store, reads_columns_alike_however_many_fit_its_memory) {

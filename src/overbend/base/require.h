@@ -1,7 +1,8 @@
 /// Promises between parts of the program, checked in release builds too.
 ///
 /// `require` is for what a caller owes or an invariant guarantees. What the user's input may break belongs to
-/// base/diagnostics.h, a method that does not converge to its results.
+/// base/diagnostics.h, a method that does not converge to its results. Not for kernels: they are compiled once for each
+/// instruction set, and the linker keeps one copy of an inline function.
 #pragma once
 
 #include <source_location>

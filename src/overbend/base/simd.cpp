@@ -1,8 +1,12 @@
 #include "base/simd.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
+
+#include "base/simd_words.h"
+#include "base/text.h"
 
 namespace overbend {
 namespace {
@@ -22,11 +26,10 @@ Isa detect() {
 Isa narrow(Isa found) {
   const char* wanted = std::getenv("OVERBEND_ISA");
   const std::string name = wanted == nullptr ? "" : wanted;
-  if (name.empty() || name == "avx512") return found;
-  if (name == "avx2") return found == Isa::avx512 ? Isa::avx2 : found;
-  if (name == "baseline") return Isa::baseline;
-  throw std::invalid_argument("the environment variable OVERBEND_ISA: found '" + name +
-                              "', expected baseline, avx2 or avx512");
+  if (name.empty()) return found;
+  if (const auto isa = from_word<Isa>(name)) return std::min(*isa, found);
+  throw std::invalid_argument("the environment variable OVERBEND_ISA: found '" + name + "', expected " +
+                              join_words(words_of<Isa>(), "or"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/require.h"
 #include "base/text.h"
 
 namespace overbend {
@@ -249,7 +250,7 @@ std::vector<std::string> usual_units(const std::string& si_unit) {
 
 std::string format_quantity(double value, const std::string& si_unit, const std::string& unit, int digits) {
   const std::optional<double> factor = unit_factor(unit, si_unit);
-  if (!factor) throw std::invalid_argument("'" + unit + "' does not measure " + dimension_words(si_unit));
+  if (!factor) broken_promise("a unit measures its dimension: '" + unit + "', " + dimension_words(si_unit));
   return format_number(value / *factor, digits) + " " + unit;
 }
 

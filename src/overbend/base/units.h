@@ -38,8 +38,8 @@ std::string dimension_name(const std::string& si_unit);
 /// Units people use for the dimension, most usual first.
 std::vector<std::string> usual_units(const std::string& si_unit);
 
-/// A value [SI] in `unit` as "406.4 mm", at most `digits` significant digits. Throws std::invalid_argument when `unit`
-/// does not measure `si_unit`.
+/// A value [SI] in `unit` as "406.4 mm", at most `digits` significant digits. The unit must measure
+/// `si_unit`.
 std::string format_quantity(double value, const std::string& si_unit, const std::string& unit, int digits = 6);
 
 /// A number with at most `digits` significant digits: "0.25", "1e-09".

@@ -1,13 +1,13 @@
 #include "mechanics/sea.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 #include "base/random.h"
+#include "base/require.h"
 #include "mechanics/wave_spreading.h"
 #include "model/section.h"
 #include "model/wave_theory.h"
@@ -205,7 +205,7 @@ Sea make_sea(std::vector<WaveComponent> components, double depth) {
 
 void water_state(const Sea& sea, double t, const BuildUp& build_up, std::span<const Vec3> points,
                  std::span<WaterState> out) {
-  assert(points.size() == out.size());
+  require(points.size() == out.size(), "there is a state of the water for each point");
   if (points.empty()) return;
   if (sea.calm()) {
     std::fill(out.begin(), out.end(), WaterState{});

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "base/require.h"
+
 namespace overbend {
 namespace {
 
@@ -78,6 +80,8 @@ void curve_of(const MotionHistory& history, std::size_t freedom, std::vector<Six
 
 void follow_history(VesselMotionModel& motion, const VesselDescription& vessel) {
   const MotionHistory& history = *vessel.history;
+  require(history.time.size() >= 2 && history.freedoms.size() == history.time.size(),
+          "a recorded motion has two instants at least, with six freedoms each");
   motion.reference_V = vessel.motion_reference_V;
   motion.spline.time = history.time;
   motion.spline.value = history.freedoms;

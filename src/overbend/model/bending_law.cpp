@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/nonnegative_fit.h"
+#include "base/require.h"
 
 namespace overbend {
 namespace {
@@ -118,6 +119,7 @@ BendingLaw from_moments(const MomentAt& moment, double EI, const FitRange& range
 
 BendingLaw from_table(const SteelDescription& steel, double EI) {
   std::vector<CurvePoint> points = steel.material.moment_curvature;
+  require(!points.empty(), "a law by a table has points");
   points.front().x = points.front().y / EI;  // the straight part is the section's own
   const auto moment = [&](double k, double) {
     if (k <= points.front().x || points.size() == 1) return MomentPoint{std::min(EI * k, points.front().y), 0.0};

@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "base/require.h"
+
 namespace overbend {
 namespace {
 
@@ -162,6 +164,7 @@ ContactStiffness Model::contact_parts(const Roller& roller) const {
 }
 
 const SectionDescription& Model::description_of(std::size_t section) const {
+  require(section < sections.size(), "a section is one of the model's");
   const PipeDescription& pipe = description.pipe;
   return section == 0 || section > pipe.segments.size() ? pipe.section : pipe.segments[section - 1].section;
 }

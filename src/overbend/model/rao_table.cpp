@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/require.h"
+
 namespace overbend {
 namespace {
 
@@ -81,6 +83,8 @@ bool RaoTable::one_sided() const {
 }
 
 RaoTable::Response RaoTable::at(double heading, double omega) const {
+  require(!headings.empty() && values.size() == 6 * headings.size() * omegas.size() && !omegas.empty(),
+          "a table of RAOs has a response for every heading and frequency");
   double turned = wrapped(heading);
   const bool other_side = one_sided() && turned > kPi;
   if (other_side) turned = 2.0 * kPi - turned;

@@ -48,21 +48,27 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
 
 void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {
   const FieldValue* material = section.find("steel.material");
-  if (material == nullptr) return;
-  const auto law = material->get_word<MaterialLaw>("law");
+  if (material == nullptr || !material->given) return;
+  const FieldValue* line = pipe.find("steel.material");  // what a segment leaves out is the line's
+  const auto mentions = [&](const char* key) {
+    return material->mentions(key) || (line != nullptr && line->mentions(key));
+  };
+  const auto line_law = line != nullptr ? line->get_word<MaterialLaw>("law") : std::nullopt;
+  const auto own_law = material->get_word<MaterialLaw>("law");
+  const auto law = own_law ? own_law : line_law;
   const double modulus = steel_number(section, pipe, "youngs_modulus", SteelDescription{}.youngs_modulus);
   const double yield = steel_number(section, pipe, "yield_stress", 0.0);
   const std::vector<FieldValue>& stress_strain = Checker::items(*material, "stress_strain");
   const std::vector<FieldValue>& moment_curvature = Checker::items(*material, "moment_curvature");
-  const bool exponent = material->mentions("hardening_exponent"), curve = material->mentions("stress_strain");
-  const bool a = material->mentions("moment_coefficient"), b = material->mentions("moment_exponent");
+  const bool exponent = mentions("hardening_exponent"), curve = mentions("stress_strain");
+  const bool a = mentions("moment_coefficient"), b = mentions("moment_exponent");
   if (law == MaterialLaw::ramberg_osgood && !exponent) {
     check.missing(*material, "hardening_exponent", "the exponent n of the stress-strain law, often 15 to 25");
   }
   if (law == MaterialLaw::stress_strain && !curve) {
     check.missing(*material, "stress_strain", "the points of a tension test");
   }
-  if (law == MaterialLaw::moment_curvature && !material->mentions("moment_curvature")) {
+  if (law == MaterialLaw::moment_curvature && !mentions("moment_curvature")) {
     check.missing(*material, "moment_curvature", "the points of the moment-curvature curve of the pipe");
   }
   if (law == MaterialLaw::moment_ramberg_osgood && a != b) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
+
+#include "base/require.h"
 
 namespace overbend {
 
@@ -13,9 +14,8 @@ RunningQuantiles::RunningQuantiles(std::size_t size, double first_width)
 void RunningQuantiles::add(std::span<const double> values, double weight) {
   const bool good =
       std::all_of(values.begin(), values.end(), [](double value) { return value >= 0.0 && std::isfinite(value); });
-  if (values.size() != size() || !good || !(weight >= 0.0)) {
-    throw std::invalid_argument("running quantiles: a finite value for every quantity, values and weight not negative");
-  }
+  require(values.size() == size() && good && weight >= 0.0,
+          "a sample has a finite value for every quantity, values and weight not negative");
   weight_ += weight;
   for (std::size_t i = 0; i < values.size(); ++i) {
     while (values[i] >= static_cast<double>(kBins) * width_[i]) {
@@ -36,8 +36,9 @@ void RunningQuantiles::widen(std::size_t quantity) {
 }
 
 double RunningQuantiles::at(std::size_t quantity, double share) const {
+  require(quantity < size(), "a quantile is asked of a quantity that there is");
   const double wanted = share * weight_;
-  double sum = zero_.at(quantity), last = 0.0;
+  double sum = zero_[quantity], last = 0.0;
   if (sum >= wanted) {
     return 0.0;
   }
@@ -63,9 +64,7 @@ std::vector<double> RunningQuantiles::save() const {
 }
 
 void RunningQuantiles::restore(std::span<const double> saved) {
-  if (saved.size() % (kBins + 2) != 1) {
-    throw std::invalid_argument("running quantiles: not a saved state");
-  }
+  require(saved.size() % (kBins + 2) == 1, "running quantiles are restored from what they saved");
   const std::size_t n = saved.size() / (kBins + 2);
   auto from = saved.begin();
   weight_ = *from++;

@@ -2,7 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
+
+#include "base/require.h"
 
 namespace overbend {
 namespace {
@@ -15,11 +16,8 @@ RunningStatistics::RunningStatistics(std::size_t size)
     : min_(size, kInfinity), max_(size, -kInfinity), mean_(size, 0.0), squares_(size, 0.0), weights_(size, 0.0) {}
 
 void RunningStatistics::add(std::span<const double> values, double weight) {
-  if (values.size() != size() || !(weight >= 0.0)) {
-    throw std::invalid_argument(
-        "running statistics: a sample has as many values as there are quantities, and a weight "
-        "that is not negative");
-  }
+  require(values.size() == size() && weight >= 0.0,
+          "a sample has as many values as there are quantities, and a weight that is not negative");
   weight_ += weight;
   const std::size_t n = values.size();
   // Plain pointers that do not overlap, and no branches: the compiler makes vectors of it.
@@ -60,9 +58,7 @@ std::vector<double> RunningStatistics::save() const {
 }
 
 void RunningStatistics::restore(std::span<const double> saved) {
-  if (saved.size() % 5 != 1) {
-    throw std::invalid_argument("running statistics: not a saved state");
-  }
+  require(saved.size() % 5 == 1, "running statistics are restored from what they saved");
   weight_ = saved[0];
   const std::size_t n = saved.size() / 5;
   std::size_t from = 1;

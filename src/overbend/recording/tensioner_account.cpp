@@ -3,20 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/description_words.h"
+
 namespace overbend {
 namespace {
-
-std::string mode_text(TensionerMode mode) {
-  switch (mode) {
-    case TensionerMode::controlled:
-      return "controlled";
-    case TensionerMode::constant:
-      return "constant";
-    case TensionerMode::locked:
-      break;
-  }
-  return "locked";
-}
 
 std::size_t index_of(TensionerState state) {
   return static_cast<std::size_t>(state);
@@ -40,7 +30,7 @@ void TensionerAccount::add(const AttachmentState& tensioner, double time, double
 
 TensionerDynamics TensionerAccount::results() const {
   TensionerDynamics r;
-  r.mode = mode_text(law_->mode);
+  r.mode = word_of(law_->mode);
   const std::vector<double> deviation = statistics_.standard_deviation();
   const auto spread = [&](std::size_t i) {
     return Spread{statistics_.min()[i], statistics_.max()[i], statistics_.mean()[i], deviation[i]};

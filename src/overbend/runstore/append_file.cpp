@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/require.h"
+
 namespace overbend {
 namespace {
 
@@ -121,7 +123,7 @@ void AppendFile::sync() {
 }
 
 void AppendFile::read(std::uint64_t offset, std::span<double> values) const {
-  if (filled_ > 0) throw std::logic_error("a file is read when it has been flushed");
+  require(filled_ == 0, "a file is read when it has been flushed");
   constexpr std::uint64_t kBytes = BlockSums::kBlock * sizeof(double);
   std::vector<double> block;
   while (!values.empty()) {

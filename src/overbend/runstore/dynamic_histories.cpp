@@ -4,7 +4,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
+
+#include "base/require.h"
 
 namespace overbend {
 namespace {
@@ -51,7 +52,7 @@ std::pair<double, double> range_of(std::span<const double> values) {
 
 HistorySummary summarise_history(const HistoryColumn& column, std::span<const double> time,
                                  std::span<const double> values) {
-  if (time.size() != values.size()) throw std::invalid_argument("a history has a value for each time");
+  require(time.size() == values.size(), "a history has a value for each time");
   HistorySummary summary{column.name, column.units, column.description, {}, {}, {}};
   summary.over_time = spread_of(values.subspan(start_of_statistics(time)));
   const std::size_t stretches = std::min(kMostStretches, values.size());

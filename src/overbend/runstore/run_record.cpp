@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
-#include <array>
 #include <cstdint>
 
-#include "base/simd.h"
+#include "base/simd_words.h"
 #include "base/source_digest.h"
 #include "base/version.h"
 
@@ -38,9 +37,7 @@ std::string compiler_name() {
 }
 
 std::string program_identity() {
-  constexpr std::array kSets = {"baseline", "avx2", "avx512"};
-  return fmt::format("{} (sources {}, {}, {})", kVersion, source_digest(), compiler_name(),
-                     kSets.at(static_cast<std::size_t>(best_isa())));
+  return fmt::format("{} (sources {}, {}, {})", kVersion, source_digest(), compiler_name(), word_of(best_isa()));
 }
 
 }  // namespace overbend

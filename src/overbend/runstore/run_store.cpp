@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/require.h"
 #include "runstore/append_file.h"
 #include "runstore/checkpoint_file.h"
 #include "runstore/run_record.h"
@@ -79,9 +80,7 @@ struct RunStore::Files {
 
   fs::path checkpoint() const { return folder / "checkpoint"; }
   void open();
-  void require_begun() const {
-    if (!begun) throw std::logic_error("a run takes in nothing before it has begun");
-  }
+  void require_begun() const { require(begun, "a run takes in nothing before it has begun"); }
   std::size_t columns() const { return record.columns.size(); }
   std::size_t snapshot_numbers() const {
     return 1 + kStationNumbers * static_cast<std::size_t>(record.stations) + kPoseNumbers;
@@ -181,7 +180,7 @@ void RunStore::begin(const std::vector<HistoryColumn>& columns, int stations) {
     if (same_columns(columns, files_->record.columns) && stations == files_->record.stations) return;
     throw std::runtime_error("the stored run has other histories or stations; start again with --restart");
   }
-  if (columns.empty() || stations < 0) throw std::invalid_argument("a run needs at least one column");
+  require(!columns.empty() && stations >= 0, "a run has at least one column");
   files_->record.columns = columns;
   files_->record.stations = stations;
   files_->open();
@@ -189,13 +188,13 @@ void RunStore::begin(const std::vector<HistoryColumn>& columns, int stations) {
 
 void RunStore::row(std::span<const double> values) {
   files_->require_begun();
-  if (values.size() != files_->columns()) throw std::invalid_argument("a row has as many values as there are columns");
+  require(values.size() == files_->columns(), "a row has as many values as there are columns");
   files_->rows.append(values);
 }
 
 void RunStore::snapshot(double time, std::span<const double> values) {
   files_->require_begun();
-  if (values.size() + 1 != files_->snapshot_numbers()) throw std::invalid_argument("a snapshot of another size");
+  require(values.size() + 1 == files_->snapshot_numbers(), "a snapshot has the numbers of its stations");
   files_->snapshots.append(std::span(&time, 1));
   files_->snapshots.append(values);
 }

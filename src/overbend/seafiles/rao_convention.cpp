@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/require.h"
 #include "model/rao_table.h"
 #include "model/wave_theory.h"
 
@@ -69,6 +70,9 @@ ConventionWords convention_set(const std::string& name) {
 
 RaoTranslation::RaoTranslation(const ConventionWords& words, double length_scale, double depth)
     : length_scale_(length_scale), depth_(depth) {
+  for (const ConventionKey& key : convention_keys()) {
+    if (words.count(key.key) == 0) broken_promise("the convention of a file is settled for every key: " + key.key);
+  }
   for (std::size_t k = 0; k < 6; ++k) {
     const std::string key = std::string("positive.") + kFreedomNames[k];
     signs_[k] = words.at(key) == convention_set("house").at(key) ? 1.0 : -1.0;
