@@ -53,10 +53,12 @@ TEST(completion, knows_every_option_that_the_help_tells_of) {
   const std::string man = run_program("completion man").out;
   const std::regex option("--[a-z][a-z-]+");
   std::size_t options = 0;
-  for (const char* command : {"check", "static", "dynamic", "compare", "report", "new", "serve", "schema"}) {
+  for (const char* command :
+       {"check", "static", "dynamic", "compare", "report", "check-results", "new", "serve", "schema"}) {
     EXPECT_NE(bash.find("'" + std::string(command) + "') options="), std::string::npos) << command;
     EXPECT_NE(zsh.find("    '" + std::string(command) + ":"), std::string::npos) << command;
-    EXPECT_NE(man.find(".SS " + std::string(command) + "\n"), std::string::npos) << command;
+    const std::string in_roff = std::regex_replace(command, std::regex("-"), "\\-");
+    EXPECT_NE(man.find(".SS " + in_roff + "\n"), std::string::npos) << command;
     const std::string help = run_program(std::string(command) + " --help").out;
     for (auto at = std::sregex_iterator(help.begin(), help.end(), option); at != std::sregex_iterator(); ++at) {
       const std::string name = at->str();

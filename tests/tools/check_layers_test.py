@@ -43,6 +43,10 @@ class CheckLayers(unittest.TestCase):
     def test_an_upward_include_is_caught(self):
         self.assert_caught("model/bad.h", '#include "statics/statics.h"')
 
+    def test_an_analysis_that_knows_its_checks_or_its_recorder_is_caught(self):
+        self.assert_caught("statics/bad.cpp", '#include "checks/run_checks.h"')
+        self.assert_caught("dynamics/bad.cpp", '#include "recording/dynamic_recorder.h"')
+
     def test_a_sideways_include_is_caught(self):
         self.assert_caught("numerics/bad.h", '#include "model/model.h"')
 

@@ -88,6 +88,19 @@ void add_report(CLI::App& program, int& code) {
   command->callback([place, &code] { code = run_report(*place); });
 }
 
+void add_check_results(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "check-results", "Make the code checks of stored results again, with other settings if asked; no new analysis.");
+  auto arguments = std::make_shared<CheckResultsArguments>();
+  command->add_option("RESULTS", arguments->place, "Folder of results, or its results.h5")->required();
+  command->add_option("--set", arguments->changes,
+                      "A key below 'checks' and its value: checks.safety_class=high; may be repeated");
+  command->add_option("-o,--output", arguments->output,
+                      "New folder for the results with these checks; left out: the checks are only printed");
+  command->add_flag("--strict", arguments->strict, kStrictHelp);
+  command->callback([arguments, &code] { code = run_check_results(*arguments); });
+}
+
 void add_serve(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand("serve", "Graphical interface, for a browser on this machine.");
   auto arguments = std::make_shared<ServeArguments>();
@@ -183,6 +196,7 @@ int run_command_line(int count, const char* const* words) {
   add_dynamic(program, code);
   add_compare(program, code);
   add_report(program, code);
+  add_check_results(program, code);
   add_new(program, code);
   add_serve(program, code);
   add_schema(program, code);

@@ -53,6 +53,16 @@ int run_compare(const CompareArguments& arguments);
 /// Writes report.html beside a results.h5, given that file or its folder.
 int run_report(const std::string& place);
 
+struct CheckResultsArguments {
+  std::string place;                 ///< A folder of results, or its results.h5.
+  std::vector<std::string> changes;  ///< Keys below `checks` with their new values: "checks.safety_class=high".
+  std::string output;                ///< Folder for the results with these checks; empty: they are only printed.
+  bool strict = false;               ///< kCheckExceeded where a governing check is exceeded.
+};
+
+/// Makes the code checks of stored results again, of each run where the folder holds several.
+int run_check_results(const CheckResultsArguments& arguments);
+
 struct ServeArguments {
   std::string model_file;  ///< Opened at the start; may be empty.
   std::string folder;      ///< Of model files and runs; empty: the model's, or the current one.

@@ -1,10 +1,11 @@
-/// A dynamic analysis that goes on step by step, and those who look on.
+/// A dynamic analysis advanced step by step, with observers.
 ///
 ///     Simulation simulation(model, equilibrium, top_tension, options);
 ///     simulation.observe(recorder);
 ///     while (simulation.step()) { ... simulation.now() ... simulation.set_tension(...) ... }
 ///
-/// Its steps are those of the whole run however it is called: results do not depend on where a caller stops to look.
+/// The steps do not depend on the calls: step() again and again, advance() to any times and a whole run give the same
+/// results, bit for bit.
 #pragma once
 
 #include <optional>
@@ -27,7 +28,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  /// Tells `observer` of the state as it is, and of everything from here on. It has to outlive the simulation's steps.
+  /// Adds an observer, which is told of the present state and of everything from here on. It has to outlive all further
+  /// calls.
   void observe(SimulationObserver& observer);
 
   /// One accepted step; shorter ones are tried until one is accepted. False where there is none: at the end of the run,
@@ -42,7 +44,7 @@ class Simulation {
   double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
   std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }  ///< Of the last row; 0 at t = 0.
   bool finished() const { return clock_.tick >= clock_.last_tick; }
-  /// Why it cannot go on; it stays at the last instant that was accepted.
+  /// Why it cannot go on; it stays at the last accepted instant.
   const std::optional<StaticFailure>& failure() const { return failure_; }
 
   const System& system() const { return setup_.system; }

@@ -1,4 +1,4 @@
-/// Those who look on while a simulation goes on: recorders, live pages, controllers.
+/// Observers of a simulation: recorders, live pages, controllers.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,11 @@ struct Instant {
   const std::vector<double>& water() const { return assembly->surroundings().water.front(); }
 };
 
-/// What it is told of lasts until it returns. Whatever it remembers from one call to the next belongs into a
-/// checkpoint.
+/// References are valid during a call only. Whatever an observer remembers between calls belongs in a checkpoint.
 class SimulationObserver {
  public:
   virtual ~SimulationObserver() = default;
-  /// Once, when it begins to look on; at the beginning of a run that is the static state.
+  /// Once, when it is added; at the beginning of a run the instant is the static state.
   virtual void begun(const Instant&) {}
   /// After every accepted step.
   virtual void stepped(const Instant&) {}

@@ -15,17 +15,30 @@ Vec3 strain_vector(double strain, const Vec3& moment) {
   return size > 0.0 ? Vec3((strain / size) * moment) : Vec3(strain * Vec3::UnitZ());
 }
 
+/// Capacities for each safety class, whatever the model's is.
+std::array<std::vector<CheckSection>, kSafetyClasses> sections_by_class(const Model& model) {
+  std::array<std::vector<CheckSection>, kSafetyClasses> all;
+  for (std::size_t i = 0; i < kSafetyClasses; ++i) {
+    CheckSettings settings = model.description.checks;
+    settings.safety_class = static_cast<SafetyClass>(i);
+    for (std::size_t section = 0; section < model.sections.size(); ++section) {
+      all[i].push_back(make_check_section(model.description_of(section), settings));
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 DesignRecorder::DesignRecorder(const Model& model, const std::vector<int>& section_of_node)
     : model_(&model),
-      sections_(check_sections(model)),
+      sections_(sections_by_class(model)),
       combinations_(load_combinations(model.description.checks)),
       section_(section_of_node.begin(), section_of_node.end()),
       first_supported_(section_of_node.size()),
       functional_(section_of_node.size()),
       roller_(section_of_node.size(), 0.0),
-      peaks_(section_of_node.size()) {}
+      stations_(section_of_node.size()) {}
 
 double DesignRecorder::overpressure(const DesignInstant& at, std::size_t node) const {
   const Section& section = model_->sections[section_[node]];
@@ -62,106 +75,138 @@ void DesignRecorder::find_rollers(const DesignInstant& at) {
   }
 }
 
+/// Utilisation grows with each load effect: where none is above the peak's it need not be looked at.
+void DesignRecorder::keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect) {
+  if (effect.pressure >= 0.0 && effect.moment <= peak.moment && std::abs(effect.force) <= std::abs(peak.force) &&
+      effect.pressure <= peak.load_pressure && effect.share >= peak.share) {
+    return;
+  }
+  const double used =
+      load_terms(section.load, effect.moment, effect.force, effect.pressure, 0.0, effect.share).utilisation();
+  if (used > peak.load) {
+    peak.load = used;
+    peak.load_time = effect.time;
+    peak.moment = effect.moment;
+    peak.force = effect.force;
+    peak.load_pressure = effect.pressure;
+    peak.share = effect.share;
+  }
+}
+
+void DesignRecorder::keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect) {
+  if (effect.pressure >= 0.0 && effect.strain <= peak.design_strain && effect.pressure <= peak.strain_pressure) return;
+  const double used = strain_terms(section.strain, effect.strain, effect.pressure, 0.0).utilisation();
+  if (used > peak.strain) {
+    peak.strain = used;
+    peak.strain_time = effect.time;
+    peak.design_strain = effect.strain;
+    peak.strain_pressure = effect.pressure;
+  }
+}
+
 void DesignRecorder::step_load(const DesignInstant& at, std::size_t node) {
-  const CheckSection& section = sections_[section_[node]];
+  const CheckSection& section = sections_[0][section_[node]];  // what is used of it here is that of every class
   if (!section.load.known) return;
   const Functional& functional = functional_[node];
-  Peak& peak = peaks_[node];
+  Station& station = stations_[node];
   const Vec3 still = carried(functional.moment, functional.tangent, at.tangents[node]);
   const double added_force = at.nodes.effective_tension[node] - functional.force;
-  const double pressure = overpressure(at, node);
-  const double share = roller_[node] > 0.0 && model_->description.checks.point_load
-                           ? point_load_factor(section.wall, section.fy, roller_[node])
-                           : 1.0;
+  LoadEffect effect{};
+  effect.time = at.time;
+  effect.pressure = overpressure(at, node);
+  effect.share = roller_[node] > 0.0 && model_->description.checks.point_load
+                     ? point_load_factor(section.wall, section.fy, roller_[node])
+                     : 1.0;
   for (const LoadFactors& factors : combinations_) {
-    const double moment = design_size(factors, still, at.moments[node] - still);
-    const double force = design_value(factors, functional.force, added_force);
-    const double used = load_terms(section.load, moment, force, pressure, 0.0, share).utilisation();
-    peak.largest_force = std::max(peak.largest_force, std::abs(force));
-    if (used > peak.load) {
-      peak.load = used;
-      peak.load_time = at.time;
-      peak.moment = moment;
-      peak.force = force;
-      peak.load_pressure = pressure;
-      peak.share = share;
+    effect.moment = design_size(factors, still, at.moments[node] - still);
+    effect.force = design_value(factors, functional.force, added_force);
+    station.largest_force = std::max(station.largest_force, std::abs(effect.force));
+    for (std::size_t i = 0; i < kSafetyClasses; ++i) {
+      keep_load(station.peaks[i], sections_[i][section_[node]], effect);
     }
   }
 }
 
 void DesignRecorder::step_strain(const DesignInstant& at, std::size_t node) {
-  const CheckSection& section = sections_[section_[node]];
+  const CheckSection& section = sections_[0][section_[node]];
   if (!section.strain.holds) return;
   const Functional& functional = functional_[node];
-  Peak& peak = peaks_[node];
   const Vec3 still = carried(functional.strain, functional.tangent, at.tangents[node]);
   const Vec3 added = strain_vector(at.nodes.strain[node], at.moments[node]) - still;
-  const double pressure = overpressure(at, node);
+  StrainEffect effect{0.0, overpressure(at, node), at.time};
   for (const LoadFactors& factors : combinations_) {
-    const double strain = section.strain_factor * design_size(factors, still, added);
-    const double used = strain_terms(section.strain, strain, pressure, 0.0).utilisation();
-    if (used > peak.strain) {
-      peak.strain = used;
-      peak.strain_time = at.time;
-      peak.design_strain = strain;
-      peak.strain_pressure = pressure;
+    effect.strain = section.strain_factor * design_size(factors, still, added);
+    for (std::size_t i = 0; i < kSafetyClasses; ++i) {
+      keep_strain(stations_[node].peaks[i], sections_[i][section_[node]], effect);
     }
   }
 }
 
 void DesignRecorder::step_times(const DesignInstant& at, std::size_t node) {
-  Peak& peak = peaks_[node];
+  Station& station = stations_[node];
   const auto keep = [&](double value, double& largest, double& time) {
     if (value > largest) {
       largest = value;
       time = at.time;
     }
   };
-  keep(at.nodes.von_mises[node], peak.von_mises, peak.von_mises_time);
-  keep(at.nodes.strain[node], peak.fibre_strain, peak.fibre_strain_time);
-  keep(at.nodes.effective_tension[node], peak.tension, peak.tension_time);
+  keep(at.nodes.von_mises[node], station.von_mises, station.von_mises_time);
+  keep(at.nodes.strain[node], station.fibre_strain, station.fibre_strain_time);
+  keep(at.nodes.effective_tension[node], station.tension, station.tension_time);
 }
 
 void DesignRecorder::step(const DesignInstant& at) {
   if (model_->description.checks.point_load) find_rollers(at);
-  for (std::size_t node = 0; node < peaks_.size(); ++node) {
+  for (std::size_t node = 0; node < stations_.size(); ++node) {
     step_load(at, node);
     if (node >= first_supported_) step_strain(at, node);
     step_times(at, node);
   }
 }
 
-void DesignRecorder::fill(StationDesign& design, std::size_t first) const {
-  const auto column = [&](std::vector<double>& out, double Peak::*member) {
-    out.clear();
-    for (std::size_t node = first; node < peaks_.size(); ++node) out.push_back(peaks_[node].*member);
+void DesignRecorder::fill_peaks(DesignPeaks& out, std::size_t of_class, std::size_t first) const {
+  const auto column = [&](std::vector<double>& values, double Peak::*member) {
+    values.clear();
+    for (std::size_t node = first; node < stations_.size(); ++node) {
+      values.push_back(stations_[node].peaks[of_class].*member);
+    }
   };
-  column(design.load, &Peak::load);
-  column(design.load_time, &Peak::load_time);
-  column(design.moment, &Peak::moment);
-  column(design.force, &Peak::force);
-  column(design.load_pressure, &Peak::load_pressure);
-  column(design.share, &Peak::share);
-  column(design.largest_force, &Peak::largest_force);
-  column(design.strain, &Peak::strain);
-  column(design.strain_time, &Peak::strain_time);
-  column(design.design_strain, &Peak::design_strain);
-  column(design.strain_pressure, &Peak::strain_pressure);
-  column(design.von_mises_time, &Peak::von_mises_time);
-  column(design.fibre_strain_time, &Peak::fibre_strain_time);
-  column(design.tension_time, &Peak::tension_time);
+  column(out.load, &Peak::load);
+  column(out.load_time, &Peak::load_time);
+  column(out.moment, &Peak::moment);
+  column(out.force, &Peak::force);
+  column(out.load_pressure, &Peak::load_pressure);
+  column(out.share, &Peak::share);
+  column(out.strain, &Peak::strain);
+  column(out.strain_time, &Peak::strain_time);
+  column(out.design_strain, &Peak::design_strain);
+  column(out.strain_pressure, &Peak::strain_pressure);
+}
+
+void DesignRecorder::fill(StationDesign& design, std::size_t first) const {
+  fill_peaks(design, static_cast<std::size_t>(model_->description.checks.safety_class), first);
+  for (std::size_t i = 0; i < kSafetyClasses; ++i) fill_peaks(design.of_class[i], i, first);
+  const auto column = [&](std::vector<double>& values, double Station::*member) {
+    values.clear();
+    for (std::size_t node = first; node < stations_.size(); ++node) values.push_back(stations_[node].*member);
+  };
+  column(design.largest_force, &Station::largest_force);
+  column(design.von_mises_time, &Station::von_mises_time);
+  column(design.fibre_strain_time, &Station::fibre_strain_time);
+  column(design.tension_time, &Station::tension_time);
 }
 
 std::vector<double> DesignRecorder::save() const {
-  static_assert(sizeof(Peak) == kPeakNumbers * sizeof(double));
-  std::vector<double> out(kPeakNumbers * peaks_.size());
-  std::memcpy(out.data(), peaks_.data(), out.size() * sizeof(double));
+  static_assert(sizeof(Station) == kStationNumbers * sizeof(double));
+  std::vector<double> out(kStationNumbers * stations_.size());
+  std::memcpy(out.data(), stations_.data(), out.size() * sizeof(double));
   return out;
 }
 
 void DesignRecorder::restore(std::span<const double> saved) {
-  if (saved.size() != kPeakNumbers * peaks_.size()) throw std::runtime_error("the checkpoint's checks do not fit");
-  std::memcpy(static_cast<void*>(peaks_.data()), saved.data(), saved.size() * sizeof(double));
+  if (saved.size() != kStationNumbers * stations_.size())
+    throw std::runtime_error("the checkpoint's checks do not fit");
+  std::memcpy(static_cast<void*>(stations_.data()), saved.data(), saved.size() * sizeof(double));
 }
 
 }  // namespace overbend

@@ -1,6 +1,8 @@
-/// Design load effects of the code checks at every node, every accepted step: the largest utilisations of a run.
+/// Design load effects of the code checks at every node, every accepted step: the largest utilisations of a run, for
+/// every safety class.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -44,8 +46,16 @@ class DesignRecorder {
   void step_times(const DesignInstant& at, std::size_t node);
   double overpressure(const DesignInstant& at, std::size_t node) const;
 
+  /// Of one instant and combination of load factors.
+  struct LoadEffect {
+    double moment, force, pressure, share, time;
+  };
+  struct StrainEffect {
+    double strain, pressure, time;
+  };
+
   const Model* model_;
-  std::vector<CheckSection> sections_;
+  std::array<std::vector<CheckSection>, kSafetyClasses> sections_;  ///< By class, as in Model::sections.
   std::vector<LoadFactors> combinations_;
   std::vector<std::size_t> section_;  ///< Of every node.
   std::size_t first_supported_ = 0;   ///< Lowest node over the supports; one beyond the last without supports.
@@ -58,16 +68,23 @@ class DesignRecorder {
   std::vector<CurrentPart> current_;
   std::vector<double> roller_;  ///< Largest roller force at the node now [N].
 
-  /// Numbers only, in the order of save().
+  // Numbers only, in the order of save().
   struct Peak {
     double load = 0.0, load_time = 0.0, moment = 0.0, force = 0.0, load_pressure = 0.0, share = 1.0;
-    double largest_force = 0.0;
     double strain = 0.0, strain_time = 0.0, design_strain = 0.0, strain_pressure = 0.0;
+  };
+  struct Station {
+    std::array<Peak, kSafetyClasses> peaks;
+    double largest_force = 0.0;
     double von_mises = -1.0, von_mises_time = 0.0, fibre_strain = -1.0, fibre_strain_time = 0.0;
     double tension = -1e300, tension_time = 0.0;
   };
-  static constexpr std::size_t kPeakNumbers = 17;
-  std::vector<Peak> peaks_;
+  static constexpr std::size_t kStationNumbers = 10 * kSafetyClasses + 7;
+  std::vector<Station> stations_;
+
+  static void keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect);
+  static void keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect);
+  void fill_peaks(DesignPeaks& out, std::size_t of_class, std::size_t first) const;
 };
 
 }  // namespace overbend

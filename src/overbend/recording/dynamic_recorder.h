@@ -1,4 +1,4 @@
-/// What a dynamic analysis leaves behind: statistics of every station and support, rows of histories, snapshots.
+/// Results of a dynamic analysis: statistics of every station and support, rows of histories, snapshots.
 #pragma once
 
 #include <span>
@@ -33,7 +33,7 @@ struct KeyValues {
 
 inline constexpr double kNever = 1e300;
 
-/// Looks on while a simulation goes on from its static state, and hands histories, snapshots and impacts to a sink.
+/// Observes a simulation from its static state on and passes histories, snapshots and impacts to a sink.
 class DynamicRecorder : public SimulationObserver {
  public:
   /// `statics` are the results of the state that the simulation starts from. All have to outlive the recorder.

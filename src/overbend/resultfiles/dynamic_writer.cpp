@@ -2,21 +2,42 @@
 
 #include "resultfiles/check_tables.h"
 #include "resultfiles/finite_check.h"
+#include "resultfiles/rechecked_hdf5.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
 
-void write_dynamic_files(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
-                         const Description& description, const std::filesystem::path& folder) {
-  require_finite(statics);
-  require_finite(dynamics);
-  write_dynamic_hdf5(statics, dynamics, store, description, folder / "results.h5");
+namespace {
+
+void write_tables(const StaticResults& statics, const DynamicResults& dynamics, const std::filesystem::path& folder) {
   write_text(folder / "pipe.csv", dynamic_pipe_table(statics, dynamics));
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
   write_text(folder / "checks.csv", checks_table(dynamics.checks));
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));
+}
+
+void require_results(const StaticResults& statics, const DynamicResults& dynamics) {
+  require_finite(statics);
+  require_finite(dynamics);
+}
+
+}  // namespace
+
+void write_dynamic_files(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
+                         const Description& description, const std::filesystem::path& folder) {
+  require_results(statics, dynamics);
+  write_dynamic_hdf5(statics, dynamics, store, description, folder / "results.h5");
+  write_tables(statics, dynamics, folder);
+}
+
+void write_rechecked_files(const StaticResults& statics, const DynamicResults& dynamics,
+                           const std::filesystem::path& from, const Description& description,
+                           const std::filesystem::path& folder) {
+  require_results(statics, dynamics);
+  copy_rechecked(from, folder / "results.h5", statics, dynamics, description);
+  write_tables(statics, dynamics, folder);
 }
 
 }  // namespace overbend

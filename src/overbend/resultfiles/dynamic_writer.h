@@ -17,6 +17,12 @@ namespace overbend {
 void write_dynamic_files(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
                          const Description& description, const std::filesystem::path& folder);
 
+/// The same of results whose checks were made again; everything else, long data with it, is that of the results.h5
+/// `from`.
+void write_rechecked_files(const StaticResults& statics, const DynamicResults& dynamics,
+                           const std::filesystem::path& from, const Description& description,
+                           const std::filesystem::path& folder);
+
 /// The text of summary.json: what statics writes, and the key `dynamic`.
 std::string dynamic_summary(const StaticResults& statics, const DynamicResults& dynamics);
 

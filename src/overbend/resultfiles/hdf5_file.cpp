@@ -92,6 +92,29 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& file) : path_(file) {
   file_ = Hdf5Handle(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, what);
 }
 
+Hdf5Writer Hdf5Writer::reopen(const std::filesystem::path& file) {
+  silence_library();
+  unseal_file(file);
+  const std::string what = "the file " + file.filename().string() + " cannot be changed";
+  Hdf5Writer writer;
+  writer.path_ = file;
+  const Hdf5Handle access(forgiving_access(writer.fault_.get()), H5Pclose, what);
+  writer.file_ = Hdf5Handle(H5Fopen(file.c_str(), H5F_ACC_RDWR, access), H5Fclose, what);
+  return writer;
+}
+
+void Hdf5Writer::remove(const std::string& path) {
+  require(H5Ldelete(file_, path.c_str(), H5P_DEFAULT), path + " cannot be taken out of results.h5");
+}
+
+void Hdf5Writer::overwrite(const std::string& path, const std::vector<double>& values) {
+  const Hdf5Handle set = dataset(path);
+  const std::string what = "dataset " + path + " cannot be written to results.h5";
+  require(count_of(set) == values.size() ? 0 : -1, what);
+  require(H5Dwrite(set, memory_type<double>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), what);
+  require_disk();
+}
+
 void Hdf5Writer::require_disk() const {
   if (*fault_ == 0) return;
   throw FileFault("the file results.h5 cannot be written: " + std::generic_category().message(*fault_));

@@ -40,6 +40,8 @@ class Hdf5Handle {
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const std::filesystem::path& file);
+  /// To change a file that was closed by one of these.
+  static Hdf5Writer reopen(const std::filesystem::path& file);
 
   void group(const std::string& path, const std::string& description);
   void attribute(const std::string& object, const std::string& name, const std::string& text);
@@ -65,6 +67,10 @@ class Hdf5Writer {
   void write_rows(const std::string& path, hsize_t first, const std::vector<Number>& values);
 
   bool has(const std::string& path) const;
+  /// Takes a group or a dataset that is no scale out of the file.
+  void remove(const std::string& path);
+  /// Gives a dataset of numbers other values, as many as it has.
+  void overwrite(const std::string& path, const std::vector<double>& values);
 
   /// Makes a 1-D dataset the dimension scale `name`, and attaches it to a dimension of others.
   void make_scale(const std::string& path, const std::string& name);
@@ -75,6 +81,7 @@ class Hdf5Writer {
   void close();
 
  private:
+  Hdf5Writer() = default;
   Hdf5Handle dataset(const std::string& path) const;
   void write_raw(const std::string& path, const ResultField& field, hid_t memory_type, hid_t file_type,
                  const std::vector<hsize_t>& shape, const void* values);

@@ -60,9 +60,8 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
 void write_model(Hdf5Writer& file, const Description& description) {
   file.group("/model", "What was analysed, and with what");
   ValueWriter visit{file, "/model"};
-  visit(ResultField{"text", "1", "Text of the model file"}, description.source_text);
+  write_model_text(file, description.source_text);
   visit(ResultField{"file", "1", "Path of the model file as given"}, description.source_file);
-  visit(ResultField{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(description.source_text));
   visit(ResultField{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
   visit(ResultField{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
   visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
@@ -77,6 +76,12 @@ void write_part(Hdf5Writer& file, const std::string& group, const std::string& d
 }
 
 }  // namespace
+
+void write_model_text(Hdf5Writer& file, const std::string& text) {
+  ValueWriter visit{file, "/model"};
+  visit(ResultField{"text", "1", "Text of the model file"}, text);
+  visit(ResultField{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(text));
+}
 
 void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description) {
   file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");

@@ -110,6 +110,9 @@ inline ResultField index_field(const char* description) {
   return {"index", "1", description, kNoFrame};
 }
 
+/// The model's text and its hash in the group model.
+void write_model_text(Hdf5Writer& file, const std::string& text);
+
 /// The groups model and static, and what the file says about itself.
 void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description);
 

@@ -63,6 +63,7 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   StoredStatics stored;
   ValueReader visit{file, "/model"};
   visit(ResultField{"text"}, stored.model_text);
+  visit(ResultField{"file"}, stored.model_file);
   StaticResults& results = stored.results;
   visit.group = "/static";
   visit_key_results(results, visit);

@@ -12,6 +12,7 @@ namespace overbend {
 struct StoredStatics {
   StaticResults results;
   std::string model_text;
+  std::string model_file;  ///< Its path as it was given.
 };
 
 /// Gives back what write_static_results wrote, bit for bit. Throws std::runtime_error that says what is missing where

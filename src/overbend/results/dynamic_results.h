@@ -2,6 +2,7 @@
 /// from t = 0, the end of the build-up, to the end of the run, weighted by time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "results/static_results.h"
 
 namespace overbend {
+
+inline constexpr std::size_t kSafetyClasses = 3;  ///< Of DNV: low, medium, high, numbered as SafetyClass.
 
 /// A quantity over time.
 struct Spread {
@@ -136,24 +139,30 @@ struct DynamicRunReport {
   std::string integrator;                          ///< "generalized-alpha, spectral radius 0.8".
 };
 
-/// What the code checks need of every station over time, by the design load effects of docs/theory/checks.md: arrays of
-/// one length, empty where nothing of it was made. Times are of the moment at which the value stood [s].
-struct StationDesign {
-  // Load controlled, at the moment of its largest utilisation.
+/// The largest utilisations of every station over time and what they are made of, by the design load effects of
+/// docs/theory/checks.md: arrays of one length. Times are of the instant of the largest utilisation [s].
+struct DesignPeaks {
+  // Load controlled.
   std::vector<double> load;           ///< Utilisation [-].
   std::vector<double> load_time;      ///< [s]
   std::vector<double> moment;         ///< Design moment [N m].
   std::vector<double> force;          ///< Design effective force [N].
   std::vector<double> load_pressure;  ///< External over internal pressure [Pa].
   std::vector<double> share;          ///< Of the plastic moment, that a roller's force left [-].
-  std::vector<double> largest_force;  ///< Largest magnitude of the design force of all times [N].
   // Displacement controlled, over the supports; 0 elsewhere.
   std::vector<double> strain;           ///< Utilisation [-].
   std::vector<double> strain_time;      ///< [s]
   std::vector<double> design_strain;    ///< [-]
   std::vector<double> strain_pressure;  ///< External over internal pressure [Pa].
+};
+
+/// What the code checks need of every station over time; arrays are empty where nothing of it was made.
+struct StationDesign : DesignPeaks {
+  std::vector<double> largest_force;  ///< Largest magnitude of the design effective force of all times [N].
   // When the largest values of the envelopes stood [s].
   std::vector<double> von_mises_time, fibre_strain_time, tension_time;
+  /// The peaks by safety class, the run's own among them, so that a class can be changed without a new run.
+  std::array<DesignPeaks, kSafetyClasses> of_class;
 };
 
 /// Everything a dynamic run hands on, beside the static results it started from.

@@ -94,6 +94,12 @@ void seal_file(const fs::path& file) {
   if (!stream || !end) refuse_file(file, "written");
 }
 
+void unseal_file(const fs::path& file) {
+  std::error_code fault;
+  fs::resize_file(file, fs::file_size(file) - sizeof(Seal), fault);
+  if (fault) refuse_file(file, "written");
+}
+
 void require_sealed(const fs::path& file) {
   static std::mutex mutex;  // the page asks for one file again and again, and it may be of gigabytes
   static std::optional<Identity> whole;

@@ -83,23 +83,33 @@ void visit_check_along(Along& a, Visit& visit) {
   visit(ResultField{"governing", "1", "Largest utilisation that decides at the station"}.page("checks"), a.governing);
 }
 
+/// The columns of DesignPeaks; `before` stands before each name.
+template <class Peaks, class Visit>
+void visit_design_peaks(Peaks& p, const std::string& before, Visit& visit) {
+  visit(ResultField{before + "load", "1", "Largest utilisation, load controlled"}, p.load);
+  visit(ResultField{before + "load_time", "s", "When it stood"}, p.load_time);
+  visit(ResultField{before + "moment", "N m", "Design bending moment then"}, p.moment);
+  visit(ResultField{before + "force", "N", "Design effective force then"}, p.force);
+  visit(ResultField{before + "load_pressure", "Pa", "External over internal pressure then"}, p.load_pressure);
+  visit(ResultField{before + "share", "1", "Of the plastic moment, that a roller's force left then"}, p.share);
+  visit(ResultField{before + "strain", "1", "Largest utilisation, displacement controlled; 0 off the supports"},
+        p.strain);
+  visit(ResultField{before + "strain_time", "s", "When it stood"}, p.strain_time);
+  visit(ResultField{before + "design_strain", "1", "Design strain then"}, p.design_strain);
+  visit(ResultField{before + "strain_pressure", "Pa", "External over internal pressure then"}, p.strain_pressure);
+}
+
 /// Design values per station of a run: visit(field, numbers).
 template <class Design, class Visit>
 void visit_station_design(Design& d, Visit& visit) {
-  visit(ResultField{"load", "1", "Largest utilisation, load controlled"}, d.load);
-  visit(ResultField{"load_time", "s", "When it stood"}, d.load_time);
-  visit(ResultField{"moment", "N m", "Design bending moment then"}, d.moment);
-  visit(ResultField{"force", "N", "Design effective force then"}, d.force);
-  visit(ResultField{"load_pressure", "Pa", "External over internal pressure then"}, d.load_pressure);
-  visit(ResultField{"share", "1", "Of the plastic moment, that a roller's force left then"}, d.share);
+  visit_design_peaks(d, "", visit);
   visit(ResultField{"largest_force", "N", "Largest magnitude of the design effective force"}, d.largest_force);
-  visit(ResultField{"strain", "1", "Largest utilisation, displacement controlled; 0 off the supports"}, d.strain);
-  visit(ResultField{"strain_time", "s", "When it stood"}, d.strain_time);
-  visit(ResultField{"design_strain", "1", "Design strain then"}, d.design_strain);
-  visit(ResultField{"strain_pressure", "Pa", "External over internal pressure then"}, d.strain_pressure);
   visit(ResultField{"von_mises_time", "s", "When the largest von Mises stress stood"}, d.von_mises_time);
   visit(ResultField{"fibre_strain_time", "s", "When the largest strain stood"}, d.fibre_strain_time);
   visit(ResultField{"tension_time", "s", "When the largest effective tension stood"}, d.tension_time);
+  visit_design_peaks(d.of_class[0], "class_low_", visit);
+  visit_design_peaks(d.of_class[1], "class_medium_", visit);
+  visit_design_peaks(d.of_class[2], "class_high_", visit);
 }
 
 }  // namespace overbend

@@ -1,0 +1,61 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+#include "app/check_lines.h"
+#include "app/commands.h"
+#include "runstore/staged_folder.h"
+#include "study/recheck.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+int refuse(const std::string& why) {
+  std::cerr << "overbend: " << why << "\n";
+  return kWrongInput;
+}
+
+/// Why results cannot go into a folder; empty where they can.
+std::string output_obstacle(const fs::path& output, std::size_t runs) {
+  if (runs > 1) return "--output takes the results of one run; give the folder of one of these";
+  std::error_code fault;
+  if (fs::exists(output, fault) && !fs::is_empty(output, fault)) {
+    return "the folder " + output.string() + " is not empty; give a new one";
+  }
+  return "";
+}
+
+ExitCode check_run(const fs::path& h5, const CheckResultsArguments& arguments, bool named) {
+  const Rechecked again = recheck(h5, arguments.changes);
+  std::cout << again.statics.title << (named ? ", " + h5.parent_path().filename().string() : "") << "\n";
+  std::cout << check_lines(again.checks());
+  if (!arguments.output.empty()) {
+    write_rechecked(again, h5, arguments.output);
+    std::cout << "Results are in " << arguments.output << "\n";
+  }
+  return strict_code(again.checks(), arguments.strict);
+}
+
+}  // namespace
+
+int run_check_results(const CheckResultsArguments& arguments) {
+  const std::vector<fs::path> files = result_files(arguments.place);
+  if (files.empty()) return refuse("there are no results in " + arguments.place);
+  if (!arguments.output.empty()) {
+    const std::string obstacle = output_obstacle(arguments.output, files.size());
+    if (!obstacle.empty()) return refuse(obstacle);
+  }
+  int code = kDone;
+  try {
+    for (const fs::path& h5 : files) code = std::max<int>(code, check_run(h5, arguments, files.size() > 1));
+  } catch (const FileFault&) {  // the disk, not the user
+    throw;
+  } catch (const std::runtime_error& fault) {
+    return refuse(fault.what());
+  }
+  return code;
+}
+
+}  // namespace overbend

@@ -1,0 +1,53 @@
+#include "resultfiles/rechecked_hdf5.h"
+
+#include "resultfiles/check_columns.h"
+#include "resultfiles/check_hdf5.h"
+#include "resultfiles/dynamic_scalars.h"
+#include "resultfiles/hdf5_visitors.h"
+#include "resultfiles/static_scalars.h"
+
+namespace overbend {
+namespace {
+
+/// Of the fields visited, writes the assumptions anew.
+struct AssumptionWriter {
+  Hdf5Writer& file;
+  std::string group;
+
+  template <class Value>
+  void operator()(const ResultField& field, const Value& value) {
+    if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+      if (field.name != "assumptions") return;
+      file.remove(group + "/" + field.name);
+      ValueWriter{file, group}(field, value);
+    }
+  }
+};
+
+void replace_checks(Hdf5Writer& file, const std::string& group, const CheckTable& table) {
+  if (file.has(group)) file.remove(group);
+  write_checks(file, group, table);
+}
+
+}  // namespace
+
+void copy_rechecked(const std::filesystem::path& from, const std::filesystem::path& to, const StaticResults& statics,
+                    const DynamicResults& dynamics, const Description& description) {
+  std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing);
+  Hdf5Writer file = Hdf5Writer::reopen(to);
+  file.remove("/model/text");
+  file.remove("/model/hash");
+  write_model_text(file, description.source_text);
+  AssumptionWriter of_statics{file, "/static"}, of_run{file, "/dynamic"};
+  visit_key_results(statics, of_statics);
+  visit_dynamic_keys(dynamics, of_run, false);
+  const auto overwrite = [&](const ResultField& field, const std::vector<double>& values) {
+    file.overwrite("/dynamic/design/" + field.name, values);
+  };
+  if (!dynamics.design.load.empty()) visit_station_design(dynamics.design, overwrite);
+  replace_checks(file, "/static/checks", statics.checks);
+  replace_checks(file, "/dynamic/checks", dynamics.checks);
+  file.close();
+}
+
+}  // namespace overbend
