@@ -38,7 +38,7 @@ struct RunInfo {
 
 Json run_json(const RunInfo& run);
 
-/// In a run's folder: the model's text as the run was begun with.
+/// In a run's folder: the model text with which the run was started.
 inline constexpr const char* kModelCopy = "model.yaml";
 
 /// Whether the folder has what it takes to resume: a sound checkpoint and the model's text.

@@ -1,4 +1,4 @@
-// What the queue does with a run: the same as the commands `static` and `dynamic`.
+// Execution of a run by the queue: the same as the commands `static` and `dynamic`.
 #include <fmt/format.h>
 
 #include <algorithm>
