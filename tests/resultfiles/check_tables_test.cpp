@@ -18,7 +18,8 @@ TEST(check_tables, csv_has_a_row_per_check_and_no_numbers_where_it_is_not_done) 
   const std::size_t at = text.find("Laying criterion II");
   ASSERT_NE(at, std::string::npos);
   const std::string line = text.substr(at, text.find("\r\n", at) - at);
-  EXPECT_NE(line.find("not done,yes,,,longitudinal strain,,,%,,,,,,,needs a dynamic analysis"), std::string::npos) << line;
+  EXPECT_NE(line.find("not done,yes,,,longitudinal strain,,,%,,,,,,,needs a dynamic analysis"), std::string::npos)
+      << line;
   EXPECT_NE(text.find("M_Sd = "), std::string::npos);
 }
 
