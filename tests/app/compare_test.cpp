@@ -3,9 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/child_program.h"
-#include "study/compare_gather.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "study/compare_gather.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
 

@@ -16,7 +16,8 @@ std::string render(const Diagnostic& diagnostic) {
 }
 
 void Diagnostics::add(Diagnostic diagnostic) {
-  constexpr int kMost = 1000;  // of a file that is no model file: nobody reads more, and a million fill the memory
+  constexpr int kMost =
+      1000;  // for a file that is not a model: more are not useful, and a million would fill the memory
   int& count = diagnostic.severity == Severity::error ? errors_ : warnings_;
   if (++count <= kMost) list_.push_back(std::move(diagnostic));
 }

@@ -17,7 +17,7 @@ Eigen::VectorXd fit_columns(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
   return part.colPivHouseholderQr().solve(b);
 }
 
-/// Fits the columns in use; those that would turn negative are let go of, one after another.
+/// Fits the columns in use; those that would become negative are removed, one after another.
 void settle(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, std::vector<Eigen::Index>& used, Eigen::VectorXd& x) {
   while (!used.empty()) {
     const Eigen::VectorXd wanted = fit_columns(A, b, used);

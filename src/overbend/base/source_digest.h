@@ -1,4 +1,4 @@
-/// What the program was built from.
+/// Identification of the sources of the build.
 #pragma once
 
 namespace overbend {

@@ -128,7 +128,7 @@ const DimensionNames* find_dimension(const std::string& si_unit) {
   return nullptr;
 }
 
-/// What a known unit measures, in words: "a force". Units beyond our table are "of another dimension".
+/// Dimension of a known unit, in words: "a force". Units beyond our table are "of another dimension".
 std::string what_it_measures(const std::string& unit) {
   const std::string signature = UnitSystem::instance().signature(unit);
   for (const DimensionNames& d : dimensions()) {

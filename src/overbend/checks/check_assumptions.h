@@ -1,4 +1,4 @@
-/// What the checks had to assume, in words for the report.
+/// Assumptions of the checks, in words for the report.
 #pragma once
 
 #include <string>

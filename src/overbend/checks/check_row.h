@@ -10,7 +10,7 @@ namespace overbend {
 
 inline constexpr const char* kDnv = "DNV-ST-F101 (2021)";
 
-/// What a row says before anything is computed.
+/// Constant texts of a row.
 struct CheckTitle {
   const char* id;
   const char* name;

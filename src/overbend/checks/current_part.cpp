@@ -6,7 +6,7 @@ namespace overbend {
 
 Vec3 CurrentPart::moment(const Vec3& t) const {
   const Vec3 horizontal(t.x(), t.y(), 0.0);
-  if (horizontal.norm() < 1e-9) return Vec3::Zero();  // upright: which plane is the vertical one, nobody can say
+  if (horizontal.norm() < 1e-9) return Vec3::Zero();  // vertical pipe: the vertical plane is undefined
   const Vec3 port = Vec3::UnitZ().cross(horizontal.normalized());
   return vertical * t.cross(port) + lateral * port;
 }

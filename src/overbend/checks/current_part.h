@@ -1,4 +1,4 @@
-/// What the steady current adds to the load effects of the static state: DNV counts it as environmental load.
+/// Contribution of the steady current to the load effects of the static state: an environmental load in DNV.
 #pragma once
 
 #include "base/vec.h"
@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// At a place of the line; zero where the static results do not tell it apart.
+/// At a position on the line; zero where the static results do not separate it.
 struct CurrentPart {
   double vertical = 0.0, lateral = 0.0;  ///< Bending moment in and out of the pipe's vertical plane [N m].
   double tension = 0.0;                  ///< Effective [N].
@@ -18,7 +18,7 @@ struct CurrentPart {
 /// Linear between stations; `s` from the anchor [m].
 CurrentPart current_part(const StaticResults& statics, double s);
 
-/// Whether the static results tell the current's part apart.
+/// Whether the static results separate the contribution of the current.
 bool tells_current(const StaticResults& statics);
 
 }  // namespace overbend

@@ -1,5 +1,5 @@
-/// What an impact may do to the pipe: dents in bare steel, crushed coating. Simple measures for ranking impacts and for
-/// comparing with limits; docs/theory/impacts.md says how far they reach.
+/// Possible damage of the pipe by an impact: dents in bare steel, crushed coating. Simple measures for ranking impacts
+/// and for comparing with limits; docs/theory/impacts.md says how far they reach.
 #pragma once
 
 #include "model/contact_stiffness.h"

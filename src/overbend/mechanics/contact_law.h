@@ -1,4 +1,4 @@
-/// The law of contact between pipe and roller: forces from penetration, rates and what the contact remembers.
+/// The law of contact between pipe and roller: forces from penetration, rates and contact history.
 ///
 ///     normal      k g + c g'            for g > 0, never pulling         [silva2009] equations 11 to 14
 ///     tangential  k_T s + c_T v, at most mu times the normal force       [silva2009] equation 15

@@ -53,7 +53,7 @@ struct InertiaConstants {
   Lanes mass, displaced, added_normal, added_axial;
 };
 
-/// What a Gauss point of a moving line sees.
+/// Loads and motion at a Gauss point of a moving line.
 struct MovingPoint {
   Vec r, a, v, acc;
   Vec water_v, water_a;  ///< Waves alone.

@@ -51,7 +51,7 @@ const Vec2& held_moment(const BendingLaw& law, const LevelMix& mix, BendingMemor
   return memory.held;
 }
 
-/// A number that tells histories apart: the last one stirred with what came on top (splitmix64, Steele 2014).
+/// A number that distinguishes histories: the last one stirred with what came on top (splitmix64, Steele 2014).
 std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
   for (const double part : {curvature.x(), curvature.y()}) {
     std::uint64_t z = stamp + std::bit_cast<std::uint64_t>(part) + 0x9e3779b97f4a7c15ULL;
@@ -62,7 +62,7 @@ std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
   return stamp | 1U;
 }
 
-/// What the fibres of all directions do when the section is bent.
+/// Response of the fibres of all directions when the section is bent.
 struct Fibres {
   alignas(64) std::array<double, kWide> bend{};    ///< Curvature towards each.
   alignas(64) std::array<double, kWide> moment{};  ///< Taken off by slips.

@@ -2,7 +2,7 @@
 ///
 /// A mass m meets a linear spring k and dashpot c = 2 zeta sqrt(k m) with speed v and leaves with e v:
 ///
-///     force     .-.            the dashpot would pull the mass back at the end of the rebound; rollers let go
+///     force     .-.            the dashpot would pull the mass back at the end of the rebound; rollers release
 ///              /   \           instead, earlier and with the spring still compressed
 ///     --------'     '. clipped
 ///                     '-._.-'  textbook

@@ -12,7 +12,7 @@ double von_mises(double axial, double hoop, double radial) {
   return std::sqrt(0.5 * (a * a + b * b + c * c));
 }
 
-/// What the steel bears at a strain; no limit where that is not known.
+/// Stress of the steel at a strain; no limit if that is not known.
 double borne(const Section& section, double strain) {
   return section.bending && section.bending->steel ? section.bending->steel->at(std::abs(strain)).stress
                                                    : std::numeric_limits<double>::infinity();

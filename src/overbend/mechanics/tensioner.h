@@ -18,7 +18,7 @@ enum class TensionerDrive {
   fastest,   ///< The greatest.
 };
 
-/// What a tensioner is set to.
+/// Settings of a tensioner.
 struct TensionerLaw {
   TensionerMode mode = TensionerMode::locked;
   double wanted = 0.0;                                     ///< Tension T0 that it restores [N].
@@ -28,7 +28,8 @@ struct TensionerLaw {
   double velocity = 0.0;                                   ///< Largest, of paying out and hauling in [m/s].
   double acceleration = 0.0;                               ///< Up to that velocity and down again [m/s2].
   double limit = std::numeric_limits<double>::infinity();  ///< Of travel either way [m].
-  double resolution = 0.0;  ///< Tension that the machine cannot tell from a bound: events are met within it [N].
+  double resolution =
+      0.0;  ///< Tension difference that the machine cannot distinguish from a bound: events are met within it [N].
 };
 
 /// Memory of the machine.

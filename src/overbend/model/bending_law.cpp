@@ -18,7 +18,7 @@ constexpr int kFitPoints = 40;
 
 using MomentAt = std::function<MomentPoint(double curvature, double guess)>;
 
-/// What a moment curve is fitted over.
+/// Range over which a moment curve is fitted.
 struct FitRange {
   double first = 0.0, last = 0.0;  ///< Onset of yielding, largest curvature [1/m].
 };

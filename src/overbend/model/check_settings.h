@@ -1,4 +1,4 @@
-/// What the code checks are made with: the `checks` section of the model file, in SI units. Defaults give a complete
+/// Settings of the code checks: the `checks` section of the model file, in SI units. Defaults give a complete
 /// table without it.
 #pragma once
 
@@ -14,7 +14,7 @@ enum class YieldBasis { smys, fy };
 enum class ApiEdition { third, fourth, fifth };
 enum class CurrentLoad { environmental, functional };
 
-/// A buckle arrestor as the propagation check knows it.
+/// A buckle arrestor, as used by the propagation check.
 struct ArrestorSettings {
   double propagation_pressure = 0.0;  ///< Of the arrestor itself, p_BA [Pa].
   double length = 0.0;                ///< [m]
@@ -53,7 +53,7 @@ struct CheckSettings {
   double condition_factor = 1.0;            ///< gamma_C [-].
   bool system_effects = true;               ///< Load combination a as well.
   YieldBasis yield_basis = YieldBasis::fy;  ///< Of f_y in 0.87 f_y.
-  CurrentLoad current_load = CurrentLoad::environmental;  ///< What the steady current's load effects count as.
+  CurrentLoad current_load = CurrentLoad::environmental;  ///< Classification of the steady current's load effects.
   std::string grade;                                      ///< Row of the laying criteria; empty: from SMYS.
   bool point_load = false;                                ///< Roller force reduces the plastic moment.
   std::optional<ArrestorSettings> arrestor;

@@ -1,4 +1,4 @@
-/// What the engineer described: a mirror of the model file in SI units, before frames, mesh and derived properties.
+/// Description of the lay: the content of the model file in SI units, before frames, mesh and derived properties.
 ///
 /// Units are m, kg, s, N, Pa, rad. Azimuths stay as on a chart: clockwise from north, in rad. Vessel positions are in
 /// the vessel frame V (origin midship on the water, x forward, y port, z up); ramp, stinger and tensioner in the frame
@@ -258,7 +258,7 @@ struct SupportsDescription {
 
 enum class StaticMethod { newton, dynamic_relaxation };
 
-/// What a yielding pipe has been through where it lies in statics: it came over the supports from the tensioner, or it
+/// Loading history of a yielding pipe in statics: it came over the supports from the tensioner, or it
 /// was bent to its shape once and only there.
 enum class LayHistory { laying, monotonic };
 
@@ -310,7 +310,7 @@ struct Description {
   StaticSettings statics;
   std::optional<DynamicSettings> dynamics;
   CheckSettings checks;
-  std::vector<std::string> warnings;  ///< What the reader noticed and accepted.
+  std::vector<std::string> warnings;  ///< Unusual input that was accepted.
 };
 
 }  // namespace overbend

@@ -11,7 +11,7 @@ namespace overbend {
 /// "Ramberg-Osgood in stress and strain, n = 25, ...": the law of a section's steel with its numbers, a fit included.
 std::string material_words(const SteelDescription& steel);
 
-/// What is assumed about the steel of all sections.
+/// Assumptions on the steel of all sections.
 std::vector<std::string> material_assumptions(const Model& model);
 
 }  // namespace overbend

@@ -33,7 +33,7 @@ struct CurrentProfile {
   std::vector<double> vx, vy;  ///< World components [m/s].
 };
 
-/// Where the line's own section gives way to a segment's: distances from the tensioner.
+/// Limits between the main section and segments: distances from the tensioner.
 struct SectionSpan {
   double from = 0.0, to = 0.0;  ///< Unstressed length from the tensioner [m].
   int section = 0;

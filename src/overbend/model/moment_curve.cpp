@@ -12,7 +12,7 @@ struct RadialPoint {
   double xi, weight;  ///< On [0, 1].
 };
 
-/// Two Gauss points integrate area and second moment of the wall exactly; more serve comparisons.
+/// Two Gauss points integrate area and second moment of the wall exactly; more are used for comparison.
 std::vector<RadialPoint> radial_points(int rings) {
   if (rings == 2) {
     const double offset = 0.5 / std::numbers::sqrt3;

@@ -97,7 +97,8 @@ bool wall_serves(NewModel model, double wall) {
          kPressureShare * collapse_pressure(model.diameter, wall, model.yield) >= kWaterWeightDensity * model.depth;
 }
 
-/// The thinnest wall of the list (API 5L) that serves, and `more` sizes beyond; a sentence where the list ends before.
+/// The thinnest wall of the list (API 5L) that is sufficient, and `more` sizes beyond; a sentence where the list ends
+/// before.
 std::string choose_wall(NewModel& model, int more) {
   const auto serves = [&](double millimetres) { return wall_serves(model, 1e-3 * millimetres); };
   const auto thinnest = std::min(std::ranges::find_if(kWalls, serves), kWalls.end() - 1);

@@ -8,11 +8,11 @@
 
 namespace overbend {
 
-/// What is offered where a question is left open.
+/// Defaults for questions without an answer.
 inline constexpr const char* kUsualPipe = "16";
 inline constexpr const char* kUsualDepth = "90 m";
 
-/// What the user says, as typed: quantities with units. Empty = choose.
+/// The user's input as typed: quantities with units. Empty = choose.
 struct NewOptions {
   std::string pipe, depth, wall, concrete, stinger_radius, tension, vessel, title;
   std::string yield = "414 MPa";
@@ -31,7 +31,7 @@ struct VesselSize {
 /// Of "BGL-1", and a typical one for "barge" or "ship".
 VesselSize vessel_size(const std::string& vessel);
 
-/// What is added to the rules of thumb where checks of the model they make are exceeded.
+/// Margins added to the rules of thumb where checks of the resulting model are exceeded.
 struct NewMargins {
   int walls = 0;         ///< Sizes of the list of walls beyond the least.
   double tension = 1.0;  ///< Times the least horizontal tension.
@@ -40,7 +40,7 @@ struct NewMargins {
 
 /// The numbers of a new model, SI.
 struct NewModel {
-  NewOptions said;  ///< What it was made from.
+  NewOptions said;  ///< The input it was made from.
   std::string title, vessel = "barge";
   bool stinger = true;  ///< S-lay.
   double diameter = 0.0, wall = 0.0, yield = 0.0, coating = 0.0, concrete = 0.0;
@@ -51,7 +51,7 @@ struct NewModel {
   double stinger_start = 0.0, stinger_tip = 0.0;  ///< Frame S: first and last box of the stinger [m].
   double weight_in_air = 0.0, submerged_weight = 0.0;  ///< [N/m]
   double tensioner_height = 0.0;                       ///< Pipe axis above the stern shoe [m].
-  std::string note;                                    ///< What stays amiss with what was said; a comment of the file.
+  std::string note;  ///< Problems that remain with the given input; a comment in the file.
 };
 
 /// The model with everything chosen that was not said, or a sentence that says what is wrong. Rules of thumb alone: the

@@ -23,7 +23,7 @@ double mean_orbit(double k, double draught, double depth) {
   return (1.0 - lower) / (k * t);  // (sinh kd - sinh k(d-t)) / (k t sinh kd), without overflow
 }
 
-/// Response of a thing that goes with the water, per unit amplitude, crest at the wave origin at t = 0.
+/// Response of a point that moves with the water, per unit amplitude, crest at the wave origin at t = 0.
 RaoTable::Response water_response(const RaoTable& raos, double heading, double k, double orbit) {
   const Vec3 travel(std::cos(heading), std::sin(heading), 0.0);
   const Complex later = std::polar(1.0, -k * travel.dot(raos.reference_V - raos.wave_origin_V));

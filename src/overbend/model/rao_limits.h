@@ -1,4 +1,4 @@
-/// What a free hull does in very long waves, against which RAOs and their stated conventions can be held.
+/// Response of a free hull in very long waves, for comparison with RAOs and their stated conventions.
 #pragma once
 
 #include <string>

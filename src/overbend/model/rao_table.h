@@ -28,7 +28,7 @@ struct RaoTable {
   Vec3 reference_V = Vec3::Zero();           ///< Point of the vessel whose motion this is [m].
   Vec3 wave_origin_V = Vec3::Zero();         ///< Point whose wave crest the phases count from [m].
   std::string source;                        ///< File they were read from.
-  std::vector<std::string> assumptions;      ///< What the file left open and was assumed: sentences for the report.
+  std::vector<std::string> assumptions;      ///< Assumptions where the file states nothing: sentences for the report.
 
   const std::complex<double>& value(std::size_t heading, std::size_t omega, std::size_t freedom) const {
     return values[(heading * omegas.size() + omega) * 6 + freedom];
@@ -39,10 +39,10 @@ struct RaoTable {
 
   /// Response at any heading [rad] and frequency [rad/s], interpolated linearly in the complex plane in both.
   ///
-  /// Headings are periodic; a table of 0 to 180 deg serves the other side by port-starboard symmetry: sway, roll and
-  /// yaw change sign. Below the lowest frequency translations hold their value and rotations
-  /// fall to zero in proportion to the frequency; above the highest all fade linearly to zero, reached at kFadeOut
-  /// times that frequency. The table must not be empty.
+  /// Headings are periodic; a table of 0 to 180 deg also applies to the other side by port-starboard symmetry: sway,
+  /// roll and yaw change sign. Below the lowest frequency translations hold their value and rotations fall to zero in
+  /// proportion to the frequency; above the highest all fade linearly to zero, reached at kFadeOut times that
+  /// frequency. The table must not be empty.
   Response at(double heading, double omega) const;
 
   static constexpr double kFadeOut = 1.25;

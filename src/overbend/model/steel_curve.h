@@ -20,7 +20,7 @@ struct PlasticStrain {
   Value at(double stress) const;
 };
 
-/// Of a law that knows stress and strain; for others of what is given beside them (moment_ramberg_osgood).
+/// Of a law in stress and strain; otherwise of the stress-strain data given in addition (moment_ramberg_osgood).
 PlasticStrain plastic_strain(const SteelDescription& steel);
 
 /// Axial stress of a fibre over its axial strain while the hoop stress stays: deformation theory of plasticity

@@ -145,7 +145,7 @@ std::string inputs_table(const CheckTable& table) {
   return html::folded("Input values of each check", out.str());
 }
 
-/// What the table comes to, and what its columns mean.
+/// Summary of the table, and the meaning of its columns.
 std::string headline(const CheckTable& table) {
   return "<p>" + html::escape(verdict_of(table, {}).because) +
          " The reserve factor is the factor on the load effects, at unchanged pressure, at which the utilisation is 1. "

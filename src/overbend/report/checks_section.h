@@ -15,7 +15,7 @@ std::string checks_section(const StaticResults& statics, const CheckTable& table
 /// The numbers that went into each check, for the appendix.
 std::string check_inputs_section(const CheckTable& table);
 
-/// What the figure of the utilisations draws.
+/// Data of the utilisation figure.
 nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table);
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// What the figures of a comparison draw.
+/// Data of the figures of a comparison.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -86,7 +86,7 @@ std::string against(const ComparedBoxes& box) {
       fixed(rollers.line_load / 1e3, 1));
 }
 
-/// What a check of dents and coating with gap springs would miss, and where it would be too strict.
+/// Where a check of dents and coating with gap springs is non-conservative, and where conservative.
 std::vector<std::string> meaning(const Comparison& comparison) {
   const auto boxes = static_cast<std::ptrdiff_t>(comparison.boxes.size());
   const auto below = std::count_if(comparison.boxes.begin(), comparison.boxes.end(), [](const ComparedBoxes& box) {

@@ -1,4 +1,4 @@
-/// What a comparison says in words and tables. Each returns HTML; empty where there is nothing to say.
+/// Text and tables of a comparison. Each returns HTML; empty where there is nothing to say.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-/// What the difference means, in sentences.
+/// Interpretation of the differences, in sentences.
 std::string findings_section(const Comparison& comparison);
 
 /// A row per support box.

@@ -1,4 +1,4 @@
-/// What the figures of a dynamic run draw.
+/// Data of the figures of a dynamic run.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// For the title block. `description` tells of the sea and of what moves the vessel; without it the head does not.
+/// For the title block. `description` gives the sea and the vessel motion; without it the header omits them.
 std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
                                                                  const DynamicResults& results,
                                                                  const std::optional<Description>& description,

@@ -106,7 +106,7 @@ class Histories {
 
   bool add(const std::string& group, const std::string& name) { return add(group, find(results_, name)); }
 
-  /// The peak between rows tells more than the value at the row.
+  /// The peak between rows is more informative than the value at the row.
   void add_peak(const std::string& group, const std::string& name) {
     if (!add(group, name + "_peak")) {
       add(group, name);

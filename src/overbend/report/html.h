@@ -29,7 +29,7 @@ std::string tile(const std::string& name, const std::string& value, const std::s
 /// Names with values, as the page's head shows them. Plain text.
 std::string entries(const std::vector<std::pair<std::string, std::string>>& all);
 
-/// What is folded behind a line of summary (plain text) on screen. Printed only where `printed` is true. `body` is
+/// Content folded behind a summary line (plain text) on screen. Printed only where `printed` is true. `body` is
 /// HTML.
 std::string folded(const std::string& summary, const std::string& body, bool printed = true);
 

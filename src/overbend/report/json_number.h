@@ -6,7 +6,8 @@
 
 namespace overbend {
 
-/// Seven significant digits: a tenth of a millimetre in a kilometre. What is not finite, which JSON cannot hold, is 0.
+/// Seven significant digits: a tenth of a millimetre in a kilometre. Values that are not finite, which JSON cannot
+/// represent, are 0.
 inline double seven_digits(double value) {
   if (value == 0.0 || !std::isfinite(value)) {
     return 0.0;

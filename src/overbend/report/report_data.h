@@ -1,4 +1,4 @@
-/// What the report's figures draw.
+/// Data of the report's figures.
 #pragma once
 
 #include <string>

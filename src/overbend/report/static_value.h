@@ -1,4 +1,4 @@
-/// What a quantity of a dynamic run was before the run began.
+/// Static value of a quantity of a dynamic run.
 #pragma once
 
 #include <optional>

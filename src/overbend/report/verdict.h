@@ -1,4 +1,4 @@
-/// What the code checks come to, in one line.
+/// Verdict of the code checks, in one line.
 #pragma once
 
 #include <string>

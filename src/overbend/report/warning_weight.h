@@ -29,7 +29,7 @@ std::vector<WeighedWarning> weighed(const std::vector<std::string>& warnings);
 /// "1 serious, 2 to look at, 1 on the input"; empty without any.
 std::string weight_words(const std::vector<WeighedWarning>& warnings);
 
-/// Phrases that tell a serious warning; each is one that the program says somewhere.
+/// Phrases that identify a serious warning; each occurs in a message of the program.
 const std::vector<std::string>& serious_phrases();
 
 }  // namespace overbend

@@ -40,27 +40,27 @@ class FileFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws FileFault: the file, what was tried ("written", "read") and the reason that errno tells.
+/// Throws FileFault: the file, what was tried ("written", "read") and the reason from errno.
 [[noreturn]] void refuse_file(const std::filesystem::path& file, const char* tried);
 
-/// Checksums of a growing row of numbers, one for each block of 64 KiB and one for what is begun. A changed bit changes
-/// the checksum of its block.
+/// Checksums of a growing row of numbers, one for each block of 64 KiB and one for the incomplete block. A changed bit
+/// changes the checksum of its block.
 class BlockSums {
  public:
   static constexpr std::size_t kBlock = 8192;  ///< Numbers.
 
   BlockSums() { sums_.reserve(std::size_t{1} << 14); }  // a gigabyte without another allocation
   void add(std::span<const double> values);
-  /// Of the full blocks, then of the one that is begun.
+  /// Of the full blocks, then of the incomplete one.
   std::vector<std::uint64_t> all() const;
-  /// Of the block `index`, full or begun.
+  /// Of the block `index`, full or incomplete.
   std::uint64_t of(std::size_t index) const { return index < sums_.size() ? sums_[index] : begun_; }
   static std::uint64_t sum(std::span<const double> values, std::uint64_t onto = kChecksumStart);
 
  private:
   std::vector<std::uint64_t> sums_;
   std::uint64_t begun_ = kChecksumStart;
-  std::size_t held_ = 0;  ///< Numbers of the block that is begun.
+  std::size_t held_ = 0;  ///< Numbers in the incomplete block.
 };
 
 /// Appends through a buffer of fixed size, so that appending allocates nothing. What is in the buffer is lost with the

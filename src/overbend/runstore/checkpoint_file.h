@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// What a checkpoint holds: the state, how much of the stored data belongs to it, and whose run it is.
+/// Content of a checkpoint: the state, how much of the stored data belongs to it, and whose run it is.
 struct RunCheckpoint {
   std::string version;     ///< See program_identity().
   std::string model_hash;  ///< See text_hash().

@@ -1,4 +1,4 @@
-/// Checksums that tell damaged data from whole; no protection against intent.
+/// Checksums that detect damaged data; no protection against deliberate changes.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ fs::path end_of_links(const fs::path& file) {
   return target;
 }
 
-/// What is there now; nothing where there is no file yet.
+/// The existing file; nothing if there is none yet.
 std::optional<struct stat> present(const fs::path& file) {
   struct stat found {};
   if (::lstat(file.c_str(), &found) != 0) {
@@ -45,7 +45,7 @@ std::optional<struct stat> present(const fs::path& file) {
   return found;
 }
 
-/// A name in the file's folder under which nobody can have laid a trap.
+/// A name in the file's folder that nobody can have prepared in advance.
 fs::path unpredictable_name(const fs::path& file) {
   std::random_device source;
   return file.parent_path() / fmt::format(".{}.{:08x}{:08x}", file.filename().string(), source(), source());

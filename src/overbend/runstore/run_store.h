@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// A run that was begun and not finished.
+/// A run that was started and not finished.
 struct StoredRun {
   double time = 0.0;  ///< Of its last checkpoint [s].
   std::string fault;  ///< Why it cannot be resumed; empty if no reason is known.

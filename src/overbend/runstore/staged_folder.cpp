@@ -187,7 +187,7 @@ void StagedFolder::move_in(std::vector<std::string> names, const std::string& la
 }
 
 void StagedFolder::remove_traces() noexcept {
-  std::error_code ignored;  // nothing can be done about it, and the first fault is the one to tell
+  std::error_code ignored;  // nothing can be done about it, and the first error is the one to report
   if (!staging_.empty() && is_marked_staged(staging_)) fs::remove_all(staging_, ignored);
   if (!made_.empty()) {
     // Folders of ours only, from the innermost out: remove() leaves alone what somebody else has filled meanwhile.

@@ -1,4 +1,4 @@
-/// What the numbers of an RAO file mean, and their translation into the convention of the house.
+/// Conventions of the numbers in an RAO file, and their conversion to the internal convention.
 ///
 /// Settings are words under short keys ("phase": "lead"). The same keys are used in the model file under
 /// vessel.motion.convention, in the remarks at the head of a CSV file, and come from what other programs' files say.
@@ -25,12 +25,12 @@ const std::vector<ConventionKey>& convention_keys();
 
 using ConventionWords = std::map<std::string, std::string>;
 
-/// Names of the sets that settle every key: "house", "wamit", ...
+/// Names of the sets that define every key: "house", "wamit", ...
 std::vector<std::string> convention_sets();
 /// All keys of a named set; that of the house where the name is unknown.
 ConventionWords convention_set(const std::string& name);
 
-/// What is stated about a file, by the file or by the user. Points in frame V [m] unless a reader says otherwise.
+/// Statements about a file, by the file or by the user. Points in frame V [m] unless a reader says otherwise.
 struct RaoSettings {
   std::string set;        ///< Named set; empty: that of the file's type.
   ConventionWords words;  ///< Single keys, stronger than the set.
@@ -54,7 +54,7 @@ struct RaoRecord {
 /// Turns records into the convention of the house: settled once from words, then applied to each record.
 class RaoTranslation {
  public:
-  /// `words` must settle every key; `depth` [m] gives the wave number behind slopes.
+  /// `words` must define every key; `depth` [m] gives the wave number behind slopes.
   RaoTranslation(const ConventionWords& words, double length_scale, double depth);
 
   /// Heading of travel, anticlockwise from V's x, in [0, 2 pi).

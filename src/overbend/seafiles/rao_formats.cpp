@@ -70,7 +70,7 @@ void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& 
     faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres separated by blanks, '0 0 0.818'");
 }
 
-/// A remark that settles a key; others are nobody's business.
+/// A remark that defines a key; others are ignored.
 void read_remark(const TextRow& remark, RaoSettings& stated, TableFaults& faults) {
   if (remark.cells.size() != 2) return;
   const std::string key(remark.cells[0]), word(remark.cells[1]);

@@ -9,7 +9,7 @@
 
 namespace overbend::rao_formats {
 
-/// What a file holds: its numbers, and what it says about them. Angles of records are in rad except amplitudes.
+/// Content of a file: its numbers, and its statements about them. Angles of records are in rad except amplitudes.
 struct RaoFile {
   std::vector<RaoRecord> records;
   RaoSettings stated;

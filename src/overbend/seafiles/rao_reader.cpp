@@ -10,7 +10,7 @@
 namespace overbend {
 namespace {
 
-/// What is settled, in rising strength: the named set, the file's own words, the user's.
+/// The convention, in increasing priority: the named set, the file's statements, the user's.
 ConventionWords settle(const std::string& set, const RaoSettings& stated, const RaoSettings& given) {
   ConventionWords words = convention_set(given.set.empty() ? set : given.set);
   for (const RaoSettings* from : {&stated, &given}) {

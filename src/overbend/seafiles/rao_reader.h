@@ -13,7 +13,8 @@ namespace overbend {
 /// Reads an RAO file by its ending:
 ///
 /// - `.csv`: columns heading_deg, one of omega_rad_s, frequency_hz, period_s, then dof (surge to yaw, or 1 to 6),
-///   amplitude, one of phase_deg, phase_rad; remarks "# key: word" at its head may settle any key of the convention and
+///   amplitude, one of phase_deg, phase_rad; remarks "# key: word" in its header may define any key of the convention
+///   and
 ///   "# reference: x y z", "# wave_origin: x y" in metres of frame V;
 /// - `.4`: WAMIT's motion file (PER BETA I MOD PHA RE IM), periods; rows with PER <= 0 are passed over;
 /// - `.yml`, `.yaml`: text data file of OrcaFlex with a vessel type's displacement RAOs.

@@ -21,7 +21,7 @@ struct TextTable {
   std::vector<TextRow> rows;
 };
 
-/// The whole of a regular file, at most 64 MB. What is wrong goes to `diagnostics` and nothing is returned.
+/// The whole of a regular file, at most 64 MB. Errors go to `diagnostics` and nothing is returned.
 std::optional<std::string> read_text_file(const std::string& path, Diagnostics& diagnostics);
 
 /// Splits at `separator`; a blank splits at white space of any length. Empty lines are passed over, cells are trimmed.

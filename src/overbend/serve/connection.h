@@ -10,7 +10,7 @@
 
 namespace overbend {
 
-/// What a request may take.
+/// Limits of a request.
 struct RequestBounds {
   std::chrono::milliseconds idle{5000};   ///< Between requests.
   std::chrono::milliseconds head{10000};  ///< From the first byte to the end of the headers.

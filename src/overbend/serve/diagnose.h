@@ -6,7 +6,8 @@
 
 namespace overbend {
 
-/// `[{severity, line, column, key, message}]`, lines and columns from 1. `text` is what was read: it tells the columns.
+/// `[{severity, line, column, key, message}]`, lines and columns from 1. `text` is the text read, from which the
+/// columns follow.
 Json diagnostics_json(const Diagnostics& diagnostics, const std::string& text);
 
 }  // namespace overbend

@@ -46,7 +46,7 @@ class ThreadPerConnection : public httplib::TaskQueue {
   std::size_t running_ = 0;
 };
 
-/// What the head says of the body's size; what it says otherwise is refused.
+/// Size of the body according to the header; anything else is rejected.
 std::uint64_t body_size(const httplib::Request& request) {
   return request.has_header("Content-Length") ? request.get_header_value<std::uint64_t>("Content-Length") : 0;
 }

@@ -1,4 +1,4 @@
-/// What the server tells its pages of its own accord.
+/// Events that the server sends to its pages.
 #pragma once
 
 #include <condition_variable>

@@ -1,4 +1,4 @@
-/// Who may talk to the server: the page that this start has opened, and nobody else.
+/// Access to the server: only the page opened by this session.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace overbend {
 /// 128 random bits as 32 hexadecimal digits.
 std::string random_token();
 
-/// Compares in a time that does not tell how much of the token was right.
+/// Compares in a time independent of how much of the token is right.
 bool same_token(const std::string& given, const std::string& token);
 
 /// Whether a request's Host names this server: another name that leads to this machine is some page's trick.

@@ -13,7 +13,7 @@
 
 namespace overbend {
 
-/// What is open, at an instant.
+/// Snapshot of the open model.
 struct ModelText {
   std::string text, name;  ///< `name` is that of its file, empty where it has none.
   bool saved = true;
@@ -22,7 +22,7 @@ struct ModelText {
   std::string path;  ///< Of the file, or where it would lie: in messages, and the folder of the files it mentions.
 };
 
-/// What a page wants to save, and what it takes the file to hold.
+/// Text that a page wants to save, and the content it expects in the file.
 struct SaveRequest {
   std::string name;
   bool force = false;                              ///< Whatever the file holds.

@@ -9,7 +9,7 @@
 
 namespace overbend {
 
-/// What the page may load: its own files, and images and workers that it makes itself.
+/// Resources that the page may load: its own files, and images and workers that it makes itself.
 inline constexpr const char* kPagePolicy =
     "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; font-src 'self' data:; "
     "worker-src 'self' blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";

@@ -6,7 +6,7 @@
 namespace overbend {
 
 /// User id of the owner of the connection from `from` to `to`, ports of the loopback address, as the system lists it in
-/// /proc/net. Nothing where it does not tell.
+/// /proc/net. Nothing if it is not listed.
 std::optional<unsigned> owner_of_connection(int from, int to);
 
 }  // namespace overbend

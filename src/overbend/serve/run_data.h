@@ -1,4 +1,4 @@
-/// What a run left behind, as the page draws it.
+/// Data of a run for display on the page.
 #pragma once
 
 #include <filesystem>

@@ -38,7 +38,7 @@ std::filesystem::path folder_of(const RunInfo& run, const std::filesystem::path&
 
 Json run_json(const RunInfo& run);
 
-/// In a run's folder: the model's text as the run was begun with.
+/// In a run's folder: the model text with which the run was started.
 inline constexpr const char* kModelCopy = "model.yaml";
 
 /// Whether the folder below `runs` has what it takes to resume: a sound checkpoint, of a study one of a case or a

@@ -1,4 +1,4 @@
-// What the queue does with a run: the same as the commands `static`, `dynamic` and `compare`.
+// Execution of a run by the queue: the same as the commands `static`, `dynamic` and `compare`.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -36,8 +36,8 @@ class RunQueue {
   RunInfo annotate(const std::string& id, const std::string& name, const std::string& note);
   /// Removes a run that has ended, with its folder and its cases; HttpFault 409 while it is in progress.
   void remove(const std::string& id);
-  /// Queues an interrupted run again, to go on from its checkpoint with the text it was begun with. HttpFault 409 when
-  /// it cannot be resumed.
+  /// Queues an interrupted run again, to continue from its checkpoint with the text it was started with. HttpFault 409
+  /// when it cannot be resumed.
   RunInfo resume(const std::string& id);
 
   /// Newest first.

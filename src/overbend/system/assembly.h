@@ -89,7 +89,7 @@ class Assembly {
   Surroundings surroundings_;
   BorderedSystem solver_;
   std::vector<LineAssembly> lines_;
-  std::vector<double*> solution_;  ///< Of the lines, for the solver.
+  std::vector<double*> solution_;     ///< Of the lines, for the solver.
   std::vector<HeldDirections> held_;  ///< By the attachments.
   TensionerDrive drive_ = TensionerDrive::brake;
   Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its tensioner, at the state evaluated last.

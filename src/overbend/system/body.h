@@ -22,7 +22,7 @@ struct BodyRoller {
 /// A body whose motion is told: the vessel with ramp and stinger.
 struct Body {
   std::vector<BodyRoller> rollers;
-  ContactCells cells;                ///< In the ramp's frame.
+  ContactCells cells;                 ///< In the ramp's frame.
   Vec3 ramp_origin_V = Vec3::Zero();  ///< Of the ramp's frame, whose x runs astern, z up [m].
 };
 

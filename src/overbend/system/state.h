@@ -12,12 +12,12 @@ namespace overbend {
 
 /// Unknowns of a line, their rates, and every memory of the line. At rest there are no rates and no memories.
 struct LineState {
-  std::vector<double> q;          ///< Six per node: r [m], t [-]; W.
-  std::vector<double> low;        ///< What rounding cut off `q`, at rest alone; empty means zero.
-  double far_force = 0.0;         ///< H, at an end that may slide along the bed, away from the barge, at rest alone [N].
-  std::vector<double> v, acc;     ///< Rates of `q`.
-  std::vector<double> alg;        ///< Algorithmic accelerations, see GeneralizedAlpha.
-  AlignedDoubles bed_slip;        ///< See LineMotion.
+  std::vector<double> q;       ///< Six per node: r [m], t [-]; W.
+  std::vector<double> low;     ///< What rounding cut off `q`, at rest alone; empty means zero.
+  double far_force = 0.0;      ///< H, at an end that may slide along the bed, away from the barge, at rest alone [N].
+  std::vector<double> v, acc;  ///< Rates of `q`.
+  std::vector<double> alg;     ///< Algorithmic accelerations, see GeneralizedAlpha.
+  AlignedDoubles bed_slip;     ///< See LineMotion.
   std::vector<ContactMemory> contacts;  ///< In the order of RollerContacts.
   std::vector<BendingMemory> bending;   ///< Per Gauss point; empty where no steel yields.
   double bending_heat = 0.0;            ///< Made by yielding so far [J].
@@ -27,7 +27,7 @@ struct LineState {
 
 /// Of what holds an end of a line.
 struct AttachmentState {
-  MotionValues guide{};      ///< Length of the tangent in a guide, the one unknown left there.
+  MotionValues guide{};  ///< Length of the tangent in a guide, the one unknown left there.
   TensionerMachine machine;
   MotionValues travel{};  ///< Of the tensioner, what was paid out [m].
 };
