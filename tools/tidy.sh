@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs clang-tidy over src/ as .clang-tidy says, in parallel; any finding fails. Needs a configured release build.
 #
-#   tools/tidy.sh                  every source
-#   tools/tidy.sh io/.*_reader     only sources whose path matches one of the expressions
+#   tools/tidy.sh                      every source
+#   tools/tidy.sh seafiles/.*_reader   only sources whose path matches one of the expressions
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -64,11 +64,6 @@ void StaticSystem::hold_ends(const VesselPose& pose) {
   }
 }
 
-void StaticSystem::ease(const Easing& easing) {
-  easing_ = easing;
-  assembly_.ease(easing_);
-}
-
 void StaticSystem::limit_roller_stiffness(double limit) {
   easing_.rollers.most_stiffness = limit;
   assembly_.ease(easing_);

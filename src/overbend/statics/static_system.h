@@ -44,9 +44,6 @@ class StaticSystem {
   Vec3 far_direction() const { return far_direction_; }
   double total_weight() const { return line().force_scale; }  ///< In air [N].
 
-  /// Continuation: what acts less than the model says.
-  const Easing& easing() const { return easing_; }
-  void ease(const Easing& easing);
   /// Roller stiffness is limited to this [N/m]: continuation from soft to hard.
   void limit_roller_stiffness(double limit);
   /// Stiffness of the bed, normal and in friction, is limited to this [N/m2]: continuation from soft to hard.
