@@ -116,7 +116,7 @@ TEST(rao_orcaflex, what_is_not_understood_is_refused) {
   EXPECT_NE(first_error(with("Symmetry: xz plane", "Symmetry: Circular")).find("Symmetry"), std::string::npos);
   EXPECT_NE(first_error(with("UnitsSystem: SI", "UnitsSystem: US")).find("'SI'"), std::string::npos);
   EXPECT_NE(first_error(with("[60, 0, 6]", "[60, 0]")).find("[x, y, z] in metres"), std::string::npos);
-  EXPECT_NE(first_error(with("RAOYawPhase:", "RAOYawAngle:")).find("six freedoms"), std::string::npos);
+  EXPECT_NE(first_error(with("RAOYawPhase:", "RAOYawAngle:")).find("six degrees of freedom"), std::string::npos);
   EXPECT_NE(first_error(with("DisplacementRAOs", "LoadRAOs")).find("DisplacementRAOs"), std::string::npos);
   std::string slope = with("RAOWaveUnit: amplitude", "RAOWaveUnit: max wave slope");
   slope.replace(slope.find("RAOResponseUnits: radians"), 25, "RAOResponseUnits: degrees");

@@ -58,7 +58,7 @@ TEST(rao_reader, a_file_that_does_not_name_its_point_becomes_an_assumption) {
   const RaoTable wamit = good_raos(bgl1_file("bgl1.4"));
   EXPECT_EQ(wamit.reference_V, Vec3(0.0, 0.0, 0.0));
   ASSERT_EQ(wamit.assumptions.size(), 2U);
-  EXPECT_NE(wamit.assumptions[0].find("midship at the water line"), std::string::npos);
+  EXPECT_NE(wamit.assumptions[0].find("midship on the water line"), std::string::npos);
 }
 
 /// The barge's table as a CSV file in the convention of `words`, written from their definition.
