@@ -234,7 +234,7 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   EXPECT_GT(r.tensioner.limit_count, 0);
   EXPECT_GT(r.tensioner.time_at_limit, 0.0);
   EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& w) {
-    return w.find("the tensioner stood at the end of its travel") != std::string::npos;
+    return w.find("the tensioner was at its travel limit") != std::string::npos;
   }));
 }
 

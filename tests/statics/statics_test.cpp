@@ -283,7 +283,7 @@ TEST(statics, a_tension_that_the_forces_miss_by_far_is_refused) {
   for (BoxDescription& box : d.supports.boxes) {
     box.z *= 10.0;
   }
-  EXPECT_NE(failure_of(d).what.find("wanted tension is not reached"), std::string::npos);
+  EXPECT_NE(failure_of(d).what.find("set tension is not reached"), std::string::npos);
 }
 
 TEST(statics, a_floating_pipe_is_refused) {

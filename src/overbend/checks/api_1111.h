@@ -22,7 +22,7 @@ double api_buckling_strain(const ApiPipe& pipe);
 double api_ovality_factor(double delta);
 
 /// (eps/eps_b + (P_o - P_i)/(f_c P_c))/g [-], at most 1 where it holds (4.3.2.2, D/t <= 50). `strain` is f_1 times the
-/// strain of installation; without external overpressure its term is 0.
+/// installation strain; without external overpressure its term is 0.
 double api_bending_utilisation(const ApiPipe& pipe, double strain, double overpressure, double collapse_factor,
                                double delta);
 

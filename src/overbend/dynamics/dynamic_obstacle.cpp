@@ -13,7 +13,7 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
   }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {
-    return StaticFailure{"the vessel's motion cannot be followed", "",
+    return StaticFailure{"the vessel motion cannot be used", "",
                          "the file " + vessel.motion_file + " could not be read"};
   }
   if (vessel.motion != VesselMotion::history) {
@@ -39,13 +39,13 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     return obstacle;
   }
   if (d.environment.waves.type == WaveType::user && d.environment.waves.spectrum.empty()) {
-    return StaticFailure{"the sea cannot be made", "",
+    return StaticFailure{"the sea cannot be generated", "",
                          "the file " + d.environment.waves.spectrum_file + " could not be read"};
   }
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
-    return StaticFailure{"tensioner.range does not hold tensioner.tension", "",
-                         "the tensioner would move from the first moment on"};
+    return StaticFailure{"tensioner.range does not contain tensioner.tension", "",
+                         "the tensioner would move from the start"};
   }
   return std::nullopt;
 }

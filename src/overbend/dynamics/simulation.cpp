@@ -25,7 +25,7 @@ StaticFailure step_failure(const StepReport& report, const System& system, doubl
   const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
   return {"the time step cannot be solved", place_text(time, s),
           report.end == StepEnd::singular ? "the equations have no solution there"
-                                          : "forces stay out of balance however short the step is"};
+                                          : "the forces do not balance even with the shortest step"};
 }
 
 /// Adds the wall time from its making to its end [s].

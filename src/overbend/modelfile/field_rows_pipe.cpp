@@ -285,7 +285,7 @@ std::vector<Field> section_of(const std::string& p, std::vector<Field> rows) {
   return rows;
 }
 
-/// A stretch begins as the line's own section; the rows of that are above those of the segments.
+/// A stretch begins as in the main section; the rows of that are above those of the segments.
 SegmentDescription& add_segment(PipeDescription& pipe, const FieldValue&) {
   SegmentDescription& segment = pipe.segments.emplace_back();
   segment.name = "segment " + std::to_string(pipe.segments.size());

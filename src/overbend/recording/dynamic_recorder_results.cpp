@@ -115,14 +115,14 @@ void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
   const TensionerDynamics& t = results.tensioner;
   if (t.time_at_limit > 0.0) {
     results.warnings.push_back(fmt::format(
-        "the tensioner stood at the end of its travel for {:.1f} s, with the tension out of control", t.time_at_limit));
+        "the tensioner was at its travel limit for {:.1f} s, with the tension uncontrolled", t.time_at_limit));
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free) {
       results.warnings.push_back(
-          fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the pipe's end, which "
-                      "the program moves with the travel, passed it",
+          fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of the pipe, "
+                      "which moves with the travel, passed it",
                       t.travel.max, free));
     }
   }
@@ -143,9 +143,10 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   }
   if (yields) {
     results.warnings.emplace_back(
-        "the von Mises stress passes the yield stress in time; the steel is linear here, so stresses and moments "
+        "the von Mises stress exceeds the yield stress in the dynamic analysis; the steel is linear elastic here, so "
+        "stresses and moments "
         "beyond "
-        "it are those of a pipe that does not yield (pipe.steel.material lets it)");
+        "it are those of a pipe that does not yield (see pipe.steel.material)");
   }
   fill_tensioner_warnings(results);
 }
@@ -155,10 +156,10 @@ void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = 1e-3 * hardest_.front().peak_force;
   const double stiffness = 1e-6 * vessel_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
-  results.assumptions.push_back(
-      fmt::format("The hardest impact, {:.1f} kN, met a contact of {:.3g} MN/m; with half that stiffness it would be "
-                  "{:.1f} kN, with twice {:.1f} kN (the force goes with its cube root at the same approach velocity).",
-                  force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
+  results.assumptions.push_back(fmt::format(
+      "The hardest impact, {:.1f} kN, was on a contact of {:.3g} MN/m; with half that stiffness it would be "
+      "{:.1f} kN, with twice {:.1f} kN (the force is proportional to its cube root at the same approach velocity).",
+      force, stiffness, force * std::cbrt(0.5), force * std::cbrt(2.0)));
 }
 
 /// What slamming, which the equations leave out, would have been at the fastest entry.
@@ -169,10 +170,11 @@ void DynamicRecorder::fill_slamming(DynamicResults& results) const {
   const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());
   const std::string size = fmt::format(
       "the fastest entry into the water, {:.2f} m/s across the pipe {:.1f} m from the tensioner at t = {:.1f} s, would "
-      "slam with {:.2f} kN/m at first touch (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {:.2f} kN/m at 1 m/s)",
+      "give a slamming load of {:.2f} kN/m at first contact (rho/2 C_s D v^2, C_s = 5.15 of DNV-RP-C205; {:.2f} kN/m "
+      "at 1 m/s)",
       crossing_.speed(), from_top, crossing_.time(), 1e-3 * force,
       1e-3 * slamming_force(model_->water_density, pipe.outer_diameter, 1.0));
-  results.assumptions.push_back("Slamming and the rate of change of added mass at the surface are left out; " + size +
+  results.assumptions.push_back("Slamming and the rate of change of added mass at the surface are neglected; " + size +
                                 ".");
 }
 

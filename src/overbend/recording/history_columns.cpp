@@ -37,7 +37,7 @@ void add_lay(Columns& columns) {
   columns.push_back({{"top_tension", "N", "Effective tension at the tensioner", false, true}, key(kTopTension)});
   columns.push_back({{"bottom_tension", "N", "Horizontal tension at touchdown", false, false}, key(kBottomTension)});
   columns.push_back(
-      {{"lay_back", "m", "Horizontal distance from the stern shoe's mean place to touchdown", false, false},
+      {{"lay_back", "m", "Horizontal distance from the mean position of the stern shoe to touchdown", false, false},
        key(kLayBack)});
   columns.push_back(
       {{"departure_angle", "rad", "Of the pipe at the last support in contact, from horizontal", false, false},
@@ -54,35 +54,37 @@ void add_region(Columns& columns, const std::string& name, std::size_t first) {
       {{name + "_von_mises", "Pa", "Largest von Mises stress of the " + name + " at the instant", false, false},
        key(first + kVonMises)});
   columns.push_back(
-      {{name + "_strain_peak", "1", "Largest strain of the " + name + " since the row before", true, false},
+      {{name + "_strain_peak", "1", "Largest strain of the " + name + " since the previous row", true, false},
        largest(first + kStrain)});
   columns.push_back({{name + "_von_mises_peak", "Pa",
-                      "Largest von Mises stress of the " + name + " since the row before", true, false},
+                      "Largest von Mises stress of the " + name + " since the previous row", true, false},
                      largest(first + kVonMises)});
 }
 
 void add_tension(Columns& columns) {
-  columns.push_back({{"top_tension_peak", "N", "Largest tension at the tensioner since the row before", true, false},
+  columns.push_back({{"top_tension_peak", "N", "Largest tension at the tensioner since the previous row", true, false},
                      largest(kTopTension)});
   columns.push_back(
-      {{"top_tension_low", "N", "Smallest tension at the tensioner since the row before", false, false, true},
+      {{"top_tension_low", "N", "Smallest tension at the tensioner since the previous row", false, false, true},
        least(kTopTension)});
   columns.push_back({{"smallest_tension", "N",
-                      "Smallest effective tension anywhere along the line since the row before", false, false, true},
+                      "Smallest effective tension anywhere along the line since the previous row", false, false, true},
                      least(kSmallestTension)});
   columns.push_back({{"tensioner/tension", "N", "Force of the tensioner on the pipe along its guide", false, false},
                      [](const RowSource& row) { return row.now.tensioner->machine.tension; }});
-  columns.push_back({{"tensioner/travel", "m", "Paid out by the tensioner, hauled in negative", false, false},
-                     [](const RowSource& row) { return row.now.tensioner->travel.q; }});
+  columns.push_back(
+      {{"tensioner/travel", "m", "Length paid out by the tensioner, negative when hauled in", false, false},
+       [](const RowSource& row) { return row.now.tensioner->travel.q; }});
   columns.push_back({{"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false},
                      [](const RowSource& row) { return static_cast<double>(row.now.tensioner->machine.state); }});
 }
 
 void add_box(Columns& columns, const std::string& name, std::size_t box) {
-  columns.push_back({{"support/" + name + "/reaction", "N", "Largest resultant since the row before", true, false},
+  columns.push_back({{"support/" + name + "/reaction", "N", "Largest resultant since the previous row", true, false},
                      [box](const RowSource& row) { return row.largest_reaction[box]; }});
-  columns.push_back({{"support/" + name + "/separation", "m", "Least separation since the row before", false, false},
-                     [box](const RowSource& row) { return or_absent(row.least_separation[box]); }});
+  columns.push_back(
+      {{"support/" + name + "/separation", "m", "Minimum separation since the previous row", false, false},
+       [box](const RowSource& row) { return or_absent(row.least_separation[box]); }});
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports) {
   Columns columns;
   columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
                      [](const RowSource& row) { return row.now.state->time; }});
-  columns.push_back({{"elevation", "m", "Water surface over the stern shoe's mean place", false, true},
+  columns.push_back({{"elevation", "m", "Water surface above the mean position of the stern shoe", false, true},
                      [](const RowSource& row) { return row.now.elevation; }});
   add_vessel(columns);
   add_lay(columns);
@@ -99,9 +101,10 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports) {
   add_region(columns, "sagbend", kSagbend);
   add_tension(columns);
   columns.push_back(
-      {{"step", "s", "Time step that led here", false, false}, [](const RowSource& row) { return row.now.step; }});
-  columns.push_back({{"energy_drift", "1", "Error of the energy balance over the energy that has passed", false, false},
-                     [](const RowSource& row) { return row.now.drift; }});
+      {{"step", "s", "Preceding time step", false, false}, [](const RowSource& row) { return row.now.step; }});
+  columns.push_back(
+      {{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", false, false},
+       [](const RowSource& row) { return row.now.drift; }});
   for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
   return columns;
 }

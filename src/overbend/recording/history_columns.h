@@ -15,7 +15,7 @@ struct RowSource {
   const Instant& now;
   std::span<const double> key;                     ///< Now.
   std::span<const double> largest_key, least_key;  ///< Since the row before.
-  std::span<const double> largest_reaction;        ///< Of every box since the row before [N].
+  std::span<const double> largest_reaction;        ///< Of every box since the previous row [N].
   std::span<const double> least_separation;        ///< Likewise; infinite where the pipe passed none of it [m].
 };
 

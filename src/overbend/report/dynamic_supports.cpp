@@ -55,8 +55,8 @@ std::string support_table(const DynamicResults& results) {
   }
   return table.str() +
          "<p class=\"small\">99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance "
-         "between pipe and roller, the smallest of the box's bottom rollers; negative is penetration by the contact "
-         "stiffness. Contact: any roller of the box "
+         "between pipe and roller, the smallest of the box's bottom rollers; negative is penetration due to the "
+         "contact stiffness. Contact: any roller of the box "
          "carries.</p>\n";
 }
 

@@ -11,7 +11,7 @@ namespace overbend {
 /// is the rule's and not the user's, too.
 std::string sea_words(const WavesDescription& waves);
 
-/// "RAOs of rao.csv", "harmonic: heave, pitch", "none, held fast".
+/// "RAOs of rao.csv", "harmonic: heave, pitch", "none, fixed".
 std::string motion_words(const VesselDescription& vessel);
 
 }  // namespace overbend

@@ -34,14 +34,14 @@ WeighedWarning weigh(const std::string& warning) {
 const std::vector<std::string>& serious_phrases() {
   static const std::vector<std::string> kPhrases = {
       "beyond yield only indicates",
-      "passes the yield stress in time",
+      "exceeds the yield stress in the dynamic analysis",
       "the pipe has left '",
       "the pipe left '",
       "compression: the effective tension falls to",
-      "passes the yield stress of",
-      "rollers stand below the sea bed",
+      "exceeds the yield stress of",
+      "rollers are below the seabed",
       "the line through its neighbours: a curvature",
-      "the tensioner stood at the end of its travel",
+      "the tensioner was at its travel limit",
       "the tensioner paid out",
       "are the conventions (vessel.motion.convention) right?",
   };

@@ -43,7 +43,7 @@ void write_inputs(Hdf5Writer& file, const std::string& group, const std::vector<
       inputs.end_row();
     }
   }
-  inputs.write(file, group, "Numbers that went into the checks");
+  inputs.write(file, group, "Input values of the checks");
 }
 
 }  // namespace
@@ -52,14 +52,14 @@ void write_checks(Hdf5Writer& file, const std::string& group, const CheckTable& 
   if (table.rows.empty()) return;
   file.group(group, "Code checks");
   ValueWriter values{file, group};
-  values(ResultField{"assumptions", "1", "What the checks had to assume"}, table.assumptions);
+  values(ResultField{"assumptions", "1", "Assumptions of the checks"}, table.assumptions);
   TableWriter rows;
   for (const CheckRow& row : table.rows) {
     rows(index_field("Number of the check, from 0"), rows.rows());
     visit_check(row, rows);
     rows.end_row();
   }
-  rows.write(file, group + "/list", "Each check at the station and moment where it is used most");
+  rows.write(file, group + "/list", "Each check at the station and time of its maximum utilisation");
   write_inputs(file, group + "/inputs", table.rows);
   file.group(group + "/along", "Utilisations along the pipe");
   const ColumnsWriter columns{file, group + "/along", group + "/along/s"};

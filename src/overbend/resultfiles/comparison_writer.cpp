@@ -61,7 +61,7 @@ Json box_json(const ComparedBoxes& box, const std::vector<ComparedRun>& runs) {
 
 const std::vector<BoxQuantity>& box_quantities() {
   static const std::vector<BoxQuantity> kQuantities = {
-      {{"contact_share", "1", "Share of time in contact"}, &ComparedBox::contact_share},
+      {{"contact_share", "1", "Fraction of time in contact"}, &ComparedBox::contact_share},
       {{"static_reaction", "N", "Reaction in the static state"}, &ComparedBox::static_reaction},
       {{"mean_reaction", "N", "Mean reaction"}, &ComparedBox::mean_reaction},
       {{"peak_reaction", "N", "Largest reaction"}, &ComparedBox::peak_reaction},

@@ -85,8 +85,8 @@ void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histor
              [&](const HistorySummary& h, auto& t) {
                t(ResultField{"name", "1", "Name of the history; /dynamic/histories holds it whole"}, h.name);
                t(ResultField{"units", "1", "Units of its values"}, h.units);
-               t(ResultField{"meaning", "1", "What it is"}, h.description);
-               t(ResultField{"first", "1", "Where its stretches of time begin in low and high"},
+               t(ResultField{"meaning", "1", "Meaning"}, h.description);
+               t(ResultField{"first", "1", "Index in low and high of its first time interval"},
                  static_cast<std::int64_t>(low.size()));
                t(ResultField{"count", "1",
                              "Number of its stretches, of equal length, from the start of the build-up to the end"},
@@ -96,8 +96,8 @@ void write_summaries(Hdf5Writer& file, const std::vector<HistorySummary>& histor
                high.insert(high.end(), h.high.begin(), h.high.end());
              });
   if (histories.empty()) return;
-  file.write(group + "/low", ResultField{"", kVaries, "Least value of each stretch"}, low, {low.size()});
-  file.write(group + "/high", ResultField{"", kVaries, "Greatest value of each stretch"}, high, {high.size()});
+  file.write(group + "/low", ResultField{"", kVaries, "Minimum of each time interval"}, low, {low.size()});
+  file.write(group + "/high", ResultField{"", kVaries, "Maximum of each time interval"}, high, {high.size()});
 }
 
 void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
@@ -132,9 +132,9 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   const auto impacts = [](const auto& part, auto& visit) { visit_impact(part, visit); };
   const auto extremes = [](const auto& part, auto& visit) { visit_estimate(part, visit); };
   write_part(file, "/dynamic", "Time domain: settings and key results", keys, dynamics);
-  write_part(file, "/dynamic/energy", "Balance of energy over the run", energy, dynamics.energy);
-  write_part(file, "/dynamic/tensioner", "What the tensioner did", tensioner, dynamics.tensioner);
-  write_part(file, "/dynamic/run", "How the solver got there", run, dynamics.run);
+  write_part(file, "/dynamic/energy", "Energy balance of the run", energy, dynamics.energy);
+  write_part(file, "/dynamic/tensioner", "Tensioner behaviour", tensioner, dynamics.tensioner);
+  write_part(file, "/dynamic/run", "Solver statistics", run, dynamics.run);
   if (statics.overbend) {
     write_region(file, "/dynamic/overbend", "Extremes from the tensioner to the inflection below the last support",
                  dynamics.overbend);

@@ -58,7 +58,7 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
 }
 
 void write_model(Hdf5Writer& file, const Description& description) {
-  file.group("/model", "What was analysed, and with what");
+  file.group("/model", "Model and program version");
   ValueWriter visit{file, "/model"};
   write_model_text(file, description.source_text);
   visit(ResultField{"file", "1", "Path of the model file as given"}, description.source_file);
@@ -96,8 +96,8 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
   write_part(file, "/static", "Static equilibrium: key results", keys, results);
   write_part(file, "/static/touchdown", "Touchdown", touchdown, results.touchdown);
   write_part(file, "/static/sums", "Sums of forces on the line", sums, results);
-  write_part(file, "/static/solve", "How the solver got there", solve, results.solve);
-  write_part(file, "/static/scene", "What pictures need", scene, results);
+  write_part(file, "/static/solve", "Solver statistics", solve, results.solve);
+  write_part(file, "/static/scene", "Geometry for figures", scene, results);
   if (results.overbend) {
     write_region(file, "/static/overbend", "Extremes from the tensioner to the inflection below the last support",
                  *results.overbend);

@@ -1,10 +1,10 @@
 #include "resultfiles/rechecked_hdf5.h"
 
-#include "resultfiles/check_columns.h"
 #include "resultfiles/check_hdf5.h"
-#include "resultfiles/dynamic_scalars.h"
 #include "resultfiles/hdf5_visitors.h"
-#include "resultfiles/static_scalars.h"
+#include "results/fields/check_fields.h"
+#include "results/fields/dynamic_values.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {

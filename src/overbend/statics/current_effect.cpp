@@ -47,7 +47,7 @@ void find_current_effect(const Model& model, const StaticSolution& solution, Sta
   const StaticOutcome outcome = solve_statics(still_model, &solution);
   if (!outcome.solution) {
     results.warnings.emplace_back(
-        "the lay without its current has no equilibrium: the checks count the current's load effects as functional");
+        "there is no equilibrium without the current: the checks treat the load effects of the current as functional");
     return;
   }
   const StaticResults without = recover_statics(still_model, *outcome.solution);

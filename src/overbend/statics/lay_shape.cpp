@@ -192,7 +192,7 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     const std::vector<Guide2> points = support_points(model, plane, model.mean_pose);
     const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
-      shape.problem = "the seabed falls away astern faster than the pipe hangs down: it never touches down";
+      shape.problem = "the seabed falls away astern faster than the pipe: there is no touchdown";
       return shape;
     }
     const std::size_t last = departure(points, span);

@@ -251,7 +251,8 @@ void warn_of_roll(StaticResults& results) {
   }
   results.warnings.push_back(fmt::format(
       "the pipe has yielded over the supports and reaches touchdown with a residual curvature of {:.5f} 1/m; "
-      "a real pipe rolls until that bend helps, this one does not, so the sagbend's moments are an upper end",
+      "a real pipe rolls until this curvature is favourable, the model does not, so the bending moments of the sagbend "
+      "are an upper bound",
       results.residual_curvature));
 }
 

@@ -17,15 +17,15 @@ void warn_of_missed_target(StaticResults& results, const Model& model) {
     const double wanted = *d.tensioner.tension;
     if (std::abs(results.top_tension - wanted) > kWorthSaying * wanted) {
       results.warnings.push_back(fmt::format(
-          "the tension at the tensioner is {:.2f} kN, {:.2f} kN was wanted: the elements are too long for so sharp a "
-          "bend; look for a box off the pipe's line, or give a shorter analysis.mesh.overbend_element",
+          "the tension at the tensioner is {:.2f} kN, {:.2f} kN was specified: the elements are too long for such a "
+          "sharp bend; look for a box off the line of the pipe, or reduce analysis.mesh.overbend_element",
           1e-3 * results.top_tension, 1e-3 * wanted));
     }
   } else if (d.pipe.anchor) {
     const double wanted = *d.pipe.anchor, reached = results.stations.front().astern;
     if (std::abs(reached - wanted) > kWorthSaying * std::abs(wanted)) {
       results.warnings.push_back(
-          fmt::format("the anchor lies {:.2f} m astern of the stern shoe, {:.2f} m was wanted", reached, wanted));
+          fmt::format("the anchor is {:.2f} m astern of the stern shoe, {:.2f} m was specified", reached, wanted));
     }
   }
 }

@@ -21,10 +21,10 @@ StaticFailure floats(const Section& pipe) {
 
 StaticFailure too_little_tension(double tension, double least) {
   return {"the tension is too low to carry the pipe", "at the tensioner",
-          fmt::format("{:.1f} kN is given, but the pipe between tensioner and seabed alone hangs with {:.1f} kN "
-                      "(weight in air above the "
-                      "water, submerged weight below); anything less leaves it in compression at the seabed",
-                      1e-3 * tension, 1e-3 * least)};
+          fmt::format(
+              "tension {:.1f} kN is below the suspended weight between tensioner and seabed, {:.1f} kN (weight in air "
+              "above the water, submerged weight below); at a lower tension the pipe is in compression at the seabed",
+              1e-3 * tension, 1e-3 * least)};
 }
 
 StaticFailure no_curve(const std::string& problem) {
@@ -83,8 +83,8 @@ std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZon
   if (count <= kMostElements) return std::nullopt;
   const std::string key = finest_key(model, zones);
   const std::string mend = key.empty() ? "the line is too long for its supports and touchdown: look for a length or a "
-                                         "place of a box in the wrong unit"
-                                       : "give longer elements, or leave the key out";
+                                         "position of a box in the wrong unit"
+                                       : "use longer elements, or omit the key";
   return StaticFailure{"the mesh is too fine", key,
                        fmt::format("a line of {:.0f} m would have {} elements, at most {} are computed; {}",
                                    zones.total, count, kMostElements, mend),
@@ -101,7 +101,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   }
   if (plane.tensioner_W.z() <= plane.bed(0.0)) {
     start.failure =
-        StaticFailure{"the tensioner stands below the seabed", "at the tensioner", "check water depth and tensioner.z"};
+        StaticFailure{"the tensioner is below the seabed", "at the tensioner", "check water depth and tensioner.z"};
     return start;
   }
   if (auto failure = misplaced_box(model, plane)) {
@@ -211,16 +211,15 @@ std::optional<StaticFailure> check_supports(const Model& model, const StaticSyst
   return StaticFailure{
       "the pipe lifts off every support", "ramp and stinger",
       "it hangs clear of all rollers from the tensioner to the seabed: the tension is too high for this depth, or the "
-      "supports stand too low"};
+      "supports are too low"};
 }
 
 StaticFailure compressed_at_seabed(double tension, double least) {
-  return {
-      "the tension is too low to carry the pipe", "sagbend",
-      fmt::format("{:.6g} kN is given, but with nothing left to hold the laid pipe the tensioner still needs {:.6g} "
-                  "kN: what hangs, the slope of the bed and the current take that much; anything less leaves the "
-                  "pipe in compression at the seabed",
-                  1e-3 * tension, 1e-3 * least)};
+  return {"the tension is too low to carry the pipe", "sagbend",
+          fmt::format(
+              "tension {:.6g} kN is below the {:.6g} kN needed with zero bottom tension, for the suspended weight, the "
+              "slope of the seabed and the current; at a lower tension the pipe is in compression at the seabed",
+              1e-3 * tension, 1e-3 * least)};
 }
 
 StaticFailure never_touches(const Model& model, double length) {

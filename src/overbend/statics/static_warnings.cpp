@@ -15,10 +15,10 @@ using Warnings = std::vector<std::string>;
 
 void warn_of_slack(Warnings& list, const StaticResults& results) {
   if (results.smallest_tension.value >= 0.0) return;
-  list.push_back(fmt::format(
-      "compression: the effective tension falls to {:.2f} kN {}; a pipe without tension may buckle, which this one "
-      "does only as far as its mesh lets it",
-      1e-3 * results.smallest_tension.value, pipe_place(results, results.smallest_tension.s)));
+  list.push_back(
+      fmt::format("compression: the effective tension falls to {:.2f} kN {}; a pipe in compression may buckle, which "
+                  "the model represents only as far as its mesh allows",
+                  1e-3 * results.smallest_tension.value, pipe_place(results, results.smallest_tension.s)));
 }
 
 void warn_of_yield(Warnings& list, const Model& model, const StaticResults& results) {
@@ -29,11 +29,10 @@ void warn_of_yield(Warnings& list, const Model& model, const StaticResults& resu
     if (worst == nullptr || at.von_mises / at.yield_stress > worst->von_mises / worst->yield_stress) worst = &at;
   }
   if (worst == nullptr) return;
-  list.push_back(
-      fmt::format("the von Mises stress of {:.0f} MPa {} passes the yield stress of {:.0f} MPa; the steel is linear "
-                  "here, so stress "
-                  "and moment beyond it are those of a pipe that does not yield (pipe.steel.material lets it)",
-                  1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress));
+  list.push_back(fmt::format(
+      "the von Mises stress of {:.0f} MPa {} exceeds the yield stress of {:.0f} MPa; the steel is linear elastic here, "
+      "so stress and moment beyond yield are those of a pipe that does not yield (see pipe.steel.material)",
+      1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress));
 }
 
 /// "'a', 'b' and 2 more"
@@ -54,14 +53,14 @@ void warn_of_bed(Warnings& list, const Model& model) {
   if (below.empty()) return;
   const bool tip =
       model.supports.boxes.back().structure == Structure::stinger && below.back() == model.supports.boxes.back().name;
-  list.push_back(fmt::format("rollers stand below the sea bed: {}{}; the bed does not hold them up or move them",
+  list.push_back(fmt::format("rollers are below the seabed: {}{}; the seabed neither supports nor moves them",
                              names_of(below), tip ? ", the stinger's tip among them" : ""));
 }
 
 void warn_of_shoe(Warnings& list, const StaticResults& results) {
   if (results.stern_shoe_W.z() >= 0.0) return;
   list.push_back(
-      fmt::format("the stern shoe lies {:.2f} m below the water; ramp and stinger hang from it, so check "
+      fmt::format("the stern shoe is {:.2f} m below the water; ramp and stinger depend on it, so check "
                   "vessel.stern_shoe.z, the trim and the draught",
                   -results.stern_shoe_W.z()));
 }
@@ -102,7 +101,7 @@ void warn_of_proud_box(Warnings& list, const Model& model) {
   }
   if (worst.box == nullptr || yields_at <= 0.0 || !out_of_line(worst, yields_at)) return;
   list.push_back(
-      fmt::format("the box '{}' stands {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} "
+      fmt::format("the box '{}' is {:.2f} m {} the line through its neighbours: a curvature of {:.4f} 1/m, {:.1f} "
                   "times that at "
                   "which the pipe yields; check its z and the sign of its offset",
                   worst.box->name, std::abs(worst.height), worst.height > 0.0 ? "above" : "below",
@@ -117,9 +116,9 @@ void warn_of_field_joints(Warnings& list, const Model& model) {
   if (pipe.coatings.empty() || pipe.coatings.back().weight_density < kConcrete) return;
   if (pipe.joint->strain_factor || pipe.joint->coated_stiffness > 1.0) return;
   list.emplace_back(
-      "the strain concentration at the field joints is missing: the coating between them stiffens the pipe and gathers "
-      "strain at the joints, but neither pipe.joint.strain_factor nor pipe.joint.coated_stiffness is given; the strain "
-      "checks count a factor of 1");
+      "the strain concentration at the field joints is missing: the coating between them stiffens the pipe and "
+      "concentrates strain at the joints, but neither pipe.joint.strain_factor nor pipe.joint.coated_stiffness is "
+      "given; the strain checks use a factor of 1");
 }
 
 }  // namespace

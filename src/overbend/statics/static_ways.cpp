@@ -240,7 +240,7 @@ void note_left(StaticCase& at) {
   for (std::size_t i = 0; i < rollers.size(); ++i) {
     const ClosestPoint& closest = at.system.contacts()[i].at;
     if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
-      at.left = fmt::format(". When a try ended the pipe lay beside '{}', {:.2f} m off the end of its roller",
+      at.left = fmt::format(". In an attempt the pipe lay beside '{}', {:.2f} m off the end of its roller",
                             at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
       return;
     }

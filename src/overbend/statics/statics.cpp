@@ -73,12 +73,12 @@ StaticOutcome give_up(const StaticCase& at, double least_tension) {
   }
   return fail({"no equilibrium found", where,
                fmt::format("neither Newton's method, nor hardening the rollers, raising the current or lowering the "
-                           "tension in steps, nor dynamic relaxation settled{} (last residual {:.1e} of the line's "
+                           "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
                            "weight). The tension is "
-                           "{:.2f} times the weight that hangs from it; near 1 the pipe goes into compression at the "
+                           "{:.2f} times the suspended weight; near 1 the pipe goes into compression at the "
                            "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
                            "strong for so light a pipe{}",
-                           at.spent() ? " within what a case may cost" : "", at.report.force_residual,
+                           at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
                            at.target.value / least_tension, at.left)});
 }
 
@@ -102,11 +102,10 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
   }
   const bool tension = wanted.kind == LineTargetValue::Kind::top_tension;
   const double unit = tension ? 1e-3 : 1.0;
-  return StaticFailure{
-      tension ? "the wanted tension is not reached" : "the anchor is not reached", "at the tensioner",
-      fmt::format("{:.2f} {unit} is wanted and {:.2f} {unit} found, though the forces balance: look for "
-                  "boxes far off the pipe's line, over which it bends too sharply",
-                  unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
+  return StaticFailure{tension ? "the set tension is not reached" : "the anchor is not reached", "at the tensioner",
+                       fmt::format("{:.2f} {unit} is specified and {:.2f} {unit} found, although the forces balance: "
+                                   "look for boxes far off the line of the pipe, over which it bends too sharply",
+                                   unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
 }
 
 }  // namespace

@@ -60,11 +60,10 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
     points.push_back(point_from_ramp(model, model.mean_pose, box.point_S));
     const double far = (points.back() - plane.tensioner_W).norm();
     if (far > kFarthestBox) {
-      return StaticFailure{
-          "a box is out of the pipe's reach", fmt::format("box '{}'", box.name),
-          fmt::format("it stands {:.0f} m from the tensioner; ramps and stingers reach no farther than "
-                      "{:.0f} m: check its x and z, and their units",
-                      far, kFarthestBox)};
+      return StaticFailure{"a box is out of the pipe's reach", fmt::format("box '{}'", box.name),
+                           fmt::format("it is {:.0f} m from the tensioner; ramps and stingers extend no farther than "
+                                       "{:.0f} m: check its x and z, and their units",
+                                       far, kFarthestBox)};
     }
   }
   const double sharpest = largest_turn(points, points.size());
@@ -77,11 +76,10 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
     return std::nullopt;
   }
   const SupportBox& box = model.supports.boxes[worst - 1];
-  return StaticFailure{
-      "a box stands far off the line of its neighbours", fmt::format("box '{}'", box.name),
-      fmt::format("at x = {:.3f} m, z = {:.3f} m it stands {:.1f} m off that line, which turns by {:.0f} "
-                  "degrees so that no pipe can follow: check its x and z, and their units",
-                  box.point_S.x(), box.point_S.z(), off, sharpest * kDegrees)};
+  return StaticFailure{"a box is far off the line of its neighbours", fmt::format("box '{}'", box.name),
+                       fmt::format("at x = {:.3f} m, z = {:.3f} m it is {:.1f} m off that line, which turns by {:.0f} "
+                                   "degrees, too sharply for any pipe: check its x and z, and their units",
+                                   box.point_S.x(), box.point_S.z(), off, sharpest * kDegrees)};
 }
 
 }  // namespace overbend

@@ -21,7 +21,7 @@ void visit_check_head(Row& r, Visit& visit) {
       r.region);
   visit(ResultField{"status", "1", "passed, exceeded, outside validity or not done"}.csv("status").summary().page(),
         r.status);
-  visit(ResultField{"governing", "1", "1 where it decides, 0 for information"}.csv("governing").summary().page(),
+  visit(ResultField{"governing", "1", "1 if governing, 0 if for information"}.csv("governing").summary().page(),
         r.governing);
 }
 
@@ -35,15 +35,15 @@ void visit_check_numbers(Row& r, Visit& visit) {
             .summary()
             .page(),
         r.reserve);
-  visit(ResultField{"quantity", "1", "What demand and capacity are"}.csv("quantity").summary().page(), r.quantity);
+  visit(ResultField{"quantity", "1", "Quantity of demand and capacity"}.csv("quantity").summary().page(), r.quantity);
   visit(ResultField{"demand", kVaries, "Demand"}.csv("demand").summary(), r.demand);
-  visit(ResultField{"capacity", kVaries, "Capacity beside the other loads at the station"}
+  visit(ResultField{"capacity", kVaries, "Capacity in the presence of the other loads at the station"}
             .csv("capacity")
             .summary()
             .page(),
         r.capacity);
   visit(ResultField{"units", "1", "Units of demand and capacity"}.csv("units").summary().page(), r.units);
-  visit(ResultField{"s", "m", "Arc length from the anchor where it is used most"}.csv("s").summary("at/s"), r.s);
+  visit(ResultField{"s", "m", "Arc length from the anchor at the maximum utilisation"}.csv("s").summary("at/s"), r.s);
   visit(ResultField{"from_top", "m", "Distance along the pipe from the tensioner"}
             .csv("from tensioner")
             .summary("at/from_top")
@@ -58,14 +58,14 @@ void visit_check(Row& r, Visit& visit) {
   visit_check_numbers(r, visit);
   visit(ResultField{"in_time", "1", "1 of an instant of the run, 0 of the static state or without an instant"},
         r.in_time);
-  visit(ResultField{"time", "s", "When, where in_time is 1"}.csv("time"), r.time);
-  visit(ResultField{"remark", "1", "What must be said of it"}.csv("remark"), r.remark);
+  visit(ResultField{"time", "s", "Time, if in_time is 1"}.csv("time"), r.time);
+  visit(ResultField{"remark", "1", "Remark"}.csv("remark"), r.remark);
 }
 
 template <class Row, class Visit>
 void visit_check_input(Row& r, Visit& visit) {
   visit(ResultField{"symbol", "1", "Symbol in the code's formula"}.summary(), r.symbol);
-  visit(ResultField{"meaning", "1", "What it is"}.summary(), r.meaning);
+  visit(ResultField{"meaning", "1", "Meaning"}.summary(), r.meaning);
   visit(ResultField{"value", kVaries, "Its value"}.summary(), r.value);
   visit(ResultField{"units", "1", "Units of the value"}.summary(), r.units);
 }
@@ -76,8 +76,9 @@ void visit_check_along(Along& a, Visit& visit) {
   visit(ResultField{"s", "m", "Unstressed arc length from the anchor"}, a.s);
   visit(ResultField{"load", "1", "Utilisation, DNV-ST-F101 load controlled"}, a.load);
   visit(ResultField{"strain", "1", "Utilisation, DNV-ST-F101 displacement controlled; 0 off the supports"}, a.strain);
-  visit(ResultField{"stress", "1", "Equivalent stress over 0.87 f_y; 0 over the supports"}, a.stress);
-  visit(ResultField{"laying", "1", "Strain over the limits of the simplified laying criteria; 0 off the supports"},
+  visit(ResultField{"stress", "1", "Equivalent stress divided by 0.87 f_y; 0 over the supports"}, a.stress);
+  visit(ResultField{"laying", "1",
+                    "Strain divided by the limit of the simplified laying criteria; 0 away from the supports"},
         a.laying);
   visit(ResultField{"api", "1", "Utilisation, API RP 1111 bending and external pressure"}, a.api);
   visit(ResultField{"governing", "1", "Largest utilisation that decides at the station"}.page("checks"), a.governing);
@@ -88,10 +89,12 @@ template <class Peaks, class Visit>
 void visit_design_peaks(Peaks& p, const std::string& before, Visit& visit) {
   visit(ResultField{before + "load", "1", "Largest utilisation, load controlled"}, p.load);
   visit(ResultField{before + "load_time", "s", "When it stood"}, p.load_time);
-  visit(ResultField{before + "moment", "N m", "Design bending moment then"}, p.moment);
+  visit(ResultField{before + "moment", "N m", "Design bending moment at that instant"}, p.moment);
   visit(ResultField{before + "force", "N", "Design effective force then"}, p.force);
   visit(ResultField{before + "load_pressure", "Pa", "External over internal pressure then"}, p.load_pressure);
-  visit(ResultField{before + "share", "1", "Of the plastic moment, that a roller's force left then"}, p.share);
+  visit(ResultField{before + "share", "1",
+                    "Reduction factor of the plastic moment due to the roller force at that instant"},
+        p.share);
   visit(ResultField{before + "strain", "1", "Largest utilisation, displacement controlled; 0 off the supports"},
         p.strain);
   visit(ResultField{before + "strain_time", "s", "When it stood"}, p.strain_time);

@@ -63,7 +63,7 @@ void visit_hardest(Row& r, Visit& visit) {
         r.largest_impulse);
   visit(ResultField{"dent_depth", "m", "Dent of bare steel under the largest force"}.csv("dent depth").summary(),
         r.dent_depth);
-  visit(ResultField{"line_load", "N/m", "Largest force over the length of the coating under the roller"}
+  visit(ResultField{"line_load", "N/m", "Largest force divided by the length of coating under the roller"}
             .csv("line load")
             .summary(),
         r.line_load);
@@ -92,7 +92,8 @@ void visit_impact(Row& r, Visit& visit) {
             .report(),
         r.approach_velocity);
   visit(ResultField{"peak_force", "N", "Largest normal force"}.csv("peak force").page().report(), r.peak_force);
-  visit(ResultField{"duration", "s", "To separation, or to where the force has passed its peak and the pipe stays"}
+  visit(ResultField{"duration", "s",
+                    "Until separation, or until the force has passed its peak if the pipe stays in contact"}
             .csv("duration")
             .page(),
         r.duration);
@@ -100,7 +101,7 @@ void visit_impact(Row& r, Visit& visit) {
         r.impulse);
   visit(ResultField{"dent_depth", "m", "Dent of bare steel under the peak force"}.csv("dent depth").page(),
         r.dent_depth);
-  visit(ResultField{"line_load", "N/m", "Peak force over the length of the coating under the roller"}
+  visit(ResultField{"line_load", "N/m", "Peak force divided by the length of coating under the roller"}
             .csv("line load")
             .page(),
         r.line_load);

@@ -16,7 +16,7 @@ void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
         r.build_up);
   visit(ResultField{"output_step", "s", "Time between the rows of the histories"}.summary(), r.output_step);
   visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}.summary(), r.seed);
-  visit(ResultField{"assumptions", "1", "What had to be assumed"}.summary(), r.assumptions);
+  visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
   visit(ResultField{"warnings", "1", "Warnings"}.summary(), r.warnings);
   visit(ResultField{"impact_count", "1", "Number of all impacts"}.summary(), r.impact_count);
   visit_spread(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.summary(), r.top_tension, visit);
@@ -85,8 +85,8 @@ void visit_energy(Row& r, Visit& visit) {
 
 template <class Row, class Visit>
 void visit_tensioner(Row& r, Visit& visit) {
-  visit(ResultField{"mode", "1", "How the machine holds the pipe"}.summary(), r.mode);
-  visit(ResultField{"wanted", "N", "Tension it is set to"}.summary(), r.wanted);
+  visit(ResultField{"mode", "1", "Mode of the machine"}.summary(), r.mode);
+  visit(ResultField{"wanted", "N", "Set tension"}.summary(), r.wanted);
   visit(ResultField{"range_low", "N", "Operational range, from; 0 without one"}.summary(), r.range_low);
   visit(ResultField{"range_high", "N", "Operational range, to; 0 without one"}.summary(), r.range_high);
   visit(ResultField{"travel_limit", "m", "Largest travel either way; 0 without a limit"}.summary(), r.travel_limit);
@@ -118,7 +118,7 @@ void visit_dynamic_run(Row& r, Visit& visit) {
   visit(ResultField{"wall_time", "s", "Time spent in the loop over time, all sittings together"}.summary(),
         r.wall_time);
   visit(ResultField{"real_time_ratio", "1", "Simulated time over time spent"}.summary(), r.real_time_ratio);
-  visit(ResultField{"integrator", "1", "Integrator in time"}.summary(), r.integrator);
+  visit(ResultField{"integrator", "1", "Time integration scheme"}.summary(), r.integrator);
 }
 
 }  // namespace overbend

@@ -50,17 +50,18 @@ void visit_station(Row& r, Visit& visit) {
         r.lateral_moment);
   visit(ResultField{"seabed_reaction", "N/m", "Seabed reaction per length"}.csv("seabed reaction"), r.seabed_reaction);
   visit(ResultField{"penetration", "m", "Penetration into the seabed"}.csv("penetration"), r.penetration);
-  visit(ResultField{"residual_curvature", "1/m", "Curvature left without moment, of steel that has yielded; magnitude"}
-            .csv("residual curvature"),
+  visit(ResultField{"residual_curvature", "1/m", "Residual curvature at zero moment, of yielded steel; magnitude"}.csv(
+            "residual curvature"),
         r.residual_curvature);
   visit(ResultField{"region", "1", "Part of the line: tower, overbend, sagbend or seabed"}.csv("region"), r.region);
   visit(ResultField{"yield_stress", "Pa", "Yield stress of the section at the station"}.report(), r.yield_stress);
-  visit(
-      ResultField{"current_vertical_moment", "N m", "What the current adds to vertical_moment; 0 where not separated"},
-      r.current_vertical_moment);
-  visit(ResultField{"current_lateral_moment", "N m", "What the current adds to lateral_moment; 0 where not separated"},
+  visit(ResultField{"current_vertical_moment", "N m",
+                    "Contribution of the current to vertical_moment; 0 where not separated"},
+        r.current_vertical_moment);
+  visit(ResultField{"current_lateral_moment", "N m",
+                    "Contribution of the current to lateral_moment; 0 where not separated"},
         r.current_lateral_moment);
-  visit(ResultField{"current_tension", "N", "What the current adds to effective_tension; 0 where not separated"},
+  visit(ResultField{"current_tension", "N", "Contribution of the current to effective_tension; 0 where not separated"},
         r.current_tension);
 }
 
@@ -92,7 +93,7 @@ void visit_support(Row& r, Visit& visit) {
             .summary(),
         r.longitudinal);
   visit(ResultField{"lateral", "N", "Part of the resultant across, port positive", kBoxFrame}.summary(), r.lateral);
-  visit(ResultField{"separation", "m", "Smallest clear distance of its bottom rollers, daylight positive"}
+  visit(ResultField{"separation", "m", "Smallest clear distance of its bottom rollers, positive if clear"}
             .summary()
             .page()
             .report(),
@@ -136,13 +137,14 @@ void visit_roller(Row& r, Visit& visit) {
         r.longitudinal);
   visit(ResultField{"lateral", "N", "Part of the reaction across, port positive", kBoxFrame}.csv("reaction lateral"),
         r.lateral);
-  visit(ResultField{"separation", "m", "Clear distance from pipe to roller: daylight positive, penetration negative"}
-            .csv("separation")
-            .summary()
-            .page()
-            .report(),
-        r.separation);
-  visit(ResultField{"off_end", "m", "How far the closest point lies beyond the face; 0 when on it"}.report(),
+  visit(
+      ResultField{"separation", "m", "Clear distance from pipe to roller: positive if clear, negative for penetration"}
+          .csv("separation")
+          .summary()
+          .page()
+          .report(),
+      r.separation);
+  visit(ResultField{"off_end", "m", "Distance of the closest point beyond the face; 0 on the face"}.report(),
         r.off_end);
   visit(ResultField{"line_load", "N/m", "Of the reaction on the coating; 0 without one"}, r.line_load);
   visit(ResultField{"", "m", "Reference point: middle of the face", kWorldFrame}.csv(kComponents).report("p"), r.p_W);

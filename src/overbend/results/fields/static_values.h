@@ -10,7 +10,7 @@ template <class Results, class Visit>
 void visit_heading(Results& r, Visit& visit) {
   visit(ResultField{"title", "1", "Title of the model"}.summary(), r.title);
   visit(ResultField{"version", "1", "Version of the program"}.summary(), r.version);
-  visit(ResultField{"assumptions", "1", "What had to be assumed"}.summary(), r.assumptions);
+  visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
   visit(ResultField{"warnings", "1", "Warnings on the model"}.summary().page(), r.warnings);
 }
 
@@ -19,14 +19,15 @@ template <class Results, class Visit>
 void visit_lay(Results& r, Visit& visit) {
   visit(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.summary().page(), r.top_tension);
   visit(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}.summary().page(), r.bottom_tension);
-  visit(ResultField{"residual_curvature", "1/m", "Of the pipe at touchdown, from yielding over the supports"}.summary(),
+  visit(ResultField{"residual_curvature", "1/m", "Residual curvature at touchdown, from yielding over the supports"}
+            .summary(),
         r.residual_curvature);
   visit(ResultField{"largest_tension", "N", "Largest effective tension"}.summary(), r.largest_tension);
   visit(ResultField{"departure_s", "m", "Arc length of the last support in contact; total length where none carries"},
         r.departure_s);
-  visit(ResultField{"inflection_s", "m", "Arc length where the sagbend ends and overbend or tower begin"},
+  visit(ResultField{"inflection_s", "m", "Arc length of the limit between sagbend and overbend or tower"},
         r.inflection_s);
-  visit(ResultField{"wanted_tension", "N", "Tension asked for in the model"}.summary(), r.wanted_tension);
+  visit(ResultField{"wanted_tension", "N", "Set tension of the model"}.summary(), r.wanted_tension);
   visit(ResultField{"lay_back", "m", "Horizontal distance from stern shoe to touchdown"}.summary().page(), r.lay_back);
   visit(ResultField{"suspended_length", "m", "Length from the last support in contact to touchdown"}.summary().page(),
         r.suspended_length);
@@ -35,7 +36,7 @@ void visit_lay(Results& r, Visit& visit) {
           .summary()
           .page(),
       r.departure_angle);
-  visit(ResultField{"anchor", "m", "Where the far end is held", kWorldFrame}.summary().report(), r.anchor_W);
+  visit(ResultField{"anchor", "m", "Position of the anchor", kWorldFrame}.summary().report(), r.anchor_W);
   visit(ResultField{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}.summary(),
         r.top_to_touchdown);
   visit(ResultField{"length_top_to_touchdown", "m", "Unstressed length from tensioner to touchdown"}.summary(),
@@ -66,11 +67,11 @@ void visit_contacts(Results& r, Visit& visit) {
 
 template <class Results, class Visit>
 void visit_balance(Results& r, Visit& visit) {
-  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}.summary(
+  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force divided by the total weight"}.summary(
             "balance/force_residual"),
         r.force_residual);
-  visit(ResultField{"global_residual", "1", "Sum of all external forces and reactions over the total weight"}.summary(
-            "balance/global"),
+  visit(ResultField{"global_residual", "1", "Sum of all external forces and reactions divided by the total weight"}
+            .summary("balance/global"),
         r.global_residual);
   visit(ResultField{"total_weight", "N", "Weight of the line in air"}, r.total_weight);
 }
@@ -107,7 +108,8 @@ template <class Report, class Visit>
 void visit_solve(Report& r, Visit& visit) {
   visit(ResultField{"iterations", "1", "Newton iterations of all stages"}.summary(), r.iterations);
   visit(ResultField{"relaxation_steps", "1", "Steps of dynamic relaxation"}.summary(), r.relaxation_steps);
-  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force over the total weight"}, r.force_residual);
+  visit(ResultField{"force_residual", "1", "Largest unbalanced nodal force divided by the total weight"},
+        r.force_residual);
   visit(ResultField{"wall_time", "s", "Time inside the solver"}.summary(), r.wall_time);
   visit(ResultField{"method", "1", "Method of solution"}.summary(), r.method);
   visit(ResultField{"history", "1", "One line per stage"}.summary(), r.history);
@@ -126,9 +128,9 @@ void visit_scene(Results& r, Visit& visit) {
   visit(ResultField{"vessel_depth", "m", "Depth of the vessel's hull"}.report("vessel/depth"), r.vessel_depth);
   visit(ResultField{"vessel_draught", "m", "Draught of the vessel"}.report("vessel/draught"), r.vessel_draught);
   visit(ResultField{"water_depth", "m", "Water depth at the stern shoe"}.report(), r.water_depth);
-  visit(ResultField{"pipe_outer_diameter", "m", "Diameter over the coatings of the line's own section"}.report(),
+  visit(ResultField{"pipe_outer_diameter", "m", "Diameter over the coatings, main section"}.report(),
         r.pipe_outer_diameter);
-  visit(ResultField{"steel_outer_diameter", "m", "Diameter of the steel of the line's own section"}.report(),
+  visit(ResultField{"steel_outer_diameter", "m", "Diameter of the steel, main section"}.report(),
         r.steel_outer_diameter);
 }
 
@@ -164,7 +166,8 @@ void visit_region(RegionType& r, VisitExtreme&& visit_extreme) {
 
 /// The extreme that is of the whole line.
 inline ResultField smallest_tension_field() {
-  return ResultField{"smallest_tension", "N", "Least effective tension along the line; below zero is compression"}
+  return ResultField{"smallest_tension", "N",
+                     "Minimum effective tension along the line; negative values are compression"}
       .summary()
       .at("at");
 }
