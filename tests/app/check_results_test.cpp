@@ -44,10 +44,10 @@ TEST(check_results_command, writes_only_into_a_new_folder) {
   const auto refused = solved.check("-o " + solved.scratch.file("out"));
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.err.find("is not empty"), std::string::npos) << refused.err;
-  const auto written = solved.check("--set checks.safety_class=high -o " + solved.scratch.file("high"));
+  const auto written = solved.check("--set checks.yield_basis=smys -o " + solved.scratch.file("smys"));
   EXPECT_EQ(written.code, 0) << written.err;
   EXPECT_NE(check_lines_of(written.out), check_lines_of(solved.first.out));
-  EXPECT_NE(solved.scratch.read("high/checks.csv"), solved.scratch.read("out/checks.csv"));
+  EXPECT_NE(solved.scratch.read("smys/checks.csv"), solved.scratch.read("out/checks.csv"));
 }
 
 TEST(check_results_command, refuses_other_keys_and_folders_without_results) {
