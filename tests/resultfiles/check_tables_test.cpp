@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "resultfiles/summary_fields.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -40,16 +41,16 @@ TEST(check_tables, csv_speaks_the_units_of_the_other_tables) {
 
 TEST(check_tables, json_names_the_worst_and_leaves_out_what_is_not_done) {
   const CheckTable& table = solved_case("BGL1-T250").results.checks;
-  const Json json = checks_json(table);
+  const SummaryStyle::Json json = summary_checks(SummaryStyle{}, table);
   EXPECT_EQ(json["list"].size(), table.rows.size());
   EXPECT_EQ(json["worst"]["utilisation"].get<double>(), worst_check(table)->utilisation);
-  for (const Json& row : json["list"]) {
+  for (const SummaryStyle::Json& row : json["list"]) {
     EXPECT_EQ(row.contains("utilisation"), row["status"] != "not done") << row["id"];
   }
 }
 
 TEST(check_tables, without_checks_there_is_no_worst) {
-  EXPECT_TRUE(checks_json(CheckTable{})["worst"].is_null());
+  EXPECT_TRUE(summary_checks(SummaryStyle{}, CheckTable{})["worst"].is_null());
 }
 
 }  // namespace
