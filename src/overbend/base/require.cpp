@@ -15,9 +15,9 @@ std::string_view below_sources(std::string_view file) {
 
 }  // namespace
 
-void broken_promise(const std::string& promise, std::source_location where) {
-  throw std::logic_error("broken promise: " + promise + " (" + std::string(below_sources(where.file_name())) + ":" +
-                         std::to_string(where.line()) + ")");
+void broken_promise(const std::string& promise, const char* file, int line) {
+  throw std::logic_error("broken promise: " + promise + " (" + std::string(below_sources(file)) + ":" +
+                         std::to_string(line) + ")");
 }
 
 }  // namespace overbend

@@ -5,19 +5,19 @@
 /// instruction set, and the linker keeps one copy of an inline function.
 #pragma once
 
-#include <source_location>
 #include <string>
 
 namespace overbend {
 
 /// Throws std::logic_error with the promise and the place in the source that relied on it.
-[[noreturn]] void broken_promise(const std::string& promise,
-                                 std::source_location where = std::source_location::current());
+[[noreturn]] void broken_promise(const std::string& promise, const char* file = __builtin_FILE(),
+                                 int line = __builtin_LINE());
 
 /// Stops at once where `condition` does not hold; `promise` says what was promised, "the file has been flushed".
-inline void require(bool condition, const char* promise, std::source_location where = std::source_location::current()) {
+inline void require(bool condition, const char* promise, const char* file = __builtin_FILE(),
+                    int line = __builtin_LINE()) {
   if (!condition) [[unlikely]] {
-    broken_promise(promise, where);
+    broken_promise(promise, file, line);
   }
 }
 

@@ -16,6 +16,8 @@ struct Word {
   Enum value;
   const char* word;
 };
+template <typename Enum>
+Word(Enum, const char*) -> Word<Enum>;
 
 /// An array of `Word<Enum>`, in the order in which the words are listed; specialised for each enumeration that has
 /// words.
