@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "report/html.h"
+#include "report/quantity.h"
 #include "report/sections.h"
 
 namespace overbend {
@@ -12,7 +13,7 @@ std::string force_table(const StaticResults& r) {
   html::Table table("Forces on the line", {{"Force", "", true}, {"east", "kN"}, {"north", "kN"}, {"up", "kN"}},
                     "plain");
   const auto row = [&](const std::string& name, const Vec3& f, const std::string& css = "") {
-    table.row({name, fixed(f.x() / 1e3, 3), fixed(f.y() / 1e3, 3), fixed(f.z() / 1e3, 3)}, css);
+    table.row({name, forces().text(f.x(), 3), forces().text(f.y(), 3), forces().text(f.z(), 3)}, css);
   };
   row("Weight", r.sum_weight);
   row("Buoyancy", r.sum_buoyancy);
@@ -34,12 +35,12 @@ std::string solver_table(const StaticResults& r) {
       .row({"Relaxation steps", std::to_string(r.solve.relaxation_steps), ""})
       .row({"Largest unbalanced nodal force", fmt::format("{:.1e}", r.force_residual), "of the line's weight"})
       .row({"Sum of all forces and reactions", fmt::format("{:.1e}", r.global_residual), "of the line's weight"})
-      .row({"Weight of the line in air", fixed(r.total_weight / 1e3, 2), "kN"})
+      .row({"Weight of the line in air", forces().text(r.total_weight, 2), "kN"})
       .row({"Stations", std::to_string(r.stations.size()), ""})
       .row({"Time in the solver", fixed(r.solve.wall_time * 1e3, 1), "ms"});
   if (!r.supports.empty()) {
     table.row({"Largest contact stiffness", fmt::format("{:.4g}", r.roller_stiffness / 1e3), "kN/m"})
-        .row({"Largest penetration into a roller", fixed(r.largest_penetration * 1e3, 3), "mm"});
+        .row({"Largest penetration into a roller", clearances().text(r.largest_penetration, 3), "mm"});
   }
   return table.str();
 }

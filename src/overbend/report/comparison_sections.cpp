@@ -1,4 +1,5 @@
 #include "report/comparison_sections.h"
+#include "report/quantity.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +17,8 @@ using html::fixed;
 
 std::string tension_words(const ComparedRun& run) {
   const Spread& tension = run.results.tensioner.tension;
-  return fmt::format("{}: {} to {} kN, standard deviation {} kN", run.words, fixed(tension.min / 1e3, 1),
-                     fixed(tension.max / 1e3, 1), fixed(tension.std / 1e3, 2));
+  return fmt::format("{}: {} to {} kN, standard deviation {} kN", run.words, forces().text(tension.min, 1),
+                     forces().text(tension.max, 1), forces().text(tension.std, 2));
 }
 
 std::string counts_words(const TensionerDynamics& t) {
@@ -63,8 +64,8 @@ std::string run_words(const Comparison& comparison, std::size_t run) {
       "{}: {} of {} boxes carry on average. The largest force of one {} on the pipe is {} kN ({}): a dent of {} mm in "
       "bare steel, {} kN/m on the coating.",
       comparison.runs[run].words, fixed(average_carrying(comparison, run), 1), comparison.boxes.size(),
-      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", fixed(most.peak_force / 1e3, 1), box.name,
-      fixed(most.dent_depth * 1e3, 2), fixed(most.line_load / 1e3, 1));
+      comparison.runs[run].name == "gap_springs" ? "spring" : "roller", forces().text(most.peak_force, 1), box.name,
+      dents().text(most.dent_depth, 2), line_loads().text(most.line_load, 1));
 }
 
 /// The box at which the springs' force is below the rollers' by the most, `sign` 1, or above it, -1; null where none
@@ -81,9 +82,9 @@ std::string against(const ComparedBoxes& box) {
   return fmt::format(
       "{}: {} kN with gap springs compared with {} kN with rollers, dents of {} and {} mm, {} and {} kN/m on "
       "the coating",
-      box.name, fixed(springs.peak_force / 1e3, 1), fixed(rollers.peak_force / 1e3, 1),
-      fixed(springs.dent_depth * 1e3, 2), fixed(rollers.dent_depth * 1e3, 2), fixed(springs.line_load / 1e3, 1),
-      fixed(rollers.line_load / 1e3, 1));
+      box.name, forces().text(springs.peak_force, 1), forces().text(rollers.peak_force, 1),
+      dents().text(springs.dent_depth, 2), dents().text(rollers.dent_depth, 2), line_loads().text(springs.line_load, 1),
+      line_loads().text(rollers.line_load, 1));
 }
 
 /// Where a check of dents and coating with gap springs is non-conservative, and where conservative.
@@ -116,9 +117,10 @@ std::vector<std::string> contact_findings(const Comparison& comparison) {
 }
 
 std::vector<std::string> box_cells(const ComparedBox& box) {
-  return {fixed(100.0 * box.contact_share, 1), fixed(box.static_reaction / 1e3, 1), fixed(box.mean_reaction / 1e3, 1),
-          fixed(box.peak_reaction / 1e3, 1),   fixed(box.peak_force / 1e3, 1),      fixed(box.dent_depth * 1e3, 2),
-          fixed(box.line_load / 1e3, 1)};
+  return {fixed(100.0 * box.contact_share, 1), forces().text(box.static_reaction, 1),
+          forces().text(box.mean_reaction, 1), forces().text(box.peak_reaction, 1),
+          forces().text(box.peak_force, 1),    dents().text(box.dent_depth, 2),
+          line_loads().text(box.line_load, 1)};
 }
 
 }  // namespace

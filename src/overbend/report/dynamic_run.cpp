@@ -4,6 +4,7 @@
 
 #include "report/dynamic_sections.h"
 #include "report/html.h"
+#include "report/quantity.h"
 
 namespace overbend {
 namespace {
@@ -25,7 +26,7 @@ html::Table energy_listing(const std::string& caption) {
 
 std::string energy_tables(const EnergyBalance& e) {
   const auto row = [](html::Table& table, const char* name, double value, const char* css = "") {
-    table.row({name, fixed(value / 1e3, 3)}, css);
+    table.row({name, quantity("energy", "J").text(value, 3)}, css);
   };
   html::Table in = energy_listing("Energy: work done on the pipe, and losses");
   row(in, "Work of the water", e.fluid);
@@ -78,11 +79,11 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
   };
   html::Table table = listing("");
   table.row({"Mode", t.mode, ""})
-      .row({"Static tension", fixed(statics.top_tension / 1e3, 2), "kN"})
+      .row({"Static tension", forces().text(statics.top_tension, 2), "kN"})
       .row({"Tension", spread_words(t.tension, 1e-3, 1), "kN"})
-      .row({"Tension, standard deviation", fixed(t.tension.std / 1e3, 2), "kN"});
+      .row({"Tension, standard deviation", forces().text(t.tension.std, 2), "kN"});
   if (t.range_high > t.range_low) {
-    table.row({"Operational range", fixed(t.range_low / 1e3, 1) + " to " + fixed(t.range_high / 1e3, 1), "kN"})
+    table.row({"Operational range", forces().text(t.range_low, 1) + " to " + forces().text(t.range_high, 1), "kN"})
         .row({"Time out of the operational range", share(t.time_out_of_range), ""});
   }
   if (t.mode != "locked") {

@@ -5,6 +5,7 @@
 #include "report/dynamic_contacts.h"
 #include "report/dynamic_sections.h"
 #include "report/html.h"
+#include "report/quantity.h"
 
 namespace overbend {
 namespace {
@@ -43,15 +44,15 @@ std::string support_table(const DynamicResults& results) {
     for (const RollerDynamics& r : box.rollers) {
       impact = std::max(impact, r.largest_impact_force);
     }
-    table.row(
-        {box.name, box.stinger ? "stinger" : "ramp", fixed(box.static_reaction / 1e3, 1),
-         fixed(box.reaction.min / 1e3, 1), fixed(box.reaction.mean / 1e3, 1),
-         fixed(box.reaction_over_time.p99 / 1e3, 1), fixed(box.reaction.max / 1e3, 1), fixed(box.reaction.std / 1e3, 1),
-         fixed(box.vertical.max / 1e3, 1), fixed(box.lateral.min / 1e3, 1) + " to " + fixed(box.lateral.max / 1e3, 1),
-         fixed(box.static_separation, 4), fixed(box.separation.min, 4), fixed(box.separation.max, 4),
-         share(box.contact_share), std::to_string(box.impact_count),
-         box.impact_count > 0 ? fixed(impact / 1e3, 1) : ""},
-        box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
+    table.row({box.name, box.stinger ? "stinger" : "ramp", forces().text(box.static_reaction, 1),
+               forces().text(box.reaction.min, 1), forces().text(box.reaction.mean, 1),
+               forces().text(box.reaction_over_time.p99, 1), forces().text(box.reaction.max, 1),
+               forces().text(box.reaction.std, 1), forces().text(box.vertical.max, 1),
+               forces().text(box.lateral.min, 1) + " to " + forces().text(box.lateral.max, 1),
+               fixed(box.static_separation, 4), fixed(box.separation.min, 4), fixed(box.separation.max, 4),
+               share(box.contact_share), std::to_string(box.impact_count),
+               box.impact_count > 0 ? forces().text(impact, 1) : ""},
+              box.static_reaction > 0.0 || box.contact_share > 0.0 ? "loaded" : "");
   }
   return table.str() +
          "<p class=\"small\">99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance "
@@ -86,12 +87,12 @@ std::string roller_table(const DynamicResults& results) {
       ++count;
       const bool hit = r.impact_count > 0;
       const bool touched = r.contact_share > 0.0;
-      table.row({box.name, std::to_string(r.row + 1), word(r.position), fixed(r.static_reaction / 1e3, 2),
-                 fixed(r.reaction.mean / 1e3, 2), fixed(r.reaction.max / 1e3, 2), fixed(r.static_separation, 4),
+      table.row({box.name, std::to_string(r.row + 1), word(r.position), forces().text(r.static_reaction, 2),
+                 forces().text(r.reaction.mean, 2), forces().text(r.reaction.max, 2), fixed(r.static_separation, 4),
                  fixed(r.separation.min, 4), fixed(r.separation.max, 4), share(r.contact_share),
                  std::to_string(r.impact_count), hit ? fixed(r.largest_approach_velocity, 3) : "",
-                 hit ? fixed(r.largest_impact_force / 1e3, 2) : "", hit ? fixed(r.largest_impulse, 1) : "",
-                 touched ? fixed(r.dent_depth * 1e3, 2) : "", touched ? fixed(r.line_load / 1e3, 1) : ""},
+                 hit ? forces().text(r.largest_impact_force, 2) : "", hit ? fixed(r.largest_impulse, 1) : "",
+                 touched ? dents().text(r.dent_depth, 2) : "", touched ? line_loads().text(r.line_load, 1) : ""},
                 touched ? "loaded" : "");
     }
   }
@@ -120,8 +121,8 @@ void impact_row(html::Table& table, const DynamicResults& results, std::size_t i
   table.row({std::to_string(index + 1), fixed(impact.time, 2), at.box != nullptr ? at.box->name : "",
              at.roller != nullptr ? std::to_string(at.roller->row + 1) : "",
              at.roller != nullptr ? word(at.roller->position) : "", fixed(impact.approach_velocity, 3),
-             fixed(impact.peak_force / 1e3, 2), fixed(impact.duration * 1e3, 2), fixed(impact.impulse, 1),
-             fixed(impact.dent_depth * 1e3, 3), fixed(impact.line_load / 1e3, 1)});
+             forces().text(impact.peak_force, 2), fixed(impact.duration * 1e3, 2), fixed(impact.impulse, 1),
+             dents().text(impact.dent_depth, 3), line_loads().text(impact.line_load, 1)});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "report/html.h"
 #include "report/places.h"
+#include "report/quantity.h"
 #include "report/sections.h"
 
 namespace overbend {
@@ -40,8 +41,8 @@ std::vector<std::string> cells(const StaticResults& results, const SupportResult
   row.push_back(fixed(setting != nullptr ? setting->z : p.z() - results.stern_shoe_W.z(), 3));
   row.push_back(setting != nullptr ? fixed(1e3 * setting->offset, 0) : "");
   row.push_back(fixed(from_tensioner(results, box.s), 1));
-  row.push_back(fixed(box.reaction / 1e3, 1));
-  if (moved != nullptr) row.push_back(fixed(moved->reaction.max / 1e3, 1));
+  row.push_back(forces().text(box.reaction, 1));
+  if (moved != nullptr) row.push_back(forces().text(moved->reaction.max, 1));
   row.push_back(fixed(1e3 * box.separation, 1));
   if (moved != nullptr) row.push_back(fixed(1e3 * moved->separation.min, 1));
   return row;

@@ -37,6 +37,12 @@ inline Quantity strains() {
 inline Quantity angles() {
   return quantity("angle", "rad");
 }
+inline Quantity line_loads() {
+  return quantity("line_load", "N/m");
+}
+inline Quantity dents() {
+  return quantity("dent_depth", "m");
+}
 /// Small distances between pipe and roller.
 inline Quantity clearances() {
   return {"clearance", "mm", 1e3, 1};

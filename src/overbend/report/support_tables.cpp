@@ -5,6 +5,7 @@
 
 #include "report/html.h"
 #include "report/places.h"
+#include "report/quantity.h"
 #include "report/sections.h"
 
 namespace overbend {
@@ -12,15 +13,14 @@ namespace {
 
 using html::fixed;
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// A line of the static summary without a support.
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
   const Vec3 p = ship_point(results, at.p_W);
   table.row({place, part, fixed(from_tensioner(results, at.s), 2), fixed(p.x(), 2), fixed(p.y(), 2), fixed(p.z(), 2),
-             "", "", "", "", fixed(at.effective_tension / 1e3, 1), fixed(at.bending_moment / 1e3, 1),
-             fixed(at.bending_stress / 1e6, 1), fixed(at.strain * 1e2, 4), fixed(at.von_mises / 1e6, 1),
+             "", "", "", "", forces().text(at.effective_tension, 1), moments().text(at.bending_moment, 1),
+             stresses().text(at.bending_stress, 1), strains().text(at.strain, 4), stresses().text(at.von_mises, 1),
              fixed(yield_percent(results, at.s, at.von_mises), 1)});
 }
 
@@ -29,10 +29,10 @@ void support_row(html::Table& table, const StaticResults& results, const Support
   const Station at = station_at(results, box.s);
   const Vec3 p = ship_point(results, at.p_W);
   table.row({box.name, box.stinger ? "STINGER" : "LAYBARGE", fixed(from_tensioner(results, box.s), 2), fixed(p.x(), 2),
-             fixed(p.y(), 2), fixed(p.z(), 2), fixed(box.vertical / 1e3, 1), fixed(box.lateral / 1e3, 1),
+             fixed(p.y(), 2), fixed(p.z(), 2), forces().text(box.vertical, 1), forces().text(box.lateral, 1),
              fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : "",
-             fixed(box.effective_tension / 1e3, 1), fixed(box.bending_moment / 1e3, 1),
-             fixed(box.bending_stress / 1e6, 1), fixed(box.strain * 1e2, 4), fixed(box.von_mises / 1e6, 1),
+             forces().text(box.effective_tension, 1), moments().text(box.bending_moment, 1),
+             stresses().text(box.bending_stress, 1), strains().text(box.strain, 4), stresses().text(box.von_mises, 1),
              fixed(yield_percent(results, box.s, box.von_mises), 1)});
 }
 
@@ -115,9 +115,9 @@ std::string support_table(const StaticResults& results) {
   for (const SupportResult& box : results.supports) {
     const Vec3 p = ship_point(results, box.p_W);
     table.row({box.name, box.stinger ? "stinger" : "ramp", fixed(p.x(), 3), fixed(p.z(), 3),
-               fixed(box.inclination * kDegrees, 2), fixed(box.length, 3), fixed(box.reaction / 1e3, 1),
-               fixed(box.vertical / 1e3, 1), fixed(box.longitudinal / 1e3, 1), fixed(box.lateral / 1e3, 1),
-               fixed(largest_roller(box) / 1e3, 1), fmt::format("{} of {}", rows_in_contact(box), box.rows.size()),
+               angles().text(box.inclination, 2), fixed(box.length, 3), forces().text(box.reaction, 1),
+               forces().text(box.vertical, 1), forces().text(box.longitudinal, 1), forces().text(box.lateral, 1),
+               forces().text(largest_roller(box), 1), fmt::format("{} of {}", rows_in_contact(box), box.rows.size()),
                fixed(box.separation, 4), box.has_sides ? fixed(box.separation_lateral, 4) : ""});
   }
   return table.str() +
@@ -147,8 +147,8 @@ std::string rollers_section(const StaticResults& results) {
     for (std::size_t row = 0; row < box.rows.size(); ++row) {
       for (const RollerResult& r : box.rows[row].rollers) {
         ++count;
-        table.row({box.name, std::to_string(row + 1), word(r.position), fixed(r.reaction / 1e3, 2),
-                   fixed(r.vertical / 1e3, 2), fixed(r.longitudinal / 1e3, 2), fixed(r.lateral / 1e3, 2),
+        table.row({box.name, std::to_string(row + 1), word(r.position), forces().text(r.reaction, 2),
+                   forces().text(r.vertical, 2), forces().text(r.longitudinal, 2), forces().text(r.lateral, 2),
                    fixed(r.separation, 4), fixed(r.off_end, 3)},
                   r.reaction > 0.0 ? "loaded" : "");
       }
