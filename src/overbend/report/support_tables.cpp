@@ -13,7 +13,6 @@ namespace {
 
 using html::fixed;
 
-
 /// A line of the static summary without a support.
 void plain_row(html::Table& table, const StaticResults& results, const Station& at, const std::string& part,
                const std::string& place) {
