@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/model.h"
-#include "statics/recovery_parts.h"
+#include "statics/recovery.h"
 #include "statics/statics.h"
 
 namespace overbend::validation {

@@ -210,7 +210,8 @@ TEST(dynamic_report, tells_an_extreme_alike_in_card_table_and_figure) {
   EXPECT_NE(section(page, "results").find("77.9 to 416.0"), std::string::npos);
   const std::string tables = section(page, "statistics");
   EXPECT_NE(tables.find("<td>77.9</td><td>249.2</td><td>416.0</td>"), std::string::npos);
-  const std::size_t extremes = tables.find("Most probable largest");
+  const std::size_t extremes = tables.find("Most probable extremes");
+  ASSERT_NE(extremes, std::string::npos);
   EXPECT_NE(tables.find("<td>359.3</td>", extremes), std::string::npos);
   const nlohmann::json data = data_of(results);
   const auto largest = [&](const std::string& title) {

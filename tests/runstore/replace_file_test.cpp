@@ -72,15 +72,15 @@ TEST(replace_file, leaves_a_link_and_replaces_what_it_leads_to) {
   EXPECT_EQ(file_text(elsewhere / "real.yaml"), "new");
 }
 
-TEST(replace_file, refuses_what_is_no_plain_file) {
+TEST(replace_file, refuses_what_is_not_a_regular_file) {
   const TemporaryFolder folder;
   fs::create_symlink(folder / "nowhere", folder / "dangling.yaml");
   fs::create_directory(folder / "folder.yaml");
   ASSERT_EQ(::mkfifo((folder / "pipe.yaml").c_str(), 0600), 0);
   fs::create_symlink("/dev/null", folder / "device.yaml");
-  EXPECT_NE(fault_of(folder / "dangling.yaml", "text").find("leads nowhere"), std::string::npos);
+  EXPECT_NE(fault_of(folder / "dangling.yaml", "text").find("broken link"), std::string::npos);
   for (const char* name : {"folder.yaml", "pipe.yaml", "device.yaml"}) {
-    EXPECT_NE(fault_of(folder / name, "text").find("no plain file"), std::string::npos) << name;
+    EXPECT_NE(fault_of(folder / name, "text").find("not a regular file"), std::string::npos) << name;
   }
   EXPECT_EQ(entries(folder.path()), 4u);
 }

@@ -4,7 +4,7 @@
 
 #include "app/program.h"
 #include "app/small_lay.h"
-#include "resultfiles/check_columns.h"
+#include "results/fields/check_fields.h"
 #include "resultfiles/dynamic_reader.h"
 #include "support/result_visitors.h"
 
