@@ -17,8 +17,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       cuts_(residual_.size()),
-      tangent_(&tangent),
-      without_contacts_(line.mesh.nodes()) {}
+      tangent_(&tangent) {}
 
 void LineAssembly::ease(const Easing& easing) {
   easing_ = easing;
@@ -87,6 +86,9 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
                      {residual_, cuts_});
   keep_ends();
   if (with_tangent) {
+    if (without_contacts_.nodes() == 0) {  // at rest there is no need for it
+      without_contacts_.resize(line_->mesh.nodes());
+    }
     kept_from_ = contacts_.first_within_reach(line_->mesh.nodes());
     without_contacts_.copy_from(*tangent_, kept_from_);
     contacts_.add_tangent(state.q.data(), weights, *tangent_);

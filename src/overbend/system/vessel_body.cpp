@@ -19,8 +19,24 @@ double moved_mass(const Model& model, const Section& pipe, const Vec3& roller_W)
   return pipe.mass() + (roller_W.z() < 0.0 ? added : 0.0);
 }
 
-ContactLaw law_of(const Roller& roller, double stiffness, double mass) {
-  const double zeta = damping_ratio(roller.restitution, restitution_form(roller.damping));
+/// Damping ratio of a roller; rollers of one kind, which follow each other, share the search for it.
+class DampingRatios {
+ public:
+  double of(const Roller& roller) {
+    if (!(roller.restitution == restitution_) || roller.damping != damping_) {
+      restitution_ = roller.restitution;
+      damping_ = roller.damping;
+      ratio_ = damping_ratio(restitution_, restitution_form(damping_));
+    }
+    return ratio_;
+  }
+
+ private:
+  double restitution_ = -1.0, ratio_ = 0.0;  // no roller has that restitution
+  RollerDamping damping_ = RollerDamping::textbook;
+};
+
+ContactLaw law_of(const Roller& roller, double stiffness, double mass, double zeta) {
   ContactLaw law;
   law.stiffness = stiffness;
   law.damping = 2.0 * zeta * std::sqrt(mass * law.stiffness);
@@ -42,6 +58,7 @@ std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_eleme
   const VesselPose& mean = model.mean_pose;
   const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
   std::vector<BodyRoller> rollers;
+  DampingRatios ratios;
   for (const Roller& roller : model.supports.rollers) {
     const Section& pipe = model.section_over(roller);
     const Vec3 center = point_from_ramp(model, mean, roller.center_S);
@@ -55,7 +72,7 @@ std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_eleme
     of_body.box = roller.box;
     of_body.position = roller.position;
     of_body.mass = impact_mass(moved_mass(model, pipe, center), pipe.EI, stiffness);
-    of_body.law = law_of(roller, stiffness, of_body.mass);
+    of_body.law = law_of(roller, stiffness, of_body.mass, ratios.of(roller));
     rollers.push_back(of_body);
   }
   return rollers;
