@@ -32,7 +32,7 @@ std::string key_for_new_analysis(const Model& before, const Model& after, bool o
       Differs{"checks.current_load", asks_current && a.current_load != b.current_load},
       Differs{"checks.codes", asks_current},
   };
-  if (const std::string key = first_of(still); !key.empty() || !over_time) return key;
+  if (std::string key = first_of(still); !key.empty() || !over_time) return key;
   const std::array moving = {
       Differs{"checks.current_load", a.current_load != b.current_load},
       Differs{"checks.condition_factor", a.condition_factor != b.condition_factor},

@@ -66,8 +66,9 @@ std::optional<Vec3> point_of(std::string_view text) {
 
 void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& faults) {
   point = point_of(remark.cells[1]);
-  if (!point)
+  if (!point) {
     faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres separated by blanks, '0 0 0.818'");
+  }
 }
 
 /// A remark that defines a key; others are ignored.
@@ -144,8 +145,9 @@ void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRec
   const auto amplitude = number(row, columns.amplitude, "amplitude", faults);
   const auto phase = number(row, columns.phase, columns.phase_name, faults);
   const int freedom = freedom_of(row.cells[columns.freedom]);
-  if (freedom < 0)
+  if (freedom < 0) {
     faults.error(row.line, quoted(row.cells[columns.freedom]), "a degree of freedom, surge to yaw or 1 to 6");
+  }
   if (!heading || !wave || !amplitude || !phase || freedom < 0) return;
   const std::optional<double> omega = frequency(*wave, columns.wave_name);
   if (!omega) {
