@@ -204,8 +204,9 @@ std::vector<double> DesignRecorder::save() const {
 }
 
 void DesignRecorder::restore(std::span<const double> saved) {
-  if (saved.size() != kStationNumbers * stations_.size())
+  if (saved.size() != kStationNumbers * stations_.size()) {
     throw std::runtime_error("the checkpoint's checks do not fit");
+  }
   std::memcpy(static_cast<void*>(stations_.data()), saved.data(), saved.size() * sizeof(double));
 }
 

@@ -28,8 +28,9 @@ struct CsvHead {
   }
   void operator()(const ResultField& f, const Vec3&) {
     if (f.heading != kComponents) return;
-    for (int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis) {
       names.push_back(headed(std::string_view("xyz").substr(axis, 1), shown_unit(f).name));
+    }
   }
   template <class SpreadType>
   void spread(const ResultField& f, const SpreadType&) {

@@ -144,8 +144,9 @@ void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
     diagnostics.add({Severity::error, path, 0, 0, "environment.waves.spectrum_file", why, "", ""});
   };
   if (!std::filesystem::is_regular_file(path, fault)) return refuse("not a file with a wave spectrum");
-  if (std::filesystem::file_size(path, fault) > kLargestFile)
+  if (std::filesystem::file_size(path, fault) > kLargestFile) {
     return refuse("larger than 16 MB, too large for a spectrum");
+  }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
