@@ -121,7 +121,11 @@ class JsonWriter {
       return;
     }
     const std::string before(key->substr(0, star)), behind(key->substr(star + 1));
-    for (const auto& [part, value] : parts(s)) slot(before + part + behind) = style_.number(value);
+    for (const auto& [part, value] : parts(s)) {
+      std::string name = before;
+      name.append(part).append(behind);
+      slot(name) = style_.number(value);
+    }
   }
 
   /// Members that are there only sometimes.

@@ -46,6 +46,14 @@ RunQueue::RunQueue(fs::path folder, EventHub& events)
     : folder_(std::move(folder)), events_(events), runs_(find_runs(folder_)), worker_([this] { work(); }) {}
 
 RunQueue::~RunQueue() {
+  try {
+    close();
+  } catch (
+      const std::exception&) {  // a record that cannot be written stays as it was: the run is then found as waiting
+  }
+}
+
+void RunQueue::close() {
   std::vector<std::string> left;
   {
     const std::lock_guard<std::mutex> hold(mutex_);

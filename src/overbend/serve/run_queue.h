@@ -51,6 +51,7 @@ class RunQueue {
   std::mutex& files() { return files_; }
 
  private:
+  void close();
   struct Job {
     RunInfo run;
     ModelText model;
