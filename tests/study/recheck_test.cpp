@@ -4,8 +4,8 @@
 
 #include "app/program.h"
 #include "app/small_lay.h"
-#include "results/fields/check_fields.h"
 #include "resultfiles/dynamic_reader.h"
+#include "results/fields/check_fields.h"
 #include "support/result_visitors.h"
 
 namespace overbend {
