@@ -11,19 +11,21 @@ import re
 import sys
 
 EVERYTHING = {
-    "base", "model", "results", "numerics", "mechanics", "system", "statics", "dynamics", "recording", "checks",
+    "base", "model", "results", "numerics", "mechanics", "hull", "moorings", "system", "statics", "dynamics", "recording", "checks",
     "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app",
 }
 
 # Layer -> the layers it may include, besides itself.
 PLAIN = {"results", "model", "base"}
-ENGINE = {"mechanics", "numerics"} | PLAIN
+ENGINE = {"mechanics", "hull", "moorings", "numerics"} | PLAIN
 MAY_INCLUDE = {
     "base": set(),
     "model": {"base"},
     "results": {"model", "base"},
     "numerics": {"base"},
     "mechanics": {"model", "base"},
+    "hull": {"mechanics", "numerics", "model", "base"},
+    "moorings": {"hull", "mechanics", "numerics", "model", "base"},
     "system": ENGINE,
     "checks": {"mechanics"} | PLAIN,
     "statics": {"system"} | ENGINE,

@@ -14,6 +14,9 @@
 
 #include "base/vec.h"
 #include "model/check_settings.h"
+#include "model/hull_description.h"
+#include "model/line_description.h"
+#include "model/mooring_description.h"
 #include "model/motion_history.h"
 #include "model/rao_table.h"
 
@@ -171,6 +174,9 @@ struct VesselDescription {
   Vec3 motion_reference_V = Vec3::Zero();          ///< Point that harmonic and recorded motion are of, frame V [m].
   std::optional<RaoTable> raos;                    ///< Contents of the motion file, when it is there to be read.
   std::optional<MotionHistory> history;            ///< Likewise.
+  std::optional<CoupledHullDescription> coupled;   ///< The hull that floats free.
+  std::optional<HydrostaticsDescription> hydrostatics;
+  std::vector<VesselLoadDescription> loads;
 };
 
 enum class Guide { clamped, pinned };
@@ -289,12 +295,12 @@ struct DynamicSettings {
   double step_error = 1e-3;    ///< Of a node's place in one step, where the step is free [m].
 };
 
-/// The whole model file.
 /// Document control: what the head of the report says of itself. Plain words of the user, empty where not given.
 struct ReportDescription {
   std::string client, project, document, revision, prepared, checked;
 };
 
+/// The whole model file.
 struct Description {
   std::string title;
   ReportDescription report;
@@ -310,6 +316,10 @@ struct Description {
   StaticSettings statics;
   std::optional<DynamicSettings> dynamics;
   CheckSettings checks;
+  std::optional<MooringsDescription> moorings;
+  std::vector<FreeLineDescription> lines;  ///< Besides the pipe, or alone.
+  std::optional<StationKeepingDescription> station_keeping;
+  OperationDescription operation;
   std::vector<std::string> warnings;  ///< Unusual input that was accepted.
 };
 

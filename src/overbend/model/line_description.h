@@ -1,0 +1,75 @@
+/// Lines besides the pipe: mooring lines, and lines that stand by themselves between two ends. SI.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace overbend {
+
+/// A cable, chain or flexible by its numbers. Weights are per unstressed length.
+struct LineTypeDescription {
+  std::string name;
+  std::string made_from;                ///< How the numbers came about: "given", "wire rope, 64 mm, wire core" ...
+  double diameter = 0.0;                ///< Nominal [m].
+  double weight_in_air = 0.0;           ///< [N/m]
+  double weight_submerged = 0.0;        ///< [N/m]
+  double axial_stiffness = 0.0;         ///< EA [N]
+  double bending_stiffness = 0.0;       ///< EI [N m2]
+  std::optional<double> breaking_load;  ///< MBL [N]
+  double drag_diameter = 0.0;           ///< Of the drag coefficients [m].
+  double drag_normal = 1.2, drag_axial = 0.0;
+  double added_mass_normal = 1.0, added_mass_axial = 0.0;  ///< On the displaced water [-].
+  std::optional<double> friction;                          ///< On the bed [-].
+};
+
+struct LineSegmentDescription {
+  std::string name;
+  std::optional<double> length;  ///< Unstressed [m]; the first segment's may follow from a tension.
+  LineTypeDescription type;
+};
+
+enum class PointKind { clump, buoy };
+enum class BuoyShape { sphere, cylinder };
+
+/// A clump weight or a buoy at a place of a line, or at the end of a tether there.
+struct LinePointDescription {
+  std::string name;
+  PointKind kind = PointKind::clump;
+  double at = 0.0;    ///< Unstressed length from the line's first end given (fairlead, or the first of `ends`) [m].
+  double mass = 0.0;  ///< [kg]
+  double net_force = 0.0;   ///< Upwards under water: buoyancy less weight; a clump's is negative [N].
+  double volume = 0.0;      ///< Of displaced water [m3].
+  double drag_area = 0.0;   ///< C_d A [m2]
+  double added_mass = 0.0;  ///< [kg]
+  BuoyShape shape = BuoyShape::sphere;
+  double height = 0.0;  ///< Of a cylinder; a sphere's diameter follows from the volume [m].
+  double tether = 0.0;  ///< Length of an inextensible tether; 0: fixed to the line [m].
+};
+
+enum class LineEndKind { fixed, body, bed, water };
+
+/// What holds an end of a line.
+struct LineEndDescription {
+  LineEndKind kind = LineEndKind::fixed;
+  Vec3 at = Vec3::Zero();         ///< W for fixed, on the bed and in the water; frame of the body for body [m].
+  std::string body;               ///< vessel
+  bool clamped = false;           ///< Direction held as well as place.
+  Vec3 direction = Vec3::Zero();  ///< Of the line there, if clamped; frame as `at`.
+  /// Prescribed motion of a fixed end about `at`: amplitude along W axes, period and phase of a harmonic motion.
+  Vec3 amplitude = Vec3::Zero();
+  double period = 0.0, phase = 0.0;  ///< amplitude * sin(2 pi t / period + phase) [s, rad].
+};
+
+/// A line alone between two ends. Lengths of segments run from the first end.
+struct FreeLineDescription {
+  std::string name;
+  LineEndDescription first, second;
+  std::vector<LineSegmentDescription> segments;
+  std::vector<LinePointDescription> points;
+  std::optional<double> element;  ///< Length of its elements [m].
+};
+
+}  // namespace overbend

@@ -1,0 +1,84 @@
+/// Mooring lines of the vessel, their winches and anchors, and what is done with them. SI.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/hull_description.h"
+#include "model/line_description.h"
+
+namespace overbend {
+
+enum class MooringModel { elements, quasi_static };
+enum class WinchMode { hold, speed, length, tension };
+enum class FindMooring { pose, lengths };
+
+struct WinchDescription {
+  std::string name;
+  WinchMode mode = WinchMode::hold;
+  double speed = 0.2;                        ///< Hauling at most [m/s].
+  std::optional<double> haul, stall, brake;  ///< [N]
+  std::optional<double> tension;             ///< Wanted, in mode tension [N].
+  double delay = 0.0;                        ///< [s]
+  std::optional<double> drum;                ///< Length it holds [m].
+};
+
+struct AnchorDescription {
+  std::optional<double> holding;  ///< Holding power along the line [N].
+  bool slides = false;            ///< Above its holding power; else it is fixed and reported.
+};
+
+struct MooringLineDescription {
+  std::string name;
+  Vec3 fairlead = Vec3::Zero();                 ///< Frame V [m].
+  std::optional<double> azimuth;                ///< Of the anchor from the fairlead, clockwise from north [rad].
+  std::optional<double> bearing;                ///< The same, clockwise from the bow as drawn [rad].
+  std::optional<double> anchor_distance;        ///< Horizontal, from the fairlead with the hull as drawn [m].
+  std::optional<std::array<double, 2>> anchor;  ///< x, y in W instead of direction and distance [m].
+  std::optional<double> tension;  ///< At the fairlead with the hull as drawn: the first segment's length follows [N].
+  std::vector<LineSegmentDescription> segments;  ///< From the fairlead to the anchor.
+  std::vector<LinePointDescription> points;      ///< Clumps and buoys.
+  std::string winch;                             ///< By name; none: the line's length stands.
+  AnchorDescription anchor_holding;
+  std::optional<double> fails_at;  ///< Parts at its fairlead at this time [s].
+};
+
+/// A thing on the sea bed that lines should keep clear of.
+struct SeabedObjectDescription {
+  std::string name;
+  std::vector<Vec3> points;  ///< A polyline in W; one point: a point [m].
+};
+
+struct MooringsDescription {
+  std::vector<LineTypeDescription> types;
+  std::vector<WinchDescription> winches;
+  std::vector<MooringLineDescription> lines;
+  std::vector<SeabedObjectDescription> objects;
+  std::optional<FindMooring> find;  ///< lengths where all lines have tensions, else pose.
+  MooringModel model = MooringModel::elements;
+  std::optional<double> working_load, least_tension;  ///< Bounds of the planner [N].
+  std::optional<double> bed_friction;                 ///< Of all lines whose type says nothing [-].
+};
+
+enum class OperationType { none, moored, pull_ahead };
+
+struct MooredStageDescription {
+  std::string name;
+  std::vector<VesselLoadDescription> loads;
+  std::vector<std::string> parted;  ///< Lines that are not there.
+};
+
+struct OperationDescription {
+  OperationType type = OperationType::none;
+  double distance = 12.0;                      ///< Ahead [m].
+  double speed = 0.15;                         ///< [m/s]
+  double acceleration_time = 10.0;             ///< [s]
+  double start = 0.0;                          ///< [s]
+  int moves = 1;                               ///< Joints one after the other.
+  std::vector<VesselLoadDescription> loads;    ///< Of pull_ahead.
+  std::vector<MooredStageDescription> stages;  ///< Of moored.
+};
+
+}  // namespace overbend
