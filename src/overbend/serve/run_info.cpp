@@ -160,7 +160,8 @@ double seconds_since_1970() {
 void keep_record(const RunInfo& run, const fs::path& folder) {
   change_record(folder, [&](RunRecord& record) {
     const std::string input = std::move(record.input), program = std::move(record.program);
-    record = run;
+    const RunRecord& now = run;
+    record = now;
     record.input = input;
     record.program = program;
   });

@@ -153,7 +153,8 @@ StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::pat
   static_cast<RunEnd&>(end) = run_cases(runs, options, watch, files);
   if (end.ending != RunEnding::done) return end;
   if (plan.kind == StudyKind::single) {
-    static_cast<RunEnd&>(end) = runs.front().end;
+    const RunEnd& ended = runs.front().end;
+    static_cast<RunEnd&>(end) = ended;
     end.single = std::move(runs.front());
     return end;
   }
