@@ -33,8 +33,8 @@ Vec6 coordinates_of(const Vec3& place, const Mat3& R);
 /// Pose with rates and accelerations.
 struct BodyMotion {
   BodyPose pose;
-  Vec6 v = Vec6::Zero(), a = Vec6::Zero();          ///< Of h.
-  Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();  ///< Angular velocity and acceleration, W [rad/s, rad/s2].
+  Vec6 h = Vec6::Zero(), v = Vec6::Zero(), a = Vec6::Zero();  ///< Coordinates, rates, accelerations.
+  Vec3 omega = Vec3::Zero(), alpha = Vec3::Zero();            ///< Angular velocity and acceleration, W [rad/s, rad/s2].
 };
 BodyMotion motion_of(const Vec6& h, const Vec6& v, const Vec6& a);
 
