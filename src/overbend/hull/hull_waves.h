@@ -17,7 +17,6 @@ namespace overbend {
 struct HullWaves {
   WaveDrift drift = WaveDrift::newman;
   int count = 0;                                ///< Components with padding.
-  int headings = 0;                             ///< Of the table.
   AlignedDoubles components;                    ///< omega, kx, ky, phase, direction, orbital speed; one column each.
   AlignedDoubles table;                         ///< [component][heading][force re, im, drift] of eight doubles each.
   std::vector<double> heading;                  ///< Rising [rad].
