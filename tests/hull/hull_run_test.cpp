@@ -321,15 +321,16 @@ TEST(hull_run, parts_of_the_damping_are_those_of_an_independent_program) {
   const Sea sea = testing::long_crested(4.0, 12.9, 0.5 * kPi, 1, 2000);
   Hull hull = testing::made_bgl1_hull().hull;
   hull.drift_damping = wave_drift_damping(data(), sea, 0.0);
-  hull.current = HullCurrent{.form = HullCurrentForm::strips,
-                             .velocity = {0.0, 1.02},
-                             .length = 120.0,
-                             .beam = 30.0,
-                             .draught = 5.182,
-                             .reference_V = hull.reference_V,
-                             .transverse = 1.2,
-                             .longitudinal = 0.5,
-                             .wetted_surface = 5155.0};
+  HullCurrent& current = hull.current;
+  current.form = HullCurrentForm::strips;
+  current.velocity = {0.0, 1.02};
+  current.length = 120.0;
+  current.beam = 30.0;
+  current.draught = 5.182;
+  current.reference_V = hull.reference_V;
+  current.transverse = 1.2;
+  current.longitudinal = 0.5;
+  current.wetted_surface = 5155.0;
   const auto modes = horizontal_damping(hull, data(), moored(hull.drawn).stiffness);
   EXPECT_NEAR(modes[0].period, 66.96, 0.3);
   EXPECT_NEAR(modes[1].period, 77.15, 0.4);
