@@ -1,0 +1,123 @@
+/// The floating hull: what acts on it, and its equations of motion with their tangent.
+///
+///     residual = rigid body + added mass and radiation + hydrostatics - waves - drift - current - wind - damping
+///                - loads - ballast - station keeping
+///
+/// six generalised forces conjugate to h (hull/body_kinematics.h); the reference point is the centre of gravity. What
+/// lines, rollers and tensioner do to the hull is subtracted by who knows them. Exact rigid-body geometry; coefficients
+/// of the hydrodynamics act in the horizontal axes H that stand at the slow heading psi_f. Theory: docs/theory/hull.md.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "hull/body_kinematics.h"
+#include "hull/hull_current.h"
+#include "hull/hull_waves.h"
+#include "hull/hull_wind.h"
+#include "hull/radiation.h"
+#include "hull/rigid_body.h"
+#include "hull/slow_motion.h"
+#include "mechanics/sea.h"
+#include "model/hull_description.h"
+
+namespace overbend {
+
+/// A load of the user: constant in W, its point moves with the hull.
+struct HullLoad {
+  Vec3 arm = Vec3::Zero();                               ///< From the reference point, axes of the body [m].
+  Vec3 force_W = Vec3::Zero(), moment_W = Vec3::Zero();  ///< [N], [N m]
+};
+
+/// Dynamic positioning towards a place and heading, on the slow motion.
+struct StationKeeping {
+  Vec3 wanted = Vec3::Zero();     ///< x, y, psi [m, m, rad].
+  StationKeepingDescription law;  ///< Surge, sway and yaw of the slow heading.
+};
+
+/// Damping besides radiation, on the rates of H: F = -linear v - quadratic |v| v by component.
+struct ViscousDamping {
+  Mat6 linear = Mat6::Zero();     ///< [N s/m, N s, N m s]
+  Vec6 quadratic = Vec6::Zero();  ///< [N s2/m2], [N m s2]
+};
+
+/// Made by make_hull; constant in an analysis.
+struct Hull {
+  Vec3 reference_V = Vec3::Zero();  ///< Reference point in V: the centre of gravity [m].
+  Vec6 drawn = Vec6::Zero();        ///< Coordinates with the hull as drawn.
+  RigidBody body;
+  Mat6 hydrostatics = Mat6::Zero();  ///< On the distance from `drawn`; heave, roll and pitch alone. [N/m, N, N m]
+  RadiationModel radiation;
+  HullWaves waves;
+  HullCurrent current;
+  HullWind wind;
+  ViscousDamping damping;
+  Mat6 drift_damping = Mat6::Zero();  ///< Of the waves' drift, in H [N s/m, N s].
+  /// A22 - A11 at 0.1 rad/s for Munk's moment of the slow motion through the water; 0 where a table holds it [kg].
+  double munk = 0.0;
+  Vec6 ballast = Vec6::Zero();  ///< Constant generalised force that trims the hull: set by statics [N, N m].
+  std::vector<HullLoad> loads;
+  std::optional<StationKeeping> station_keeping;
+  double slow_period = 40.0;           ///< Corner of the slow motion [s].
+  double build_up = 0.0;               ///< Of the waves before t = 0 [s]; half a cosine.
+  bool mean_drift_from_start = false;  ///< The mean of the drift acts in full before and during the build-up.
+
+  /// Whether the water's memory and waves are known: false for a hull of given hydrostatics, which serves statics.
+  bool in_waves() const { return !waves.empty(); }
+};
+
+/// Everything that the hull remembers. Copied it resumes bit for bit.
+struct HullState {
+  Vec6 h = Vec6::Zero(), v = Vec6::Zero();      ///< Coordinates and their rates.
+  Vec6 acc = Vec6::Zero(), alg = Vec6::Zero();  ///< True and algorithmic acceleration.
+  RadiationMemory radiation;
+  SlowMotion slow;
+};
+
+/// The hull at rest at h in water at rest.
+HullState hull_at_rest(const Hull& hull, const Vec6& h);
+
+/// Weights of the derivatives by h, v and acc in the tangent: changes of v and acc with the unknown.
+struct HullWeights {
+  double stiffness = 1.0, damping = 0.0, mass = 0.0;
+};
+
+struct HullBalance {
+  Vec6 residual = Vec6::Zero();
+  Mat6 tangent = Mat6::Zero();
+};
+
+/// Time that stands for statics: before all waves.
+inline constexpr double kBeforeWaves = -std::numeric_limits<double>::infinity();
+
+/// Residual and tangent at the state `at` (h, v and acc; its memories are not looked at), which ends a step of length
+/// `step` [s] from the state `before`. Exact tangent but for the slow motion within the step, which is of the order
+/// (step / slow_period)^2.
+///
+/// `step` 0: `at` stands where `before` stands; the memories of `before` are as they are. Weights (1, 0, 0) stand for
+/// statics: the slow motion is then that of h, and its influence is in the tangent; rates should be zero and `time`
+/// kBeforeWaves. Does not allocate.
+void balance_hull(const Hull& hull, const HullState& at, const HullState& before, double step,
+                  const HullWeights& weights, double time, HullBalance& out);
+
+/// Moves the memories of `at` (water, slow motion) from those of `before` to the end of the step. Does not allocate
+/// when `at` was copied from `before` once.
+void finish_step(const Hull& hull, const HullState& before, double step, HullState& at);
+
+/// Why the state is beyond what the equations are good for, or nullptr: pitch beyond 60 deg, not finite.
+const char* hull_refusal(const HullState& state);
+
+/// What flows into the hull's motion by each cause [W], and what it holds [J].
+struct HullEnergy {
+  double kinetic = 0.0;      ///< Of the rigid body and A_inf.
+  double hydrostatic = 0.0;  ///< Of `hydrostatics` from the drawn pose.
+  double radiation = 0.0, waves = 0.0, drift = 0.0, current = 0.0, wind = 0.0, viscous = 0.0, loads = 0.0,
+         ballast = 0.0, station_keeping = 0.0;  ///< Powers into the hull.
+  double power() const {
+    return radiation + waves + drift + current + wind + viscous + loads + ballast + station_keeping;
+  }
+};
+HullEnergy hull_energy(const Hull& hull, const HullState& state, double time);
+
+}  // namespace overbend

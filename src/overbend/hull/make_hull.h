@@ -1,0 +1,26 @@
+/// The hull of a model: coefficients, sea and environment put together.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hull/hull.h"
+#include "hull/make_radiation.h"
+#include "model/model.h"
+
+namespace overbend {
+
+struct MadeHull {
+  Hull hull;
+  RadiationReport radiation;          ///< Quality of the memory; empty without hydrodynamic data.
+  std::vector<std::string> warnings;  ///< Plain sentences.
+};
+
+/// The hull of `vessel.motion.coupled`, or of `vessel.hydrostatics` (statics alone), as drawn by the model, in a sea.
+/// `station_stiffness`: of what keeps the hull's place, for damping given as a ratio of critical in surge, sway or yaw.
+/// The build-up [s] brings in waves and drift. Ballast is left zero. Throws std::invalid_argument for a description
+/// that cannot be followed: no data read, a current without a word on the hull's current forces, a ratio of critical
+/// without stiffness.
+MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness = Mat6::Zero());
+
+}  // namespace overbend

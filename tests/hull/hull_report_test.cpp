@@ -1,0 +1,55 @@
+#include "hull/hull_report.h"
+
+#include <gtest/gtest.h>
+
+#include "support/hull_case.h"
+
+namespace overbend {
+namespace {
+
+Mat6 moored() {
+  Mat6 K = Mat6::Zero();
+  K.diagonal() << 1.8479e5, 1.8479e5, 0.0, 0.0, 0.0, 5.1281e8;
+  return K;
+}
+
+TEST(hull_report, gives_the_range_of_the_current_force) {
+  Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  HullCurrent& c = made.hull.current;
+  c.form = HullCurrentForm::strips;
+  c.velocity = {0.0, 1.02};
+  c.length = 120.0;
+  c.draught = 5.182;
+  c.transverse = 0.8;
+  const HullReport report = hull_report(made, model, Sea{}, moored());
+  EXPECT_NEAR(report.current_now / 1e3, 265.3, 0.2);
+  EXPECT_NEAR(report.current_least / 1e3, 145.9, 0.2);
+  EXPECT_NEAR(report.current_most / 1e3, 397.9, 0.3);
+  EXPECT_FALSE(report.radiation.entries.empty());
+}
+
+TEST(hull_report, warns_of_positioning_whose_filter_takes_all_its_damping) {
+  Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 3e8), Vec3(1e5, 1e5, 1e8)}};
+  const HullReport weak = hull_report(made, model, Sea{}, Mat6::Zero());
+  EXPECT_LT(weak.damping[1].station_keeping, 0.0);
+  EXPECT_FALSE(weak.warnings.empty());
+  made.hull.station_keeping->law.damping = Vec3(4e6, 5e6, 1.5e10);
+  EXPECT_GT(hull_report(made, model, Sea{}, Mat6::Zero()).damping[1].station_keeping, 0.1);
+}
+
+TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
+  Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1, 40);
+  made.hull.waves = make_hull_waves(testing::bgl1_hydrodynamics(), sea, WaveDrift::newman, 5.182, 0.0);
+  EXPECT_TRUE(hull_report(made, model, sea, moored()).warnings.empty());
+  made.hull.waves.above_table = 0.03;
+  sea.depth = 8.0;
+  EXPECT_EQ(hull_report(made, model, sea, moored()).warnings.size(), 2U);
+}
+
+}  // namespace
+}  // namespace overbend
