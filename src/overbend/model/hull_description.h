@@ -58,14 +58,10 @@ struct WindAreaDescription {
 };
 
 struct WindDescription {
-  double speed = 0.0;  ///< [m/s]
-  double from = 0.0;   ///< Azimuth [rad].
+  double speed = 0.0;          ///< [m/s]
+  double from = 0.0;           ///< Azimuth [rad].
   double air_density = 1.226;  ///< [kg/m3]
   std::vector<WindAreaDescription> areas;
-  std::string table_file;  ///< Of coefficients, in place of areas.
-  std::optional<CoefficientAxes> axes;
-  std::optional<double> frontal_area, lateral_area, length;  ///< Of the table's coefficients [m2, m2, m].
-  std::vector<CoefficientRow> table;
 };
 
 struct CoupledHullDescription {
