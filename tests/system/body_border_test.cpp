@@ -15,18 +15,19 @@ using namespace testing;
 /// A system in a random state, its tangent tested along the correction that Newton's method makes there.
 class Tangent {
  public:
-  Tangent(System system, double velocity_share, double acceleration_share, unsigned seed)
+  /// `size`: by how much it is out of its straight place, the body four times as much in its angles [m, -].
+  Tangent(System system, double velocity_share, double acceleration_share, unsigned seed, double size = 0.05)
       : system_(std::move(system)), weights_{velocity_share, acceleration_share, 0.02}, random_(seed) {
     system_.surroundings = still(system_);
     assembly_.emplace(system_);
     std::vector<std::vector<double>> q;
     for (std::size_t i = 0; i < system_.lines.size(); ++i) {
       q.push_back(straight(system_, Vec3(0.0, 3.0 * static_cast<double>(i), 0.0), Vec3::UnitX()));
-      for (double& x : q.back()) x += shake(0.05);
+      for (double& x : q.back()) x += shake(size);
     }
     state = state_at_rest(system_, q, 0.0);
     for (HullState& body : state.bodies) {
-      for (int k = 0; k < 6; ++k) body.h(k) += shake(k < 3 ? 0.02 : 0.2);
+      for (int k = 0; k < 6; ++k) body.h(k) += shake(k < 3 ? size : 4.0 * size);
     }
   }
 
@@ -108,7 +109,8 @@ class Tangent {
     assembly_->set_time(0.0, state);
     assembly_->set_drive(system_.machine < 0 ? TensionerDrive::brake : TensionerDrive::governor);
     assembly_->impose_ends(state);
-    const Eigen::VectorXd here = evaluate(state, true);
+    SystemState at = state;
+    const Eigen::VectorXd here = evaluate(at, true);
     for (const EndMotion& end : assembly_->surroundings().ends) directions_.push_back(end.direction);
     dq = assembly_->increments();
     EXPECT_TRUE(assembly_->solve_factored(dq));
@@ -146,13 +148,18 @@ System rod_on_body(bool place, bool direction) {
   return system;
 }
 
-void expect_exact(const System& system, double tolerance = 1e-6) {
+void expect_exact(const System& system, double tolerance = 1e-6, double size = 0.05, double slip = 0.0) {
   for (unsigned seed = 1; seed < 4; ++seed) {
-    Tangent at(system, 60.0, 3600.0, seed);
+    Tangent at(system, 60.0, 3600.0, seed, size);
+    const auto slide = [slip](Tangent& tangent) {
+      for (ContactMemory& contact : tangent.state.lines[0].contacts) contact.slip_axial = contact.slip_lateral = slip;
+    };
+    slide(at);
     const auto [lines, bodies] = at.error();
     EXPECT_LT(lines, tolerance) << seed;
     EXPECT_LT(bodies, tolerance) << seed;
-    Tangent resting(system, 0.0, 0.0, seed);
+    Tangent resting(system, 0.0, 0.0, seed, size);
+    slide(resting);
     const auto [lines_at_rest, bodies_at_rest] = resting.error();
     EXPECT_LT(lines_at_rest, tolerance) << seed;
     EXPECT_LT(bodies_at_rest, tolerance) << seed;
@@ -212,6 +219,8 @@ TEST(body_border, of_an_end_that_a_tensioner_on_the_body_lets_move_is_the_deriva
   expect_exact(governed(true));
 }
 
+constexpr double kPressed = 0.01;  ///< Out of place so little that rollers keep carrying.
+
 /// A rod over two rollers of the body, pressed into them and rubbing.
 System rod_on_rollers(const ContactLaw& law) {
   System system = rod_on_body(true, true);
@@ -234,13 +243,16 @@ ContactLaw rubbing(double friction) {
 }
 
 TEST(body_border, of_rollers_that_push_is_the_derivative) {
-  expect_exact(rod_on_rollers(rubbing(0.0)));
+  ContactLaw smooth = rubbing(0.0);
+  smooth.tangential_stiffness = smooth.tangential_damping = 0.0;
+  expect_exact(rod_on_rollers(smooth), 1e-6, kPressed);
 }
 
-// The line's own tangent leaves out how the directions of friction turn: the error is theirs.
+// What the line's own tangent leaves out, how the directions of sliding friction turn, is missing here as well: a
+// hundredth of the normal force over the distance to the roller.
 TEST(body_border, of_rollers_that_rub_is_the_derivative_as_far_as_the_lines_own_tangent_is) {
-  expect_exact(rod_on_rollers(rubbing(0.3)), 0.02);
-  expect_exact(rod_on_rollers(rubbing(50.0)), 0.02);  // sticks
+  expect_exact(rod_on_rollers(rubbing(50.0)), 1e-6, kPressed);       // sticks, not loaded before the step
+  expect_exact(rod_on_rollers(rubbing(0.01)), 2e-3, kPressed, 1.0);  // slides
 }
 
 TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {
@@ -248,7 +260,7 @@ TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {
   system.bodies[0].free->balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) {
     out = HullBalance{};
   };
-  Tangent at(system, 60.0, 3600.0, 5);
+  Tangent at(system, 60.0, 3600.0, 5, kPressed);
   for (double& v : at.state.lines[0].v) v = at.shake(0.1);
   at.assembly().set_time(0.0, at.state);
   at.assembly().impose_ends(at.state);
