@@ -45,9 +45,10 @@ CurrentForce current_force(const HullCurrent& current, double psi, const Vec6& v
 /// Where strip i (from aft) has its middle, from midship along V's x axis [m].
 double strip_place(const HullCurrent& current, int i);
 
-/// Rows by where the flow goes to from the bow anticlockwise, sorted, from a table of another convention. Forces along
-/// x forward and y to port, moments positive bow to port; of OCIMF's (angles counted from the stern, y to starboard)
-/// those signs are turned.
+/// Rows by where the flow goes to, anticlockwise from the bow, sorted, from a table whose angles are counted otherwise:
+/// `from_bow` where the flow comes from, clockwise from the bow; `from_stern_ocimf` where it comes from, anticlockwise
+/// from the stern. Forces are along x forward and y to port, moments positive bow to port, as OCIMF's are, in all
+/// three.
 std::vector<CoefficientRow> coefficients_from_bow(std::vector<CoefficientRow> rows, CoefficientAxes axes);
 
 /// Transverse drag coefficient of a ship or barge in shallow water by UFC 4-159-03 (2005): C0 + (3.2 - C0)(T/d)^2 with

@@ -17,7 +17,6 @@ namespace overbend {
 struct HullWaves {
   WaveDrift drift = WaveDrift::newman;
   int count = 0;                                ///< Components with padding.
-  int headings = 0;                             ///< Of the table.
   AlignedDoubles components;                    ///< omega, kx, ky, phase, direction, orbital speed; one column each.
   AlignedDoubles table;                         ///< [component][heading][force re, im, drift] of eight doubles each.
   std::vector<double> heading;                  ///< Rising [rad].
@@ -28,7 +27,8 @@ struct HullWaves {
 };
 
 /// Tables of the excitation and the drift on the components of a sea. Interpolated linearly in frequency, real and
-/// imaginary parts apart; below the file's frequencies its first value, above none. `draught` [m] averages the
+/// imaginary parts apart; below the file's frequencies its first value; above them no force, and the drift of the last,
+/// which is that of short waves. `draught` [m] averages the
 /// water's velocity. Throws std::invalid_argument when the headings of the file, seen from the hull with heading
 /// `psi` [rad], do not reach a component's.
 HullWaves make_hull_waves(const HydrodynamicData& data, const Sea& sea, WaveDrift drift, double draught, double psi);

@@ -12,8 +12,7 @@ namespace overbend {
 
 /// Which files, and what gives their numbers back their dimension.
 struct HydrodynamicsSource {
-  /// Stem of WAMIT's files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst; the name of any of them will do),
-  /// or a Capytaine file `.nc`.
+  /// Stem of WAMIT's files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst); the name of any of them will do.
   std::string path;
   double water_density = 1025.0;  ///< [kg/m3]
   double gravity = 9.81;          ///< [m/s2]
@@ -22,6 +21,8 @@ struct HydrodynamicsSource {
   Vec3 origin_V = Vec3::Zero();
   /// Mean drift at lower frequencies is set to zero: panel programs give noise there [rad/s].
   double drift_from = 0.0;
+  /// The hull is symmetric about its centreline: headings that the files lack are taken from the other side.
+  bool mirror_headings = false;
 };
 
 /// Reads the coefficients. Of WAMIT's files:

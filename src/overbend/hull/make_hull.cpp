@@ -1,0 +1,162 @@
+#include "hull/make_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "hull/damping_ratios.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kLevelTolerance = 1e-3;  // of the file's origin and the centre of gravity [m]
+constexpr double kMunkFrequency = 0.1;    // where the added mass stands for that of slow drift [rad/s]
+
+Eigen::Vector2d towards(double speed, double from_azimuth) {
+  return {-speed * std::sin(from_azimuth), -speed * std::cos(from_azimuth)};
+}
+
+/// Velocity of the current at a height of W, linear between the rows.
+Eigen::Vector2d current_at(const CurrentProfile& profile, double z) {
+  if (profile.z.empty()) return Eigen::Vector2d::Zero();
+  const auto after = std::upper_bound(profile.z.begin(), profile.z.end(), z);
+  const auto high = std::min<std::size_t>(after - profile.z.begin(), profile.z.size() - 1);
+  const std::size_t low = after == profile.z.begin() ? 0 : after - profile.z.begin() - 1;
+  const double gap = profile.z[high] - profile.z[low];
+  const double share = gap > 0.0 ? (z - profile.z[low]) / gap : 0.0;
+  return {profile.vx[low] + share * (profile.vx[high] - profile.vx[low]),
+          profile.vy[low] + share * (profile.vy[high] - profile.vy[low])};
+}
+
+void place(Hull& hull, const Model& model, const Vec3& centre_of_gravity) {
+  hull.reference_V = centre_of_gravity;
+  const VesselPose& pose = model.mean_pose;
+  hull.drawn = coordinates_of(pose.p_WV + pose.R_WV * centre_of_gravity, pose.R_WV);
+}
+
+void put_current(Hull& hull, const Model& model, const HullCurrentDescription& given) {
+  const VesselDescription& vessel = model.description.vessel;
+  HullCurrent& c = hull.current;
+  c.form = given.form;
+  c.velocity = current_at(model.current, -0.5 * vessel.draught);
+  c.water_density = model.water_density;
+  c.length = vessel.length;
+  c.beam = vessel.beam;
+  c.draught = vessel.draught;
+  c.reference_V = hull.reference_V;
+  c.transverse = given.transverse;
+  c.longitudinal = given.longitudinal;
+  c.wetted_surface = vessel.length * vessel.beam + 2.0 * vessel.draught * (vessel.length + vessel.beam);
+  c.in_water = given.relative_to == CurrentRelativeTo::water;
+  if (given.form != HullCurrentForm::table) return;
+  if (!given.axes || given.table.empty()) {
+    throw std::invalid_argument("a table of current coefficients needs its rows and the convention of its axes");
+  }
+  c.frontal_area = given.frontal_area.value_or(vessel.beam * vessel.draught);
+  c.lateral_area = given.lateral_area.value_or(vessel.length * vessel.draught);
+  c.table_length = given.length.value_or(vessel.length);
+  c.table = coefficients_from_bow(given.table, *given.axes);
+}
+
+void put_wind(Hull& hull, const WindDescription& given) {
+  hull.wind.velocity = towards(given.speed, given.from);
+  hull.wind.density = given.air_density;
+  hull.wind.reference_V = hull.reference_V;
+  hull.wind.areas = given.areas;
+}
+
+void put_loads(Hull& hull, const Model& model) {
+  const Mat3& R = model.mean_pose.R_WV;
+  for (const VesselLoadDescription& load : model.description.vessel.loads) {
+    hull.loads.push_back({load.at - hull.reference_V, R * load.force, R * load.moment});
+  }
+  if (model.description.station_keeping) {
+    hull.station_keeping =
+        StationKeeping{Vec3(hull.drawn(0), hull.drawn(1), hull.drawn(5)), *model.description.station_keeping};
+  }
+}
+
+std::size_t mode_of(const std::string& name) {
+  const auto found = std::find(kFreedomNames.begin(), kFreedomNames.end(), name);
+  if (found == kFreedomNames.end()) throw std::invalid_argument("no mode of damping: " + name);
+  return static_cast<std::size_t>(found - kFreedomNames.begin());
+}
+
+void put_damping(Hull& hull, const CoupledHullDescription& given, const Mat6& station_stiffness) {
+  for (const ModeDampingDescription& mode : given.damping) {
+    const auto k = static_cast<Eigen::Index>(mode_of(mode.mode));
+    hull.damping.linear(k, k) += mode.linear.value_or(0.0);
+    hull.damping.quadratic(k) += mode.quadratic.value_or(0.0);
+    if (!mode.ratio) continue;
+    const double stiffness = hull.hydrostatics(k, k) + station_stiffness(k, k);
+    const double mass = k < 3 ? hull.body.mass : hull.body.inertia(k - 3, k - 3);
+    if (!(stiffness > 0.0)) {
+      throw std::invalid_argument("a share of critical damping in " + mode.mode +
+                                  " needs a stiffness, which this hull has not: give the coefficients instead");
+    }
+    hull.damping.linear(k, k) += *mode.ratio * critical_damping(*given.data, static_cast<int>(k), mass, stiffness);
+  }
+}
+
+void put_waves(Hull& hull, const Model& model, const Sea& sea, const CoupledHullDescription& given) {
+  const HydrodynamicData& data = *given.data;
+  hull.waves = make_hull_waves(data, sea, given.wave_drift, model.description.vessel.draught, hull.drawn(5));
+  if (given.wave_drift_damping == WaveDriftDamping::aranha) {
+    hull.drift_damping = wave_drift_damping(data, sea, hull.drawn(5));
+  }
+  if (given.current.form == HullCurrentForm::strips) {
+    const Mat6 A = added_mass_at(data, kMunkFrequency);
+    hull.munk = A(1, 1) - A(0, 0);
+  }
+}
+
+void check(const CoupledHullDescription& given) {
+  if (!given.data) {
+    throw std::invalid_argument("the hydrodynamic coefficients, " + given.hydrodynamics + ", could not be read");
+  }
+  if ((given.data->origin_V - given.centre_of_gravity).norm() > kLevelTolerance) {
+    throw std::invalid_argument("the coefficients in " + given.data->source +
+                                " must refer to the hull's centre of gravity");
+  }
+}
+
+void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const CoupledHullDescription& given,
+                     const Mat6& station_stiffness) {
+  check(given);
+  Hull& hull = made.hull;
+  place(hull, model, given.centre_of_gravity);
+  hull.body.mass = given.mass;
+  hull.body.inertia = (given.mass * given.gyration.cwiseAbs2()).asDiagonal();
+  hull.hydrostatics.block<3, 3>(2, 2) = given.data->hydrostatic_stiffness.block<3, 3>(2, 2);
+  Radiated radiated = make_radiation(*given.data, given.radiation);
+  hull.radiation = std::move(radiated.model);
+  made.radiation = std::move(radiated.report);
+  made.warnings = made.radiation.warnings;
+  hull.slow_period = given.slow_period;
+  put_current(hull, model, given.current);
+  put_wind(hull, given.wind);
+  put_waves(hull, model, sea, given);
+  put_damping(hull, given, station_stiffness);
+}
+
+}  // namespace
+
+MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness) {
+  const VesselDescription& vessel = model.description.vessel;
+  MadeHull made;
+  made.hull.build_up = build_up;
+  if (vessel.coupled) {
+    floats_in_waves(made, model, sea, *vessel.coupled, station_stiffness);
+  } else if (vessel.hydrostatics) {
+    place(made.hull, model, Vec3::Zero());
+    made.hull.hydrostatics.diagonal().segment<3>(2) =
+        Vec3(vessel.hydrostatics->heave, vessel.hydrostatics->roll, vessel.hydrostatics->pitch);
+  } else {
+    throw std::invalid_argument("a hull that floats free needs vessel.motion.coupled or vessel.hydrostatics");
+  }
+  put_loads(made.hull, model);
+  return made;
+}
+
+}  // namespace overbend

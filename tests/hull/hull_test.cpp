@@ -1,0 +1,167 @@
+#include "hull/hull.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/allocation_count.h"
+#include "support/hull_case.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// Everything that can act, in a sea.
+Hull burdened() {
+  Hull hull = testing::bgl1_in(testing::long_crested(3.0, 9.0, 1.2, 5), WaveDrift::newman);
+  hull.drift_damping = wave_drift_damping(testing::bgl1_hydrodynamics(), testing::long_crested(3.0, 9.0, 1.2, 5), 0.0);
+  hull.current.form = HullCurrentForm::strips;
+  hull.current.velocity = {0.5, 0.8};
+  hull.current.length = 120.0;
+  hull.current.beam = 30.0;
+  hull.current.draught = 5.182;
+  hull.current.reference_V = hull.reference_V;
+  hull.current.transverse = 0.8;
+  hull.current.longitudinal = 0.5;
+  hull.current.wetted_surface = 5155.0;
+  hull.munk = 2e7;
+  hull.wind.velocity = {9.0, -7.0};
+  hull.wind.areas = {{"side", 500.0, Vec3(12.0, 0.0, 6.0), 1.0, 1.0, false},
+                     {"front", 200.0, Vec3::Zero(), 1.0, 1.0, true}};
+  hull.damping.quadratic << 1e4, 2e4, 3e4, 4e8, 5e8, 6e8;
+  hull.ballast << 0.0, 0.0, 1e6, 2e6, 3e6, 0.0;
+  hull.loads = {{Vec3(-57.0, 4.0, 3.0), Vec3(2e5, -3e5, 4e5), Vec3(1e6, 2e6, -3e6)}};
+  hull.station_keeping = StationKeeping{Vec3(3.0, -4.0, 0.1), {Vec3(2e5, 3e5, 5e8), Vec3(1e6, 2e6, 3e9)}};
+  return hull;
+}
+
+HullState moving() {
+  HullState s = hull_at_rest(burdened(), (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
+  s.v << 0.4, -0.5, 0.3, 0.03, 0.02, 0.012;
+  s.acc << 0.1, 0.2, -0.3, 0.01, -0.02, 0.005;
+  s.slow.value += Vec3(0.5, -0.4, 0.02);
+  s.slow.rate << 0.2, 0.1, 0.004;
+  return s;
+}
+
+TEST(hull, tangent_agrees_with_differences) {
+  const Hull hull = burdened();
+  const HullState before = moving();
+  HullState at = before;
+  const double step = 0.02;
+  at.h += step * before.v;
+  const HullWeights weights{1.0, 150.0, 2.4e4};
+  HullBalance exact, a, b;
+  balance_hull(hull, at, before, step, weights, 30.0, exact);
+  const Vec6 scale = (Vec6() << 1.0, 1.0, 1.0, 1.0, 1.0, 1.0).finished() * 1e-6;
+  double largest = exact.tangent.cwiseAbs().maxCoeff();
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 e = scale(k) * Vec6::Unit(k);
+    HullState ahead = at, behind = at;
+    ahead.h += e;
+    ahead.v += weights.damping * e;
+    ahead.acc += weights.mass * e;
+    behind.h -= e;
+    behind.v -= weights.damping * e;
+    behind.acc -= weights.mass * e;
+    balance_hull(hull, ahead, before, step, weights, 30.0, a);
+    balance_hull(hull, behind, before, step, weights, 30.0, b);
+    const Vec6 slope = (a.residual - b.residual) / (2.0 * scale(k));
+    // The slow motion within the step is left out: (w_f step)^2 of the slow forces.
+    EXPECT_LT((exact.tangent.col(k) - slope).cwiseAbs().maxCoeff(), 1e-7 * largest) << k;
+  }
+}
+
+TEST(hull, tangent_at_rest_includes_what_follows_its_heading) {
+  Hull hull = burdened();
+  hull.mean_drift_from_start = true;
+  const HullState start = hull_at_rest(hull, (Vec6() << 2.0, -3.0, 1.2, 0.06, -0.03, 7.1).finished());
+  HullBalance exact, a, b;
+  balance_hull(hull, start, start, 0.0, {}, kBeforeWaves, exact);
+  for (int k = 0; k < 6; ++k) {
+    HullState ahead = start, behind = start;
+    ahead.h(k) += 1e-6;
+    behind.h(k) -= 1e-6;
+    balance_hull(hull, ahead, start, 0.0, {}, kBeforeWaves, a);
+    balance_hull(hull, behind, start, 0.0, {}, kBeforeWaves, b);
+    const Vec6 slope = (a.residual - b.residual) / 2e-6;
+    EXPECT_LT((exact.tangent.col(k) - slope).norm(), 1e-6 * hull.hydrostatics.norm()) << k;
+  }
+}
+
+TEST(hull, mean_drift_acts_before_the_waves_only_where_it_is_asked_for) {
+  Hull hull = testing::bgl1_in(testing::long_crested(4.0, 12.9, 0.5 * kPi, 1), WaveDrift::newman);
+  hull.build_up = 100.0;
+  const HullState rest = hull_at_rest(hull, hull.drawn);
+  HullBalance out;
+  balance_hull(hull, rest, rest, 0.0, {}, kBeforeWaves, out);
+  EXPECT_EQ(out.residual.norm(), 0.0);
+  hull.mean_drift_from_start = true;
+  balance_hull(hull, rest, rest, 0.0, {}, kBeforeWaves, out);
+  EXPECT_NEAR(-out.residual(1), 218e3, 4e3);
+  // Half way through the build-up half of what varies is there.
+  HullBalance half, whole;
+  const HullWeights moving{1.0, 1.0, 1.0};
+  balance_hull(hull, rest, rest, 0.0, moving, -50.0, half);
+  const WaveForce f = wave_force(hull.waves, -50.0, rest.slow.value);
+  EXPECT_NEAR(-half.residual(1), f.mean_drift(1) + 0.5 * (f.drift(1) - f.mean_drift(1) + f.first_order(1)), 1.0);
+}
+
+TEST(hull, answer_turns_with_the_world) {
+  // Hull, waves, current, wind and loads turned by an angle: the same forces, turned.
+  const double angle = 217.0 * kPi / 180.0;
+  Hull hull = burdened(), turned = hull;
+  hull.waves = make_hull_waves(testing::bgl1_hydrodynamics(), testing::regular_sea(1.0, 0.83, 1.2, 0.3),
+                               WaveDrift::newman, 5.182, 0.0);
+  turned.waves = make_hull_waves(testing::bgl1_hydrodynamics(), testing::regular_sea(1.0, 0.83, 1.2 + angle, 0.3),
+                                 WaveDrift::newman, 5.182, angle);
+  const Mat3 R = turned_about_z(angle);
+  const auto turn = [&](const Vec6& a) -> Vec6 {
+    Vec6 b = a;
+    b.head<3>() = R * a.head<3>().eval();
+    return b;
+  };
+  turned.drawn = turn(hull.drawn) + angle * Vec6::Unit(5);
+  turned.current.velocity = (R * Vec3(0.5, 0.8, 0.0)).head<2>();
+  turned.wind.velocity = (R * Vec3(9.0, -7.0, 0.0)).head<2>();
+  turned.loads[0].force_W = R * hull.loads[0].force_W;
+  turned.loads[0].moment_W = R * hull.loads[0].moment_W;
+  turned.station_keeping->wanted = R * Vec3(3.0, -4.0, 0.0) + Vec3(0.0, 0.0, 0.1 + angle);
+  const HullState state = moving();
+  HullState other = state;
+  other.h = turn(state.h) + angle * Vec6::Unit(5);
+  other.v = turn(state.v);
+  other.acc = turn(state.acc);
+  other.slow.value =
+      R * Vec3(state.slow.value.x(), state.slow.value.y(), 0.0) + Vec3(0, 0, state.slow.value.z() + angle);
+  other.slow.rate = R * state.slow.rate;
+  HullBalance a, b;
+  balance_hull(hull, state, state, 0.0, {1.0, 50.0, 2500.0}, 12.0, a);
+  balance_hull(turned, other, other, 0.0, {1.0, 50.0, 2500.0}, 12.0, b);
+  EXPECT_LT((turn(a.residual) - b.residual).norm(), 1e-9 * a.residual.norm());
+}
+
+TEST(hull, steps_do_not_allocate_and_resume_bit_for_bit) {
+  const Hull hull = burdened();
+  const GeneralizedAlpha scheme(0.8);
+  HullSprings springs;
+  springs.stiffness.diagonal() << 2e5, 2e5, 0.0, 0.0, 0.0, 5e8;
+  HullState state = hull_at_rest(hull, hull.drawn), scratch = state;
+  find_hull_acceleration(hull, springs, 0.0, state);
+  for (int i = 1; i <= 20; ++i) ASSERT_TRUE(hull_step(hull, springs, scheme, 0.1 * i, 0.1, state, scratch).converged);
+  HullState copy = state;
+  const long before = testing::allocation_count();
+  for (int i = 21; i <= 40; ++i) hull_step(hull, springs, scheme, 0.1 * i, 0.1, state, scratch);
+  EXPECT_EQ(testing::allocation_count(), before);
+  HullState other = hull_at_rest(hull, Vec6::Zero());
+  for (int i = 21; i <= 40; ++i) hull_step(hull, springs, scheme, 0.1 * i, 0.1, copy, other);
+  EXPECT_EQ(copy.h, state.h);
+  EXPECT_EQ(copy.v, state.v);
+  EXPECT_EQ(copy.radiation.values, state.radiation.values);
+  EXPECT_EQ(copy.slow.value, state.slow.value);
+}
+
+}  // namespace
+}  // namespace overbend
