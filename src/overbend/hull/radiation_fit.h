@@ -14,8 +14,10 @@ struct FitTarget {
   std::vector<Eigen::MatrixXd> kernel;   ///< m x m, symmetric, an odd number of samples; / sqrt(K_ii(0) K_jj(0)).
   std::vector<double> omega;             ///< Ascending, above zero; far beyond the peak of the damping [rad/s].
   std::vector<Eigen::MatrixXd> damping;  ///< m x m, in the units of `kernel` times s.
-  double low_from = 0.0, low_to = 0.0;   ///< Band of low frequencies that slow motions feel [rad/s].
-  std::vector<double> checked_omega;     ///< Where passivity is asked for [rad/s].
+  /// A - A_inf, in the units of `damping` times s.
+  std::vector<Eigen::MatrixXd> mass;
+  double low_to = 0.0;                ///< Up to here frequencies are those of slow motions [rad/s].
+  std::vector<double> checked_omega;  ///< Where passivity is asked for [rad/s].
 };
 
 /// K(t) = sum of Re(residue exp(pole t)).

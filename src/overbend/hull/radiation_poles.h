@@ -26,9 +26,9 @@ class HankelRealization {
 
 /// Functions of frequency that a sum over common poles shall represent.
 struct FrequencyResponse {
-  std::vector<double> omega;        ///< [rad/s]
-  Eigen::MatrixXcd values;          ///< Column by column a function, at each frequency.
-  Eigen::MatrixXd weights;          ///< Of each value in least squares.
+  std::vector<double> omega;  ///< [rad/s]
+  Eigen::MatrixXcd values;    ///< Column by column a function, at each frequency.
+  Eigen::MatrixXd weights;    ///< Of each value in least squares.
 };
 
 /// One round of vector fitting [gustavsen1999]: poles nearer to those of the response. Unstable ones are mirrored.
