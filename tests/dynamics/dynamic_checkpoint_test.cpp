@@ -38,6 +38,13 @@ SystemState numbered() {
     held.machine.state = TensionerState::pay_out;
     state.attachments.push_back(held);
   }
+  HullState body;
+  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) *part = Vec6::NullaryExpr(number);
+  body.slow.value = Vec3::NullaryExpr(number);
+  body.slow.rate = Vec3::NullaryExpr(number);
+  body.radiation.values = {number(), number(), number()};
+  state.bodies.assign(2, body);
+  state.bodies[1].h(5) = number();
   return state;
 }
 
@@ -51,10 +58,13 @@ SystemState blank(const SystemState& like) {
     state.lines.push_back(empty);
   }
   state.attachments.resize(like.attachments.size());
+  for (const HullState& body : like.bodies) {
+    state.bodies.emplace_back().radiation.values.resize(body.radiation.values.size());
+  }
   return state;
 }
 
-TEST(dynamic_checkpoint, gives_a_state_of_several_lines_back_bit_for_bit) {
+TEST(dynamic_checkpoint, gives_a_state_of_several_lines_and_bodies_back_bit_for_bit) {
   const SystemState state = numbered();
   DynamicCheckpoint first, second;
   save_state(first, state);
@@ -69,6 +79,9 @@ TEST(dynamic_checkpoint, gives_a_state_of_several_lines_back_bit_for_bit) {
   EXPECT_EQ(restored.lines[1].q, state.lines[1].q);
   EXPECT_EQ(restored.lines[1].bending[1].stamp, state.lines[1].bending[1].stamp);
   EXPECT_EQ(restored.attachments[2].travel.alg, state.attachments[2].travel.alg);
+  EXPECT_EQ(restored.bodies[1].h, state.bodies[1].h);
+  EXPECT_EQ(restored.bodies[1].slow.rate, state.bodies[1].slow.rate);
+  EXPECT_EQ(restored.bodies[0].radiation.values, state.bodies[0].radiation.values);
 }
 
 TEST(dynamic_checkpoint, says_which_array_is_missing) {

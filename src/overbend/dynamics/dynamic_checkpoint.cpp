@@ -124,6 +124,30 @@ AttachmentState attachment_of(const std::vector<double>& v) {
   return at;
 }
 
+std::vector<double> body_numbers(const HullState& body) {
+  std::vector<double> out;
+  for (const Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) {
+    out.insert(out.end(), part->begin(), part->end());
+  }
+  for (const Vec3* part : {&body.slow.value, &body.slow.rate}) {
+    out.insert(out.end(), part->begin(), part->end());
+  }
+  out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
+  return out;
+}
+
+/// Into a body whose memory has its size.
+void restore_body(const std::vector<double>& in, HullState& body) {
+  std::size_t next = 0;
+  for (Vec6* part : {&body.h, &body.v, &body.acc, &body.alg}) {
+    for (double& value : *part) value = in.at(next++);
+  }
+  for (Vec3* part : {&body.slow.value, &body.slow.rate}) {
+    for (double& value : *part) value = in.at(next++);
+  }
+  for (double& value : body.radiation.values) value = in.at(next++);
+}
+
 std::string numbered(const char* what, std::size_t index) {
   return "state/" + (what + std::to_string(index));
 }
@@ -138,6 +162,9 @@ void save_state(DynamicCheckpoint& checkpoint, const SystemState& state) {
   for (std::size_t i = 0; i < state.attachments.size(); ++i) {
     put(checkpoint, numbered("attachment ", i), attachment_numbers(state.attachments[i]));
   }
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    put(checkpoint, numbered("body ", i), body_numbers(state.bodies[i]));
+  }
 }
 
 void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state) {
@@ -149,6 +176,9 @@ void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state) {
   }
   for (std::size_t i = 0; i < state.attachments.size(); ++i) {
     state.attachments[i] = attachment_of(checkpoint_array(checkpoint, numbered("attachment ", i)));
+  }
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    restore_body(checkpoint_array(checkpoint, numbered("body ", i)), state.bodies[i]);
   }
 }
 

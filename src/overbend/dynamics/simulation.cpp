@@ -22,10 +22,13 @@ std::string place_text(double time, double s) {
 
 StaticFailure step_failure(const StepReport& report, const System& system, double time) {
   const auto [line, node] = report.worst_place;
+  const char* const why = report.end == StepEnd::singular ? "the equations have no solution there"
+                                                          : "the forces do not balance even with the shortest step";
+  if (line == kBodyPlace) {
+    return {"the time step cannot be solved", "at t = " + std::to_string(time) + " s, the forces on the hull", why};
+  }
   const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
-  return {"the time step cannot be solved", place_text(time, s),
-          report.end == StepEnd::singular ? "the equations have no solution there"
-                                          : "the forces do not balance even with the shortest step"};
+  return {"the time step cannot be solved", place_text(time, s), why};
 }
 
 /// Adds the wall time from its making to its end [s].
@@ -89,6 +92,9 @@ bool Simulation::begin() {
   }
   for (AttachmentState& attachment : state_.attachments) {
     attachment.guide.alg = attachment.guide.acc;
+  }
+  for (HullState& body : state_.bodies) {
+    body.alg = body.acc;
   }
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);

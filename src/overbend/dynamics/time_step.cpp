@@ -50,6 +50,9 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
   for (std::size_t i = 0; i < now.lines.size(); ++i) {
     predict_line(now.lines[i], h, ratio, next.lines[i]);
   }
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    predict_body(now.bodies[i], h, ratio, next.bodies[i]);
+  }
   for (std::size_t i = 0; i < now.attachments.size(); ++i) {
     const MotionValues& guide = now.attachments[i].guide;
     next.attachments[i].guide = advance(scheme_, corrected_for_step(guide, ratio), h, guide.acc);
@@ -72,6 +75,13 @@ void TimeStepper::predict_line(const LineState& now, double h, double ratio, Lin
     next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
     next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
   }
+}
+
+void TimeStepper::predict_body(const HullState& now, double h, double ratio, HullState& next) const {
+  const Vec6 alg = now.acc + ratio * (now.alg - now.acc);
+  next.alg = (now.acc - scheme_.alpha_m * alg) / (1.0 - scheme_.alpha_m);
+  next.h = now.h + h * now.v + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next.alg);
+  next.v = now.v + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next.alg);
 }
 
 void TimeStepper::predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
@@ -109,6 +119,14 @@ void TimeStepper::correct(SystemState& next, double h) const {
       at.acc[i] += acceleration * dq[i];
       at.alg[i] += algorithmic * dq[i];
     }
+  }
+  for (std::size_t i = 0; i < next.bodies.size(); ++i) {
+    HullState& at = next.bodies[i];
+    const Vec6 dh = Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
+    at.h += dh;
+    at.v += velocity * dh;
+    at.acc += acceleration * dh;
+    at.alg += algorithmic * dh;
   }
   const auto correct_values = [&](MotionValues& values, const Vec3& direction, const double* dq) {
     const double d = direction.x() * dq[0] + direction.y() * dq[1] + direction.z() * dq[2];
@@ -202,6 +220,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
     }
     if (report.residual < settings_.tolerance && assembly_->contacts_settled()) {
       report.end = StepEnd::converged;
+      assembly_->finish_step(now, h, next);
       break;
     }
     if (!factor && !factors_serve(report, before, next, weights)) {
@@ -238,7 +257,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
 double TimeStepper::local_error(const SystemState& now, const SystemState& next) {
   const double h = next.last_step;
   const double factor = std::abs(1.0 / 6.0 - scheme_.beta) * h * h * scheme_.acceleration_share(h);
-  for (std::size_t line = 0; line < dq_.size(); ++line) {
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
     for (std::size_t i = 0; i < dq_[line].size(); ++i) {
       dq_[line][i] = factor * lumped_mass_[line][i] * (next.lines[line].acc[i] - now.lines[line].acc[i]);
     }
@@ -248,14 +267,30 @@ double TimeStepper::local_error(const SystemState& now, const SystemState& next)
     const auto node = dq_[line].begin() + 6 * assembly_->line(line).end_node(held.end);
     std::fill_n(node, held.hold_place ? 6 : 0, 0.0);
   }
+  for (std::size_t i = 0; i < next.bodies.size(); ++i) {
+    const Vec6 change = next.bodies[i].acc - now.bodies[i].acc;
+    Eigen::Map<Vec6>(dq_.back().data() + 6 * i) = factor * assembly_->free_body(i).inertia.cwiseProduct(change);
+  }
   assembly_->apply_factors(dq_);
-  double worst = 0.0;
-  for (const std::vector<double>& dq : dq_) {
+  double worst = body_error();
+  for (std::size_t line = 0; line < next.lines.size(); ++line) {
+    const std::vector<double>& dq = dq_[line];
     for (std::size_t i = 0; i < dq.size(); i += 6) {
       worst = std::max(worst, dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
     }
   }
   return std::sqrt(worst);
+}
+
+/// Squared, of the bodies among the filtered errors [m2].
+double TimeStepper::body_error() const {
+  double worst = 0.0;
+  for (std::size_t i = 0; i < assembly_->free_bodies(); ++i) {
+    const Vec6 dh = Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
+    const double arm = assembly_->free_body(i).arm;
+    worst = std::max({worst, dh.head<3>().squaredNorm(), arm * arm * dh.tail<3>().squaredNorm()});
+  }
+  return worst;
 }
 
 }  // namespace overbend

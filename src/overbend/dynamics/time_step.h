@@ -30,9 +30,9 @@ class TimeStepper {
   /// From `now` over `h` to `next`; the system is left evaluated at `next`. On failure `next` is of no use.
   StepReport step(const SystemState& now, double h, SystemState& next);
 
-  /// Estimate of the error that the last step made in the place of any node [m]: the change of acceleration over the
-  /// step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far faster than the step, which
-  /// the scheme damps, do not count (after Shampine 1984).
+  /// Estimate of the error that the last step made in the place of any node or body (turned on its arm) [m]: the change
+  /// of acceleration over the step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far
+  /// faster than the step, which the scheme damps, do not count (after Shampine 1984).
   double local_error(const SystemState& now, const SystemState& next);
 
   /// What comes next depends on the state alone: for checkpoints.
@@ -42,11 +42,13 @@ class TimeStepper {
   void predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
                SystemState& next) const;
   void predict_line(const LineState& now, double h, double ratio, LineState& next) const;
+  void predict_body(const HullState& now, double h, double ratio, HullState& next) const;
   void predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
                       AttachmentState& next) const;
   StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const SystemState& now, double h,
                        SystemState& next);
   void correct(SystemState& next, double h) const;
+  double body_error() const;
   bool must_factor(double h) const;
   bool factors_serve(const StepReport& report, double residual_before, const SystemState& next, const Weights& weights);
 

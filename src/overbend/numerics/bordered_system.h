@@ -56,6 +56,11 @@ class BorderedSystem {
   /// C of a node, transposed like B: entry (i, j) is what the equation of the line's shared unknown j has for freedom
   /// i.
   double* rows(int line, int node) { return at(line).rows.at(node); }
+  /// Whether a node has a panel of columns or rows that was asked for since the border was cleared.
+  bool bordered(int line, int node) const {
+    const Line& of = lines_[static_cast<std::size_t>(line)];
+    return of.columns.view().slot[node] >= 0 || of.rows.view().slot[node] >= 0;
+  }
   /// H.
   double& corner(int i, int j) { return corner_[static_cast<std::size_t>(i * unknowns() + j)]; }
 

@@ -78,20 +78,17 @@ double end_power(const LineAssembly& line, const LineState& state, LineEnd end) 
   return sum;
 }
 
-/// Bodies are led, so that lines share no unknowns yet.
-std::vector<BorderedLine> bordered_lines(const System& system) {
-  std::vector<BorderedLine> lines;
-  for (const Line& line : system.lines) {
-    lines.push_back({line.mesh.nodes(), {}});
-  }
-  return lines;
+/// Velocity of a point that goes with a body.
+Vec3 carried_at(const RigidMotion& body, const Vec3& point) {
+  return body.velocity + body.omega.cross(point - body.pose.p_WV);
 }
 
 }  // namespace
 
 Assembly::Assembly(const System& system)
     : system_(&system),
-      solver_(bordered_lines(system), 0),
+      border_(system),
+      solver_(border_.lines(), border_.unknowns()),
       solution_(system.lines.size()),
       held_(system.attachments.size()) {
   lines_.reserve(system.lines.size());
@@ -107,6 +104,9 @@ Increments Assembly::increments() const {
   Increments dq;
   for (const LineAssembly& line : lines_) {
     dq.emplace_back(line.residual().size());
+  }
+  if (!border_.empty()) {
+    dq.emplace_back(border_.residual().size());
   }
   return dq;
 }
@@ -145,6 +145,9 @@ void Assembly::find_held() {
 void Assembly::set_time(double time, const SystemState& near) {
   constexpr double kReach = 0.5;  // further than any node moves in a step [m]
   system_->surroundings(time, surroundings_);
+  if (!border_.empty()) {
+    border_.lead(near.bodies, surroundings_);
+  }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
   }
@@ -182,7 +185,19 @@ void Assembly::add_governor_tangent(const SystemState& state, const Weights& wei
   }
 }
 
-void Assembly::impose_ends(SystemState& state) const {
+/// A free body is where the state has it, and what it carries with it.
+void Assembly::lead_bodies(const SystemState& state) {
+  border_.lead(state.bodies, surroundings_);
+  for (LineAssembly& line : lines_) {
+    line.contacts().move(surroundings_.bodies);
+  }
+  find_held();
+}
+
+void Assembly::impose_ends(SystemState& state) {
+  if (!border_.empty()) {
+    lead_bodies(state);
+  }
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
@@ -208,6 +223,12 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
   }
+  if (!border_.empty()) {
+    border_.evaluate(state, before, weights, lines_);
+    if (with_tangent) {
+      put_border(state, weights);
+    }
+  }
   find_machine_axis(state);
   if (system_->machine >= 0 && governed(static_cast<std::size_t>(system_->machine))) {
     add_governor(state);
@@ -217,12 +238,28 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
   }
 }
 
+void Assembly::put_border(const SystemState& state, const Weights& weights) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
+  }
+  border_.put_corner(solver_);
+}
+
 bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) {
   const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (lines_[i].contacts().count() > 0 && !lines_[i].renew_contact_tangents(state.lines[i], weights)) {
+    if (lines_[i].contacts().count() > 0 &&
+        (border_.holds_first_end(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights))) {
       return false;
     }
+  }
+  for (std::size_t i = 0; i < (border_.empty() ? 0 : lines_.size()); ++i) {
+    if (lines_[i].contacts().count() > 0) {
+      border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
+    }
+  }
+  if (!border_.empty()) {
+    border_.put_corner(solver_);
   }
   if (system_->machine >= 0 && governed(machine)) {
     add_governor_tangent(state, weights);
@@ -266,7 +303,20 @@ double Assembly::relative_residual() {
       worst_ = {static_cast<int>(i), one.node};
     }
   }
+  for (std::size_t i = 0; i < border_.count(); ++i) {
+    const double relative = border_.relative_residual(i);
+    if (!(relative <= worst)) {  // NaN too
+      worst = relative;
+      worst_ = {kBodyPlace, static_cast<int>(i)};
+    }
+  }
   return worst;
+}
+
+void Assembly::point_solution_at(Increments& dq) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    solution_[i] = dq[i].data();
+  }
 }
 
 void Assembly::take_residual(Increments& dq) {
@@ -275,25 +325,39 @@ void Assembly::take_residual(Increments& dq) {
     for (std::size_t k = 0; k < residual.size(); ++k) {
       dq[i][k] = -residual[k];
     }
-    solution_[i] = dq[i].data();
   }
+  for (std::size_t k = 0; k < border_.residual().size(); ++k) {
+    dq.back()[k] = -border_.residual()[k];
+  }
+  point_solution_at(dq);
 }
 
 bool Assembly::solve_factored(Increments& dq) {
   take_residual(dq);
-  return solver_.factor_and_solve(solution_, nullptr).solved();
+  return solver_.factor_and_solve(solution_, border_of(dq)).solved();
 }
 
 void Assembly::solve_again(Increments& dq) {
   take_residual(dq);
-  solver_.solve(solution_, nullptr);
+  solver_.solve(solution_, border_of(dq));
 }
 
 void Assembly::apply_factors(Increments& dq) {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    solution_[i] = dq[i].data();
+  point_solution_at(dq);
+  solver_.solve(solution_, border_of(dq));
+}
+
+void Assembly::hold_body(int body, int freedom, bool held) {
+  border_.hold(body, freedom, held);
+  solver_.hold(6 * border_.number_of(body) + freedom, held);
+}
+
+void Assembly::finish_step(const SystemState& before, double h, SystemState& after) const {
+  for (std::size_t i = 0; i < border_.count(); ++i) {
+    if (border_.body(i).finish_step) {
+      border_.body(i).finish_step(before.bodies[i], h, after.bodies[i]);
+    }
   }
-  solver_.solve(solution_, nullptr);
 }
 
 double Assembly::machine_tension() const {
@@ -320,7 +384,37 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     now.anchor_power += end_power(line, at, LineEnd::first);
     now.top_power += end_power(line, at, LineEnd::last);
   }
+  add_body_energy(state, now);
   return now;
+}
+
+/// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
+void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
+  for (std::size_t k = 0; k < border_.count(); ++k) {
+    if (border_.body(k).energy) {
+      const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time);
+      now.bodies.kinetic += one.kinetic;
+      now.bodies.stored += one.stored;
+      now.bodies.power += one.power;
+    }
+    for (const Attachment& held : system_->attachments) {
+      if (border_.number_of(held.body) == static_cast<int>(k)) {
+        const std::size_t line = static_cast<std::size_t>(held.line);
+        double& power = held.end == LineEnd::first ? now.anchor_power : now.top_power;
+        power -= border_.power_of_end(held, lines_[line], state);
+      }
+    }
+  }
+  for (const LineAssembly& line : lines_) {
+    const RollerContacts& rollers = line.contacts();
+    for (int i = 0; i < (border_.empty() ? 0 : rollers.count()); ++i) {
+      const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
+      if (border_.number_of(rollers.body_of(i)) >= 0 && contact.penetration > 0.0) {
+        const RigidMotion& body = surroundings_.bodies[static_cast<std::size_t>(rollers.body_of(i))];
+        now.roller_power -= contact.force().dot(carried_at(body, contact.point));
+      }
+    }
+  }
 }
 
 bool Assembly::find_accelerations(SystemState& state) {
@@ -333,7 +427,10 @@ bool Assembly::find_accelerations(SystemState& state) {
   if (!solve_factored(dq)) {
     return false;
   }
-  for (std::size_t i = 0; i < dq.size(); ++i) {
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    state.bodies[i].acc += kMassDominates * Eigen::Map<const Vec6>(dq.back().data() + 6 * i);
+  }
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
     for (std::size_t k = 0; k < dq[i].size(); ++k) {
       state.lines[i].acc[k] += kMassDominates * dq[i][k];
     }
@@ -351,6 +448,9 @@ bool Assembly::find_accelerations(SystemState& state) {
     if (governed(i)) {
       state.attachments[i].travel.acc -= along(at);
     }
+  }
+  if (!border_.empty()) {
+    impose_ends(state);  // with the accelerations of the bodies
   }
   return true;
 }
@@ -383,6 +483,7 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
     of_end.guide = {Vec3(at[tangent], at[tangent + 1], at[tangent + 2]).norm(), 0.0, 0.0, 0.0};
     state.attachments.push_back(of_end);
   }
+  state.bodies.resize(free_bodies(system).size());
   return state;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "numerics/bordered_system.h"
+#include "system/body_border.h"
 #include "system/line_assembly.h"
 #include "system/system.h"
 
@@ -19,10 +20,13 @@ struct InstantEnergy {
   double contact_loss = 0.0, friction_loss = 0.0;  ///< [W]
   double top_power = 0.0, anchor_power = 0.0;      ///< Of what holds last and first ends [W].
   double bending_heat = 0.0;                       ///< Made by yielding so far [J].
+  BodyEnergy bodies;                               ///< Of the free ones; what lines do to them is no power here.
 };
 
-/// Unknowns of every line, six per node.
+/// Unknowns of every line, six per node; where bodies are free, another entry at the end: theirs, six each.
 using Increments = std::vector<std::vector<double>>;
+
+inline constexpr int kBodyPlace = -1;  ///< In place of a line: a free body.
 
 class Assembly {
  public:
@@ -35,6 +39,9 @@ class Assembly {
   const LineAssembly& line(std::size_t index) const { return lines_[index]; }
   LineAssembly& line(std::size_t index) { return lines_[index]; }
   Increments increments() const;  ///< Of the right sizes.
+  /// How many bodies are free: the size of SystemState::bodies.
+  std::size_t free_bodies() const { return border_.count(); }
+  const FreeBody& free_body(std::size_t number) const { return border_.body(number); }
 
   std::uint64_t contact_signature() const;
   bool contacts_settled() const;
@@ -43,8 +50,10 @@ class Assembly {
   void set_time(double time, const SystemState& near);
   /// What decides the speed of the tensioner at the instants to come.
   void set_drive(TensionerDrive drive);
-  /// Puts prescribed places, directions and their rates into the ends of a state.
-  void impose_ends(SystemState& state) const;
+  /// Brings free bodies to a state; puts the places, directions and rates of what holds them into the ends of lines.
+  void impose_ends(SystemState& state);
+  /// A freedom of a free body (index in System::bodies) that stays where it is: its equation is left out.
+  void hold_body(int body, int freedom, bool held);
 
   /// Inertia plus internal minus external forces at `state`; its memories receive what those of `before` have become
   /// after the step.
@@ -57,9 +66,9 @@ class Assembly {
   void end_iteration(const SystemState& state);
   /// Removes held directions from residual and, where asked, blocks.
   void hold(bool with_tangent);
-  /// Largest unbalanced force of a line over its force scale.
+  /// Largest unbalanced force of a line or a free body over its force scale.
   double relative_residual();
-  /// Where it was found: line and node.
+  /// Where it was found: line and node; kBodyPlace and the number among free bodies.
   std::pair<int, int> worst_place() const { return worst_; }
 
   /// Factors the blocks and solves for the increments of the unknowns; false where they are singular.
@@ -71,6 +80,11 @@ class Assembly {
 
   /// Of the state evaluated last.
   InstantEnergy energy(const SystemState& state) const;
+  /// Brings the memories of free bodies to the end of a step of `h` that began at `before`.
+  void finish_step(const SystemState& before, double h, SystemState& after) const;
+  /// Forces and generalised moments left on the free bodies, six each.
+  const std::vector<double>& body_residual() const { return border_.residual(); }
+
   /// What the tensioner measures: its force along the pipe, which is the effective tension there [N].
   double machine_tension() const;
 
@@ -80,6 +94,11 @@ class Assembly {
  private:
   bool governed(std::size_t attachment) const;
   void take_residual(Increments& dq);
+  void point_solution_at(Increments& dq);
+  double* border_of(Increments& dq) const { return border_.empty() ? nullptr : dq.back().data(); }
+  void lead_bodies(const SystemState& state);
+  void put_border(const SystemState& state, const Weights& weights);
+  void add_body_energy(const SystemState& state, InstantEnergy& now) const;
   void find_held();
   void add_governor(const SystemState& state);
   void add_governor_tangent(const SystemState& state, const Weights& weights);
@@ -87,6 +106,7 @@ class Assembly {
 
   const System* system_;
   Surroundings surroundings_;
+  BodyBorder border_;
   BorderedSystem solver_;
   std::vector<LineAssembly> lines_;
   std::vector<double*> solution_;     ///< Of the lines, for the solver.

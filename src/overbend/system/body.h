@@ -1,11 +1,13 @@
 /// A rigid body that carries rollers.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mechanics/contact_cells.h"
 #include "mechanics/contact_law.h"
 #include "model/model.h"
+#include "system/free_body.h"
 
 namespace overbend {
 
@@ -19,11 +21,12 @@ struct BodyRoller {
   ContactLaw law;
 };
 
-/// A body whose motion is told: the vessel with ramp and stinger.
+/// The vessel with ramp and stinger: its motion is told, or it floats free.
 struct Body {
   std::vector<BodyRoller> rollers;
   ContactCells cells;                 ///< In the ramp's frame.
   Vec3 ramp_origin_V = Vec3::Zero();  ///< Of the ramp's frame, whose x runs astern, z up [m].
+  std::optional<FreeBody> free;       ///< Where its motion is not told but follows from the forces on it.
 };
 
 }  // namespace overbend

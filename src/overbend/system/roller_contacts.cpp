@@ -72,11 +72,17 @@ RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies
 }
 
 void RollerContacts::place(const std::vector<RigidMotion>& bodies, const double* q, double reach) {
+  move(bodies);
   for (std::size_t b = 0; b < ranges_.size(); ++b) {
-    motions_[b] = bodies[b];
     if (!(*bodies_)[b].rollers.empty()) {
       search(b, q, reach);
     }
+  }
+}
+
+void RollerContacts::move(const std::vector<RigidMotion>& bodies) {
+  for (std::size_t b = 0; b < ranges_.size(); ++b) {
+    motions_[b] = bodies[b];
   }
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
     const BodyRoller& roller = *rollers_[i].roller;
@@ -167,7 +173,9 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (normal.force <= 0.0) {
     return;
   }
-  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]), target);
+  const HermiteValues n = hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]);
+  contact.point = at_point(n, dofs_of(q, contact.at.element));
+  push(index, n, target);
   carrying_[index] = {true, distance, normal, {}, {}};
 }
 
@@ -207,7 +215,8 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   const ElementVector dofs = dofs_of(q, element);
   const HermiteValues n = hermite(contact.at.xi, length[e]);
   const RigidMotion& body = motions_[rollers_[index].body];
-  const Vec3 arm = at_point(n, dofs) - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
+  contact.point = at_point(n, dofs);
+  const Vec3 arm = contact.point - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
   contact.roller_velocity = body.velocity + body.omega.cross(arm);
   const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
@@ -270,15 +279,15 @@ int RollerContacts::first_carrying(int beyond) const {
 }
 
 void RollerContacts::add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const {
-  for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    if (carrying_[i].carries) {
-      add_tangent_of(i, q, weights, tangent);
+  for (int i = 0; i < count(); ++i) {
+    if (carries(i)) {
+      add_element(tangent, contacts_[static_cast<std::size_t>(i)].at.element, tangent_of(i, q, weights));
     }
   }
 }
 
-void RollerContacts::add_tangent_of(std::size_t index, const double* q, const Weights& weights,
-                                    BlockTridiagonal& tangent) const {
+ElementMatrix RollerContacts::tangent_of(int roller, const double* q, const Weights& weights) const {
+  const std::size_t index = static_cast<std::size_t>(roller);
   const CarryingContact& carrying = carrying_[index];
   const NormalForce& normal = carrying.normal;
   const Vec3& away = carrying.distance.direction;
@@ -300,7 +309,35 @@ void RollerContacts::add_tangent_of(std::size_t index, const double* q, const We
   add_friction(carrying.axial, contact.axial_direction);
   add_friction(carrying.lateral, contact.lateral_direction);
   add_point_stiffness(k, n, a);
-  add_element(tangent, contact.at.element, k);
+  return k;
+}
+
+ElementVector RollerContacts::residual_of(int roller) const {
+  const RollerContact& contact = contacts_[static_cast<std::size_t>(roller)];
+  ElementVector residual = ElementVector::Zero();
+  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
+  add_force(residual.data(), hermite(contact.at.xi, h), 0, 4, contact.force());
+  return residual;
+}
+
+Eigen::Matrix<double, 12, 3> RollerContacts::turning_of(int roller, const Weights& weights) const {
+  const std::size_t index = static_cast<std::size_t>(roller);
+  const RollerContact& contact = contacts_[index];
+  const CarryingContact& carrying = carrying_[index];
+  const std::size_t e = static_cast<std::size_t>(contact.at.element);
+  const Vec3& away = carrying.distance.direction;
+  Mat3 a = Mat3::Zero();
+  const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
+    a -= force.by_rate * weights.velocity * line_->elements.radius[e] * direction * away.cross(direction).transpose();
+  };
+  add_friction(carrying.axial, contact.axial_direction);
+  add_friction(carrying.lateral, contact.lateral_direction);
+  const HermiteValues n = hermite(contact.at.xi, line_->mesh.length[e]);
+  Eigen::Matrix<double, 12, 3> out;
+  for (int i = 0; i < 4; ++i) {
+    out.block<3, 3>(3 * i, 0) = n.value(i) * a;
+  }
+  return out;
 }
 
 }  // namespace overbend

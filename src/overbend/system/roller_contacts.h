@@ -30,6 +30,7 @@ struct RollerContact {
   double rate = 0.0;                                ///< Of penetration [m/s].
   double normal = 0.0, axial = 0.0, lateral = 0.0;  ///< Forces on the pipe along the directions below [N].
   Vec3 normal_direction = Vec3::Zero(), axial_direction = Vec3::Zero(), lateral_direction = Vec3::Zero();
+  Vec3 point = Vec3::Zero();                              ///< Of the centreline, where the forces act [m].
   Vec3 roller_velocity = Vec3::Zero();                    ///< Of the roller where the pipe touches it [m/s].
   double slip_rate_axial = 0.0, slip_rate_lateral = 0.0;  ///< [m/s]
 
@@ -67,6 +68,9 @@ class RollerContacts {
   /// where `q` has them, grown by `reach` for what they may still move [m].
   void place(const std::vector<RigidMotion>& bodies, const double* q, double reach);
 
+  /// Moves the rollers with their bodies by less than the `reach` they were placed with: what they may meet stays.
+  void move(const std::vector<RigidMotion>& bodies);
+
   void ease(const ContactEasing& easing) { easing_ = easing; }
 
   /// Forces on a line at rest: normal springs alone, every roller on the side that it is meant for, wherever along the
@@ -80,6 +84,18 @@ class RollerContacts {
 
   /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
   void add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
+
+  int body_of(int index) const { return static_cast<int>(rollers_[static_cast<std::size_t>(index)].body); }
+  /// Whether a roller pushed or rubbed at the last evaluation.
+  bool carries(int index) const { return carrying_[static_cast<std::size_t>(index)].carries; }
+  /// What add_tangent() adds for a roller that carries: how minus its forces on the nodes of the element change with
+  /// the element's unknowns.
+  ElementMatrix tangent_of(int index, const double* q, const Weights& weights) const;
+  /// Minus the forces of a roller on the nodes of the element that it touches, as they are in the residual.
+  ElementVector residual_of(int index) const;
+  /// How they change with the turning of the body beyond what they do when body and pipe turn together: friction acts
+  /// on the pipe's surface, which the body's angular velocity moves along and the pipe, which has no torsion, does not.
+  Eigen::Matrix<double, 12, 3> turning_of(int index, const Weights& weights) const;
 
   /// The first element that a roller may meet before the rollers are placed again; `beyond` where there is none.
   int first_within_reach(int beyond) const;
@@ -120,7 +136,6 @@ class RollerContacts {
   void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
   void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
                     const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
-  void add_tangent_of(std::size_t index, const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
 
   const Line* line_;
   const std::vector<Body>* bodies_;

@@ -6,6 +6,7 @@
 #include "mechanics/plastic_bending.h"
 #include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
+#include "system/free_body.h"
 #include "system/roller_contacts.h"
 
 namespace overbend {
@@ -37,6 +38,7 @@ struct SystemState {
   double last_step = 0.0;  ///< That led here; 0 at the start [s].
   std::vector<LineState> lines;
   std::vector<AttachmentState> attachments;
+  std::vector<HullState> bodies;  ///< Of the free bodies, in their order.
 };
 
 }  // namespace overbend

@@ -33,8 +33,8 @@ struct EndMotion {
 
 /// The surroundings that move: everything that depends on time alone.
 struct Surroundings {
-  std::vector<RigidMotion> bodies;
-  std::vector<EndMotion> ends;  ///< Of the attachments.
+  std::vector<RigidMotion> bodies;  ///< Free ones, and the ends they hold, are brought to the state by Assembly.
+  std::vector<EndMotion> ends;      ///< Of the attachments.
   /// Line by line: waves at its nodes, kWaterValues each; empty in calm water.
   std::vector<std::vector<double>> water;
 };

@@ -1,0 +1,259 @@
+#include "system/body_border.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "system/held_end.h"
+
+namespace overbend {
+namespace {
+
+std::size_t to_size(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+ElementVector dofs_of(const std::vector<double>& values, int element) {
+  return ElementVector(Eigen::Map<const ElementVector>(values.data() + 6 * element));
+}
+
+bool touches(const System& system, std::size_t line, int body) {
+  const bool held = std::any_of(system.attachments.begin(), system.attachments.end(), [&](const Attachment& a) {
+    return to_size(a.line) == line && a.body == body && (a.hold_place || a.hold_direction);
+  });
+  return held || (system.lines[line].on_rollers && !system.bodies[to_size(body)].rollers.empty());
+}
+
+}  // namespace
+
+std::vector<int> free_bodies(const System& system) {
+  std::vector<int> free;
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    if (system.bodies[i].free) {
+      free.push_back(static_cast<int>(i));
+    }
+  }
+  return free;
+}
+
+BodyBorder::BodyBorder(const System& system) : system_(&system), number_(system.bodies.size(), -1) {
+  for (const int index : free_bodies(system)) {
+    number_[to_size(index)] = static_cast<int>(bodies_.size());
+    bodies_.push_back({&*system.bodies[to_size(index)].free, index, {}, {}, {}});
+  }
+  residual_.assign(to_size(unknowns()), 0.0);
+  for (std::size_t line = 0; line < system.lines.size(); ++line) {
+    LinePart part;
+    for (std::size_t k = 0; k < bodies_.size(); ++k) {
+      if (touches(system, line, bodies_[k].index)) {
+        part.bodies.push_back(static_cast<int>(k));
+      }
+    }
+    part.corner.assign(to_size(part.unknowns() * part.unknowns()), 0.0);
+    lines_.push_back(std::move(part));
+  }
+}
+
+std::vector<BorderedLine> BodyBorder::lines() const {
+  std::vector<BorderedLine> lines;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    BorderedLine line{system_->lines[i].mesh.nodes(), {}};
+    for (const int body : lines_[i].bodies) {
+      for (int k = 0; k < 6; ++k) {
+        line.unknowns.push_back(6 * body + k);
+      }
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+BodyBorder::Place BodyBorder::place_of(int line, int number) const {
+  const std::vector<int>& bodies = lines_[to_size(line)].bodies;
+  const auto at = std::find(bodies.begin(), bodies.end(), number);
+  return {line, 6 * static_cast<int>(at - bodies.begin()), &bodies_[to_size(number)].pose};
+}
+
+void BodyBorder::lead(const std::vector<HullState>& at, Surroundings& now) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    bodies_[k].pose = pose_of(at[k].h);
+    now.bodies[to_size(bodies_[k].index)] = rigid_motion(*bodies_[k].body, at[k]);
+  }
+  for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
+    const Attachment& attachment = system_->attachments[i];
+    if (number_of(attachment.body) >= 0) {
+      now.ends[i] = attached_to(now.bodies[to_size(attachment.body)], attachment.place, attachment.direction);
+    }
+  }
+}
+
+void BodyBorder::add_contact_forces(const LineAssembly& line) {
+  const RollerContacts& contacts = line.contacts();
+  for (int i = 0; i < contacts.count(); ++i) {
+    const int number = number_of(contacts.body_of(i));
+    if (number >= 0 && contacts.carries(i)) {
+      const RollerContact& contact = contacts.contacts()[to_size(i)];
+      const BodyPose& pose = bodies_[to_size(number)].pose;
+      Eigen::Map<Vec6>(residual_.data() + 6 * number) +=
+          generalised_force(pose, contact.point - pose.place, contact.force());
+    }
+  }
+}
+
+void BodyBorder::add_end_force(const Attachment& held, const LineAssembly& line, const LineState& state) {
+  const int number = number_of(held.body);
+  const HeldEnd end = held_end(held, line, state, bodies_[to_size(number)].pose);
+  Eigen::Map<Vec6>(residual_.data() + 6 * number) += end.motion.transpose() * end.force;
+}
+
+double BodyBorder::power_of_end(const Attachment& held, const LineAssembly& line, const SystemState& state) const {
+  const std::size_t number = to_size(number_of(held.body));
+  const HeldEnd end = held_end(held, line, state.lines[to_size(held.line)], bodies_[number].pose);
+  return (end.motion.transpose() * end.force).dot(state.bodies[number].v);
+}
+
+void BodyBorder::evaluate(const SystemState& state, const SystemState& before, const Weights& weights,
+                          const std::vector<LineAssembly>& lines) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    Member& member = bodies_[k];
+    member.body->balance(state.bodies[k], before.bodies[k], weights, state.time, member.own);
+    Eigen::Map<Vec6>(residual_.data() + 6 * k) = member.own.residual;
+  }
+  for (const LineAssembly& line : lines) {
+    add_contact_forces(line);
+  }
+  for (const Attachment& held : system_->attachments) {
+    if (number_of(held.body) >= 0) {
+      add_end_force(held, lines[to_size(held.line)], state.lines[to_size(held.line)]);
+    }
+  }
+}
+
+void BodyBorder::add_corner(const Place& place, const Mat6& part) {
+  LinePart& line = lines_[to_size(place.line)];
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      line.corner[to_size((place.first + i) * line.unknowns() + place.first + j)] += part(i, j);
+    }
+  }
+}
+
+void BodyBorder::put_contacts(int index, const LineAssembly& line, const LineState& state, const Weights& weights,
+                              BorderedSystem& solver) {
+  const RollerContacts& contacts = line.contacts();
+  for (int i = 0; i < contacts.count(); ++i) {
+    const int number = number_of(contacts.body_of(i));
+    if (number < 0 || !contacts.carries(i)) {
+      continue;
+    }
+    const Place place = place_of(index, number);
+    const int node = contacts.contacts()[to_size(i)].at.element;
+    const ContactBorder border =
+        contact_border(*place.pose, dofs_of(state.q, node), contacts.residual_of(i),
+                       contacts.tangent_of(i, state.q.data(), weights), contacts.turning_of(i, weights));
+    for (int half = 0; half < 2; ++half) {
+      add_to_panel(solver.columns(index, node + half), solver.stride(index), place.first,
+                   border.columns.middleRows<6>(6 * half));
+      add_to_panel(solver.rows(index, node + half), solver.stride(index), place.first,
+                   border.rows.middleRows<6>(6 * half));
+    }
+    add_corner(place, border.corner);
+  }
+}
+
+/// The held unknowns of the node are those of the body, by E = HeldEnd::motion: columns of theirs are added to the
+/// body's, and so are their rows, those that come from contacts included.
+void BodyBorder::put_end(const Attachment& held, const LineAssembly& line, const LineState& state,
+                         BorderedSystem& solver) {
+  const int index = held.line, stride = solver.stride(index);
+  const Place place = place_of(index, number_of(held.body));
+  const HeldEnd end = held_end(held, line, state, *place.pose);
+  const EndBlocks blocks = end_blocks(line, held.end);
+  double* const columns = solver.columns(index, end.node);
+  double* const rows = solver.rows(index, end.node);
+  LinePart& part = lines_[to_size(index)];
+  for (int j = 0; j < part.unknowns(); ++j) {
+    for (int i = 0; i < 6; ++i) {
+      for (int dof = 0; dof < 6; ++dof) {
+        const double moved = end.motion(dof, i);
+        part.corner[to_size((place.first + i) * part.unknowns() + j)] += moved * columns[dof * stride + j];
+        part.corner[to_size(j * part.unknowns() + place.first + i)] += moved * rows[dof * stride + j];
+      }
+    }
+  }
+  add_corner(place, end.motion.transpose() * blocks.own * end.motion + end.turning);
+  add_to_panel(columns, stride, place.first, blocks.own * end.motion + end.turned_force);
+  add_to_panel(rows, stride, place.first, blocks.own.transpose() * end.motion + end.turned_force);
+  add_to_panel(solver.columns(index, blocks.neighbour), stride, place.first, blocks.to_own * end.motion);
+  add_to_panel(solver.rows(index, blocks.neighbour), stride, place.first, blocks.from_own.transpose() * end.motion);
+}
+
+void BodyBorder::put_line(int index, const LineAssembly& line, const SystemState& state, const Weights& weights,
+                          const std::vector<HeldDirections>& held, BorderedSystem& solver) {
+  LinePart& part = lines_[to_size(index)];
+  if (part.bodies.empty()) {
+    return;
+  }
+  solver.clear_border(index);
+  std::fill(part.corner.begin(), part.corner.end(), 0.0);
+  put_contacts(index, line, state.lines[to_size(index)], weights, solver);
+  for (const Attachment& attachment : system_->attachments) {
+    if (attachment.line == index && number_of(attachment.body) >= 0) {
+      put_end(attachment, line, state.lines[to_size(index)], solver);
+    }
+  }
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const int node = line.end_node(system_->attachments[i].end);
+    if (system_->attachments[i].line == index && solver.bordered(index, node)) {
+      remove_held(held[i], solver.columns(index, node), solver.stride(index));
+      remove_held(held[i], solver.rows(index, node), solver.stride(index));
+    }
+  }
+}
+
+void BodyBorder::put_corner(BorderedSystem& solver) const {
+  solver.clear_corner();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) {
+        solver.corner(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) = bodies_[k].own.tangent(i, j);
+      }
+    }
+  }
+  for (const LinePart& part : lines_) {
+    const int m = part.unknowns();
+    for (int i = 0; i < m; ++i) {
+      for (int j = 0; j < m; ++j) {
+        solver.corner(6 * part.bodies[to_size(i / 6)] + i % 6, 6 * part.bodies[to_size(j / 6)] + j % 6) +=
+            part.corner[to_size(i * m + j)];
+      }
+    }
+  }
+}
+
+bool BodyBorder::holds_first_end(int line) const {
+  return std::any_of(system_->attachments.begin(), system_->attachments.end(), [&](const Attachment& a) {
+    return a.line == line && a.end == LineEnd::first && number_of(a.body) >= 0;
+  });
+}
+
+void BodyBorder::hold(int body, int freedom, bool held) {
+  bodies_[to_size(number_of(body))].held[to_size(freedom)] = held;
+}
+
+bool BodyBorder::held(int body, int freedom) const {
+  return bodies_[to_size(number_of(body))].held[to_size(freedom)];
+}
+
+double BodyBorder::relative_residual(std::size_t number) const {
+  const Member& member = bodies_[number];
+  double force = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double f = member.held[i] ? 0.0 : residual_[6 * number + i];
+    const double m = member.held[i + 3] ? 0.0 : residual_[6 * number + 3 + i] / member.body->arm;
+    force += f * f;
+    moment += m * m;
+  }
+  return std::sqrt(std::max(force, moment)) / member.body->force_scale;
+}
+
+}  // namespace overbend

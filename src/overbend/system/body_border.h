@@ -1,0 +1,94 @@
+/// What lines and rollers have to do with the unknowns of free bodies: residual, columns, rows and corner of the
+/// border.
+///
+/// A node held by a body goes with it: of its unknowns those along the guide remain, the others are the body's. A
+/// roller acts on the pipe by their relative place alone, so that how its force changes with the body follows from how
+/// it changes with the pipe (objectivity). See docs/theory/coupling.md.
+#pragma once
+
+#include <vector>
+
+#include "numerics/bordered_system.h"
+#include "system/free_body.h"
+#include "system/line_assembly.h"
+#include "system/system.h"
+
+namespace overbend {
+
+/// The free bodies among those of a system, by index: the order of SystemState::bodies.
+std::vector<int> free_bodies(const System& system);
+
+class BodyBorder {
+ public:
+  explicit BodyBorder(const System& system);
+
+  bool empty() const { return bodies_.empty(); }
+  std::size_t count() const { return bodies_.size(); }
+  int unknowns() const { return 6 * static_cast<int>(bodies_.size()); }
+  /// Which shared unknowns each line touches.
+  std::vector<BorderedLine> lines() const;
+  /// Which of the free bodies, -1 where a body is none of them.
+  int number_of(int body) const { return body < 0 ? -1 : number_[static_cast<std::size_t>(body)]; }
+  const FreeBody& body(std::size_t number) const { return *bodies_[number].body; }
+
+  /// Brings free bodies and the ends they hold to a state.
+  void lead(const std::vector<HullState>& at, Surroundings& now);
+
+  /// Sums the forces on the bodies, after the lines have been evaluated.
+  void evaluate(const SystemState& state, const SystemState& before, const Weights& weights,
+                const std::vector<LineAssembly>& lines);
+  /// Puts one line's border into the solver, from blocks that hold_node() has not been at.
+  void put_line(int index, const LineAssembly& line, const SystemState& state, const Weights& weights,
+                const std::vector<HeldDirections>& held, BorderedSystem& solver);
+  /// Sums up the corner: the bodies themselves and the parts that put_line() found.
+  void put_corner(BorderedSystem& solver) const;
+  /// Whether a body holds the first end of a line, beside which contacts cannot be renewed alone.
+  bool holds_first_end(int line) const;
+
+  /// A held freedom stays where it is, and does not count among the unbalanced.
+  void hold(int body, int freedom, bool held);
+  bool held(int body, int freedom) const;
+
+  /// Power on an end that goes into the body it is held by, as if it went with the body [W].
+  double power_of_end(const Attachment& held, const LineAssembly& line, const SystemState& state) const;
+
+  /// Forces left on the free bodies, six for each.
+  const std::vector<double>& residual() const { return residual_; }
+  /// Largest unbalanced force, moments over the body's arm, over its force scale; which body.
+  double relative_residual(std::size_t number) const;
+
+ private:
+  struct Member {
+    const FreeBody* body = nullptr;
+    int index = 0;  ///< In System::bodies.
+    BodyPose pose;
+    HullBalance own;
+    std::array<bool, 6> held{};
+  };
+  struct LinePart {
+    std::vector<int> bodies;     ///< Free bodies that the line touches, ascending.
+    std::vector<double> corner;  ///< Row-major, square.
+    int unknowns() const { return 6 * static_cast<int>(bodies.size()); }
+  };
+  /// A body's place in the border of a line: its first column there.
+  struct Place {
+    int line = 0, first = 0;
+    const BodyPose* pose = nullptr;
+  };
+
+  Place place_of(int line, int number) const;
+  void add_contact_forces(const LineAssembly& line);
+  void add_end_force(const Attachment& held, const LineAssembly& line, const LineState& state);
+  void put_contacts(int index, const LineAssembly& line, const LineState& state, const Weights& weights,
+                    BorderedSystem& solver);
+  void put_end(const Attachment& held, const LineAssembly& line, const LineState& state, BorderedSystem& solver);
+  void add_corner(const Place& place, const Mat6& part);
+
+  const System* system_;
+  std::vector<int> number_;  ///< By body.
+  std::vector<Member> bodies_;
+  std::vector<LinePart> lines_;
+  std::vector<double> residual_;
+};
+
+}  // namespace overbend

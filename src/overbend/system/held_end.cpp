@@ -1,0 +1,100 @@
+#include "system/held_end.h"
+
+namespace overbend {
+namespace {
+
+Mat6 block(const double* rows) {
+  Mat6 out;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    for (int j = 0; j < kNodeDofs; ++j) {
+      out(i, j) = rows[i * kRowWidth + j];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
+  HeldEnd end;
+  end.node = line.end_node(held.end);
+  const double* q = state.q.data() + 6 * end.node;
+  const Vec3 r = Eigen::Map<const Vec3>(q), t = Eigen::Map<const Vec3>(q + 3);
+  const Vec6 all = Eigen::Map<const Vec6>(line.end_force(held.end).data());
+  const Mat3& e = pose.E;
+  const auto hold = [&](int first, const Eigen::Matrix<double, 3, 6>& rows, const Vec3& arm) {
+    const Vec3 force = all.segment<3>(first);
+    const Mat3 across = cross_matrix(force);
+    end.motion.middleRows<3>(first) = rows;
+    end.force.segment<3>(first) = force;
+    end.turned_force.block<3, 3>(first, 3) = across * e;
+    end.turning += generalised_force_slope(pose, arm, force);
+  };
+  if (held.hold_place) {
+    hold(0, point_rows(pose, r), r - pose.place);
+  }
+  if (held.hold_direction) {
+    hold(3, vector_rows(pose, t), t);
+  }
+  return end;
+}
+
+EndBlocks end_blocks(const LineAssembly& line, LineEnd end) {
+  const BlockTridiagonal& k = line.tangent();
+  const int node = line.end_node(end);
+  if (end == LineEnd::first) {
+    return {1, block(k.diag(0)), block(k.lower(0)), block(k.upper(0))};
+  }
+  return {node - 1, block(k.diag(node)), block(k.upper(node - 1)), block(k.lower(node - 1))};
+}
+
+ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const ElementVector& residual,
+                             const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning) {
+  const Mat3& e = pose.E;
+  Eigen::Matrix<double, 12, 6> motion;  // of the nodes, were they to go with the body
+  Eigen::Matrix<double, 12, 3> turned;  // [residual] x, block by block
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
+    const bool place = i % 2 == 0;
+    motion.middleRows<3>(3 * i) = place ? point_rows(pose, at) : vector_rows(pose, at);
+    turned.middleRows<3>(3 * i) = cross_matrix(part);
+    force -= place ? part : Vec3(Vec3::Zero());
+    moment -= (place ? Vec3(at - pose.place) : at).cross(part);
+  }
+  ContactBorder border;
+  border.columns = -tangent * motion;
+  border.columns.rightCols<3>() += (turning - turned) * e;
+  border.rows = -tangent.transpose() * motion;
+  border.rows.rightCols<3>() -= turned * e;
+  border.corner = -motion.transpose() * border.columns;
+  border.corner.block<3, 3>(3, 0) += e.transpose() * cross_matrix(force);
+  border.corner += generalised_moment_slope(pose, moment);
+  return border;
+}
+
+void add_to_panel(double* panel, int stride, int first, const Mat6& part) {
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      panel[i * stride + first + j] += part(i, j);
+    }
+  }
+}
+
+void remove_held(const HeldDirections& held, double* panel, int stride) {
+  const auto remove = [&](const HeldVectors& directions, int row) {
+    for (const Vec3& d : directions) {
+      for (int j = 0; j < stride; ++j) {
+        double* const at = panel + row * stride + j;
+        const double part = d(0) * at[0] + d(1) * at[stride] + d(2) * at[2 * stride];
+        for (int i = 0; i < 3; ++i) {
+          at[i * stride] -= d(i) * part;
+        }
+      }
+    }
+  };
+  remove(held.position, 0);
+  remove(held.tangent, 3);
+}
+
+}  // namespace overbend

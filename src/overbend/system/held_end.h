@@ -1,0 +1,46 @@
+/// The small matrices of a border: of a node that a body holds, and of a roller's contact.
+#pragma once
+
+#include "system/free_body.h"
+#include "system/line_assembly.h"
+#include "system/system.h"
+
+namespace overbend {
+
+/// A node that a body holds: dq = motion dh + what is free along the guide.
+struct HeldEnd {
+  int node = 0;
+  Mat6 motion = Mat6::Zero();        ///< E. Rows of unknowns that are not held by the body are zero.
+  Vec6 force = Vec6::Zero();         ///< Residual of the held unknowns: what they exert on the body, with minus.
+  Mat6 turning = Mat6::Zero();       ///< How E^T force changes with the body where the force stays.
+  Mat6 turned_force = Mat6::Zero();  ///< (dE/dq)^T force: by unknowns of the node (rows) and the body (columns).
+};
+
+HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose);
+
+/// Blocks beside an end of a line, as they stand in the tangent.
+struct EndBlocks {
+  int neighbour = 0;
+  Mat6 own, to_own, from_own;  ///< Of the node; rows of the neighbour by the node; rows of the node by the neighbour.
+};
+EndBlocks end_blocks(const LineAssembly& line, LineEnd end);
+
+/// What a contact between a line's element and a body adds to the border.
+struct ContactBorder {
+  Eigen::Matrix<double, 12, 6> columns = Eigen::Matrix<double, 12, 6>::Zero();  ///< d residual of the element / d h.
+  Eigen::Matrix<double, 12, 6> rows = Eigen::Matrix<double, 12, 6>::Zero();     ///< Transposed: d R_h / d q.
+  Mat6 corner = Mat6::Zero();                                                   ///< d R_h / d h.
+};
+
+/// By objectivity: `residual` (minus the nodal forces) and `tangent` of the contact at the element's unknowns `q`;
+/// `turning` as RollerContacts::turning_of.
+ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const ElementVector& residual,
+                             const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning);
+
+/// Adds six rows of six columns to a panel of the border, from column `first` on.
+void add_to_panel(double* panel, int stride, int first, const Mat6& part);
+
+/// Removes held directions from a panel, six rows of a node's unknowns.
+void remove_held(const HeldDirections& held, double* panel, int stride);
+
+}  // namespace overbend

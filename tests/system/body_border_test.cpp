@@ -1,0 +1,292 @@
+/// Lines on free bodies: residual and tangent of the border, by differences and by what must hold.
+#include "system/body_border.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/free_body.h"
+
+namespace overbend {
+namespace {
+
+using namespace testing;
+
+/// A system in a random state, its tangent tested along the correction that Newton's method makes there.
+class Tangent {
+ public:
+  /// `size`: by how much it is out of its straight place, the body four times as much in its angles [m, -].
+  Tangent(System system, double velocity_share, double acceleration_share, unsigned seed, double size = 0.05)
+      : system_(std::move(system)), weights_{velocity_share, acceleration_share, 0.02}, random_(seed) {
+    system_.surroundings = still(system_);
+    assembly_.emplace(system_);
+    std::vector<std::vector<double>> q;
+    for (std::size_t i = 0; i < system_.lines.size(); ++i) {
+      q.push_back(straight(system_, Vec3(0.0, 3.0 * static_cast<double>(i), 0.0), Vec3::UnitX()));
+      for (double& x : q.back()) x += shake(size);
+    }
+    state = state_at_rest(system_, q, 0.0);
+    for (HullState& body : state.bodies) {
+      for (int k = 0; k < 6; ++k) body.h(k) += shake(k < 3 ? size : 4.0 * size);
+    }
+  }
+
+  double shake(double size) { return std::uniform_real_distribution<double>(-size, size)(random_); }
+  Assembly& assembly() { return *assembly_; }
+  System& system() { return system_; }
+
+  /// Residuals of lines and bodies after a share of the correction.
+  Eigen::VectorXd residual(double share) {
+    SystemState at = state;
+    const Vec6 zero = Vec6::Zero();
+    const auto move = [&](auto& values, std::size_t size, double weight, auto of) {
+      for (std::size_t i = 0; i < size; ++i) values[i] += share * weight * of(i);
+    };
+    for (std::size_t line = 0; line < at.lines.size() && !dq.empty(); ++line) {
+      LineState& l = at.lines[line];
+      const auto of = [&](std::size_t i) { return dq[line][i]; };
+      move(l.q, l.q.size(), 1.0, of);
+      move(l.v, l.q.size(), weights_.velocity, of);
+      move(l.acc, l.q.size(), weights_.acceleration, of);
+    }
+    for (std::size_t i = 0; i < at.bodies.size(); ++i) {
+      const Vec6 dh = dq.empty() ? zero : Vec6(share * Eigen::Map<const Vec6>(dq.back().data() + 6 * i));
+      at.bodies[i].h += dh;
+      at.bodies[i].v += weights_.velocity * dh;
+      at.bodies[i].acc += weights_.acceleration * dh;
+    }
+    for (std::size_t i = 0; i < at.attachments.size() && !dq.empty(); ++i) {
+      const Attachment& held = system_.attachments[i];
+      const std::size_t line = static_cast<std::size_t>(held.line);
+      const double* part = dq[line].data() + 6 * assembly_->line(line).end_node(held.end);
+      const Vec3 direction = directions_[i];
+      const auto add = [&](MotionValues& values, double d) {
+        values.q += share * d;
+        values.v += share * weights_.velocity * d;
+        values.acc += share * weights_.acceleration * d;
+      };
+      add(at.attachments[i].guide, direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
+      if (static_cast<int>(i) == system_.machine) {
+        add(at.attachments[i].travel, -direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
+      }
+    }
+    return evaluate(at, false);
+  }
+
+  Eigen::VectorXd evaluate(SystemState& at, bool with_tangent) {
+    assembly_->impose_ends(at);
+    assembly_->evaluate(at, state, weights_, with_tangent);
+    assembly_->hold(with_tangent);
+    std::vector<double> all;
+    for (std::size_t i = 0; i < system_.lines.size(); ++i) {
+      const std::vector<double> one = along_guides(i);
+      all.insert(all.end(), one.begin(), one.end());
+    }
+    all.insert(all.end(), assembly_->body_residual().begin(), assembly_->body_residual().end());
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  }
+
+  /// Residual of a line; what is left along a guide as the one number it is, for the guide turns.
+  std::vector<double> along_guides(std::size_t line) {
+    std::vector<double> residual = assembly_->line(line).residual();
+    for (std::size_t i = 0; i < system_.attachments.size(); ++i) {
+      const Attachment& held = system_.attachments[i];
+      const auto keep_along = [&](bool guided, int first) {
+        Eigen::Map<Vec3> part(residual.data() + 6 * assembly_->line(line).end_node(held.end) + first);
+        if (guided && held.line == static_cast<int>(line)) {
+          part = part.dot(assembly_->surroundings().ends[i].direction) * Vec3::UnitX();
+        }
+      };
+      keep_along(held.hold_direction, 3);
+      keep_along(static_cast<int>(i) == system_.machine, 0);
+    }
+    return residual;
+  }
+
+  /// Largest error of the change of the residual along the correction, over the largest residual: of the lines and of
+  /// the bodies.
+  std::pair<double, double> error() {
+    assembly_->set_time(0.0, state);
+    assembly_->set_drive(system_.machine < 0 ? TensionerDrive::brake : TensionerDrive::governor);
+    assembly_->impose_ends(state);
+    SystemState at = state;
+    const Eigen::VectorXd here = evaluate(at, true);
+    for (const EndMotion& end : assembly_->surroundings().ends) directions_.push_back(end.direction);
+    dq = assembly_->increments();
+    EXPECT_TRUE(assembly_->solve_factored(dq));
+    constexpr double kShare = 1e-4;
+    const Eigen::VectorXd slope = (residual(kShare) - residual(-kShare)) / (2.0 * kShare);
+    const Eigen::Index n = 6 * static_cast<Eigen::Index>(state.bodies.size());
+    const auto largest = [](const Eigen::VectorXd& x) { return x.cwiseAbs().maxCoeff(); };
+    const Eigen::VectorXd off = slope + here;
+    return {largest(off.head(off.size() - n)) / largest(here.head(off.size() - n)),
+            largest(off.tail(n)) / largest(here.tail(n))};
+  }
+
+  SystemState state;
+  Increments dq;
+
+ private:
+  System system_;
+  Weights weights_;
+  std::mt19937 random_;
+  std::optional<Assembly> assembly_;
+  std::vector<Vec3> directions_;
+};
+
+/// A soft rod of four elements whose last end is on a body on springs.
+System rod_on_body(bool place, bool direction) {
+  System system = rod_system({4000.0, 60.0, 1.2}, 4.0, 4);
+  SpringBody springs;
+  springs.stiffness << 900.0, 1100.0, 1500.0, 700.0, 800.0, 500.0;
+  springs.pull << 30.0, -20.0, 10.0, 25.0, -15.0, 40.0;
+  system.bodies[0].free = free_body(springs, Vec3(0.3, -0.2, 0.1));
+  hold_on_body(last_end(system), Vec3(4.3, -0.2, 0.1), Vec3(1.0, 0.1, -0.2).normalized());
+  hold(last_end(system), place, direction);
+  hold(first_end(system), true, false);
+  system.machine = -1;
+  return system;
+}
+
+void expect_exact(const System& system, double tolerance = 1e-6, double size = 0.05, double slip = 0.0) {
+  for (unsigned seed = 1; seed < 4; ++seed) {
+    Tangent at(system, 60.0, 3600.0, seed, size);
+    const auto slide = [slip](Tangent& tangent) {
+      for (ContactMemory& contact : tangent.state.lines[0].contacts) contact.slip_axial = contact.slip_lateral = slip;
+    };
+    slide(at);
+    const auto [lines, bodies] = at.error();
+    EXPECT_LT(lines, tolerance) << seed;
+    EXPECT_LT(bodies, tolerance) << seed;
+    Tangent resting(system, 0.0, 0.0, seed, size);
+    slide(resting);
+    const auto [lines_at_rest, bodies_at_rest] = resting.error();
+    EXPECT_LT(lines_at_rest, tolerance) << seed;
+    EXPECT_LT(bodies_at_rest, tolerance) << seed;
+  }
+}
+
+// Differences over 1e-4 of the correction leave 1e-8 of its curvature.
+TEST(body_border, of_an_end_pinned_to_the_body_is_the_derivative) {
+  expect_exact(rod_on_body(true, false));
+}
+
+TEST(body_border, of_an_end_clamped_in_the_body_is_the_derivative) {
+  expect_exact(rod_on_body(true, true));
+}
+
+TEST(body_border, of_an_end_whose_direction_alone_is_held_is_the_derivative) {
+  expect_exact(rod_on_body(false, true));
+}
+
+TEST(body_border, of_both_ends_on_one_body_is_the_derivative) {
+  System system = rod_on_body(true, true);
+  hold_on_body(first_end(system), Vec3(0.3, -0.2, 0.1), Vec3(1.0, -0.3, 0.1).normalized());
+  hold(first_end(system), true, true);
+  expect_exact(system);
+  System single = rod_system({4000.0, 60.0, 1.2}, 4.0, 1);  // no node is free
+  single.bodies = system.bodies;
+  single.attachments = system.attachments;
+  single.machine = -1;
+  expect_exact(single);
+}
+
+TEST(body_border, of_a_rod_between_two_bodies_is_the_derivative) {
+  System system = rod_on_body(true, true);
+  SpringBody other;
+  other.stiffness = Vec6::Constant(600.0);
+  other.pull << -10.0, 5.0, 20.0, 5.0, 10.0, -30.0;
+  system.bodies.emplace_back().free = free_body(other);
+  hold_on_body(first_end(system), Vec3(0.1, 0.2, -0.1));
+  first_end(system).body = 1;
+  hold(first_end(system), true, true);
+  expect_exact(system);
+}
+
+System governed(bool clamped) {
+  System system = rod_on_body(true, clamped);
+  TensionerLaw& law = last_end(system).tensioner;
+  law.mode = TensionerMode::controlled;
+  law.wanted = 100.0;
+  law.low = 80.0;
+  law.high = 120.0;
+  law.velocity = 0.2;
+  system.machine = 1;
+  return system;
+}
+
+TEST(body_border, of_an_end_that_a_tensioner_on_the_body_lets_move_is_the_derivative) {
+  expect_exact(governed(true));
+}
+
+constexpr double kPressed = 0.01;  ///< Out of place so little that rollers keep carrying.
+
+/// A rod over two rollers of the body, pressed into them and rubbing.
+System rod_on_rollers(const ContactLaw& law) {
+  System system = rod_on_body(true, true);
+  BodyRoller roller = roller_under(1.3, 0.01, law);
+  roller.center_V.z() += 0.12;
+  system.bodies[0].rollers = {roller, roller};
+  system.bodies[0].rollers[1].center_V.x() = 3.4;  // beside the held node
+  system.bodies[0].cells = endless_cells();
+  return system;
+}
+
+ContactLaw rubbing(double friction) {
+  ContactLaw law;
+  law.stiffness = 2e4;
+  law.damping = 40.0;
+  law.tangential_stiffness = 3e3;
+  law.tangential_damping = 20.0;
+  law.friction_axial = law.friction_lateral = friction;
+  return law;
+}
+
+TEST(body_border, of_rollers_that_push_is_the_derivative) {
+  ContactLaw smooth = rubbing(0.0);
+  smooth.tangential_stiffness = smooth.tangential_damping = 0.0;
+  expect_exact(rod_on_rollers(smooth), 1e-6, kPressed);
+}
+
+// What the line's own tangent leaves out, how the directions of sliding friction turn, is missing here as well: a
+// hundredth of the normal force over the distance to the roller.
+TEST(body_border, of_rollers_that_rub_is_the_derivative_as_far_as_the_lines_own_tangent_is) {
+  expect_exact(rod_on_rollers(rubbing(50.0)), 1e-6, kPressed);       // sticks, not loaded before the step
+  expect_exact(rod_on_rollers(rubbing(0.01)), 2e-3, kPressed, 1.0);  // slides
+}
+
+TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {
+  System system = rod_on_rollers(rubbing(0.3));
+  system.bodies[0].free->balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) {
+    out = HullBalance{};
+  };
+  Tangent at(system, 60.0, 3600.0, 5, kPressed);
+  for (double& v : at.state.lines[0].v) v = at.shake(0.1);
+  at.assembly().set_time(0.0, at.state);
+  at.assembly().impose_ends(at.state);
+  SystemState before = at.state;
+  at.assembly().evaluate(at.state, before, {0.0, 0.0, 0.02}, false);
+  int carrying = 0;
+  for (const RollerContact& contact : at.assembly().line(0).contacts().contacts()) carrying += contact.normal > 0.0;
+  ASSERT_EQ(carrying, 2);
+  const LineAssembly& line = at.assembly().line(0);
+  const BodyPose pose = pose_of(at.state.bodies[0].h);
+  const auto part = [](const std::vector<double>& values, std::size_t first) {
+    return Vec3(Eigen::Map<const Vec3>(values.data() + first));
+  };
+  Vec3 force = part(at.assembly().body_residual(), 0);
+  Vec3 moment = pose.E.transpose().inverse() * part(at.assembly().body_residual(), 3) + pose.place.cross(force);
+  double size = force.norm();
+  for (std::size_t i = 0; i + 6 < line.residual().size(); i += 6) {  // the held end's is the body's
+    const Vec3 f = part(line.residual(), i), r = part(at.state.lines[0].q, i);
+    force += f;
+    moment += r.cross(f) + part(at.state.lines[0].q, i + 3).cross(part(line.residual(), i + 3));
+    size = std::max(size, f.norm());
+  }
+  EXPECT_GT(size, 100.0);
+  EXPECT_LT(force.norm(), 1e-12 * size);
+  EXPECT_LT(moment.norm(), 1e-11 * size);
+}
+
+}  // namespace
+}  // namespace overbend
