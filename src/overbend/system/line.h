@@ -3,6 +3,7 @@
 
 #include "mechanics/line_elements.h"
 #include "system/line_mesh.h"
+#include "system/line_points.h"
 #include "system/yielding.h"
 
 namespace overbend {
@@ -15,6 +16,7 @@ struct Line {
   LineElements elements;
   LineEnvironment environment;
   YieldingElements yielding;
+  std::vector<LinePoint> points;  ///< Clumps and buoys.
   bool on_rollers = true;    ///< Whether it may meet the rollers of bodies.
   double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
 };
