@@ -45,6 +45,7 @@ TEST_P(chain, whose_fairlead_heaves_has_the_extremes_of_orcaflex) {
       testing::run_lines(testing::chain_case(one.depth, one.amplitude), options_for(20.0, 10.0));
   const std::vector<std::vector<double>> reference = testing::number_columns(std::string("moordyn/") + one.file);
   const Extremes fairlead = extremes_of(reference.at(3)), anchor = extremes_of(reference.at(4));
+  // 3 % of the largest.
   EXPECT_NEAR(1e-3 * lines[0].most_last, fairlead.most, 0.03 * fairlead.most);
   EXPECT_NEAR(1e-3 * lines[0].least_last, fairlead.least, 0.03 * fairlead.most);
   EXPECT_NEAR(1e-3 * lines[0].most_first, anchor.most, 0.03 * anchor.most);

@@ -24,8 +24,11 @@ struct PullRow {
 };
 
 // Horizontal force and tension of the elastic catenary (Jonkman 2007) at these spans.
-const PullRow kPullCurve[] = {{990.0, 72.49, 85.32},    {998.0, 209.70, 222.53},  {1000.0, 287.17, 299.99},
-                              {1002.0, 395.70, 408.51}, {1006.0, 721.72, 734.51}};
+const PullRow kPullCurve[] = {{990.0, 72.49, 85.32},
+                              {998.0, 209.70, 222.53},
+                              {1000.0, 287.17, 299.99},
+                              {1002.0, 395.70, 408.51},
+                              {1006.0, 721.72, 734.51}};
 
 TEST(lines_statics, wire_on_the_bed_pulls_like_the_elastic_catenary) {
   for (const PullRow& row : kPullCurve) {
@@ -57,17 +60,15 @@ struct MoorPyRow {
 };
 
 TEST(lines_statics, taut_and_hanging_lines_are_those_of_moorpy) {
-  const MoorPyRow rows[] = {{400.0, 200.0, 500.0, 7.51e12, 200.0, 372.7, 43694.58098925, 77634.40064978},
-                            {246.22420940032947, 263.55766330843164, 360.62566262396927, 7e8, 3.08735, 1e3, 71116.8,
-                             76680.6},
-                            {246.22420940032947, 263.55766330843164, 360.64566262396927, 7e8, 3.08735, 1e3, 46077.1,
-                             49878.6}};
+  const MoorPyRow rows[] = {
+      {400.0, 200.0, 500.0, 7.51e12, 200.0, 372.7, 43694.58098925, 77634.40064978},
+      {246.22420940032947, 263.55766330843164, 360.62566262396927, 7e8, 3.08735, 1e3, 71116.8, 76680.6},
+      {246.22420940032947, 263.55766330843164, 360.64566262396927, 7e8, 3.08735, 1e3, 46077.1, 49878.6}};
   for (const MoorPyRow& row : rows) {
     Description d = testing::water_alone(1025.0, 500.0 + row.up + row.below);
     LineTypeDescription type = testing::cable_type(row.w / kGravity, 0.0, row.EA, 1.0, 1025.0);
     type.diameter = 0.1;
-    d.lines = {testing::free_line(type, row.length, Vec3(0.0, 0.0, -500.0 - row.up),
-                                  Vec3(row.across, 0.0, -500.0))};
+    d.lines = {testing::free_line(type, row.length, Vec3(0.0, 0.0, -500.0 - row.up), Vec3(row.across, 0.0, -500.0))};
     const RestingLines lines(d);
     ASSERT_TRUE(lines.rest.converged()) << lines.rest.lines[0].residual;
     EXPECT_NEAR(lines.last[0].x(), row.horizontal, 2e-4 * row.horizontal);

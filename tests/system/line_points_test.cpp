@@ -80,8 +80,9 @@ TEST_P(line_points, tangent_is_the_total_derivative_of_the_force) {
   const Vec3 force = s.force(point, r, Vec3::Zero(), &tangent);
   constexpr double kStep = 1e-6;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 slope = (s.force(point, r, kStep * Vec3::Unit(k), nullptr) -
-                        s.force(point, r, -kStep * Vec3::Unit(k), nullptr)) / (2.0 * kStep);
+    const Vec3 slope =
+        (s.force(point, r, kStep * Vec3::Unit(k), nullptr) - s.force(point, r, -kStep * Vec3::Unit(k), nullptr)) /
+        (2.0 * kStep);
     for (int i = 0; i < 3; ++i) {
       // Rounding of forces of 1e5 N over 1e-6 m, and the curvature of forces that turn within centimetres.
       EXPECT_NEAR(tangent.diag(0)[i * kRowWidth + k], slope(i), 1e-6 * slope.norm() + 1e-7 * force.norm() + 2e-4)

@@ -51,7 +51,11 @@ SystemState resting_lines(const System& system, const SystemState& at_rest, cons
   for (const LineState& line : at_rest.lines) q.push_back(line.q);
   SystemState state = state_at_rest(system, q, time);
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
-    if (!rest.in_bows[i]) stretch_bed(system.lines[i], state.lines[i]);
+    if (rest.in_bows[i]) {
+      state.lines[i].bed_slip = at_rest.lines[i].bed_slip;
+    } else {
+      stretch_bed(system.lines[i], state.lines[i]);
+    }
   }
   return state;
 }

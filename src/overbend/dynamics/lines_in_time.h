@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, a fixed end about its place by
-/// its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
+/// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, a fixed end about its place
+/// by its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
 SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
                            double build_up);
 
@@ -17,8 +17,8 @@ SystemState resting_lines(const System& system, const SystemState& at_rest, cons
 
 /// Histories of a run: tension at both ends of every line and how it moves.
 struct LineHistory {
-  std::vector<double> time;                    ///< [s]
-  std::vector<double> first, last;             ///< Tension at the ends: size of what holds them [N].
+  std::vector<double> time;         ///< [s]
+  std::vector<double> first, last;  ///< Tension at the ends: size of what holds them [N].
   double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< Over all steps [N].
   std::vector<double> least_tension, most_tension;  ///< At the nodes, over the rows [N].
 };

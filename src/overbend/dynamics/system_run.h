@@ -42,7 +42,7 @@ class SystemRun {
   /// Steps up to the first instant at or after `until` [s]. False where a step failed.
   bool advance(double until);
 
-  double time() const { return state_.time; }                                          ///< [s]
+  double time() const { return state_.time; }                                             ///< [s]
   double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }  ///< [s]
   bool finished() const { return clock_.tick >= clock_.last_tick; }
   const std::optional<std::string>& failure() const { return failure_; }

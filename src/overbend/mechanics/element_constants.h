@@ -11,12 +11,12 @@ namespace overbend {
 
 /// Of one kind of element; see LineElements for the meanings. Per unstressed length.
 struct ElementConstants {
-  double EA = 0.0, EI = 0.0;                                                           ///< [N], [N m2]
-  double weight = 0.0, buoyancy = 0.0;                                                 ///< [N/m]
-  double radius = 1.0;                                                                 ///< [m]
-  double drag_normal = 0.0, drag_axial = 0.0;                                          ///< [kg/m2]
-  double pressure_constant = 0.0, pressure_slope = 0.0, pressure_external = 0.0;       ///< [N], [N/m], [N/m]
-  double mass = 0.0, displaced_mass = 0.0, added_normal = 0.0, added_axial = 0.0;      ///< [kg/m]
+  double EA = 0.0, EI = 0.0;                                                       ///< [N], [N m2]
+  double weight = 0.0, buoyancy = 0.0;                                             ///< [N/m]
+  double radius = 1.0;                                                             ///< [m]
+  double drag_normal = 0.0, drag_axial = 0.0;                                      ///< [kg/m2]
+  double pressure_constant = 0.0, pressure_slope = 0.0, pressure_external = 0.0;   ///< [N], [N/m], [N/m]
+  double mass = 0.0, displaced_mass = 0.0, added_normal = 0.0, added_axial = 0.0;  ///< [kg/m]
 };
 
 /// Of a pipe with this section in the model's water.

@@ -10,14 +10,29 @@ namespace {
 
 constexpr double kRounding = 1e-15;  ///< Of the axial stiffness: a tangent of length 1 knows its strain no better.
 
+/// A second way to look at rest: so slow a motion from the laid shape that neither water nor mass notice, but the bed's
+/// friction, which stretches by what was moved [s].
+constexpr double kSlowly = 1e9;
+
 /// One line with what it is evaluated and held by.
 struct RestingLine {
   LineAssembly& line;
   const std::vector<RigidMotion>& bodies;
   const HeldDirections &first, &last;
+  const LineState* laid;  ///< Where friction began to hold; null: on the straight course.
 
-  void evaluate(const LineState& state, bool with_tangent) {
-    line.evaluate_at_rest(bodies, state, LayHistory::monotonic, with_tangent);
+  void balance(LineState& state, bool with_tangent) {
+    static const std::vector<double> kCalm;
+    if (laid == nullptr) {
+      line.evaluate_at_rest(bodies, state, LayHistory::monotonic, with_tangent);
+      return;
+    }
+    for (std::size_t i = 0; i < state.q.size(); ++i) state.v[i] = (state.q[i] - laid->q[i]) / kSlowly;
+    line.evaluate(state, *laid, {1.0 / kSlowly, 0.0, kSlowly}, kCalm, with_tangent, ContactMode::free);
+  }
+
+  void evaluate(LineState& state, bool with_tangent) {
+    balance(state, with_tangent);
     line.hold(line.end_node(LineEnd::first), first, with_tangent);
     line.hold(line.end_node(LineEnd::last), last, with_tangent);
   }
@@ -46,29 +61,9 @@ struct RestingLine {
   }
 };
 
-NewtonReport rest_without_friction(const Line& line, const std::vector<Body>& bodies,
-                                   const std::vector<RigidMotion>& motions, const HeldDirections& first,
-                                   const HeldDirections& last, LineState& state, const LineRestSettings& settings) {
-  Line loose = line;
-  loose.environment.bed_friction_lateral = loose.environment.bed_friction_axial = 0.0;
-  BlockTridiagonal tangent(line.mesh.nodes());
-  LineAssembly assembly(loose, bodies, tangent);
-  return rest_line(assembly, motions, first, last, state, settings);
-}
-
-HeldDirections held_by(const Attachment& attachment, const EndMotion& end) {
-  HeldDirections held;
-  if (attachment.hold_place) held.position = all_directions();
-  if (attachment.hold_direction) held.tangent = across(end.direction);
-  return held;
-}
-
-}  // namespace
-
-NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
-                       const HeldDirections& last, LineState& state, const LineRestSettings& settings) {
+NewtonReport come_to_rest(RestingLine resting, LineState& state, const LineRestSettings& settings) {
   NewtonReport report;
-  RestingLine resting{line, bodies, first, last};
+  LineAssembly& line = resting.line;
   std::vector<double> dq(state.q.size());
   LineState trial = state;
   double damping = 0.0;
@@ -109,6 +104,20 @@ NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodie
   return report;
 }
 
+HeldDirections held_by(const Attachment& attachment, const EndMotion& end) {
+  HeldDirections held;
+  if (attachment.hold_place) held.position = all_directions();
+  if (attachment.hold_direction) held.tangent = across(end.direction);
+  return held;
+}
+
+}  // namespace
+
+NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
+                       const HeldDirections& last, LineState& state, const LineRestSettings& settings) {
+  return come_to_rest({line, bodies, first, last, nullptr}, state, settings);
+}
+
 bool LinesRest::converged() const {
   return std::all_of(lines.begin(), lines.end(), [](const NewtonReport& line) { return line.converged(); });
 }
@@ -127,14 +136,17 @@ LinesRest rest_lines(Assembly& assembly, SystemState& state, const LineRestSetti
     }
     LineState& line = state.lines[i];
     const LineState start = line;
-    rest.lines.push_back(rest_line(assembly.line(i), assembly.surroundings().bodies, first, last, line, settings));
+    const std::vector<RigidMotion>& bodies = assembly.surroundings().bodies;
+    RestingLine resting{assembly.line(i), bodies, first, last, nullptr};
+    rest.lines.push_back(come_to_rest(resting, line, settings));
     rest.in_bows.push_back(!rest.lines.back().converged());
     if (rest.in_bows.back()) {
       line = start;
-      rest.lines.back() =
-          rest_without_friction(system.lines[i], system.bodies, assembly.surroundings().bodies, first, last, line, settings);
+      resting.laid = &start;
+      rest.lines.back() = come_to_rest(resting, line, settings);
     }
-    assembly.line(i).evaluate_at_rest(assembly.surroundings().bodies, line, LayHistory::monotonic, false);
+    resting.balance(line, false);
+    std::fill(line.v.begin(), line.v.end(), 0.0);
     line.low.clear();
   }
   return rest;

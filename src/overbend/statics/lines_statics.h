@@ -20,8 +20,8 @@ NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodie
 
 struct LinesRest {
   std::vector<NewtonReport> lines;  ///< In the order of the system.
-  /// Lines that lie in bows without their bed's friction, which would push them back to a straight course for which
-  /// they are too long.
+  /// Lines that rest where their first guess laid them, in bows, held there by friction: on a straight course, where
+  /// friction holds the others, they have no room.
   std::vector<bool> in_bows;
   bool converged() const;
 };

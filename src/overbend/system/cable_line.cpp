@@ -9,8 +9,8 @@
 namespace overbend {
 namespace {
 
-constexpr double kBedSink = 0.01;          ///< A cable sinks into the bed by this at most [m].
-constexpr double kClosestNodes = 1e-3;     ///< Places that share a node, of the length.
+constexpr double kBedSink = 0.01;       ///< A cable sinks into the bed by this at most [m].
+constexpr double kClosestNodes = 1e-3;  ///< Places that share a node, of the length.
 constexpr double kLongestShare = 1.0 / 20.0, kShortestShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
 
 /// Ends of segments and places of points, rising, the end last.
@@ -96,7 +96,7 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   env.bed_offset = bed.offset() - thickest;
   env.route_offset = across.dot(from);
   env.bed_stiffness = std::max(model.seabed.stiffness, heaviest / kBedSink);
-  env.bed_stick = env.bed_stiffness;
+  env.bed_stick = model.seabed.stiffness > 0.0 ? model.seabed.stiffness : env.bed_stiffness;
   env.bed_friction_lateral = friction.value_or(model.seabed.friction_lateral);
   env.bed_friction_axial = friction.value_or(model.seabed.friction_axial);
   env.bed_damping = model.description.environment.seabed.damping;

@@ -30,8 +30,9 @@ struct CableMesh {
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
 
 /// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says
-/// but never so soft that the cable sinks into it by more than a centimetre, and its friction holds along the line from
-/// place to place and across it. The axis of the cable, not its underside, rests at the height of the bed, as in a
+/// but never so soft that the cable sinks into it by more than a centimetre. Its friction holds along the line from
+/// place to place and across it, by a stick as stiff as the model says of the bed: of that hangs how much of a swing in
+/// tension reaches the anchor. The axis of the cable, not its underside, rests at the height of the bed, as in a
 /// catenary; thinner parts of one of several thicknesses lie by the difference of their radii deeper. Points into
 /// `model`, which must outlive it.
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to);

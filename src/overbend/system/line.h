@@ -17,8 +17,8 @@ struct Line {
   LineEnvironment environment;
   YieldingElements yielding;
   std::vector<LinePoint> points;  ///< Clumps and buoys.
-  bool on_rollers = true;    ///< Whether it may meet the rollers of bodies.
-  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
+  bool on_rollers = true;         ///< Whether it may meet the rollers of bodies.
+  double force_scale = 1.0;       ///< What unbalanced forces are measured against: the weight in air [N].
 };
 
 /// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the

@@ -50,7 +50,8 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
     add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
-  add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(), with_tangent ? tangent_ : nullptr);
+  add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),
+                   with_tangent ? tangent_ : nullptr);
   contacts_.place(bodies, state.q.data(), 0.0);
   contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
   keep_ends();

@@ -11,9 +11,9 @@ namespace {
 
 using Vec3Map = Eigen::Map<const Vec3>;
 
-constexpr double kBedSink = 0.01;       ///< A point at rest on the bed sinks in by this [m].
+constexpr double kBedSink = 0.01;         ///< A point at rest on the bed sinks in by this [m].
 constexpr double kBedDampingShare = 0.5;  ///< Of critical.
-constexpr double kTautShare = 0.05;     ///< Of the net force: a tether with more is wholly taut.
+constexpr double kTautShare = 0.05;       ///< Of the net force: a tether with more is wholly taut.
 
 /// Where a point is and how it and the water move there.
 struct PointState {
@@ -121,8 +121,7 @@ LinePoint line_point(const Model& model, const LinePointDescription& description
   point.added_mass = description.added_mass;
   point.drag = 0.5 * model.water_density * description.drag_area;
   point.shape = description.shape;
-  const double volume =
-      description.volume > 0.0 ? description.volume : point.buoyancy / model.water_weight_density;
+  const double volume = description.volume > 0.0 ? description.volume : point.buoyancy / model.water_weight_density;
   const double radius = std::cbrt(0.75 * volume / std::numbers::pi);
   const bool cylinder = description.shape == BuoyShape::cylinder && description.height > 0.0;
   point.half_height = std::max(cylinder ? 0.5 * description.height : radius, 1e-3);
@@ -166,7 +165,8 @@ void add_point_energy(std::span<const LinePoint> points, const LineEnvironment& 
     const double penetration = std::max(0.0, env.bed_offset - n.dot(at.r));
     sum.kinetic += 0.5 * point.mass * at.v.squaredNorm();
     sum.gravity += point.weight * at.r.z();
-    sum.fluid_power += wet.value * (water_force(point, env, at, motion).value + point.buoyancy * Vec3::UnitZ()).dot(at.v);
+    sum.fluid_power +=
+        wet.value * (water_force(point, env, at, motion).value + point.buoyancy * Vec3::UnitZ()).dot(at.v);
     sum.seabed += 0.5 * point.bed_stiffness * penetration * penetration;
     sum.seabed_loss -= (bed.value - point.bed_stiffness * penetration) * at.v.z();
   }

@@ -1,12 +1,12 @@
 /// Clump weights and buoys at nodes of a line: forces with exact derivatives, and energies.
 ///
-/// A point moves with its node. Its weight, its buoyancy by the wetted share of a sphere or an upright cylinder, drag on
-/// the relative velocity, added mass on the relative acceleration with the force of the accelerated water (Morison et
-/// al. 1950; DNV-RP-C205 section 6), and the bed under it, which bears it and damps its approach.
+/// A point moves with its node. Its weight, its buoyancy by the wetted share of a sphere or an upright cylinder, drag
+/// on the relative velocity, added mass on the relative acceleration with the force of the accelerated water (Morison
+/// et al. 1950; DNV-RP-C205 section 6), and the bed under it, which bears it and damps its approach.
 ///
-/// At the end of a tether it stands over its node, a clump under it, however the line moves: what a buoy drifts sideways
-/// on its tether is left out, the pull it gives is not. A tether does not push: a buoy that floats, or a clump that lies,
-/// lets go of the line, its mass with it.
+/// At the end of a tether it stands over its node, a clump under it, however the line moves: what a buoy drifts
+/// sideways on its tether is left out, the pull it gives is not. A tether does not push: a buoy that floats, or a clump
+/// that lies, lets go of the line, its mass with it.
 #pragma once
 
 #include <span>
@@ -22,9 +22,9 @@ namespace overbend {
 
 struct LinePoint {
   int node = 0;
-  double weight = 0.0, buoyancy = 0.0;                          ///< In air; fully submerged [N].
-  double mass = 0.0, displaced_mass = 0.0, added_mass = 0.0;    ///< [kg]
-  double drag = 0.0;                                            ///< rho/2 C_d A [kg/m]
+  double weight = 0.0, buoyancy = 0.0;                        ///< In air; fully submerged [N].
+  double mass = 0.0, displaced_mass = 0.0, added_mass = 0.0;  ///< [kg]
+  double drag = 0.0;                                          ///< rho/2 C_d A [kg/m]
   BuoyShape shape = BuoyShape::sphere;
   double half_height = 1.0;    ///< Radius of a sphere, half the height of a cylinder [m].
   double tether = 0.0;         ///< How far it stands over its node; negative: it hangs; 0: fixed to the line [m].
