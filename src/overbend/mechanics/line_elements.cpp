@@ -1,41 +1,84 @@
 #include "mechanics/line_elements.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/element_constants.h"
+
 namespace overbend {
 
-LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections) {
+ElementConstants pipe_constants(const Model& model, const Section& section) {
+  const double poisson = 1.0 - 2.0 * section.poissons_ratio;
+  ElementConstants c;
+  c.EA = section.EA;
+  c.EI = section.EI;
+  c.weight = section.weight_in_air;
+  c.buoyancy = model.water_weight_density * section.external_area;
+  c.radius = section.outer_radius();
+  c.drag_normal = 0.5 * model.water_density * section.drag_normal * section.outer_diameter;
+  c.drag_axial = 0.5 * model.water_density * std::numbers::pi * section.outer_diameter * section.drag_axial;
+  c.pressure_constant = -poisson * section.internal_pressure * section.internal_area;
+  c.pressure_slope = poisson * section.contents_weight_density * section.internal_area;
+  c.pressure_external = poisson * model.water_weight_density * section.pressure_area;
+  c.mass = section.mass();
+  c.displaced_mass = model.water_density * section.external_area;
+  c.added_normal = section.added_mass_normal * c.displaced_mass;
+  c.added_axial = section.added_mass_axial * c.displaced_mass;
+  return c;
+}
+
+ElementConstants cable_constants(const Model& model, const LineTypeDescription& type) {
+  const double drag_diameter = type.drag_diameter > 0.0 ? type.drag_diameter : type.diameter;
+  const double area = (type.weight_in_air - type.weight_submerged) / model.water_weight_density;
+  ElementConstants c;
+  c.EA = type.axial_stiffness;
+  c.EI = type.bending_stiffness;
+  c.weight = type.weight_in_air;
+  c.buoyancy = type.weight_in_air - type.weight_submerged;
+  c.radius = area > 0.0 ? std::sqrt(area / std::numbers::pi) : 0.5 * type.diameter;
+  c.drag_normal = 0.5 * model.water_density * type.drag_normal * drag_diameter;
+  c.drag_axial = 0.5 * model.water_density * std::numbers::pi * drag_diameter * type.drag_axial;
+  c.mass = type.weight_in_air / kGravity;
+  c.displaced_mass = model.water_density * area;
+  c.added_normal = type.added_mass_normal * c.displaced_mass;
+  c.added_axial = type.added_mass_axial * c.displaced_mass;
+  return c;
+}
+
+LineElements elements_of_kinds(const std::vector<double>& lengths, const std::vector<int>& kinds,
+                               const std::vector<ElementConstants>& constants) {
   LineElements e;
   e.count = static_cast<int>(lengths.size());
   const std::size_t padded = (lengths.size() + kLanes - 1) / kLanes * kLanes;
-  for (AlignedDoubles* array :
-       {&e.EA, &e.EI, &e.weight, &e.buoyancy, &e.radius, &e.drag_normal, &e.drag_axial, &e.pressure_constant,
-        &e.pressure_slope, &e.pressure_external, &e.mass, &e.displaced_mass, &e.added_normal, &e.added_axial}) {
-    array->assign(padded, 0.0);
-  }
   e.length.assign(padded, 1.0);
-  e.radius.assign(padded, 1.0);
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    const Section& section = model.sections[static_cast<std::size_t>(sections[i])];
-    const double poisson = 1.0 - 2.0 * section.poissons_ratio;
-    e.length[i] = lengths[i];
-    e.EA[i] = section.EA;
-    e.EI[i] = section.EI;
-    e.weight[i] = section.weight_in_air;
-    e.buoyancy[i] = model.water_weight_density * section.external_area;
-    e.radius[i] = section.outer_radius();
-    e.drag_normal[i] = 0.5 * model.water_density * section.drag_normal * section.outer_diameter;
-    e.drag_axial[i] = 0.5 * model.water_density * std::numbers::pi * section.outer_diameter * section.drag_axial;
-    e.pressure_constant[i] = -poisson * section.internal_pressure * section.internal_area;
-    e.pressure_slope[i] = poisson * section.contents_weight_density * section.internal_area;
-    e.pressure_external[i] = poisson * model.water_weight_density * section.pressure_area;
-    e.mass[i] = section.mass();
-    e.displaced_mass[i] = model.water_density * section.external_area;
-    e.added_normal[i] = section.added_mass_normal * e.displaced_mass[i];
-    e.added_axial[i] = section.added_mass_axial * e.displaced_mass[i];
-  }
+  std::copy(lengths.begin(), lengths.end(), e.length.begin());
+  const auto fill = [&](AlignedDoubles& values, double ElementConstants::*member, double beyond) {
+    values.assign(padded, beyond);
+    for (std::size_t i = 0; i < kinds.size(); ++i) values[i] = constants[static_cast<std::size_t>(kinds[i])].*member;
+  };
+  fill(e.EA, &ElementConstants::EA, 0.0);
+  fill(e.EI, &ElementConstants::EI, 0.0);
+  fill(e.weight, &ElementConstants::weight, 0.0);
+  fill(e.buoyancy, &ElementConstants::buoyancy, 0.0);
+  fill(e.radius, &ElementConstants::radius, 1.0);
+  fill(e.drag_normal, &ElementConstants::drag_normal, 0.0);
+  fill(e.drag_axial, &ElementConstants::drag_axial, 0.0);
+  fill(e.pressure_constant, &ElementConstants::pressure_constant, 0.0);
+  fill(e.pressure_slope, &ElementConstants::pressure_slope, 0.0);
+  fill(e.pressure_external, &ElementConstants::pressure_external, 0.0);
+  fill(e.mass, &ElementConstants::mass, 0.0);
+  fill(e.displaced_mass, &ElementConstants::displaced_mass, 0.0);
+  fill(e.added_normal, &ElementConstants::added_normal, 0.0);
+  fill(e.added_axial, &ElementConstants::added_axial, 0.0);
   return e;
+}
+
+LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections) {
+  std::vector<ElementConstants> constants;
+  constants.reserve(model.sections.size());
+  for (const Section& section : model.sections) constants.push_back(pipe_constants(model, section));
+  return elements_of_kinds(lengths, sections, constants);
 }
 
 LineEnvironment line_environment(const Model& model, const LayRoute& route) {

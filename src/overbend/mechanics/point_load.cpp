@@ -37,6 +37,17 @@ Vec3 current_velocity(const LineEnvironment& env, double z) {
   return env.current_scale * Vec3(x, y, 0.0);
 }
 
+Vec3 current_slope(const LineEnvironment& env, double z) {
+  for (int i = 0; i + 1 < env.current_rows; ++i) {
+    const double below = env.current_z[i], above = env.current_z[i + 1];
+    if (z > below && z < above) {
+      const double scale = env.current_scale / (above - below);
+      return scale * Vec3(env.current_vx[i + 1] - env.current_vx[i], env.current_vy[i + 1] - env.current_vy[i], 0.0);
+    }
+  }
+  return Vec3::Zero();
+}
+
 PointLoad point_load(const LineElements& elements, const LineEnvironment& env, int element, const Vec3& r,
                      const Vec3& a) {
   const std::size_t e = static_cast<std::size_t>(element);

@@ -22,5 +22,7 @@ PointLoad point_load(const LineElements& elements, const LineEnvironment& env, i
 
 /// Current velocity at height z: linear between the rows of the table, constant beyond [m/s].
 Vec3 current_velocity(const LineEnvironment& env, double z);
+/// Its derivative in z, 0 beyond the ends of the table [1/s].
+Vec3 current_slope(const LineEnvironment& env, double z);
 
 }  // namespace overbend

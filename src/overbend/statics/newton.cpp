@@ -5,32 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statics/step_search.h"
+
 namespace overbend {
 namespace {
 
-constexpr double kLargestTurn = 0.35;      ///< Of a node's tangent in one step [rad].
 constexpr double kLargestForceStep = 0.3;  ///< Of the far force, relative.
 constexpr double kLeastFarForce = 1e-6;    ///< Of the total weight: steps leave that much where they go below zero.
 constexpr double kBalanced = 1e-6;         ///< Residual of a line that balances, whatever is wanted of it.
-constexpr double kDampingStep = 4.0;       ///< Factor by which the damping rises and falls.
-constexpr double kMostDamping = 1e8;       ///< [N/m2]
-constexpr double kSearchGoal = 0.8;        ///< A step is good when the work left along it has fallen to this share.
-
-/// Length that a node may move in one step [m].
-double largest_move(const StaticSystem& system) {
-  return 2.0 + 0.02 * system.mesh().total_length();
-}
-
-/// Share of the step that keeps it inside the limits.
-double step_limit(const std::vector<double>& dq, double move) {
-  double share = 1.0;
-  for (std::size_t i = 0; i < dq.size(); i += 3) {
-    const double size = std::sqrt(dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
-    const double limit = i % 6 == 0 ? move : kLargestTurn;
-    share = size * share > limit ? limit / size : share;
-  }
-  return share;
-}
 
 /// Where the tangent leaves out that steel remembers what bent it upstream, Newton's steps are those of a fixed-point
 /// iteration. What the last of them changed in the next tells what is left out (Anderson 1965, Walker and Ni 2011).
@@ -96,27 +78,6 @@ struct Search {
   }
 };
 
-/// Finds a share in (0, limit] where the work has changed little sign; leaves `search.trial` there. Returns the share,
-/// 0 when none.
-double search_along(Search& search, double work_start, double limit) {
-  double low = 0.0, work_low = work_start;
-  double share = limit;
-  double work = search.work_at(share);
-  if (std::abs(work) <= kSearchGoal * std::abs(work_start) || work * work_start > 0.0) {
-    return share;  // good, or still downhill at the end of the step
-  }
-  double high = share, work_high = work;
-  for (int i = 0; i < 8 && std::abs(work) > kSearchGoal * std::abs(work_start); ++i) {
-    const double secant = low + (high - low) * work_low / (work_low - work_high);
-    share = std::clamp(secant, low + 0.1 * (high - low), low + 0.9 * (high - low));
-    work = search.work_at(share);
-    const bool same_side = work * work_start > 0.0;
-    (same_side ? low : high) = share;
-    (same_side ? work_low : work_high) = work;
-  }
-  return share;
-}
-
 }  // namespace
 
 double relative_target_error(const StaticSystem& system, const LineState& state, const LineTargetValue& target) {
@@ -132,7 +93,7 @@ NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValu
   LineState trial = state;
   StepMixing mixing;
   double damping = 0.0;  // viscous resistance to a step, per length [N/m2]
-  const double move = largest_move(system);
+  const double move = largest_move(system.mesh());
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
     system.evaluate(state, true);
     system.hold(true);
@@ -180,7 +141,7 @@ NewtonReport newton(StaticSystem& system, LineState& state, const LineTargetValu
       continue;
     }
     Search search{system, state, dq, trial, report.trials};
-    const double share = search_along(search, work_start, limit);
+    const double share = search_along([&](double at) { return search.work_at(at); }, work_start, limit);
     if (mixes) mixing.took(dq, share, force_step);
     if (share < 0.05) {
       damping = std::max(kDampingStep * damping, 1.0);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statics/step_search.h"
 #include "system/vessel_body.h"
 
 namespace overbend {
@@ -122,18 +123,6 @@ double StaticSystem::target_error(const LineState& state, const LineTargetValue&
   return elements().EA[e] * (tangent_at(state.q, last).norm() - 1.0) + pressure - target.value;
 }
 
-void StaticSystem::add_damping(double damping) {
-  if (damping <= 0.0) {
-    return;
-  }
-  for (int node = 0; node < mesh().nodes(); ++node) {
-    const double h = mesh().length[static_cast<std::size_t>(std::min(node, mesh().elements() - 1))];
-    for (int i = 0; i < kNodeDofs; ++i) {
-      tangent().diag(node)[i * kRowWidth + i] += damping * h * (i < 3 ? 1.0 : h * h / 12.0);
-    }
-  }
-}
-
 /// K dq - far_direction dH = -R, and the gradient of what is wanted times dq = -its error.
 int StaticSystem::put_border(const LineState& state, const LineTargetValue& target) {
   solver_->clear_border(0);
@@ -154,7 +143,7 @@ int StaticSystem::put_border(const LineState& state, const LineTargetValue& targ
 
 bool StaticSystem::solve_step(const LineState& state, const LineTargetValue& target, double damping,
                               bool free_far_force, std::vector<double>& dq, double& dH) {
-  add_damping(damping);
+  add_step_damping(mesh(), damping, tangent());
   const int wanted_at = put_border(state, target);
   solver_->hold(0, !free_far_force);
   std::transform(residual().begin(), residual().end(), dq.begin(), [](double r) { return -r; });

@@ -85,7 +85,6 @@ class StaticSystem {
 
  private:
   void hold_ends(const VesselPose& pose);
-  void add_damping(double damping);
   int put_border(const LineState& state, const LineTargetValue& target);
 
   /// What the assembly points to: it stays where it is when the system moves.

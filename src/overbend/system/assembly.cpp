@@ -376,6 +376,7 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     const LineState& at = state.lines[i];
     const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
     add(now.line, line_energy(line.line().elements, line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
+    add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
     if (line.line().yielding.any) {
       now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);
       now.bending_heat += at.bending_heat;

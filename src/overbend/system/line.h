@@ -3,6 +3,7 @@
 
 #include "mechanics/line_elements.h"
 #include "system/line_mesh.h"
+#include "system/line_points.h"
 #include "system/yielding.h"
 
 namespace overbend {
@@ -15,8 +16,9 @@ struct Line {
   LineElements elements;
   LineEnvironment environment;
   YieldingElements yielding;
-  bool on_rollers = true;    ///< Whether it may meet the rollers of bodies.
-  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
+  std::vector<LinePoint> points;  ///< Clumps and buoys.
+  bool on_rollers = true;         ///< Whether it may meet the rollers of bodies.
+  double force_scale = 1.0;       ///< What unbalanced forces are measured against: the weight in air [N].
 };
 
 /// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the

@@ -50,6 +50,8 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
     add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
+  add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),
+                   with_tangent ? tangent_ : nullptr);
   contacts_.place(bodies, state.q.data(), 0.0);
   contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
   keep_ends();
@@ -82,6 +84,8 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
                          add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,
                                              plastic_moment_, {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
+  add_point_forces(line_->points, environment_, state.q.data(), motion, residual_.data(),
+                   with_tangent ? tangent_ : nullptr);
   contacts_.evaluate(state.q.data(), state.v.data(), weights, before.contacts, state.contacts, contacts,
                      {residual_, cuts_});
   keep_ends();

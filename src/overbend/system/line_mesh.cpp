@@ -4,10 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "system/graded_mesh.h"
+
 namespace overbend {
 namespace {
 
-constexpr double kGrowth = 0.25;          ///< Element length may grow by this per unit of distance from a fine zone.
 constexpr double kShortestElement = 0.1;  ///< [m]
 
 /// Closest distance of two rows of rollers along the supports [m].
@@ -28,57 +29,6 @@ double softest_over_supports(const Model& model) {
   double EI = section_of(model, 0.0).EI;
   for (const SupportRow& row : model.supports.rows) EI = std::min(EI, section_of(model, row.from_top).EI);
   return EI;
-}
-
-/// A stretch with a wanted element length, in distance from the tensioner.
-struct Zone {
-  double from, to, size;
-};
-
-double wanted_size(const std::vector<Zone>& zones, double longest, double u) {
-  double size = longest;
-  for (const Zone& zone : zones) {
-    const double away = std::max({zone.from - u, u - zone.to, 0.0});
-    size = std::min(size, zone.size + kGrowth * away);
-  }
-  return size;
-}
-
-/// Where nodes are wanted, in distances from the tensioner.
-struct MeshPlan {
-  std::vector<Zone> fine;
-  std::vector<double> fixed;  ///< Ends of the stretches; a node on each.
-  double longest = 0.0;
-};
-
-/// Lengths of elements from `from` on until they reach `to`, each handed to `take`; false from it ends the walk.
-template <class Take>
-void walk(const MeshPlan& plan, double from, double to, Take take) {
-  double at = from;
-  while (at < to - 1e-9) {
-    const double first = wanted_size(plan.fine, plan.longest, at);
-    const double step = std::min(first, wanted_size(plan.fine, plan.longest, at + 0.5 * first));
-    if (!take(step)) return;
-    at += step;
-  }
-}
-
-/// Distances from the tensioner between two fixed nodes: steps follow the wanted size and are stretched to end on the
-/// second.
-void fill(std::vector<double>& u, const MeshPlan& plan, double to) {
-  const double from = u.back();
-  double at = from;
-  std::vector<double> steps;
-  walk(plan, from, to, [&](double step) {
-    steps.push_back(step);
-    at += step;
-    return true;
-  });
-  const double scale = (to - from) / (at - from);
-  for (const double step : steps) {
-    u.push_back(u.back() + scale * step);
-  }
-  u.back() = to;
 }
 
 MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
@@ -141,10 +91,7 @@ long count_elements(const Model& model, const MeshZones& zones) {
 
 LineMesh build_mesh(const Model& model, const MeshZones& zones) {
   const MeshPlan plan = plan_mesh(model, zones);
-  std::vector<double> u{0.0};
-  for (const double to : plan.fixed) {
-    fill(u, plan, to);
-  }
+  const std::vector<double> u = graded_nodes(plan);
   LineMesh mesh;
   for (auto it = u.rbegin(); it != u.rend(); ++it) {
     mesh.s.push_back(zones.total - *it);

@@ -11,8 +11,12 @@ EndMotion attached_to(const RigidMotion& body, const Vec3& place_V, const Vec3& 
 }
 
 void lead_attachments(const System& system, Surroundings& now) {
-  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
-    const Attachment& attachment = system.attachments[i];
+  lead_attachments(system.attachments, now);
+}
+
+void lead_attachments(const std::vector<Attachment>& attachments, Surroundings& now) {
+  for (std::size_t i = 0; i < attachments.size(); ++i) {
+    const Attachment& attachment = attachments[i];
     EndMotion& end = now.ends[i];
     if (attachment.body == kGround) {
       end = EndMotion{};

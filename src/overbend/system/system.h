@@ -57,6 +57,7 @@ EndMotion attached_to(const RigidMotion& body, const Vec3& place_V, const Vec3& 
 
 /// Sets the motion of every attachment from that of its body; on the ground it stands still.
 void lead_attachments(const System& system, Surroundings& now);
+void lead_attachments(const std::vector<Attachment>& attachments, Surroundings& now);
 
 /// Share of its response velocity that the tensioner may use: it is brought in with the sea.
 double tensioner_authority(const System& system, double time);

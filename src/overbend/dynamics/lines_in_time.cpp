@@ -1,0 +1,102 @@
+#include "dynamics/lines_in_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/bed_stretch.h"
+#include "system/cut_forces.h"
+
+namespace overbend {
+namespace {
+
+/// Displacement of an end with its rates.
+struct Swing {
+  Vec3 amplitude = Vec3::Zero();
+  double omega = 0.0, phase = 0.0;
+};
+
+Swing swing_of(const LineEndDescription& end) {
+  if (end.kind != LineEndKind::fixed || end.period <= 0.0) return {};
+  return {end.amplitude, 2.0 * std::numbers::pi / end.period, end.phase};
+}
+
+void add_swing(const Swing& swing, double time, const BuildUp& b, EndMotion& end) {
+  const double angle = swing.omega * time + swing.phase;
+  const double s = std::sin(angle), rate = swing.omega * std::cos(angle), bend = -swing.omega * swing.omega * s;
+  end.place += b.value * s * swing.amplitude;
+  end.velocity += (b.rate * s + b.value * rate) * swing.amplitude;
+  end.acceleration += (b.acceleration * s + 2.0 * b.rate * rate + b.value * bend) * swing.amplitude;
+}
+
+}  // namespace
+
+SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
+                           double build_up) {
+  std::vector<Swing> swings;
+  for (const FreeLineDescription& line : model.description.lines) {
+    swings.push_back(swing_of(line.first));
+    swings.push_back(swing_of(line.second));
+  }
+  return [attachments, swings, vessel = std::move(vessel), build_up](double time, Surroundings& now) {
+    const BuildUp b = half_cosine(time, build_up);
+    now.bodies.front() = vessel_motion(vessel, time, b);
+    lead_attachments(attachments, now);
+    for (std::size_t i = 0; i < swings.size(); ++i) add_swing(swings[i], time, b, now.ends[i]);
+  };
+}
+
+SystemState resting_lines(const System& system, const SystemState& at_rest, const LinesRest& rest, double time) {
+  std::vector<std::vector<double>> q;
+  for (const LineState& line : at_rest.lines) q.push_back(line.q);
+  SystemState state = state_at_rest(system, q, time);
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    if (rest.in_bows[i]) {
+      state.lines[i].bed_slip = at_rest.lines[i].bed_slip;
+    } else {
+      stretch_bed(system.lines[i], state.lines[i]);
+    }
+  }
+  return state;
+}
+
+LineRecorder::LineRecorder(const System& system) {
+  for (const Line& line : system.lines) {
+    LineHistory history;
+    history.least_tension.assign(static_cast<std::size_t>(line.mesh.nodes()), 1e300);
+    history.most_tension.assign(static_cast<std::size_t>(line.mesh.nodes()), -1e300);
+    lines_.push_back(std::move(history));
+  }
+}
+
+void LineRecorder::stepped(const SystemRun& run) {
+  if (run.time() < 0.0) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    LineHistory& line = lines_[i];
+    const double first = run.end_force(i, LineEnd::first).norm(), last = run.end_force(i, LineEnd::last).norm();
+    line.least_first = std::min(line.least_first, first);
+    line.most_first = std::max(line.most_first, first);
+    line.least_last = std::min(line.least_last, last);
+    line.most_last = std::max(line.most_last, last);
+  }
+}
+
+void LineRecorder::row(const SystemRun& run) {
+  if (run.time() < 0.0) return;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    LineHistory& line = lines_[i];
+    line.time.push_back(run.time());
+    line.first.push_back(run.end_force(i, LineEnd::first).norm());
+    line.last.push_back(run.end_force(i, LineEnd::last).norm());
+    const std::vector<double>& q = run.state().lines[i].q;
+    for (std::size_t node = 0; node < line.least_tension.size(); ++node) {
+      const CutForces cut = cut_at_node(run.assembly().line(i).cuts(), q, node);
+      const Vec3 tangent = Eigen::Map<const Vec3>(q.data() + 6 * node + 3).normalized();
+      const double tension = cut.force.dot(tangent);
+      line.least_tension[node] = std::min(line.least_tension[node], tension);
+      line.most_tension[node] = std::max(line.most_tension[node], tension);
+    }
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,38 @@
+/// Lines by themselves in motion: ends that swing as told or move with the vessel, waves and current on every line.
+#pragma once
+
+#include "dynamics/system_run.h"
+#include "mechanics/vessel_motion.h"
+#include "statics/lines_setup.h"
+
+namespace overbend {
+
+/// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, a fixed end about its place
+/// by its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
+SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
+                           double build_up);
+
+/// The lines at rest as a state of motion: accelerations zero, the bed's friction stretched as it holds them.
+SystemState resting_lines(const System& system, const SystemState& at_rest, const LinesRest& rest, double time);
+
+/// Histories of a run: tension at both ends of every line and how it moves.
+struct LineHistory {
+  std::vector<double> time;         ///< [s]
+  std::vector<double> first, last;  ///< Tension at the ends: size of what holds them [N].
+  double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< Over all steps [N].
+  std::vector<double> least_tension, most_tension;  ///< At the nodes, over the rows [N].
+};
+
+/// Keeps them from t = 0 on.
+class LineRecorder : public SystemObserver {
+ public:
+  explicit LineRecorder(const System& system);
+  const std::vector<LineHistory>& histories() const { return lines_; }
+  void stepped(const SystemRun& run) override;
+  void row(const SystemRun& run) override;
+
+ private:
+  std::vector<LineHistory> lines_;
+};
+
+}  // namespace overbend

@@ -1,0 +1,134 @@
+#include "dynamics/system_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr double kLeastMotion = 1e-6;   ///< Of the lines: less is rest [m].
+constexpr double kSmallestStep = 1e-7;  ///< [s]
+constexpr double kMostGrowth = 1.5;     ///< Of the step, from one to the next.
+constexpr double kUnlimited = 1e300;
+
+}  // namespace
+
+SystemRun::SystemRun(System system, const Sea& sea, SystemState start, const DynamicOptions& options)
+    : system_(std::move(system)),
+      lead_(system_.surroundings),
+      options_(options),
+      clock_(make_clock(options, water_interval(sea, options.output_step))),
+      water_memory_(system_.lines.size()),
+      state_(std::move(start)),
+      watches_(2 * system_.lines.size()) {
+  for (std::size_t i = 0; i < system_.lines.size(); ++i) {
+    water_.emplace_back(sea, system_.lines[i].mesh, state_.lines[i].q, options.build_up, clock_.interval);
+  }
+  system_.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
+  assembly_.emplace(system_);
+  stepper_.emplace(*assembly_, options.step);
+  state_.time = clock_.time();
+  chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
+  if (!begin()) failure_ = "the masses of the lines are singular";
+}
+
+void SystemRun::surroundings(double time, Surroundings& now) {
+  lead_(time, now);
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (water_[i].calm()) continue;
+    now.water[i].resize(static_cast<std::size_t>(kWaterValues) *
+                        static_cast<std::size_t>(system_.lines[i].mesh.nodes()));
+    water_[i].nodes_at(water_memory_[i], time, now.water[i]);
+  }
+}
+
+bool SystemRun::begin() {
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (!water_[i].calm()) water_[i].start(water_memory_[i], clock_.time(), state_.lines[i].q, state_.lines[i].v);
+  }
+  assembly_->set_time(state_.time, state_);
+  assembly_->impose_ends(state_);
+  if (!assembly_->find_accelerations(state_)) return false;
+  for (LineState& line : state_.lines) line.alg = line.acc;
+  for (AttachmentState& attachment : state_.attachments) attachment.guide.alg = attachment.guide.acc;
+  const SystemState before = state_;
+  assembly_->evaluate(state_, before, {}, false);
+  double scale = 0.0;
+  for (std::size_t i = 0; i < system_.lines.size(); ++i) {
+    scale += system_.lines[i].force_scale;
+    watches_[2 * i].start(end_force(i, LineEnd::first).norm());
+    watches_[2 * i + 1].start(end_force(i, LineEnd::last).norm());
+  }
+  energy_.start(assembly_->energy(state_), kLeastMotion * scale);
+  next_ = state_;
+  return true;
+}
+
+Vec3 SystemRun::end_force(std::size_t line, LineEnd end) const {
+  const std::array<double, 6>& force = assembly_->line(line).end_force(end);
+  return {force[0], force[1], force[2]};
+}
+
+void SystemRun::adapt(double h) {
+  if (options_.fixed_step) {
+    chooser_.wanted = *options_.fixed_step;
+    return;
+  }
+  const double error = stepper_->local_error(state_, next_);
+  const double growth =
+      std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
+  double longest = options_.max_step;
+  for (std::size_t i = 0; i < system_.lines.size(); ++i) {
+    longest = std::min(longest, watches_[2 * i].longest_step(end_force(i, LineEnd::first).norm(), h));
+    longest = std::min(longest, watches_[2 * i + 1].longest_step(end_force(i, LineEnd::last).norm(), h));
+  }
+  chooser_.wanted = std::clamp(h * growth, kSmallestStep, longest);
+}
+
+bool SystemRun::attempt(double h, double target) {
+  const StepReport step = stepper_->step(state_, h, next_);
+  if (!step.converged()) {
+    chooser_.wanted = 0.5 * h;
+    if (chooser_.wanted < kSmallestStep) {
+      const auto [line, node] = step.worst_place;
+      failure_ = "the time step cannot be solved at t = " + std::to_string(state_.time) + " s, line " +
+                 std::to_string(line + 1) + ", node " + std::to_string(node);
+    }
+    return false;
+  }
+  if (target - state_.time - h < 1e-6 * h) next_.time = target;
+  adapt(h);
+  energy_.add(assembly_->energy(next_), h);
+  std::swap(state_, next_);
+  ++steps_;
+  for (SystemObserver* observer : observers_) observer->stepped(*this);
+  return true;
+}
+
+void SystemRun::reach_tick() {
+  ++clock_.tick;
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (!water_[i].calm()) water_[i].advance(water_memory_[i], state_.lines[i].q, state_.lines[i].v);
+  }
+  if (!clock_.at_row()) return;
+  for (SystemObserver* observer : observers_) observer->row(*this);
+  stepper_->forget_factors();
+}
+
+bool SystemRun::step() {
+  if (failure_ || finished()) return false;
+  const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  do {
+    if (failure_) return false;
+  } while (!attempt(chooser_.choose(target - state_.time, kUnlimited), target));
+  if (state_.time >= target) reach_tick();
+  return true;
+}
+
+bool SystemRun::advance(double until) {
+  while (state_.time < until && step()) {
+  }
+  return !failure_;
+}
+
+}  // namespace overbend

@@ -1,0 +1,82 @@
+/// A system advanced through time step by step: the loop that runs of lines, and whatever else has no pipe, go through.
+/// Steps are as long as their error allows, end on the ticks of a clock, and are cut where Newton's method needs it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dynamics/dynamic_clock.h"
+#include "dynamics/energy_account.h"
+#include "dynamics/time_step.h"
+#include "dynamics/water_field.h"
+
+namespace overbend {
+
+class SystemRun;
+
+/// Who looks on. Told of the instants as they are accepted, and of the rows of output.
+class SystemObserver {
+ public:
+  SystemObserver() = default;
+  SystemObserver(const SystemObserver&) = delete;
+  SystemObserver& operator=(const SystemObserver&) = delete;
+  virtual ~SystemObserver() = default;
+  virtual void stepped(const SystemRun& /*run*/) {}
+  virtual void row(const SystemRun& /*run*/) {}
+};
+
+class SystemRun {
+ public:
+  /// `system.surroundings` sets bodies and ends; waves at the nodes are added here, of `sea`, which must outlive the
+  /// run. `start` is the state at rest from which the build-up goes; its time is set here.
+  SystemRun(System system, const Sea& sea, SystemState start, const DynamicOptions& options);
+  SystemRun(const SystemRun&) = delete;
+  SystemRun& operator=(const SystemRun&) = delete;
+
+  void observe(SystemObserver& observer) { observers_.push_back(&observer); }
+  /// One accepted step. False at the end of the run, and where no step can be solved (see failure()). Nothing is
+  /// allocated.
+  bool step();
+  /// Steps up to the first instant at or after `until` [s]. False where a step failed.
+  bool advance(double until);
+
+  double time() const { return state_.time; }                                             ///< [s]
+  double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }  ///< [s]
+  bool finished() const { return clock_.tick >= clock_.last_tick; }
+  const std::optional<std::string>& failure() const { return failure_; }
+  const System& system() const { return system_; }
+  const SystemState& state() const { return state_; }
+  /// Evaluated at the state.
+  const Assembly& assembly() const { return *assembly_; }
+  const EnergyBalance& energy() const { return energy_.balance(); }
+  int steps() const { return steps_; }
+  /// Force on a line by what holds its end, W [N].
+  Vec3 end_force(std::size_t line, LineEnd end) const;
+
+ private:
+  void surroundings(double time, Surroundings& now);
+  bool begin();
+  bool attempt(double h, double target);
+  void adapt(double h);
+  void reach_tick();
+
+  System system_;
+  SurroundingsAt lead_;  ///< Bodies and ends.
+  DynamicOptions options_;
+  Clock clock_;
+  std::vector<WaterField> water_;  ///< Line by line.
+  std::vector<WaterMemory> water_memory_;
+  std::optional<Assembly> assembly_;
+  std::optional<TimeStepper> stepper_;
+  EnergyAccount energy_;
+  SystemState state_, next_;
+  StepChooser chooser_;
+  std::vector<TensionWatch> watches_;  ///< Two for every line.
+  int steps_ = 0;
+  std::optional<std::string> failure_;
+  std::vector<SystemObserver*> observers_;
+};
+
+}  // namespace overbend

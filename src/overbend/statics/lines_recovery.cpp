@@ -1,0 +1,140 @@
+#include "statics/lines_recovery.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/version.h"
+#include "mechanics/ground.h"
+#include "system/cut_forces.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+double submerged_weight(const Line& line) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    sum += line.mesh.length[e] * (line.elements.weight[e] - line.elements.buoyancy[e]);
+  }
+  for (const LinePoint& point : line.points) sum += point.weight - point.buoyancy;
+  return sum;
+}
+
+/// Half of an element lies for each of its nodes that touches the bed.
+double length_on_bed(const Line& line, const std::vector<double>& q) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    for (const std::size_t node : {e, e + 1}) {
+      const GroundPoint ground = ground_at(line.environment, Vec3Map(q.data() + 6 * node));
+      if (ground.clearance < line.elements.radius[e]) sum += 0.5 * line.mesh.length[e];
+    }
+  }
+  return sum;
+}
+
+LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, LineEnd which) {
+  const std::array<double, 6>& force = line.end_force(which);
+  const Vec3 tangent = Vec3Map(q.data() + 6 * static_cast<std::size_t>(line.end_node(which)) + 3).normalized();
+  LineEndResult end;
+  end.force = Vec3(force[0], force[1], force[2]);
+  end.tension = end.force.norm();
+  end.declination = std::asin(std::clamp(which == LineEnd::last ? tangent.z() : -tangent.z(), -1.0, 1.0));
+  end.in_time = {end.tension, end.tension, end.tension, 0.0};
+  return end;
+}
+
+std::vector<LineNodeResult> nodes_of(const LineAssembly& line, const std::vector<double>& q) {
+  std::vector<LineNodeResult> nodes;
+  for (std::size_t node = 0; node < line.line().mesh.s.size(); ++node) {
+    const Vec3 tangent = Vec3Map(q.data() + 6 * node + 3).normalized();
+    LineNodeResult one;
+    one.s = line.line().mesh.s[node];
+    one.place = Vec3Map(q.data() + 6 * node);
+    one.tension = one.least_tension = one.largest_tension = cut_at_node(line.cuts(), q, node).force.dot(tangent);
+    nodes.push_back(one);
+  }
+  return nodes;
+}
+
+std::optional<double> utilisation_of(const FreeLineDescription& description, const LineResult& line,
+                                     const LineMesh& mesh) {
+  std::optional<double> most;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const auto& load = description.segments[static_cast<std::size_t>(mesh.section[e])].type.breaking_load;
+    if (!load) continue;
+    const double tension = std::max(line.nodes[e].tension, line.nodes[e + 1].tension);
+    most = std::max(most.value_or(0.0), tension / *load);
+  }
+  return most;
+}
+
+void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow,
+          std::vector<std::string>& warnings) {
+  if (line.utilisation && *line.utilisation > 1.0) {
+    warnings.push_back(fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load", line.name,
+                                   *line.utilisation));
+  }
+  if (in_bow) {
+    warnings.push_back(
+        fmt::format("line \"{}\": slack, it lies in a bow on the bed whose place is arbitrary", line.name));
+  }
+  for (const auto& [end, result] : {std::pair{&description.first, &line.first}, {&description.second, &line.second}}) {
+    if (end->kind == LineEndKind::bed && result->force.z() < -1e-3 * result->tension) {
+      warnings.push_back(
+          fmt::format("line \"{}\": pulls its end on the bed up with {:.1f} kN", line.name, -1e-3 * result->force.z()));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> line_assumptions(const Model& model) {
+  std::vector<std::string> told = {
+      "Lines: neither torsion nor internal damping; pressure makes no tension; their axis rests at the height of the "
+      "bed."};
+  const bool tethers =
+      std::any_of(model.description.lines.begin(), model.description.lines.end(), [](const auto& line) {
+        return std::any_of(line.points.begin(), line.points.end(),
+                           [](const auto& point) { return point.tether > 0.0; });
+      });
+  if (tethers) told.push_back("Tethers stand upright over or under their line whatever drags on what they hold.");
+  return told;
+}
+
+LinesResults recover_lines(const Model& model, const Assembly& assembly, const SystemState& state,
+                           const LinesRest& rest) {
+  LinesResults results;
+  results.title = model.description.title;
+  results.version = kVersion;
+  results.warnings = model.description.warnings;
+  results.assumptions = line_assumptions(model);
+  for (std::size_t i = 0; i < state.lines.size(); ++i) {
+    const FreeLineDescription& description = model.description.lines[i];
+    const LineAssembly& solved = assembly.line(i);
+    const std::vector<double>& q = state.lines[i].q;
+    LineResult line;
+    line.name = description.name;
+    line.length = solved.line().mesh.total_length();
+    line.elements = solved.line().mesh.elements();
+    line.weight = submerged_weight(solved.line());
+    line.on_bed = length_on_bed(solved.line(), q);
+    line.residual = rest.lines[i].residual;
+    line.iterations = rest.lines[i].iterations;
+    line.first = end_of(solved, q, LineEnd::first);
+    line.second = end_of(solved, q, LineEnd::last);
+    line.nodes = nodes_of(solved, q);
+    const auto by_tension = [](const LineNodeResult& a, const LineNodeResult& b) { return a.tension < b.tension; };
+    const auto [least, most] = std::minmax_element(line.nodes.begin(), line.nodes.end(), by_tension);
+    line.least_tension = line.least_in_time = least->tension;
+    line.largest_tension = line.largest_in_time = most->tension;
+    line.utilisation = utilisation_of(description, line, solved.line().mesh);
+    warn(description, line, rest.in_bows[i], results.warnings);
+    results.lines.push_back(std::move(line));
+  }
+  return results;
+}
+
+}  // namespace overbend

@@ -1,0 +1,17 @@
+/// From the shapes of lines at rest to what is told of them.
+#pragma once
+
+#include "results/line_results.h"
+#include "statics/lines_setup.h"
+
+namespace overbend {
+
+/// `assembly` stands evaluated at `state`, as rest_lines() leaves it. Warns of lines that are slack, loaded beyond
+/// their breaking load, or pulled up at an end that stands on the bed.
+LinesResults recover_lines(const Model& model, const Assembly& assembly, const SystemState& state,
+                           const LinesRest& rest);
+
+/// What had to be assumed of the lines: sentences for the report.
+std::vector<std::string> line_assumptions(const Model& model);
+
+}  // namespace overbend

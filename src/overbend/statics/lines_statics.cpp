@@ -1,0 +1,155 @@
+#include "statics/lines_statics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "statics/step_search.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kRounding = 1e-15;  ///< Of the axial stiffness: a tangent of length 1 knows its strain no better.
+
+/// A second way to look at rest: so slow a motion from the laid shape that neither water nor mass notice, but the bed's
+/// friction, which stretches by what was moved [s].
+constexpr double kSlowly = 1e9;
+
+/// One line with what it is evaluated and held by.
+struct RestingLine {
+  LineAssembly& line;
+  const std::vector<RigidMotion>& bodies;
+  const HeldDirections &first, &last;
+  const LineState* laid;  ///< Where friction began to hold; null: on the straight course.
+
+  void balance(LineState& state, bool with_tangent) {
+    static const std::vector<double> kCalm;
+    if (laid == nullptr) {
+      line.evaluate_at_rest(bodies, state, LayHistory::monotonic, with_tangent);
+      return;
+    }
+    for (std::size_t i = 0; i < state.q.size(); ++i) state.v[i] = (state.q[i] - laid->q[i]) / kSlowly;
+    line.evaluate(state, *laid, {1.0 / kSlowly, 0.0, kSlowly}, kCalm, with_tangent, ContactMode::free);
+  }
+
+  void evaluate(LineState& state, bool with_tangent) {
+    balance(state, with_tangent);
+    line.hold(line.end_node(LineEnd::first), first, with_tangent);
+    line.hold(line.end_node(LineEnd::last), last, with_tangent);
+  }
+
+  double work(const std::vector<double>& dq) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < dq.size(); ++i) sum += line.residual()[i] * dq[i];
+    return sum;
+  }
+
+  /// Of the equations evaluated last; false where they are singular.
+  bool solve_step(double damping, std::vector<double>& dq) {
+    BlockTridiagonal& tangent = line.tangent();
+    add_step_damping(line.line().mesh, damping, tangent);
+    for (int node = 0; node < tangent.nodes(); ++node) {
+      for (int i = 0; i < kNodeDofs; ++i) {
+        tangent.rhs(node, i, 0) = -line.residual()[static_cast<std::size_t>(kNodeDofs * node + i)];
+        tangent.rhs(node, i, 1) = 0.0;
+      }
+    }
+    if (solve(tangent).singular_node >= 0) return false;
+    for (int node = 0; node < tangent.nodes(); ++node) {
+      for (int i = 0; i < kNodeDofs; ++i) dq[static_cast<std::size_t>(kNodeDofs * node + i)] = tangent.rhs(node, i, 0);
+    }
+    return true;
+  }
+};
+
+NewtonReport come_to_rest(RestingLine resting, LineState& state, const LineRestSettings& settings) {
+  NewtonReport report;
+  LineAssembly& line = resting.line;
+  std::vector<double> dq(state.q.size());
+  LineState trial = state;
+  double damping = 0.0;
+  const LineElements& elements = line.line().elements;
+  const double stiffest = *std::max_element(elements.EA.begin(), elements.EA.begin() + elements.count);
+  const double move = largest_move(line.line().mesh);
+  for (; report.iterations <= settings.max_iterations; ++report.iterations) {
+    resting.evaluate(state, true);
+    report.residual = line.unbalance().force / line.line().force_scale;
+    const double rounding = kRounding * stiffest / line.line().force_scale;
+    if (!std::isfinite(report.residual)) {
+      report.end = NewtonEnd::lost;
+      return report;
+    }
+    if (report.residual < std::max(settings.tolerance, rounding)) {
+      report.end = NewtonEnd::converged;
+      return report;
+    }
+    if (!resting.solve_step(damping, dq) || (resting.work(dq) >= 0.0 && damping < kMostDamping)) {
+      if (damping > kMostDamping) {
+        report.end = NewtonEnd::singular;
+        return report;
+      }
+      damping = std::max(kDampingStep * damping, 1.0);
+      continue;
+    }
+    const double share = search_along(
+        [&](double at) {
+          ++report.trials;
+          advance(trial, state, dq, at);
+          resting.evaluate(trial, false);
+          return resting.work(dq);
+        },
+        resting.work(dq), step_limit(dq, move));
+    damping = share < 0.05 ? std::max(kDampingStep * damping, 1.0) : damping < 1.0 ? 0.0 : damping / kDampingStep;
+    std::swap(state, trial);
+  }
+  return report;
+}
+
+HeldDirections held_by(const Attachment& attachment, const EndMotion& end) {
+  HeldDirections held;
+  if (attachment.hold_place) held.position = all_directions();
+  if (attachment.hold_direction) held.tangent = across(end.direction);
+  return held;
+}
+
+}  // namespace
+
+NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
+                       const HeldDirections& last, LineState& state, const LineRestSettings& settings) {
+  return come_to_rest({line, bodies, first, last, nullptr}, state, settings);
+}
+
+bool LinesRest::converged() const {
+  return std::all_of(lines.begin(), lines.end(), [](const NewtonReport& line) { return line.converged(); });
+}
+
+LinesRest rest_lines(Assembly& assembly, SystemState& state, const LineRestSettings& settings) {
+  const System& system = assembly.system();
+  assembly.set_time(state.time, state);
+  assembly.impose_ends(state);
+  LinesRest rest;
+  for (std::size_t i = 0; i < system.lines.size(); ++i) {
+    HeldDirections first, last;
+    for (std::size_t a = 0; a < system.attachments.size(); ++a) {
+      const Attachment& attachment = system.attachments[a];
+      if (attachment.line != static_cast<int>(i)) continue;
+      (attachment.end == LineEnd::first ? first : last) = held_by(attachment, assembly.surroundings().ends[a]);
+    }
+    LineState& line = state.lines[i];
+    const LineState start = line;
+    const std::vector<RigidMotion>& bodies = assembly.surroundings().bodies;
+    RestingLine resting{assembly.line(i), bodies, first, last, nullptr};
+    rest.lines.push_back(come_to_rest(resting, line, settings));
+    rest.in_bows.push_back(!rest.lines.back().converged());
+    if (rest.in_bows.back()) {
+      line = start;
+      resting.laid = &start;
+      rest.lines.back() = come_to_rest(resting, line, settings);
+    }
+    resting.balance(line, false);
+    std::fill(line.v.begin(), line.v.end(), 0.0);
+    line.low.clear();
+  }
+  return rest;
+}
+
+}  // namespace overbend

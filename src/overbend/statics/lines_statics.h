@@ -1,0 +1,34 @@
+/// Equilibrium of lines between held ends: mooring lines, and lines that stand by themselves. Lines that share no
+/// unknowns rest each by itself.
+#pragma once
+
+#include "statics/newton.h"
+#include "system/assembly.h"
+
+namespace overbend {
+
+struct LineRestSettings {
+  double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the line's force scale.
+  int max_iterations = 300;
+};
+
+/// Iterates the shape of one line, whose held ends are in their places, towards equilibrium: Newton's method as for the
+/// pipe, searched along and damped where a step leads uphill. A slack cable has next to no stiffness across, and its
+/// way down is long: hence the many iterations it may take.
+NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
+                       const HeldDirections& last, LineState& state, const LineRestSettings& settings = {});
+
+struct LinesRest {
+  std::vector<NewtonReport> lines;  ///< In the order of the system.
+  /// Lines that rest where their first guess laid them, in bows, held there by friction: on a straight course, where
+  /// friction holds the others, they have no room.
+  std::vector<bool> in_bows;
+  bool converged() const;
+};
+
+/// Brings every line of `state`, whose shapes are first guesses, to rest with the surroundings as they are at its time,
+/// waves left out. Velocities and memories of `state` stay as they are but for the bed's friction, which is stretched
+/// as the lines lie. The assembly is left evaluated there: forces on the ends and cuts can be read.
+LinesRest rest_lines(Assembly& assembly, SystemState& state, const LineRestSettings& settings = {});
+
+}  // namespace overbend

@@ -1,0 +1,98 @@
+#include "study/lines_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics/lines_in_time.h"
+#include "resultfiles/lines_writer.h"
+#include "runstore/staged_folder.h"
+#include "statics/lines_recovery.h"
+
+namespace overbend {
+namespace {
+
+/// The lines of a model at rest, and what a run starts from.
+struct RestOfModel {
+  LinesSetup setup;
+  SystemState state;
+  LinesRest rest;
+  LinesOutcome outcome;
+};
+
+StaticFailure failure_of(const Model& model, const LinesRest& rest) {
+  const auto worst = std::find_if(rest.lines.begin(), rest.lines.end(), [](const auto& l) { return !l.converged(); });
+  const std::string name = model.description.lines[static_cast<std::size_t>(worst - rest.lines.begin())].name;
+  return {"no equilibrium was found", "line \"" + name + "\"",
+          "its forces do not balance; a longer line or a finer `element` may help"};
+}
+
+RestOfModel rest_of(const Model& model) {
+  RestOfModel found{lines_setup(model), {}, {}, {}};
+  found.state = start_of(found.setup, 0.0);
+  Assembly assembly(found.setup.system);
+  found.rest = rest_lines(assembly, found.state);
+  if (found.rest.converged()) {
+    found.outcome.results = recover_lines(model, assembly, found.state, found.rest);
+  } else {
+    found.outcome.failure = failure_of(model, found.rest);
+  }
+  return found;
+}
+
+Spread spread_of(const std::vector<double>& rows, double least, double most) {
+  Spread spread{least, most, 0.0, 0.0};
+  for (const double value : rows) spread.mean += value / static_cast<double>(rows.size());
+  for (const double value : rows) spread.std += (value - spread.mean) * (value - spread.mean);
+  spread.std = std::sqrt(spread.std / static_cast<double>(std::max<std::size_t>(rows.size(), 1)));
+  return spread;
+}
+
+void add_history(const LineHistory& history, LineResult& line) {
+  line.first.in_time = spread_of(history.first, history.least_first, history.most_first);
+  line.second.in_time = spread_of(history.last, history.least_last, history.most_last);
+  line.first_history = history.first;
+  line.second_history = history.last;
+  for (std::size_t node = 0; node < line.nodes.size(); ++node) {
+    line.nodes[node].least_tension = history.least_tension[node];
+    line.nodes[node].largest_tension = history.most_tension[node];
+  }
+  line.least_in_time = *std::min_element(history.least_tension.begin(), history.least_tension.end());
+  line.largest_in_time = *std::max_element(history.most_tension.begin(), history.most_tension.end());
+}
+
+}  // namespace
+
+LinesOutcome solve_lines(const Model& model) {
+  return rest_of(model).outcome;
+}
+
+LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
+  RestOfModel found = rest_of(model);
+  if (found.outcome.failure) return found.outcome;
+  const EnvironmentDescription& around = model.description.environment;
+  const Sea sea = make_sea(around.waves, around.water_depth, options.build_up + options.duration, options.seed);
+  System system = std::move(found.setup.system);
+  system.surroundings = moving_ends(model, system.attachments, make_vessel_motion(model, sea), options.build_up);
+  LineRecorder recorder(system);
+  SystemState start = resting_lines(system, found.state, found.rest, -options.build_up);
+  SystemRun run(std::move(system), sea, std::move(start), options);
+  run.observe(recorder);
+  if (!run.advance(run.end())) {
+    return {std::nullopt, StaticFailure{*run.failure(), "", "the forces do not balance even with the shortest step"}};
+  }
+  LinesResults& results = *found.outcome.results;
+  results.moved = true;
+  results.steps = run.steps();
+  results.energy_drift = run.energy().drift();
+  results.time = recorder.histories().front().time;
+  for (std::size_t i = 0; i < results.lines.size(); ++i) add_history(recorder.histories()[i], results.lines[i]);
+  return found.outcome;
+}
+
+void write_lines_run(const LinesResults& results, const Description& description, const std::filesystem::path& folder) {
+  StagedFolder staged(folder);
+  write_lines_files(results, description, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

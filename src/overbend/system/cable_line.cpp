@@ -1,0 +1,128 @@
+#include "system/cable_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/element_constants.h"
+#include "system/graded_mesh.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kBedSink = 0.01;       ///< A cable sinks into the bed by this at most [m].
+constexpr double kClosestNodes = 1e-3;  ///< Places that share a node, of the length.
+constexpr double kLongestShare = 1.0 / 20.0, kShortestShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
+
+/// Ends of segments and places of points, rising, the end last.
+std::vector<double> fixed_places(const CableParts& parts) {
+  std::vector<double> places;
+  double at = 0.0;
+  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
+  for (const LinePointDescription& point : parts.points) places.push_back(point.at);
+  std::sort(places.begin(), places.end());
+  const double end = at, closest = kClosestNodes * end;
+  std::vector<double> fixed;
+  for (const double place : places) {
+    if (place > (fixed.empty() ? 0.0 : fixed.back()) + closest && place < end - closest) fixed.push_back(place);
+  }
+  fixed.push_back(end);
+  return fixed;
+}
+
+int segment_at(const CableParts& parts, double s) {
+  double end = 0.0;
+  for (std::size_t i = 0; i + 1 < parts.segments.size(); ++i) {
+    end += parts.segments[i].length.value();
+    if (s < end) return static_cast<int>(i);
+  }
+  return static_cast<int>(parts.segments.size()) - 1;
+}
+
+int nearest_node(const LineMesh& mesh, double s) {
+  const auto nearer = [s](double a, double b) { return std::abs(a - s) < std::abs(b - s); };
+  return static_cast<int>(std::min_element(mesh.s.begin(), mesh.s.end(), nearer) - mesh.s.begin());
+}
+
+Vec3 horizontal_direction(const Vec3& from, const Vec3& to) {
+  const Vec3 way(to.x() - from.x(), to.y() - from.y(), 0.0);
+  return way.norm() > 1e-6 * (to - from).norm() && way.norm() > 0.0 ? Vec3(way.normalized()) : Vec3::UnitX();
+}
+
+void put(double (&out)[3], const Vec3& v) {
+  for (int i = 0; i < 3; ++i) out[i] = v(i);
+}
+
+}  // namespace
+
+double CableParts::length() const {
+  double sum = 0.0;
+  for (const LineSegmentDescription& segment : segments) sum += segment.length.value();
+  return sum;
+}
+
+LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
+  const double length = parts.length();
+  MeshPlan plan;
+  plan.longest = wanted.element.value_or(kLongestShare * length);
+  if (wanted.touchdown) {
+    const double fine = std::min(plan.longest, kShortestShare * length), reach = kFineShare * length;
+    plan.fine.push_back({*wanted.touchdown - reach, *wanted.touchdown + reach, fine});
+  }
+  plan.fixed = fixed_places(parts);
+  LineMesh mesh;
+  mesh.s = graded_nodes(plan);
+  for (std::size_t i = 0; i + 1 < mesh.s.size(); ++i) {
+    mesh.length.push_back(mesh.s[i + 1] - mesh.s[i]);
+    mesh.section.push_back(segment_at(parts, 0.5 * (mesh.s[i] + mesh.s[i + 1])));
+  }
+  return mesh;
+}
+
+LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to) {
+  const Vec3 ahead = horizontal_direction(from, to), across = Vec3::UnitZ().cross(ahead);
+  const BedSurface& bed = model.seabed.surface;
+  const Vec3 normal = bed.normal(from.x(), from.y());
+  double heaviest = 0.0, thickest = 0.0;
+  std::optional<double> friction;
+  for (const LineSegmentDescription& segment : parts.segments) {
+    heaviest = std::max(heaviest, std::abs(segment.type.weight_submerged));
+    thickest = std::max(thickest, cable_constants(model, segment.type).radius);
+    if (segment.type.friction) friction = std::max(friction.value_or(0.0), *segment.type.friction);
+  }
+  LineEnvironment env;
+  put(env.bed_normal, normal);
+  put(env.route_normal, across);
+  put(env.bed_along, bed.along(from, ahead));
+  env.bed_offset = bed.offset() - thickest;
+  env.route_offset = across.dot(from);
+  env.bed_stiffness = std::max(model.seabed.stiffness, heaviest / kBedSink);
+  env.bed_stick = model.seabed.stiffness > 0.0 ? model.seabed.stiffness : env.bed_stiffness;
+  env.bed_friction_lateral = friction.value_or(model.seabed.friction_lateral);
+  env.bed_friction_axial = friction.value_or(model.seabed.friction_axial);
+  env.bed_damping = model.description.environment.seabed.damping;
+  env.current_rows = static_cast<int>(model.current.z.size());
+  env.current_z = model.current.z.data();
+  env.current_vx = model.current.vx.data();
+  env.current_vy = model.current.vy.data();
+  return env;
+}
+
+Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to) {
+  std::vector<ElementConstants> constants;
+  for (const LineSegmentDescription& segment : parts.segments) {
+    constants.push_back(cable_constants(model, segment.type));
+  }
+  Line line;
+  line.mesh = cable_mesh(parts, mesh);
+  line.elements = elements_of_kinds(line.mesh.length, line.mesh.section, constants);
+  line.environment = cable_environment(model, parts, from, to);
+  line.on_rollers = false;
+  line.force_scale = weight_from(line.mesh, line.elements, 0.0);
+  for (const LinePointDescription& point : parts.points) {
+    line.points.push_back(line_point(model, point, nearest_node(line.mesh, point.at)));
+    line.force_scale += line.points.back().weight;
+  }
+  return line;
+}
+
+}  // namespace overbend

@@ -1,0 +1,43 @@
+/// A cable, chain or flexible as a line of the system: by its segments' numbers, with clumps and buoys at its nodes,
+/// without rollers and without yielding. One way for mooring lines and for lines that stand by themselves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/line_description.h"
+#include "model/model.h"
+#include "system/line.h"
+
+namespace overbend {
+
+/// What a cable consists of, from its first end to its last. Every segment has its length.
+struct CableParts {
+  std::vector<LineSegmentDescription> segments;
+  std::vector<LinePointDescription> points;
+  double length() const;  ///< Unstressed [m].
+};
+
+/// What the mesh of a cable is made for.
+struct CableMesh {
+  std::optional<double> touchdown;  ///< Arc length at which it leaves the bed, where it does [m].
+  std::optional<double> element;    ///< Asked for: all elements at most so long [m].
+};
+
+/// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown;
+/// nodes on the ends of segments and at points. Some 20 to 30 elements give tension within 0.01 % and stiffness within
+/// 0.05 % of the elastic catenary, more of them nothing that the bed's stiffness would not hide.
+LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
+
+/// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says
+/// but never so soft that the cable sinks into it by more than a centimetre. Its friction holds along the line from
+/// place to place and across it, by a stick as stiff as the model says of the bed: of that hangs how much of a swing in
+/// tension reaches the anchor. The axis of the cable, not its underside, rests at the height of the bed, as in a
+/// catenary; thinner parts of one of several thicknesses lie by the difference of their radii deeper. Points into
+/// `model`, which must outlive it.
+LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to);
+
+/// The line, for a course from `from` to `to`. Its force scale is its weight in air with that of its points.
+Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to);
+
+}  // namespace overbend

@@ -1,0 +1,175 @@
+#include "system/line_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "mechanics/point_load.h"
+
+namespace overbend {
+namespace {
+
+using Vec3Map = Eigen::Map<const Vec3>;
+
+constexpr double kBedSink = 0.01;         ///< A point at rest on the bed sinks in by this [m].
+constexpr double kBedDampingShare = 0.5;  ///< Of critical.
+constexpr double kTautShare = 0.05;       ///< Of the net force: a tether with more is wholly taut.
+
+/// Where a point is and how it and the water move there.
+struct PointState {
+  Vec3 r = Vec3::Zero(), v = Vec3::Zero(), acc = Vec3::Zero();
+  Vec3 water_v = Vec3::Zero(), water_a = Vec3::Zero();  ///< Waves alone.
+  double surface = 0.0;
+};
+
+PointState state_of(const LinePoint& point, const double* q, const LineMotion& motion) {
+  const std::size_t first = 6 * static_cast<std::size_t>(point.node);
+  PointState at;
+  at.r = Vec3Map(q + first);
+  if (motion.v != nullptr) {
+    at.v = Vec3Map(motion.v + first);
+    at.acc = Vec3Map(motion.acc + first);
+  }
+  if (motion.water != nullptr) {
+    const double* water = motion.water + static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(point.node);
+    at.water_v = Vec3Map(water);
+    at.water_a = Vec3Map(water + 3);
+    at.surface = water[6];
+  }
+  return at;
+}
+
+/// A value with its total derivative in the place of the node.
+struct Graded {
+  double value = 0.0;
+  Vec3 slope = Vec3::Zero();
+};
+struct GradedForce {
+  Vec3 value = Vec3::Zero();
+  Mat3 slope = Mat3::Zero();
+};
+
+Graded wetted(const LinePoint& point, const PointState& at) {
+  const PointWetting wet = point_wetting(point.shape, point.half_height, at.r.z() + point.tether - at.surface);
+  return {wet.share, wet.slope * Vec3::UnitZ()};
+}
+
+/// Upward force of the bed.
+Graded bed_force(const LinePoint& point, const LineEnvironment& env, const PointState& at, double velocity_share) {
+  const Vec3 n(Vec3Map(env.bed_normal));
+  const double penetration = env.bed_offset - n.dot(at.r) - n.z() * point.tether;
+  if (penetration <= 0.0) return {};
+  const double approach = -n.dot(at.v);
+  Graded force{point.bed_stiffness * penetration, -point.bed_stiffness * n};
+  if (approach > 0.0) {
+    force.value += point.bed_damping * approach;
+    force.slope -= point.bed_damping * velocity_share * n;
+  }
+  return force;
+}
+
+/// Weight, buoyancy and bed.
+Graded net_upward(const LinePoint& point, const Graded& wet, const Graded& bed) {
+  return {point.buoyancy * wet.value - point.weight + bed.value, point.buoyancy * wet.slope + bed.slope};
+}
+
+/// Drag, added mass and the accelerated water at full immersion.
+GradedForce water_force(const LinePoint& point, const LineEnvironment& env, const PointState& at,
+                        const LineMotion& motion) {
+  const Vec3 u = current_velocity(env, at.r.z()) + at.water_v - at.v;
+  const double speed = u.norm();
+  GradedForce force;
+  force.value = point.drag * speed * u + point.added_mass * (at.water_a - at.acc) + point.displaced_mass * at.water_a;
+  Mat3 in_u = point.drag * speed * Mat3::Identity();
+  if (speed > 0.0) in_u += point.drag / speed * u * u.transpose();
+  Mat3 u_in_r = -motion.velocity_share * Mat3::Identity();
+  u_in_r.col(2) += current_slope(env, at.r.z());
+  force.slope = in_u * u_in_r - point.added_mass * motion.acceleration_share * Mat3::Identity();
+  return force;
+}
+
+/// How much of a tether with this upward force on the point is taut: smooth from slack to a small part of its pull.
+Graded taut(const LinePoint& point, const Graded& upward) {
+  if (point.tether == 0.0) return {1.0, Vec3::Zero()};
+  const double scale = std::copysign(kTautShare * std::abs(point.buoyancy - point.weight), point.tether);
+  const double x = std::clamp(upward.value / scale, 0.0, 1.0);
+  return {x * x * (3.0 - 2.0 * x), 6.0 * x * (1.0 - x) / scale * upward.slope};
+}
+
+GradedForce force_of(const LinePoint& point, const LineEnvironment& env, const PointState& at,
+                     const LineMotion& motion) {
+  const Graded wet = wetted(point, at);
+  const Graded upward = net_upward(point, wet, bed_force(point, env, at, motion.velocity_share));
+  const Graded pull = taut(point, upward);
+  const GradedForce water = water_force(point, env, at, motion);
+  const Vec3 whole = upward.value * Vec3::UnitZ() + wet.value * water.value - point.mass * at.acc;
+  Mat3 slope = Vec3::UnitZ() * upward.slope.transpose() + wet.value * water.slope +
+               water.value * wet.slope.transpose() - point.mass * motion.acceleration_share * Mat3::Identity();
+  slope = pull.value * slope + whole * pull.slope.transpose();
+  return {pull.value * whole, slope};
+}
+
+}  // namespace
+
+LinePoint line_point(const Model& model, const LinePointDescription& description, int node) {
+  LinePoint point;
+  point.node = node;
+  point.weight = std::max(description.mass * kGravity, -description.net_force);
+  point.mass = point.weight / kGravity;
+  point.buoyancy = point.weight + description.net_force;
+  point.displaced_mass = point.buoyancy / model.water_weight_density * model.water_density;
+  point.added_mass = description.added_mass;
+  point.drag = 0.5 * model.water_density * description.drag_area;
+  point.shape = description.shape;
+  const double volume = description.volume > 0.0 ? description.volume : point.buoyancy / model.water_weight_density;
+  const double radius = std::cbrt(0.75 * volume / std::numbers::pi);
+  const bool cylinder = description.shape == BuoyShape::cylinder && description.height > 0.0;
+  point.half_height = std::max(cylinder ? 0.5 * description.height : radius, 1e-3);
+  point.tether = description.kind == PointKind::buoy ? description.tether : -description.tether;
+  point.bed_stiffness = std::abs(description.net_force) / kBedSink;
+  point.bed_damping = 2.0 * kBedDampingShare * std::sqrt(point.bed_stiffness * point.mass);
+  return point;
+}
+
+PointWetting point_wetting(BuoyShape shape, double half_height, double z) {
+  const double c = z / half_height;
+  if (c <= -1.0) return {1.0, 0.0};
+  if (c >= 1.0) return {0.0, 0.0};
+  if (shape == BuoyShape::cylinder) return {0.5 * (1.0 - c), -0.5 / half_height};
+  return {0.25 * (2.0 - 3.0 * c + c * c * c), 0.75 * (c * c - 1.0) / half_height};
+}
+
+void add_point_forces(std::span<const LinePoint> points, const LineEnvironment& env, const double* q,
+                      const LineMotion& motion, double* residual, BlockTridiagonal* tangent) {
+  for (const LinePoint& point : points) {
+    const GradedForce force = force_of(point, env, state_of(point, q, motion), motion);
+    double* const diag = tangent != nullptr ? tangent->diag(point.node) : nullptr;
+    for (int i = 0; i < 3; ++i) {
+      residual[6 * point.node + i] -= force.value(i);
+      for (int k = 0; diag != nullptr && k < 3; ++k) diag[i * kRowWidth + k] -= force.slope(i, k);
+    }
+  }
+}
+
+void add_point_energy(std::span<const LinePoint> points, const LineEnvironment& env, const double* q,
+                      const LineMotion& motion, LineEnergy& sum) {
+  for (const LinePoint& point : points) {
+    const PointState at = state_of(point, q, motion);
+    if (point.tether != 0.0) {
+      sum.fluid_power += force_of(point, env, at, motion).value.dot(at.v);
+      continue;
+    }
+    const Graded wet = wetted(point, at);
+    const Graded bed = bed_force(point, env, at, 0.0);
+    const Vec3 n(Vec3Map(env.bed_normal));
+    const double penetration = std::max(0.0, env.bed_offset - n.dot(at.r));
+    sum.kinetic += 0.5 * point.mass * at.v.squaredNorm();
+    sum.gravity += point.weight * at.r.z();
+    sum.fluid_power +=
+        wet.value * (water_force(point, env, at, motion).value + point.buoyancy * Vec3::UnitZ()).dot(at.v);
+    sum.seabed += 0.5 * point.bed_stiffness * penetration * penetration;
+    sum.seabed_loss -= (bed.value - point.bed_stiffness * penetration) * at.v.z();
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,202 @@
+/// Lines by themselves in motion, against other programs and closed forms.
+#include "dynamics/lines_in_time.h"
+
+#include <gtest/gtest.h>
+
+#include "support/allocation_count.h"
+#include "support/dynamic_benchmarks.h"
+#include "support/line_cases.h"
+
+namespace overbend {
+namespace {
+
+DynamicOptions options_for(double duration, double build_up, double most = 0.1) {
+  DynamicOptions options;
+  options.duration = duration;
+  options.build_up = build_up;
+  options.output_step = 0.1;
+  options.max_step = most;
+  return options;
+}
+
+struct Extremes {
+  double least = 1e300, most = -1e300;
+};
+
+Extremes extremes_of(const std::vector<double>& values) {
+  Extremes e;
+  for (const double value : values) {
+    e.least = std::min(e.least, value);
+    e.most = std::max(e.most, value);
+  }
+  return e;
+}
+
+struct ChainCase {
+  const char* file;
+  double depth, amplitude;
+};
+
+class chain : public ::testing::TestWithParam<ChainCase> {};
+
+TEST_P(chain, whose_fairlead_heaves_has_the_extremes_of_orcaflex) {
+  const ChainCase& one = GetParam();
+  const std::vector<LineHistory> lines =
+      testing::run_lines(testing::chain_case(one.depth, one.amplitude), options_for(20.0, 10.0));
+  const std::vector<std::vector<double>> reference = testing::number_columns(std::string("moordyn/") + one.file);
+  const Extremes fairlead = extremes_of(reference.at(3)), anchor = extremes_of(reference.at(4));
+  // 3 % of the largest.
+  EXPECT_NEAR(1e-3 * lines[0].most_last, fairlead.most, 0.03 * fairlead.most);
+  EXPECT_NEAR(1e-3 * lines[0].least_last, fairlead.least, 0.03 * fairlead.most);
+  EXPECT_NEAR(1e-3 * lines[0].most_first, anchor.most, 0.03 * anchor.most);
+  EXPECT_NEAR(1e-3 * lines[0].least_first, anchor.least, 0.03 * anchor.most);
+}
+
+INSTANTIATE_TEST_SUITE_P(of_moordyn, chain,
+                         ::testing::Values(ChainCase{"WD0050_Chain_ZZP1_A1.txt", 50.0, 2.0},
+                                           ChainCase{"WD0050_Chain_ZZP1_A2.txt", 50.0, 5.0},
+                                           ChainCase{"WD0200_Chain_ZZP1_A1.txt", 200.0, 2.0},
+                                           ChainCase{"WD0200_Chain_ZZP1_A2.txt", 200.0, 5.0}));
+
+struct JumperCase {
+  const char* file;
+  Vec3 amplitude;
+};
+
+class jumper : public ::testing::TestWithParam<JumperCase> {};
+
+TEST_P(jumper, whose_top_moves_has_the_published_tension) {
+  const std::vector<LineHistory> lines =
+      testing::run_lines(testing::jumper_case(GetParam().amplitude), options_for(27.0, 27.0, 0.2));
+  const std::vector<std::vector<double>> reference =
+      testing::number_columns(std::string("lowe_langley/") + GetParam().file);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < reference[0].size(); ++i) {
+    const std::size_t row = static_cast<std::size_t>(std::lround(std::fmod(reference[0][i] + 270.0, 27.0) / 0.1));
+    sum += std::pow(1e-3 * lines[0].last.at(row) - reference[1][i], 2);
+  }
+  const Extremes range = extremes_of(reference[1]);
+  // Digitised to 0.2 kN; 0.5 kN is 1 % of the tension.
+  EXPECT_LT(std::sqrt(sum / static_cast<double>(reference[0].size())), 0.5);
+  EXPECT_NEAR(1e-3 * lines[0].most_last, range.most, 0.02 * range.most);
+  EXPECT_NEAR(1e-3 * lines[0].least_last, range.least, 0.02 * range.least);
+}
+
+INSTANTIATE_TEST_SUITE_P(of_lowe_and_langley, jumper,
+                         ::testing::Values(JumperCase{"case1.csv", Vec3(10.0, 0.0, 0.0)},
+                                           JumperCase{"case2.csv", Vec3(0.0, 10.0, 0.0)}));
+
+/// Unstressed length of a cable that hangs level over `span` with this horizontal force: elastic catenary.
+double level_length(double span, double force, double weight, double EA) {
+  double length = span;
+  for (int i = 0; i < 50; ++i) {
+    const double half = weight * length / (2.0 * force);
+    const double reach = 2.0 * force / weight * std::asinh(half) + force * length / EA;
+    length += (span - reach) / (1.0 / std::sqrt(1.0 + half * half) + force / EA);
+  }
+  return length;
+}
+
+/// Angular frequencies of small vibration about rest, rising, of the freedoms asked for [rad/s].
+std::vector<double> frequencies(const testing::RestingLines& lines, const std::vector<int>& axes) {
+  Assembly assembly(lines.setup.system);
+  const testing::StiffnessAndMass full =
+      testing::stiffness_and_mass(assembly, resting_lines(lines.setup.system, lines.state, lines.rest, 0.0));
+  std::vector<int> free;
+  const int last = lines.line().mesh.nodes() - 1;
+  for (int node = 0; node <= last; ++node) {
+    for (const int axis : axes) {
+      if (node > 0 && node < last) free.push_back(6 * node + axis);
+      free.push_back(6 * node + 3 + axis);
+    }
+  }
+  const Eigen::MatrixXd k = full.stiffness(free, free), m = full.mass(free, free);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(k, m, Eigen::EigenvaluesOnly);
+  std::vector<double> all;
+  for (const double square : modes.eigenvalues()) all.push_back(std::sqrt(square));
+  return all;
+}
+
+// Irvine and Caughey (1974), linear theory of small sag: 500 m, 300 kN, lambda^2 39.03.
+TEST(sagging_cable, vibrates_with_the_frequencies_of_irvine_and_caughey) {
+  Description d = testing::water_alone(1025.0, 100.0);
+  LineTypeDescription type = testing::cable_type(16.342, 0.0, 165.48e6, 10.0, 1025.0);
+  type.diameter = 0.05;
+  const double length = level_length(500.0, 300e3, type.weight_in_air, type.axial_stiffness);
+  d.lines = {testing::free_line(type, length, Vec3(0.0, 0.0, 100.0), Vec3(500.0, 0.0, 100.0))};
+  d.lines[0].element = 500.0 / 24.0;
+  const testing::RestingLines lines(d);
+  ASSERT_TRUE(lines.rest.converged());
+  ASSERT_NEAR(lines.last[0].x(), 300e3, 100.0);
+  const std::vector<double> in_plane = frequencies(lines, {0, 2}), out_of_plane = frequencies(lines, {1});
+  const double expected_in[] = {1.6962, 1.7026, 2.6321, 3.4052, 4.2694};
+  const double expected_out[] = {0.8513, 1.7026, 2.5539};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(in_plane[i], expected_in[i], 0.01 * expected_in[i]) << i;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(out_of_plane[i], expected_out[i], 0.01 * expected_out[i]) << i;
+}
+
+TEST(lines_in_time, at_rest_stay_at_rest) {
+  Description d = testing::chain_case(50.0, 0.0);
+  d.environment.current = {{0.0, 0.5, 0.0}, {50.0, 0.5, 0.0}};
+  const std::vector<LineHistory> lines = testing::run_lines(d, options_for(5.0, 0.0));
+  const testing::RestingLines rest(d);
+  // Steps balance to 1e-6 of the weight.
+  EXPECT_NEAR(lines[0].least_last, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
+  EXPECT_NEAR(lines[0].most_last, rest.last[0].norm(), 2e-5 * rest.last[0].norm());
+}
+
+/// A line with a clump and a buoy in a wave, its top swinging.
+Description busy_line() {
+  Description d = testing::water_alone(1025.0, 100.0);
+  LineTypeDescription type = testing::cable_type(16.3418, 0.0512, 165.48e6, 2e3, 1025.0);
+  d.lines = {testing::free_line(type, 330.0, Vec3(0.0, 0.0, -80.0), Vec3(300.0, 0.0, -5.0))};
+  LinePointDescription clump, buoy;
+  clump.net_force = -10e3;
+  clump.at = 100.0;
+  buoy.kind = PointKind::buoy;
+  buoy.net_force = 8e3;
+  buoy.mass = 500.0;
+  buoy.added_mass = 600.0;
+  buoy.drag_area = 1.0;
+  buoy.at = 250.0;
+  d.lines[0].points = {clump, buoy};
+  d.lines[0].second.amplitude = Vec3(1.0, 0.5, 1.0);
+  d.lines[0].second.period = 9.0;
+  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.height = 3.0;
+  d.environment.waves.period = 9.0;
+  return d;
+}
+
+TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
+  const testing::RestingLines rest(busy_line());
+  ASSERT_TRUE(rest.rest.converged());
+  const auto drift = [&](double h) {
+    DynamicOptions options = options_for(4.0, 9.0);
+    options.fixed_step = h;
+    const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
+    System system = rest.setup.system;
+    system.surroundings = moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), 9.0);
+    SystemRun run(system, sea, resting_lines(system, rest.state, rest.rest, -9.0), options);
+    EXPECT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+    return run.energy().drift();
+  };
+  const double coarse = drift(0.05), fine = drift(0.025);
+  EXPECT_LT(fine, 2e-3);
+  EXPECT_LT(fine, 0.4 * coarse + 1e-5);
+}
+
+TEST(lines_in_time, allocate_nothing_in_a_step) {
+  testing::RestingLines rest(busy_line());
+  const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
+  System system = rest.setup.system;
+  system.surroundings = moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), 9.0);
+  SystemRun run(system, sea, resting_lines(system, rest.state, rest.rest, -9.0), options_for(4.0, 9.0));
+  run.advance(-8.0);
+  const long before = testing::allocation_count();
+  run.advance(-6.0);
+  EXPECT_EQ(testing::allocation_count(), before);
+}
+
+}  // namespace
+}  // namespace overbend

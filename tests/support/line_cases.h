@@ -1,0 +1,136 @@
+/// Lines by themselves with answers of other programs or a closed form. Tests and the validation page share them.
+#pragma once
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "dynamics/lines_in_time.h"
+#include "support/fixtures.h"
+
+namespace overbend::testing {
+
+/// Water of a density [kg/m3] and a depth [m], a hard bed without friction, no current.
+inline Description water_alone(double density, double depth) {
+  Description d = plain_description();
+  d.environment.water_weight_density = density * kGravity;
+  d.environment.water_depth = depth;
+  d.environment.seabed.stiffness = 0.0;
+  return d;
+}
+
+/// By what it has of mass, and of a round section of `volume_diameter` that is displaced.
+inline LineTypeDescription cable_type(double mass, double volume_diameter, double EA, double EI, double density) {
+  LineTypeDescription type;
+  type.diameter = type.drag_diameter = volume_diameter;
+  type.weight_in_air = mass * kGravity;
+  const double area = 0.25 * std::numbers::pi * volume_diameter * volume_diameter;
+  type.weight_submerged = type.weight_in_air - density * kGravity * area;
+  type.axial_stiffness = EA;
+  type.bending_stiffness = EI;
+  return type;
+}
+
+inline FreeLineDescription free_line(const LineTypeDescription& type, double length, const Vec3& first,
+                                     const Vec3& second) {
+  FreeLineDescription line;
+  line.name = "line";
+  line.first.at = first;
+  line.second.at = second;
+  line.segments = {{"", length, type}};
+  return line;
+}
+
+/// The chains of validation/moordyn: from the anchor to the fairlead.
+inline Description chain_case(double depth, double amplitude) {
+  Description d = water_alone(1025.0, depth);
+  LineTypeDescription chain = cable_type(390.0, 0.252, 1.674e9, 0.0, 1025.0);
+  chain.bending_stiffness = 2e3;  // one that an element can do with; it carries nothing
+  chain.drag_normal = 1.37;
+  // The program that made the records takes the drag along a chain on the diameter alone, ours on the circumference;
+  // and its chain stands on the bed with the width of a link, 3.35 diameters of the bar, where the volume's is 1.89.
+  chain.drag_axial = 0.64 / std::numbers::pi;
+  d.environment.seabed.stiffness = 1e5 * 0.252 * 3.35 / 1.89;
+  d.environment.seabed.damping = 1e4 * 0.252;
+  d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.5;
+  const double across = depth == 50.0 ? 400.0 : depth == 200.0 ? 700.0 : 1500.0;
+  const double length = depth == 50.0 ? 410.0 : depth == 200.0 ? 760.0 : 1700.0;
+  d.lines = {free_line(chain, length, Vec3(across, 0.0, -depth), Vec3::Zero())};
+  d.lines[0].second.amplitude = Vec3(0.0, 0.0, amplitude);
+  d.lines[0].second.period = 10.0;
+  return d;
+}
+
+/// The jumper of validation/lowe_langley, its upper end the second.
+inline Description jumper_case(const Vec3& amplitude) {
+  Description d = water_alone(1000.0, 100.0);
+  LineTypeDescription type = cable_type(165.0, 0.396, 500e6, 120.8e3, 1000.0);
+  type.drag_normal = 1.0;
+  d.lines = {free_line(type, 170.0, Vec3(-100.0, 0.0, -55.0), Vec3(0.0, 0.0, -5.0))};
+  d.lines[0].second.amplitude = amplitude;
+  d.lines[0].second.period = 27.0;
+  return d;
+}
+
+/// The lines of a description at rest.
+struct RestingLines {
+  Model model;
+  LinesSetup setup;
+  SystemState state;
+  LinesRest rest;
+  std::vector<Vec3> first, last;  ///< Forces on the ends by what holds them [N].
+
+  explicit RestingLines(const Description& description) : model(build_model(description)), setup(lines_setup(model)) {
+    Assembly assembly(setup.system);
+    state = start_of(setup, 0.0);
+    rest = rest_lines(assembly, state);
+    for (std::size_t i = 0; i < setup.system.lines.size(); ++i) {
+      const auto force = [&](LineEnd end) {
+        return Vec3(Eigen::Map<const Vec3>(assembly.line(i).end_force(end).data()));
+      };
+      first.push_back(force(LineEnd::first));
+      last.push_back(force(LineEnd::last));
+    }
+  }
+  RestingLines(const RestingLines&) = delete;
+  RestingLines& operator=(const RestingLines&) = delete;
+  Vec3 place(std::size_t line, int node) const { return Eigen::Map<const Vec3>(state.lines[line].q.data() + 6 * node); }
+  const Line& line(std::size_t i = 0) const { return setup.system.lines[i]; }
+};
+
+/// A run from that rest; histories of t >= 0.
+inline std::vector<LineHistory> run_lines(const Description& description, const DynamicOptions& options) {
+  RestingLines rest(description);
+  const Model& model = rest.model;
+  const WavesDescription& waves = model.description.environment.waves;
+  const Sea sea = make_sea(waves, model.description.environment.water_depth, options.duration, options.seed);
+  System system = std::move(rest.setup.system);
+  system.surroundings = moving_ends(model, system.attachments, make_vessel_motion(model, sea), options.build_up);
+  LineRecorder recorder(system);
+  SystemState start = resting_lines(system, rest.state, rest.rest, -options.build_up);
+  SystemRun run(std::move(system), sea, std::move(start), options);
+  run.observe(recorder);
+  if (!run.advance(run.end())) throw std::runtime_error(*run.failure());
+  return recorder.histories();
+}
+
+/// Columns of numbers, separated by blanks or commas.
+inline std::vector<std::vector<double>> number_columns(const std::string& file) {
+  std::ifstream in(std::string(OVERBEND_SOURCE_DIR) + "/validation/" + file);
+  std::vector<std::vector<double>> columns;
+  for (std::string text; std::getline(in, text);) {
+    for (char& c : text) c = c == ',' ? ' ' : c;
+    std::istringstream row(text);
+    double value = 0.0;
+    for (std::size_t i = 0; row >> value; ++i) {
+      if (i == columns.size()) columns.emplace_back();
+      columns[i].push_back(value);
+    }
+  }
+  return columns;
+}
+
+}  // namespace overbend::testing
