@@ -14,7 +14,7 @@ TEST(ground, is_the_bed_and_the_route_of_the_model_at_every_place) {
   d.environment.seabed.slope = 0.05;
   d.environment.seabed.slope_towards = 1.0;
   const Model model = build_model(d);
-  const LayRoute route = lay_route(model, model.mean_pose);
+  const LayRoute route = lay_route(model);
   const BedSurface& bed = model.seabed.surface;
   const LineEnvironment env = line_environment(model, route);
   for (const Vec3& r : {Vec3(-150.0, 3.0, -88.0), Vec3(400.0, -70.0, -95.0)}) {

@@ -26,7 +26,7 @@ TEST(lay_route, starts_at_the_tensioner_and_runs_astern_with_port_as_the_barge_h
   d.vessel.heading = 0.7;
   d.tensioner.x = -20.0;
   const Model model = build_model(d);
-  const LayRoute route = lay_route(model, model.mean_pose);
+  const LayRoute route = lay_route(model);
   const TensionerDescription& tensioner = model.description.tensioner;
   EXPECT_EQ(route.place(0.0), point_from_ramp(model, model.mean_pose, Vec3(tensioner.x, 0.0, tensioner.z)));
   EXPECT_LT((route.direction(0.0) + model.mean_pose.R_WV.col(0)).norm(), 1e-12);

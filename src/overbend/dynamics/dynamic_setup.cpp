@@ -62,7 +62,7 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
 
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension) {
   System system;
-  Line line = pipe_line(model, solution.mesh, lay_route(model, model.mean_pose));
+  Line line = pipe_line(model, solution.mesh, lay_route(model));
   choose_levels(line.yielding, solution.state.q.data());
   // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
   // length.

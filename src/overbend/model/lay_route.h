@@ -33,7 +33,8 @@ class LayRoute {
   double port_offset_ = 0.0;
 };
 
-/// The route of a barge that holds this pose: from the pipe's axis at the tensioner, straight astern.
-LayRoute lay_route(const Model& model, const VesselPose& pose);
+/// The route of the barge as described: from the pipe's axis at the tensioner, straight astern. A barge that its
+/// moorings let drift does not take it along.
+LayRoute lay_route(const Model& model);
 
 }  // namespace overbend

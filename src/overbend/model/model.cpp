@@ -184,7 +184,8 @@ Model build_model(const Description& description) {
     resolve_contact_stiffness(model);
   }
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
-  model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));
+  model.drawn_pose = model.mean_pose;
+  model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.drawn_pose, Vec3::Zero()));
   model.current = resolve_current(description.environment.current);
   return model;
 }

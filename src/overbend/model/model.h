@@ -45,7 +45,8 @@ struct Model {
   std::vector<Section> sections;
   std::vector<SectionSpan> spans;  ///< By distance from the tensioner; the rest has section 0.
   Supports supports;
-  VesselPose mean_pose;
+  VesselPose mean_pose;   ///< Where the vessel lies.
+  VesselPose drawn_pose;  ///< As described: the lay route runs astern from there.
   Seabed seabed;
   CurrentProfile current;
   double water_weight_density = 0.0;  ///< [N/m3]

@@ -146,8 +146,9 @@ std::size_t departure(const std::vector<Guide2>& points, const FreeSpan& span) {
 
 LayPlane lay_plane(const Model& model, const VesselPose& pose) {
   const TensionerDescription& tensioner = model.description.tensioner;
-  const LayRoute route = lay_route(model, pose);
-  LayPlane plane{route, route.place(0.0), route.direction(0.0), route.port(0.0), model.seabed.surface, 0.0, 0.0};
+  const LayRoute route = lay_route(model);
+  const Vec3 tensioner_W = point_from_ramp(model, pose, Vec3(tensioner.x, 0.0, tensioner.z));
+  LayPlane plane{route, tensioner_W, route.direction(0.0), route.port(0.0), model.seabed.surface, 0.0, 0.0};
   plane.radius = model.sections.front().outer_radius();
   const Vec3 guide_W = direction_from_ramp(pose, Vec3(std::cos(tensioner.incline), 0.0, -std::sin(tensioner.incline)));
   plane.guide_dip = std::atan2(-guide_W.z(), guide_W.dot(plane.astern_W));

@@ -8,6 +8,7 @@
 
 #include "mechanics/rod_element.h"
 #include "statics/support_line.h"
+#include "statics/touchdown.h"
 
 namespace overbend {
 namespace {
@@ -188,6 +189,31 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
     Eigen::Map<Vec3>(moved.q.data() + 6 * node + 3) = at.a;
   }
   return moved;
+}
+
+void bring_to_ends(const StaticSystem& system, LineState& state) {
+  const LayPlane& plane = system.plane();
+  const LineMesh& mesh = system.mesh();
+  Eigen::Map<Vec3> top(state.q.data() + state.q.size() - 6), tangent(state.q.data() + state.q.size() - 3);
+  const Vec3 miss = plane.tensioner_W - top;
+  const double along = miss.dot(plane.astern_W), across = miss.dot(plane.port_W);
+  const double far_across = -plane.route.offset(Eigen::Map<const Vec3>(state.q.data()));
+  if (system.held_direction()) {
+    tangent = tangent.norm() * *system.held_direction();
+  }
+  if (miss.isZero(0.0) && far_across == 0.0) {
+    return;
+  }
+  const auto touchdown = find_touchdown(system, state);
+  const double landing = touchdown ? touchdown->s : 0.0;
+  for (std::size_t node = 0; node < mesh.s.size(); ++node) {
+    const double share = mesh.s[node] / mesh.total_length();
+    const double lifted = std::max(0.0, (mesh.s[node] - landing) / (mesh.total_length() - landing));
+    Eigen::Map<Vec3>(state.q.data() + 6 * node) += along * plane.astern_W +
+                                                   (share * across + (1.0 - share) * far_across) * plane.port_W +
+                                                   lifted * miss.z() * Vec3::UnitZ();
+  }
+  top = plane.tensioner_W;
 }
 
 double support_end(const StaticSystem& system) {

@@ -61,7 +61,8 @@ void StaticSystem::hold_ends(const VesselPose& pose) {
   held_top_.position = all_directions();
   if (model_->description.tensioner.guide == Guide::clamped) {
     const double incline = model_->description.tensioner.incline;
-    held_top_.tangent = across(direction_from_ramp(pose, Vec3(std::cos(incline), 0.0, -std::sin(incline))));
+    guide_ = direction_from_ramp(pose, Vec3(-std::cos(incline), 0.0, std::sin(incline)));
+    held_top_.tangent = across(*guide_);
   }
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "numerics/bordered_system.h"
@@ -42,6 +43,8 @@ class StaticSystem {
   const std::vector<double>& cuts() const { return assembly_.cuts(); }
   BlockTridiagonal& tangent() { return assembly_.tangent(); }
   Vec3 far_direction() const { return far_direction_; }
+  /// Direction of the pipe in its guide at the tensioner, towards it; none where it may turn.
+  const std::optional<Vec3>& held_direction() const { return guide_; }
   double total_weight() const { return line().force_scale; }  ///< In air [N].
 
   /// Roller stiffness is limited to this [N/m]: continuation from soft to hard.
@@ -103,6 +106,7 @@ class StaticSystem {
   LineAssembly assembly_;
   Easing easing_;
   Vec3 far_direction_ = Vec3::UnitX();
+  std::optional<Vec3> guide_;
   HeldDirections held_far_, held_top_;
   BorderedReport solve_report_;
 };

@@ -133,6 +133,7 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   if (start != nullptr) {
     from.zones.total = start->mesh.total_length();
     at.state = start->state;
+    bring_to_ends(at.system, at.state);
     at.report.method = "newton, from the last solution";
     solved = follow(at, "from the last solution");
     if (!solved) {

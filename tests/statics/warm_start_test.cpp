@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+#include "statics/statics.h"
+
+namespace overbend {
+namespace {
+
+Description bgl1() {
+  return read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
+}
+
+StaticResults results_of(const Model& model, const StaticOutcome& outcome) {
+  return recover_statics(model, outcome.solution.value());
+}
+
+/// Solves a changed lay from the solution of the unchanged one, and from nothing; says that both agree and that the
+/// change moved something.
+void expect_that_the_start_does_not_matter(const std::function<void(Model&)>& change) {
+  Model model = build_model(bgl1());
+  const StaticOutcome before = solve_statics(model);
+  change(model);
+  const StaticOutcome cold = solve_statics(model), warm = solve_statics(model, &before.solution.value());
+  const StaticResults from_nothing = results_of(model, cold), from_last = results_of(model, warm);
+  EXPECT_NEAR(from_last.overbend->bending_stress.value, from_nothing.overbend->bending_stress.value, 1e3);
+  EXPECT_NEAR(from_last.lay_back, from_nothing.lay_back, 1e-3);
+  const std::vector<double>& q = warm.solution->state.q;
+  const Vec3 top = Eigen::Map<const Vec3>(q.data() + q.size() - 6);
+  EXPECT_TRUE(top.isApprox(from_nothing.tensioner_W, 1e-12));
+}
+
+Model with(const std::function<void(Description&)>& change) {
+  Description description = bgl1();
+  change(description);
+  return build_model(description);
+}
+
+}  // namespace
+
+TEST(warm_start, follows_a_tensioner_that_was_raised) {
+  expect_that_the_start_does_not_matter([](Model& m) { m = with([](Description& d) { d.tensioner.z += 0.3; }); });
+}
+
+TEST(warm_start, follows_a_tensioner_that_was_moved_along) {
+  expect_that_the_start_does_not_matter([](Model& m) { m = with([](Description& d) { d.tensioner.x += 0.5; }); });
+}
+
+TEST(warm_start, follows_a_guide_that_was_tilted) {
+  expect_that_the_start_does_not_matter(
+      [](Model& m) { m = with([](Description& d) { d.tensioner.incline -= 0.01; }); });
+}
+
+TEST(warm_start, follows_a_barge_that_was_turned) {
+  expect_that_the_start_does_not_matter([](Model& m) { m = with([](Description& d) { d.vessel.heading += 0.05; }); });
+}
+
+TEST(warm_start, follows_a_barge_that_drifted_off_its_route) {
+  expect_that_the_start_does_not_matter([](Model& m) { m.mean_pose.p_WV = Vec3(-0.8, 1.2, -0.02); });
+}
+
+TEST(warm_start, is_used_where_the_barge_drifted) {
+  Model model = build_model(bgl1());
+  const StaticOutcome before = solve_statics(model);
+  model.mean_pose.p_WV = Vec3(-0.8, 1.2, -0.02);
+  EXPECT_EQ(solve_statics(model, &before.solution.value()).solution->report.method, "newton, from the last solution");
+}
+
+}  // namespace overbend
