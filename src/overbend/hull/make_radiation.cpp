@@ -18,10 +18,13 @@ constexpr int kLeastOrder = 6, kMostOrder = 20;
 /// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
 /// damping that may be left to the constant one.
 constexpr double kGoodFit = 0.006, kFairFit = 0.01, kPassive = 1e-5;
+/// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
+/// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
+constexpr double kJudgedFrom = 0.03;
 constexpr double kNoise = 1e-4;    ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
 constexpr double kSilent = 1e-6;   ///< Of the strongest mode of its kind: it does not radiate.
 constexpr double kSlowest = 0.03;  // [1/s]
-constexpr double kWarnAddedMass = 0.03;
+constexpr double kWarnAddedMass = 0.03, kWarnNegative = 0.01;
 constexpr double kConvolutionInterval = 0.1;  // [s]
 constexpr int kKernelSamples = 401;
 constexpr const char* kModeNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
@@ -153,11 +156,14 @@ Truth truth_of(const DampingSpectrum& spectrum, const HydrodynamicData& data, co
   Truth truth;
   truth.damping_peak = truth.mass_peak = Eigen::VectorXd::Zero(unit.size());
   for (const RadiationPoint& point : data.radiation) {
-    truth.omega.push_back(point.omega);
-    truth.damping.push_back(part(damping_at(spectrum, point.omega), modes, unit));
-    truth.mass_above_infinite.push_back(part(added_mass_above_infinite(spectrum, point.omega), modes, unit));
-    truth.damping_peak = truth.damping_peak.cwiseMax(truth.damping.back().diagonal());
+    const MatrixXd damping = part(damping_at(spectrum, point.omega), modes, unit);
+    truth.damping_peak = truth.damping_peak.cwiseMax(damping.diagonal());
     truth.mass_peak = truth.mass_peak.cwiseMax(part(point.added_mass, modes, unit).diagonal());
+    if (point.omega >= kJudgedFrom * spectrum.last) {
+      truth.omega.push_back(point.omega);
+      truth.damping.push_back(damping);
+      truth.mass_above_infinite.push_back(part(added_mass_above_infinite(spectrum, point.omega), modes, unit));
+    }
   }
   return truth;
 }
@@ -306,7 +312,11 @@ void report_entries(const Source& source, Radiated& radiated) {
   }
 }
 
-void warn_of_added_mass(RadiationReport& report) {
+void warn_of_file(double largest_negative, RadiationReport& report) {
+  if (largest_negative > kWarnNegative) {
+    report.warnings.push_back("the hydrodynamic file holds negative radiation damping, up to " +
+                              format_number(100.0 * largest_negative, 2) + " % of the largest; it is taken as zero");
+  }
   for (const RadiationEntryReport& entry : report.entries) {
     const double change = entry.added_mass_used / entry.added_mass_file - 1.0;
     if (entry.i == entry.j && std::abs(change) > kWarnAddedMass) {
@@ -359,7 +369,7 @@ Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
     fit_all(source, radiated);
   }
   report_entries(source, radiated);
-  warn_of_added_mass(radiated.report);
+  warn_of_file(source.spectrum.largest_negative, radiated.report);
   radiated.report.states = static_cast<int>(fresh_memory(radiated.model).values.size());
   return radiated;
 }
