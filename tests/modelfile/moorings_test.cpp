@@ -282,6 +282,26 @@ TEST(coupled_hull, keys_fill_the_description) {
   EXPECT_EQ(d.station_keeping->limit.x(), 5e5);
 }
 
+TEST(coupled_hull, its_files_are_read_with_their_conventions) {
+  const std::string found = "hydrodynamics: ../data/bgl1/bgl1\n";
+  const Description d = read_good(replaced(kCoupled, found, found + "      convention: {drift_from: 0.5 rad/s}\n"));
+  ASSERT_TRUE(d.vessel.coupled && d.vessel.coupled->data);
+  const HydrodynamicData& data = *d.vessel.coupled->data;
+  EXPECT_EQ(data.origin_V, Vec3(0.0, 0.0, 0.818));
+  EXPECT_NEAR(data.hydrostatic_stiffness(2, 2), 1025.0 * 9.81 * 3600.0, 1e3);  // a box of 120 x 30 m
+  EXPECT_EQ(data.excitation.heading.size(), 24U);
+  EXPECT_EQ(data.mean_drift.at(data.drift.index(0, 6))[1], 0.0);
+}
+
+TEST(coupled_hull, files_of_another_hull_or_scale_are_refused) {
+  const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
+  const std::string good = replaced(kCoupled, "../data/bgl1/bgl1", stem);
+  const std::string key = "vessel.motion.coupled.hydrodynamics";
+  expect_told(good,
+              {"length scale", stem + "\n", stem + "\n      convention: {length_scale: 10 m}\n", key, "waterplane"});
+  expect_told(good, {"another vessel", "  depth: 9 m", "  length: 500 m\n  depth: 9 m", key, "3600 m^2"});
+}
+
 TEST(coupled_hull, current_may_be_left_out_only_in_words) {
   const Description d = read_good(replaced(kCoupled, "current: {transverse: 0.9}", "current: none"));
   EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::none);

@@ -1,0 +1,85 @@
+#include "moorings/periods.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace overbend {
+namespace {
+
+constexpr int kRounds = 20;  ///< Of the added mass and its frequency; they settle in four.
+
+Mat6 rigid_mass(const CoupledHullDescription& hull) {
+  Vec6 diagonal;
+  diagonal << Vec3::Constant(hull.mass), hull.mass * hull.gyration.cwiseAbs2();
+  return diagonal.asDiagonal();
+}
+
+/// The mode of a pencil (stiffness, mass) that looks most like `shape`, scaled to unit kinetic energy.
+struct Mode {
+  double square = 0.0;  ///< omega^2 [1/s2].
+  Vec6 shape = Vec6::Zero();
+};
+using Pencil = Eigen::GeneralizedSelfAdjointEigenSolver<Mat6>;
+
+Mode mode_of(const Pencil& pencil, Eigen::Index i) {
+  return {pencil.eigenvalues()[i], pencil.eigenvectors().col(i)};
+}
+
+Mode like(const Pencil& pencil, const Mat6& mass, const Vec6& shape) {
+  const Vec6 shares = (pencil.eigenvectors().transpose() * (mass * shape)).cwiseAbs();
+  Eigen::Index best = 0;
+  shares.maxCoeff(&best);
+  return mode_of(pencil, best);
+}
+
+const char* name_of(const Mode& mode, const Mat6& mass) {
+  static constexpr std::array<const char*, 6> kModes = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const Vec6 energy = mode.shape.cwiseProduct(mass * mode.shape);
+  Eigen::Index most = 0;
+  energy.maxCoeff(&most);
+  return kModes[static_cast<std::size_t>(most)];
+}
+
+}  // namespace
+
+Mat6 added_mass_at(const HydrodynamicData& data, double omega) {
+  const std::vector<RadiationPoint>& points = data.radiation;
+  if (points.empty()) return data.added_mass_infinite;
+  const auto above = std::lower_bound(points.begin(), points.end(), omega,
+                                      [](const RadiationPoint& point, double w) { return point.omega < w; });
+  if (above == points.begin()) return points.front().added_mass;
+  if (above == points.end()) return points.back().added_mass;
+  const RadiationPoint& below = *(above - 1);
+  const double share = (omega - below.omega) / (above->omega - below.omega);
+  return (1.0 - share) * below.added_mass + share * above->added_mass;
+}
+
+std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, const Mat6& stiffness) {
+  const Mat6 even = 0.5 * (stiffness + stiffness.transpose());
+  const auto mass_at = [&](double omega) -> Mat6 {
+    if (!hull.data) return rigid_mass(hull);
+    const Mat6 added = added_mass_at(*hull.data, omega);
+    return rigid_mass(hull) + 0.5 * (added + added.transpose());
+  };
+  const double least = 1e-8 * even.diagonal().head<3>().cwiseAbs().maxCoeff() / std::max(hull.mass, 1.0);
+  std::vector<NaturalPeriod> periods;
+  const Pencil first(even, mass_at(0.0));
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    Mode mode = mode_of(first, i);
+    Mat6 mass = mass_at(0.0);
+    for (int round = 0; round < kRounds && mode.square > least; ++round) {
+      mass = mass_at(std::sqrt(mode.square));
+      mode = like(Pencil(even, mass), mass, mode.shape);
+    }
+    if (mode.square > least) {
+      periods.push_back({name_of(mode, mass), 2.0 * std::numbers::pi / std::sqrt(mode.square)});
+    }
+  }
+  std::stable_sort(periods.begin(), periods.end(), [](const auto& a, const auto& b) { return a.period > b.period; });
+  return periods;
+}
+
+}  // namespace overbend
