@@ -191,6 +191,19 @@ TEST(body_border, of_both_ends_on_one_body_is_the_derivative) {
   expect_exact(single);
 }
 
+TEST(body_border, of_a_quasi_static_line_is_the_derivative) {
+  System system = rod_on_body(true, true);
+  const Vec3 far(3.0, -4.0, -2.0);
+  system.bodies[0].free->springs.push_back({Vec3(1.0, 0.5, -0.4), [far](const Vec3& place) {
+                                              const Vec3 away = place - far;  // a force that grows with its square
+                                              const double l = away.norm();
+                                              const Mat3 slope =
+                                                  9.0 * (l * Mat3::Identity() + away * away.transpose() / l);
+                                              return PlaceForce{-9.0 * l * away, slope, 3.0 * l * l * l};
+                                            }});
+  expect_exact(system);
+}
+
 TEST(body_border, of_a_rod_between_two_bodies_is_the_derivative) {
   System system = rod_on_body(true, true);
   SpringBody other;
@@ -253,6 +266,49 @@ TEST(body_border, of_rollers_that_push_is_the_derivative) {
 TEST(body_border, of_rollers_that_rub_is_the_derivative_as_far_as_the_lines_own_tangent_is) {
   expect_exact(rod_on_rollers(rubbing(50.0)), 1e-6, kPressed);       // sticks, not loaded before the step
   expect_exact(rod_on_rollers(rubbing(0.01)), 2e-3, kPressed, 1.0);  // slides
+}
+
+TEST(body_border, with_renewed_contacts_gives_the_step_of_a_full_tangent) {
+  ContactLaw law = rubbing(0.3);
+  law.tangential_stiffness = 30.0;
+  System system = rod_on_rollers(law);
+  system.bodies[0].rollers.erase(system.bodies[0].rollers.begin());
+  system.surroundings = still(system);
+  system.bodies[0].cells.boxes.front() = {-1e9, -2.8, 1e9};  // x runs astern: the last elements
+  Assembly assembly(system);
+  SystemState state = state_at_rest(system, {straight(system, Vec3::Zero(), Vec3::UnitX())}, 0.0);
+  const Weights weights{60.0, 3600.0, 0.02};
+  const auto solved = [&](bool with_tangent, const auto& solve) {
+    SystemState at = state;
+    assembly.set_time(0.0, at);
+    assembly.impose_ends(at);
+    assembly.evaluate(at, state, weights, with_tangent);
+    assembly.hold(with_tangent);
+    Increments dq = assembly.increments();
+    EXPECT_TRUE(solve(at, dq));
+    return dq;
+  };
+  const auto fully = [&](const SystemState&, Increments& dq) { return assembly.solve_factored(dq); };
+  solved(true, fully);
+  state.lines[0].contacts[0].slip_axial = state.lines[0].contacts[0].slip_lateral = 5.0;  // it slides
+  const Increments old = solved(false, [&](const SystemState&, Increments& dq) {
+    assembly.solve_again(dq);
+    return true;
+  });
+  const Increments renewed = solved(false, [&](const SystemState& at, Increments& dq) {
+    const bool renewed_at_all = assembly.renew_contacts(at, weights);
+    assembly.solve_again(dq);
+    return renewed_at_all;
+  });
+  const Increments full = solved(true, fully);
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+  };
+  for (const std::size_t part : {std::size_t{0}, std::size_t{1}}) {  // the line's, the body's
+    const double size = vector(full[part]).norm();
+    EXPECT_GT((vector(old[part]) - vector(full[part])).norm(), 1e-4 * size) << part;
+    EXPECT_LT((vector(renewed[part]) - vector(full[part])).norm(), 1e-9 * size) << part;
+  }
 }
 
 TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {

@@ -21,6 +21,9 @@ void visit(Instant& e, const Visit& visit_one) {
   visit_one(e.top_power);
   visit_one(e.anchor_power);
   visit_one(e.bending_heat);
+  visit_one(e.bodies.kinetic);
+  visit_one(e.bodies.stored);
+  visit_one(e.bodies.power);
 }
 
 template <class Balance, class Visit>
@@ -47,6 +50,7 @@ void visit_balance(Balance& b, const Visit& visit_one) {
 void EnergyAccount::start(const InstantEnergy& first, double least) {
   first_ = last_ = first;
   balance_ = {};
+  work_on_bodies_ = 0.0;
   balance_.throughput = least;
 }
 
@@ -57,6 +61,7 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   b.gravity = now.line.gravity - first_.line.gravity;
   b.contact = now.contact - first_.contact;
   b.seabed = now.line.seabed - first_.line.seabed;
+  const double bodies = now.bodies.kinetic + now.bodies.stored - first_.bodies.kinetic - first_.bodies.stored;
   const auto integrate = [&](double& sum, double before, double after) {
     const double part = 0.5 * h * (before + after);
     sum += part;
@@ -66,13 +71,14 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   integrate(b.rollers, last_.roller_power, now.roller_power);
   integrate(b.top, last_.top_power, now.top_power);
   integrate(b.anchor, last_.anchor_power, now.anchor_power);
+  integrate(work_on_bodies_, last_.bodies.power, now.bodies.power);
   integrate(b.contact_loss, last_.contact_loss, now.contact_loss);
   integrate(b.friction_loss, last_.friction_loss, now.friction_loss);
   integrate(b.seabed_loss, last_.line.seabed_loss, now.line.seabed_loss);
   b.yielding_loss = now.bending_heat - first_.bending_heat;
   b.throughput += now.bending_heat - last_.bending_heat;
   b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss +
-            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor;
+            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor + (bodies - work_on_bodies_);
   last_ = now;
 }
 
@@ -82,6 +88,7 @@ std::vector<double> EnergyAccount::save() const {
   visit(first_, put);
   visit(last_, put);
   visit_balance(balance_, put);
+  put(work_on_bodies_);
   return out;
 }
 
@@ -91,6 +98,7 @@ void EnergyAccount::restore(const std::vector<double>& saved) {
   visit(first_, take);
   visit(last_, take);
   visit_balance(balance_, take);
+  take(work_on_bodies_);
 }
 
 }  // namespace overbend

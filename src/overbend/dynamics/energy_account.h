@@ -8,8 +8,8 @@
 
 namespace overbend {
 
-/// Stored energies are exact at each instant; powers are integrated by the trapezoidal rule. What the time integrator
-/// damps appears as error.
+/// Of the lines and, where bodies are free, of these with them. Stored energies are exact at each instant; powers are
+/// integrated by the trapezoidal rule. What the time integrator damps appears as error.
 class EnergyAccount {
  public:
   /// `least` energy counts as passed from the start, so that a pipe at rest does not drift by its rounding [J].
@@ -24,6 +24,7 @@ class EnergyAccount {
  private:
   InstantEnergy first_, last_;
   EnergyBalance balance_;
+  double work_on_bodies_ = 0.0;  ///< By what surrounds them but lines and rollers [J].
 };
 
 }  // namespace overbend

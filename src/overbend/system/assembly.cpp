@@ -392,6 +392,7 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
 /// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
 void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
   for (std::size_t k = 0; k < border_.count(); ++k) {
+    now.bodies.stored += spring_energy(border_.body(k), state.bodies[k]);
     if (border_.body(k).energy) {
       const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time);
       now.bodies.kinetic += one.kinetic;
@@ -484,7 +485,9 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
     of_end.guide = {Vec3(at[tangent], at[tangent + 1], at[tangent + 2]).norm(), 0.0, 0.0, 0.0};
     state.attachments.push_back(of_end);
   }
-  state.bodies.resize(free_bodies(system).size());
+  for (const int body : free_bodies(system)) {
+    state.bodies.push_back(system.bodies[static_cast<std::size_t>(body)].free->rest);
+  }
   return state;
 }
 

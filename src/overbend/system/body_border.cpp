@@ -116,6 +116,7 @@ void BodyBorder::evaluate(const SystemState& state, const SystemState& before, c
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Member& member = bodies_[k];
     member.body->balance(state.bodies[k], before.bodies[k], weights, state.time, member.own);
+    add_springs(*member.body, state.bodies[k], member.own);
     Eigen::Map<Vec6>(residual_.data() + 6 * k) = member.own.residual;
   }
   for (const LineAssembly& line : lines) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "hull/hull.h"
 #include "system/weights.h"
@@ -14,6 +15,20 @@ struct BodyEnergy {
   double power = 0.0;                  ///< Of all that surrounds it, on it: waves, water, wind [W].
 };
 
+/// A force on a point of a body that follows from where the point is.
+struct PlaceForce {
+  Vec3 force = Vec3::Zero();      ///< On the body, W [N].
+  Mat3 stiffness = Mat3::Zero();  ///< -d force / d place [N/m].
+  double energy = 0.0;            ///< Whose gradient the force is, with minus [J]; 0 where it is not known.
+};
+
+/// A line without mass between the world and a body (quasi-static), or a spring: its end follows the body at once. Must
+/// not allocate.
+struct BodySpring {
+  Vec3 place_V = Vec3::Zero();  ///< Where it is fixed to the body [m].
+  std::function<PlaceForce(const Vec3& place)> force;
+};
+
 /// What makes a body free: the coordinates of hull/body_kinematics.h are unknowns. Its functions are called in the time
 /// loop and must not allocate.
 struct FreeBody {
@@ -22,6 +37,8 @@ struct FreeBody {
   double force_scale = 1.0;         ///< What unbalanced forces are measured against [N].
   double arm = 1.0;                 ///< Moments and angles are measured by it: half the length [m].
   Vec6 inertia = Vec6::Ones();      ///< Mass and moments, with those of the water, for the estimate of errors.
+  std::vector<BodySpring> springs;  ///< Quasi-static lines.
+  HullState rest;                   ///< As drawn, its memories of their sizes.
 
   /// Balance of the body by itself, as balance_hull().
   std::function<void(const HullState& at, const HullState& before, const Weights& weights, double time,
@@ -31,6 +48,16 @@ struct FreeBody {
   std::function<void(const HullState& before, double step, HullState& at)> finish_step;
   std::function<BodyEnergy(const HullState& at, double time)> energy;  ///< May be empty.
 };
+
+/// A hull with all that acts on it. `hull` must outlive what is returned. Forces are measured against the weight of the
+/// lines it holds, but at least a thousandth of its own; `length` [m].
+FreeBody free_hull(const Hull& hull, double line_weight, double length);
+
+/// Adds what a body's springs do to its balance: J^T force, its tangent exact as far as the spring's is.
+void add_springs(const FreeBody& body, const HullState& at, HullBalance& out);
+
+/// Energy stored in the springs [J].
+double spring_energy(const FreeBody& body, const HullState& at);
 
 /// Motion as a rigid body, of V's origin.
 RigidMotion rigid_motion(const FreeBody& body, const HullState& at);
