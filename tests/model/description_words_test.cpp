@@ -36,6 +36,22 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(YieldBasis::fy);
   expect_one_word_each(ApiEdition::fifth);
   expect_one_word_each(CurrentLoad::functional);
+  expect_one_word_each(Radiation::convolution);
+  expect_one_word_each(WaveDrift::newman);
+  expect_one_word_each(WaveDriftDamping::aranha);
+  expect_one_word_each(Ballast::as_given);
+  expect_one_word_each(HullCurrentForm::table);
+  expect_one_word_each(CurrentRelativeTo::earth);
+  expect_one_word_each(CoefficientAxes::from_stern_ocimf);
+  expect_one_word_each(RopeCore::fibre);
+  expect_one_word_each(ChainLink::studlink);
+  expect_one_word_each(PointKind::buoy);
+  expect_one_word_each(BuoyShape::cylinder);
+  expect_one_word_each(LineEndKind::water);
+  expect_one_word_each(MooringModel::quasi_static);
+  expect_one_word_each(WinchMode::tension);
+  expect_one_word_each(FindMooring::lengths);
+  expect_one_word_each(OperationType::pull_ahead);
   expect_one_word_each(true);
 }
 

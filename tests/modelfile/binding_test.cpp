@@ -110,8 +110,8 @@ TEST(binding, files_are_found_beside_the_model_file) {
   EXPECT_EQ(resolved_file("rao.csv", "folder/good.yaml"), "folder/rao.csv");
   EXPECT_EQ(resolved_file("../rao.csv", "folder/good.yaml"), "rao.csv");
   EXPECT_EQ(resolved_file("/data/rao.csv", "folder/good.yaml"), "/data/rao.csv");
-  for (const char* path :
-       {"vessel.motion.raos", "vessel.motion.history", "vessel.motion.coupled", "environment.waves.spectrum_file"}) {
+  for (const char* path : {"vessel.motion.raos", "vessel.motion.history", "vessel.motion.coupled.hydrodynamics",
+                           "vessel.motion.coupled.current.table", "environment.waves.spectrum_file"}) {
     EXPECT_TRUE(field_node(path).scalar->file) << path;
   }
 }

@@ -117,7 +117,7 @@ inline std::string file_text(const std::filesystem::path& path) {
 /// The examples and the reference cases of the repository.
 inline std::vector<std::filesystem::path> good_files() {
   std::vector<std::filesystem::path> files;
-  for (const char* folder : {"examples", "validation/static_cases"}) {
+  for (const char* folder : {"examples", "validation/static_cases", "validation/mooring_cases"}) {
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(OVERBEND_SOURCE_DIR) / folder)) {
       if (entry.path().extension() == ".yaml") files.push_back(entry.path());
     }

@@ -138,7 +138,6 @@ TEST(yaml_reader, vessel_motion_takes_all_its_forms) {
   const Description history = with_motion("  motion: {history: ../h.csv}");
   EXPECT_EQ(history.vessel.motion, VesselMotion::history);
   EXPECT_EQ(history.vessel.motion_file, "h.csv");
-  EXPECT_EQ(with_motion("  motion: {coupled: hull.yaml}").vessel.motion, VesselMotion::coupled);
 }
 
 TEST(yaml_reader, a_file_that_only_dynamics_needs_is_missed_with_a_warning) {

@@ -128,8 +128,10 @@ int run_check(const std::string& model_file) {
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
     print_section(model.sections[i], model.description_of(i).steel);
   }
-  print_places(model);
-  print_supports(model);
+  if (description->has_pipe) {
+    print_places(model);
+    print_supports(model);
+  }
   std::vector<std::string> warnings = description->warnings;
   const std::vector<std::string> doubts = print_raos(model);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "statics/static_obstacle.h"
+
 namespace overbend {
 namespace {
 
@@ -32,6 +34,9 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
 
 std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
+  if (std::optional<StaticFailure> obstacle = static_obstacle(d)) {
+    return obstacle;
+  }
   if (!d.dynamics) {
     return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};
   }

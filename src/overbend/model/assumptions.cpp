@@ -41,10 +41,12 @@ void assume_pipe(std::vector<std::string>& list, const Model& model) {
 
 void assume_vessel(std::vector<std::string>& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
-  list.push_back(
-      fmt::format("The stern shoe, origin of ramp and stinger, is at x = {:.3f} m from midship and {:.3f} m above the "
-                  "mean water level.",
-                  vessel.stern_shoe_x, vessel.stern_shoe_z));
+  if (model.description.has_pipe) {
+    list.push_back(fmt::format(
+        "The stern shoe, origin of ramp and stinger, is at x = {:.3f} m from midship and {:.3f} m above the "
+        "mean water level.",
+        vessel.stern_shoe_x, vessel.stern_shoe_z));
+  }
   if (vessel.trim == 0.0 && vessel.heel == 0.0) {
     list.push_back("The vessel floats on even keel, without static trim or heel.");
   } else {
@@ -163,6 +165,10 @@ void assume_tensioner(std::vector<std::string>& list, const Model& model) {
 
 std::vector<std::string> assumptions(const Model& model) {
   std::vector<std::string> list;
+  if (!model.description.has_pipe) {
+    assume_vessel(list, model);
+    return list;
+  }
   assume_pipe(list, model);
   assume_vessel(list, model);
   assume_motion(list, model);

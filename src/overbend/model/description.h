@@ -307,6 +307,8 @@ struct Description {
   std::string source_file;  ///< Path as given by the user.
   std::string source_text;  ///< The file's text, echoed into the results.
   EnvironmentDescription environment;
+  bool has_pipe =
+      true;  ///< False: hull and moorings, or lines, by themselves; pipe, tensioner and supports say nothing.
   PipeDescription pipe;
   VesselDescription vessel;
   TensionerDescription tensioner;

@@ -6,6 +6,7 @@
 #include "base/words.h"
 #include "model/check_settings.h"
 #include "model/description.h"
+#include "model/line_types.h"
 
 namespace overbend {
 
@@ -113,6 +114,101 @@ template <>
 inline constexpr std::array kWords<CurrentLoad> = {
     Word{CurrentLoad::environmental, "environmental"},
     Word{CurrentLoad::functional, "functional"},
+};
+
+template <>
+inline constexpr std::array kWords<Radiation> = {
+    Word{Radiation::state_space, "state_space"},
+    Word{Radiation::convolution, "convolution"},
+};
+
+template <>
+inline constexpr std::array kWords<WaveDrift> = {
+    Word{WaveDrift::none, "none"},
+    Word{WaveDrift::mean, "mean"},
+    Word{WaveDrift::newman, "newman"},
+};
+
+template <>
+inline constexpr std::array kWords<WaveDriftDamping> = {
+    Word{WaveDriftDamping::none, "none"},
+    Word{WaveDriftDamping::aranha, "aranha"},
+};
+
+template <>
+inline constexpr std::array kWords<Ballast> = {Word{Ballast::trim, "trim"}, Word{Ballast::as_given, "as_given"}};
+
+template <>
+inline constexpr std::array kWords<HullCurrentForm> = {
+    Word{HullCurrentForm::none, "none"},
+    Word{HullCurrentForm::strips, "strips"},
+    Word{HullCurrentForm::table, "table"},
+};
+
+template <>
+inline constexpr std::array kWords<CurrentRelativeTo> = {
+    Word{CurrentRelativeTo::water, "water"},
+    Word{CurrentRelativeTo::earth, "earth"},
+};
+
+template <>
+inline constexpr std::array kWords<CoefficientAxes> = {
+    Word{CoefficientAxes::to_from_bow, "to_from_bow"},
+    Word{CoefficientAxes::from_bow, "from_bow"},
+    Word{CoefficientAxes::from_stern_ocimf, "from_stern_ocimf"},
+};
+
+template <>
+inline constexpr std::array kWords<RopeCore> = {Word{RopeCore::wire, "wire"}, Word{RopeCore::fibre, "fibre"}};
+
+template <>
+inline constexpr std::array kWords<ChainLink> = {
+    Word{ChainLink::studless, "studless"},
+    Word{ChainLink::studlink, "studlink"},
+};
+
+template <>
+inline constexpr std::array kWords<PointKind> = {Word{PointKind::clump, "clump"}, Word{PointKind::buoy, "buoy"}};
+
+template <>
+inline constexpr std::array kWords<BuoyShape> = {
+    Word{BuoyShape::sphere, "sphere"},
+    Word{BuoyShape::cylinder, "cylinder"},
+};
+
+template <>
+inline constexpr std::array kWords<LineEndKind> = {
+    Word{LineEndKind::fixed, "fixed"},
+    Word{LineEndKind::body, "body"},
+    Word{LineEndKind::bed, "bed"},
+    Word{LineEndKind::water, "water"},
+};
+
+template <>
+inline constexpr std::array kWords<MooringModel> = {
+    Word{MooringModel::elements, "elements"},
+    Word{MooringModel::quasi_static, "quasi_static"},
+};
+
+template <>
+inline constexpr std::array kWords<WinchMode> = {
+    Word{WinchMode::hold, "hold"},
+    Word{WinchMode::speed, "speed"},
+    Word{WinchMode::length, "length"},
+    Word{WinchMode::tension, "tension"},
+};
+
+template <>
+inline constexpr std::array kWords<FindMooring> = {
+    Word{FindMooring::pose, "pose"},
+    Word{FindMooring::lengths, "lengths"},
+};
+
+template <>
+inline constexpr std::array kWords<OperationType> = {
+    Word{OperationType::none, "none"},
+    Word{OperationType::moored, "moored"},
+    Word{OperationType::pull_ahead, "pull_ahead"},
 };
 
 /// A plain yes or no.

@@ -58,9 +58,9 @@ struct WindAreaDescription {
 };
 
 struct WindDescription {
-  double speed = 0.0;  ///< [m/s]
-  double from = 0.0;   ///< Azimuth [rad].
-  double air_density = 1.226;
+  double speed = 0.0;          ///< [m/s]
+  double from = 0.0;           ///< Azimuth [rad].
+  double air_density = 1.226;  ///< [kg/m3]
   std::vector<WindAreaDescription> areas;
 };
 

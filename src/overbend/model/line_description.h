@@ -14,8 +14,9 @@ struct LineTypeDescription {
   std::string name;
   std::string made_from;                ///< How the numbers came about: "given", "wire rope, 64 mm, wire core" ...
   double diameter = 0.0;                ///< Nominal [m].
+  double volume_diameter = 0.0;         ///< Of a cylinder with the displaced volume [m].
   double weight_in_air = 0.0;           ///< [N/m]
-  double weight_submerged = 0.0;        ///< [N/m]
+  double weight_submerged = 0.0;        ///< Negative where the line floats [N/m].
   double axial_stiffness = 0.0;         ///< EA [N]
   double bending_stiffness = 0.0;       ///< EI [N m2]
   std::optional<double> breaking_load;  ///< MBL [N]

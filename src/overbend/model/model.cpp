@@ -174,13 +174,15 @@ Model build_model(const Description& description) {
   model.description = description;
   model.water_weight_density = description.environment.water_weight_density;
   model.water_density = model.water_weight_density / kGravity;
-  resolve_sections(model);
-  resolve_bending(model);
-  resolve_joints(model);
-  model.supports = place_supports(description, [&](double from_top) {
-    return model.sections[static_cast<std::size_t>(model.section_at(from_top))].outer_radius();
-  });
-  resolve_contact_stiffness(model);
+  if (description.has_pipe) {
+    resolve_sections(model);
+    resolve_bending(model);
+    resolve_joints(model);
+    model.supports = place_supports(description, [&](double from_top) {
+      return model.sections[static_cast<std::size_t>(model.section_at(from_top))].outer_radius();
+    });
+    resolve_contact_stiffness(model);
+  }
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
   model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.mean_pose, Vec3::Zero()));
   model.current = resolve_current(description.environment.current);

@@ -41,7 +41,8 @@ struct SectionSpan {
 
 struct Model {
   Description description;
-  std::vector<Section> sections;   ///< [0] the line's own, then the segments', then the coated pipe between joints.
+  /// [0] the line's own, then the segments', then the coated pipe between joints. None without a pipe, as supports.
+  std::vector<Section> sections;
   std::vector<SectionSpan> spans;  ///< By distance from the tensioner; the rest has section 0.
   Supports supports;
   VesselPose mean_pose;

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "modelfile/line_resolution.h"
+
 namespace overbend {
 namespace {
 
@@ -46,7 +48,9 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   Description description;
   description.source_file = source_file;
   description.title = std::filesystem::path(source_file).stem().string();
+  description.has_pipe = root.find("pipe") != nullptr;
   bind_members(field_tree(), root, &description, source_file);
+  resolve_lines(description);
   return description;
 }
 

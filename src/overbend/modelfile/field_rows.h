@@ -51,10 +51,17 @@ std::vector<Field> environment();
 std::vector<Field> waves();
 std::vector<Field> pipe();
 std::vector<Field> vessel();
+std::vector<Field> hull();
 std::vector<Field> motion_convention();
 std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();
+std::vector<Field> moorings();
+std::vector<Field> free_lines();
+std::vector<Field> station_keeping();
+std::vector<Field> operation();
+/// Items of a list of loads on the vessel, whose own row is at `p`.
+std::vector<Field> vessel_load_rows(const std::string& p);
 std::vector<Field> analysis();
 std::vector<Field> checks();
 

@@ -31,7 +31,7 @@ std::vector<Field> tensioner() {
        .member = enters(&Description::tensioner),
        .text = "Where and how the pipe is held, in the ramp/stinger frame: origin on the stern shoe, X "
                "astern, Z up.",
-       .required = true},
+       .fallback_text = "required with a pipe"},
       {.path = "tensioner.x",
        .member = fills(&TensionerDescription::x),
        .kind = FieldKind::quantity,

@@ -310,8 +310,10 @@ std::vector<Field> segment_section(const std::string& p) {
 }  // namespace
 
 std::vector<Field> pipe() {
-  std::vector<Field> rows = {
-      {.path = "pipe", .member = enters(&Description::pipe), .text = "The pipe.", .required = true}};
+  std::vector<Field> rows = {{.path = "pipe",
+                              .member = enters(&Description::pipe),
+                              .text = "The pipe.",
+                              .fallback_text = "a model without pipe: of moorings, lines or a floating hull"}};
   append(rows, section_of<PipeDescription>("pipe", section("pipe")));
   append(rows,
          {

@@ -100,7 +100,7 @@ std::vector<Field> vessel() {
       {.path = "vessel",
        .member = enters(&Description::vessel),
        .text = "The lay vessel. Its frame: origin midship on the water, x forward, z up.",
-       .required = true},
+       .fallback_text = "required with a pipe or moorings"},
       {.path = "vessel.name",
        .member = defaults(&VesselDescription::name),
        .kind = FieldKind::text,
@@ -120,7 +120,7 @@ std::vector<Field> vessel() {
       tilt("heel", &VesselDescription::heel, "Static heel, starboard down positive, about the same point."),
       {.path = "vessel.stern_shoe",
        .text = "Origin of the ramp/stinger frame, in the vessel's frame.",
-       .required = true},
+       .fallback_text = "required with a pipe"},
       {.path = "vessel.stern_shoe.x",
        .member = fills(&VesselDescription::stern_shoe_x),
        .kind = FieldKind::quantity,
@@ -152,9 +152,6 @@ std::vector<Field> vessel() {
       motion_file(
           VesselMotion::history,
           "CSV file of the motion history, in the folder of the model file: time_s and any of surge_m to yaw_deg."),
-      motion_file(
-          VesselMotion::coupled,
-          "File of the hydrodynamics of the hull, in the folder of the model file: coupled motion of pipe and vessel."),
   };
   append(rows, harmonic_motion());
   return rows;

@@ -50,8 +50,8 @@ std::vector<Field> report() {
 const std::vector<Field>& field_table() {
   static const std::vector<Field> kTable = [] {
     std::vector<Field> table;
-    for (auto* part : {head, report, environment, waves, pipe, vessel, motion_convention, tensioner, rollers, supports,
-                       analysis, checks}) {
+    for (auto* part : {head, report, environment, waves, pipe, vessel, hull, motion_convention, tensioner, rollers,
+                       supports, moorings, free_lines, station_keeping, operation, analysis, checks}) {
       append(table, part());
     }
     for (Field& row : table) complete_from_member(row);

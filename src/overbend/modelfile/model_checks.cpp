@@ -1,5 +1,6 @@
 #include "modelfile/model_checks.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/text.h"
@@ -8,6 +9,7 @@
 #include "modelfile/binding.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/field_table.h"
+#include "modelfile/line_checks.h"
 
 namespace overbend {
 namespace {
@@ -185,11 +187,33 @@ void check_vessel(Checker& check) {
 void check_files(Checker& check, const std::string& file) {
   for (const Field& row : field_table()) {
     const FieldValue* value = row.file ? check.root().find(row.path) : nullptr;
-    if (value == nullptr) continue;
+    if (value == nullptr || row.path.starts_with("vessel.motion.coupled.")) continue;  // check_hull asks for those
     std::error_code fault;
     if (!std::filesystem::exists(resolved_file(value->text, file), fault)) {
       check.warn(*value, "the file " + value->shown + " does not exist; dynamic analysis will require it");
     }
+  }
+}
+
+/// What a model has to consist of: a pipe with all that holds it, moorings, lines by themselves, or a floating hull.
+void check_parts(Checker& check) {
+  const FieldValue& root = check.root();
+  const auto any = [&](std::initializer_list<const char*> keys) {
+    return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return is_given(root, key); });
+  };
+  const bool floats = is_given(root, "vessel.motion.coupled");
+  const bool pipe = any({"pipe", "tensioner", "supports", "rollers"}) || !(any({"moorings", "lines"}) || floats);
+  const auto need = [&](const char* key, const char* what) {
+    if (!is_given(root, key)) check.missing(root, key, "a group of keys", what);
+  };
+  if (pipe) {
+    need("pipe", "The pipe");
+    need("tensioner", "Where and how the pipe is held");
+  }
+  if (pipe || any({"moorings"})) need("vessel", pipe ? "The lay vessel" : "The moored vessel");
+  const FieldValue* vessel = root.find("vessel");
+  if (pipe && vessel != nullptr && vessel->given && !vessel->mentions("stern_shoe")) {
+    check.missing(*vessel, "stern_shoe", "a group of keys", "Origin of the ramp/stinger frame, in the vessel's frame");
   }
 }
 
@@ -207,6 +231,8 @@ void check_dynamics(Checker& check) {
 
 void check_model(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);
+  std::set<std::string> used_types;
+  check_parts(check);
   check_current(check);
   check_waves(root, file, diagnostics);
   check_pipe(check);
@@ -218,6 +244,10 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_vessel(check);
   check_motion(root, file, diagnostics);
   check_supports(root, file, diagnostics);
+  check_hull(check, file);
+  check_moorings(check, used_types);
+  check_free_lines(check, used_types);
+  check_line_types(check, used_types);
   check_dynamics(check);
   check_files(check, file);
 }

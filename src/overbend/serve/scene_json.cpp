@@ -62,6 +62,11 @@ Json waves(const Model& model, std::uint64_t seed) {
   return list;
 }
 
+/// Without a pipe there is nothing to draw.
+double outer_radius(const Model& model) {
+  return model.sections.empty() ? 0.0 : 0.5 * model.sections.front().outer_diameter;
+}
+
 }  // namespace
 
 Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
@@ -81,7 +86,7 @@ Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
             {"point", place_json({shoe.x(), shoe.y(), bed.height(shoe.x(), shoe.y())})}}},
           {"current", current(model)},
           {"waves", waves(model, seed.value_or(dynamic_options(model).seed))},
-          {"pipe", {{"outer_radius", seven_digits(0.5 * model.sections.front().outer_diameter)}}}};
+          {"pipe", {{"outer_radius", seven_digits(outer_radius(model))}}}};
 }
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "statics/static_obstacle.h"
 #include "statics/static_start.h"
 #include "statics/static_ways.h"
 #include "statics/touchdown.h"
@@ -112,6 +113,9 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
 
 StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   const auto begin = std::chrono::steady_clock::now();
+  if (const auto obstacle = static_obstacle(model.description)) {
+    return fail(*obstacle);
+  }
   const LayPlane plane = lay_plane(model, model.mean_pose);
   StartingPoint from = starting_point(model, plane);
   if (from.failure) {

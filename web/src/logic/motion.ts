@@ -3,7 +3,7 @@
 export type MotionKind = 'fixed' | 'raos' | 'harmonic' | 'history' | 'coupled';
 
 export const motionWords: Record<MotionKind, string> = {
-  fixed: 'fixed', raos: 'RAO file', harmonic: 'harmonic', history: 'motion history (file)', coupled: 'coupled (file)',
+  fixed: 'fixed', raos: 'RAO file', harmonic: 'harmonic', history: 'motion history (file)', coupled: 'coupled (floating hull)',
 };
 
 /** Endings of the files that a kind reads. */

@@ -1,0 +1,61 @@
+#include "seafiles/hydrodynamics_reader.h"
+
+#include <filesystem>
+#include <initializer_list>
+
+#include "seafiles/wamit_radiation.h"
+#include "seafiles/wamit_waves.h"
+
+namespace overbend {
+namespace {
+
+bool is_file(const std::string& path) {
+  std::error_code fault;
+  return std::filesystem::is_regular_file(path, fault);
+}
+
+/// `data/bgl1/bgl1` of that and of data/bgl1/bgl1.1. A dot in the stem itself stays: only known endings are cut.
+std::string stem_of(const std::string& path) {
+  for (const char* ending : {".1", ".2", ".3", ".4", ".7", ".8", ".9", ".hst"}) {
+    const std::filesystem::path whole(path);
+    if (whole.extension() == ending && is_file(path)) {
+      return (whole.parent_path() / whole.stem()).string();
+    }
+  }
+  return path;
+}
+
+/// The first of these files that is there; the first of all where there is none.
+std::string first_there(const std::string& stem, std::initializer_list<const char*> endings) {
+  for (const char* ending : endings) {
+    if (is_file(stem + ending)) {
+      return stem + ending;
+    }
+  }
+  return stem + *endings.begin();
+}
+
+std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
+  const std::string stem = stem_of(source.path);
+  HydrodynamicData data;
+  data.source = stem;
+  data.origin_V = source.origin_V;
+  data.water_density = source.water_density;
+  data.gravity = source.gravity;
+  bool good = wamit::read_radiation(stem + ".1", source, data, diagnostics);
+  good = wamit::read_excitation(first_there(stem, {".3", ".2"}), source, data, diagnostics) && good;
+  good = wamit::read_hydrostatics(stem + ".hst", source, data, diagnostics) && good;
+  const std::string drift = first_there(stem, {".8", ".9", ".7"});
+  if (is_file(drift)) {
+    good = wamit::read_drift(drift, source, data, diagnostics) && good;
+  }
+  return good ? std::optional(std::move(data)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<HydrodynamicData> read_hydrodynamics(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
+  return read_wamit(source, diagnostics);
+}
+
+}  // namespace overbend

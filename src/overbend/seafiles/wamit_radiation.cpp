@@ -1,0 +1,142 @@
+#include "seafiles/wamit_radiation.h"
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "seafiles/wamit_table.h"
+
+namespace overbend::wamit {
+namespace {
+
+/// One period's block of `.1` while it is read.
+struct Block {
+  RadiationPoint point;
+  Eigen::Matrix<bool, 6, 6> given = Eigen::Matrix<bool, 6, 6>::Constant(false);
+  int line = 0;  ///< Of its first row.
+};
+
+/// ULEN^(least + 1 for every rotation).
+double length_power(double length, int least, int i, int j) {
+  return std::pow(length, least + (i > 2 ? 1 : 0) + (j > 2 ? 1 : 0));
+}
+
+class RadiationReader {
+ public:
+  RadiationReader(const HydrodynamicsSource& source, std::string file, Diagnostics& diagnostics)
+      : source_(source), file_(std::move(file)), diagnostics_(diagnostics) {}
+
+  bool read(HydrodynamicData& data) {
+    const std::optional<Table> table = read_table(file_, 4, 5, diagnostics_);
+    if (!table) {
+      return false;
+    }
+    for (const Row& row : table->rows) {
+      if (!take(row)) {
+        return false;
+      }
+    }
+    return check_pairs() && hand_over(data);
+  }
+
+ private:
+  bool refuse(int line, std::string found, std::string expected) {
+    diagnostics_.add({Severity::error, file_, line, 0, "", std::move(found), std::move(expected), ""});
+    return false;
+  }
+
+  bool take(const Row& row) {
+    const double period = row.values[0];
+    const int i = mode_index(row.values[1]), j = mode_index(row.values[2]);
+    if (i < 0 || j < 0) {
+      return refuse(row.line, format_number(row.values[1]) + " " + format_number(row.values[2]),
+                    "two modes from 1 to 6, of one body");
+    }
+    if (period > 0.0 && row.columns != 5) {
+      return refuse(row.line, "4 columns", "5 columns at a finite period: PER I J A B");
+    }
+    Block& block = blocks_[period > 0.0 ? period : (period < 0.0 ? -1.0 : 0.0)];
+    if (block.line == 0) {
+      block.line = row.line;
+    }
+    if (block.given(i, j)) {
+      return refuse(row.line, "the pair " + pair(i, j) + " a second time", "each pair once for a period");
+    }
+    block.given(i, j) = true;
+    block.point.omega = period > 0.0 ? 2.0 * std::numbers::pi / period : 0.0;
+    const double unit = source_.water_density * length_power(source_.length_scale, 3, i, j);
+    block.point.added_mass(i, j) = unit * row.values[3];
+    block.point.damping(i, j) = period > 0.0 ? unit * block.point.omega * row.values[4] : 0.0;
+    return true;
+  }
+
+  static std::string pair(int i, int j) { return std::to_string(i + 1) + " " + std::to_string(j + 1); }
+
+  /// Every period must list what the first finite one lists.
+  bool check_pairs() {
+    const auto first = blocks_.upper_bound(0.0);
+    if (first == blocks_.end()) {
+      return refuse(0, "no finite period", "added mass and damping at four periods or more");
+    }
+    for (auto at = first; at != blocks_.end(); ++at) {
+      if (at->second.given != first->second.given) {
+        return refuse(at->second.line, "other pairs of modes than at the period " + format_number(first->first) + " s",
+                      "the same pairs at every period");
+      }
+    }
+    return true;
+  }
+
+  bool hand_over(HydrodynamicData& data) {
+    for (auto at = blocks_.rbegin(); at != blocks_.rend() && at->first > 0.0; ++at) {
+      data.radiation.push_back(at->second.point);  // descending periods
+    }
+    if (const auto at = blocks_.find(0.0); at != blocks_.end()) {
+      data.has_infinite = true;
+      data.added_mass_infinite = at->second.point.added_mass;
+    }
+    if (const auto at = blocks_.find(-1.0); at != blocks_.end()) {
+      data.has_zero = true;
+      data.added_mass_zero = at->second.point.added_mass;
+    }
+    if (data.radiation.size() < 4) {
+      return refuse(0, std::to_string(data.radiation.size()) + " finite periods", "four or more");
+    }
+    return true;
+  }
+
+  const HydrodynamicsSource& source_;
+  std::string file_;
+  Diagnostics& diagnostics_;
+  std::map<double, Block> blocks_;  ///< By period; 0 infinite and -1 zero frequency.
+};
+
+}  // namespace
+
+bool read_radiation(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
+                    Diagnostics& diagnostics) {
+  return RadiationReader(source, file, diagnostics).read(data);
+}
+
+bool read_hydrostatics(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
+                       Diagnostics& diagnostics) {
+  const std::optional<Table> table = read_table(file, 3, 3, diagnostics);
+  if (!table) {
+    return false;
+  }
+  const double weight_density = source.water_density * source.gravity;
+  for (const Row& row : table->rows) {
+    const int i = mode_index(row.values[0]), j = mode_index(row.values[1]);
+    if (i < 0 || j < 0) {
+      diagnostics.add({Severity::error, file, row.line, 0, "",
+                       format_number(row.values[0]) + " " + format_number(row.values[1]), "two modes from 1 to 6", ""});
+      return false;
+    }
+    data.hydrostatic_stiffness(i, j) = weight_density * length_power(source.length_scale, 2, i, j) * row.values[2];
+  }
+  return true;
+}
+
+}  // namespace overbend::wamit

@@ -1,0 +1,68 @@
+#include "seafiles/wamit_table.h"
+
+#include "base/text.h"
+#include "seafiles/text_table.h"
+
+namespace overbend::wamit {
+namespace {
+
+std::string expected_columns(std::size_t least, std::size_t most) {
+  const std::string most_words = std::to_string(most) + " numbers";
+  return least == most ? most_words : std::to_string(least) + " to " + most_words;
+}
+
+std::optional<Row> row_of(const TextRow& text, std::size_t least, std::size_t most, const std::string& file,
+                          Diagnostics& diagnostics) {
+  const auto refuse = [&](std::string found, std::string expected) {
+    diagnostics.add({Severity::error, file, text.line, 0, "", std::move(found), std::move(expected), ""});
+    return std::nullopt;
+  };
+  if (text.cells.size() < least || text.cells.size() > most) {
+    return refuse(std::to_string(text.cells.size()) + " columns", expected_columns(least, most));
+  }
+  Row row;
+  row.line = text.line;
+  row.columns = text.cells.size();
+  for (std::size_t k = 0; k < row.columns; ++k) {
+    const std::optional<double> value = cell_number(text.cells[k]);
+    if (!value) {
+      return refuse("'" + for_display(text.cells[k]) + "'", "a number");
+    }
+    row.values[k] = *value;
+  }
+  return row;
+}
+
+}  // namespace
+
+std::optional<Table> read_table(const std::string& file, std::size_t least, std::size_t most,
+                                Diagnostics& diagnostics) {
+  const std::optional<std::string> text = read_text_file(file, diagnostics);
+  if (!text) {
+    return std::nullopt;
+  }
+  Table table;
+  table.file = file;
+  for (const TextRow& line : split_table(*text, ' ').rows) {
+    if (table.rows.empty() && !cell_number(line.cells[0])) {
+      continue;  // heading
+    }
+    const std::optional<Row> row = row_of(line, least, most, file, diagnostics);
+    if (!row) {
+      return std::nullopt;
+    }
+    table.rows.push_back(*row);
+  }
+  if (table.rows.empty()) {
+    diagnostics.add({Severity::error, file, 0, 0, "", "no numbers", "rows of " + expected_columns(least, most), ""});
+    return std::nullopt;
+  }
+  return table;
+}
+
+int mode_index(double number) {
+  const int mode = number >= 1.0 && number <= 6.0 ? static_cast<int>(number) : 0;
+  return static_cast<double>(mode) == number ? mode - 1 : -1;
+}
+
+}  // namespace overbend::wamit

@@ -1,0 +1,114 @@
+#include "seafiles/wamit_waves.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "seafiles/heading_table_builder.h"
+#include "seafiles/wamit_table.h"
+
+namespace overbend::wamit {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDeg = kPi / 180.0;
+
+bool refuse(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics) {
+  diagnostics.add({Severity::error, file, line, 0, "", std::move(found), std::move(expected), ""});
+  return false;
+}
+
+/// What both kinds of file promise of a row; `modes` is the column of the mode.
+bool check_row(const Table& table, const Row& row, std::size_t mode_column, Diagnostics& diagnostics) {
+  if (row.values[0] <= 0.0) {
+    return refuse(table.file, row.line, "the period " + format_number(row.values[0]), "a period above 0 s",
+                  diagnostics);
+  }
+  for (std::size_t k = 1; k < mode_column; ++k) {
+    if (std::abs(row.values[k]) > 360.0) {
+      return refuse(table.file, row.line, "the heading " + format_number(row.values[k]), "-360 to 360 deg",
+                    diagnostics);
+    }
+  }
+  if (mode_index(std::abs(row.values[mode_column])) < 0) {
+    return refuse(table.file, row.line, "the mode " + format_number(row.values[mode_column]),
+                  "a mode from 1 to 6, of one body", diagnostics);
+  }
+  return true;
+}
+
+std::optional<HeadingTableBuilder::Built> build(const HeadingTableBuilder& values, const std::string& file,
+                                                const HydrodynamicsSource& source, Diagnostics& diagnostics) {
+  std::string fault;
+  auto built = values.build(source.mirror_headings, fault);
+  if (!built) {
+    refuse(file, 0, fault, "one value for every pair of period and heading", diagnostics);
+  }
+  return built;
+}
+
+}  // namespace
+
+bool read_excitation(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
+                     Diagnostics& diagnostics) {
+  const std::optional<Table> table = read_table(file, 7, 7, diagnostics);
+  if (!table) {
+    return false;
+  }
+  HeadingTableBuilder values;
+  const double unit = source.water_density * source.gravity * std::pow(source.length_scale, 2);
+  for (const Row& row : table->rows) {
+    if (!check_row(*table, row, 2, diagnostics)) {
+      return false;
+    }
+    const int mode = mode_index(std::abs(row.values[2]));
+    const double arm = mode > 2 ? source.length_scale : 1.0;
+    values.add(2.0 * kPi / row.values[0], row.values[1] * kDeg, mode,
+               unit * arm * std::complex<double>(row.values[5], row.values[6]));
+  }
+  auto built = build(values, file, source, diagnostics);
+  if (built) {
+    data.excitation = std::move(built->table);
+    data.force = std::move(built->values);
+  }
+  return built.has_value();
+}
+
+bool read_drift(const std::string& file, const HydrodynamicsSource& source, HydrodynamicData& data,
+                Diagnostics& diagnostics) {
+  const std::optional<Table> table = read_table(file, 8, 8, diagnostics);
+  if (!table) {
+    return false;
+  }
+  HeadingTableBuilder values;
+  const double unit = source.water_density * source.gravity * source.length_scale;
+  for (const Row& row : table->rows) {
+    if (!check_row(*table, row, 3, diagnostics)) {
+      return false;
+    }
+    const int mode = mode_index(std::abs(row.values[3]));
+    const bool horizontal = mode == 0 || mode == 1 || mode == 5;
+    if (!horizontal || std::abs(row.values[1] - row.values[2]) > 1e-6) {
+      continue;
+    }
+    const double omega = 2.0 * kPi / row.values[0];
+    const double arm = mode > 2 ? source.length_scale : 1.0;
+    const double force = omega < source.drift_from ? 0.0 : unit * arm * row.values[6];
+    values.add(omega, row.values[1] * kDeg, mode, force);
+  }
+  if (values.empty()) {
+    return refuse(file, 0, "no mean drift of surge, sway or yaw", "pairs of equal headings", diagnostics);
+  }
+  const auto built = build(values, file, source, diagnostics);
+  if (!built) {
+    return false;
+  }
+  data.drift = built->table;
+  for (const CVec6& value : built->values) {
+    data.mean_drift.push_back(value.real());
+  }
+  return true;
+}
+
+}  // namespace overbend::wamit
