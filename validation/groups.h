@@ -14,5 +14,6 @@ Group bgl1_example();
 Group code_checks();
 Group dynamic();
 Group convergence();
+Group lines();
 
 }  // namespace overbend::validation

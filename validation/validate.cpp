@@ -23,7 +23,7 @@ int complain(const std::vector<std::string>& lines) {
 
 int run(const std::string& mode, const std::string& file) {
   const std::vector<Group> groups{static_cases(), cantilevers(), beams(),   roller_deck(), bgl1_example(),
-                                  jlays(),        code_checks(), dynamic(), convergence()};
+                                  jlays(),        code_checks(), dynamic(), lines(),       convergence()};
   if (mode == "--check") {
     return complain(failures(groups));
   }

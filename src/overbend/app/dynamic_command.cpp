@@ -7,9 +7,11 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/follow_study.h"
+#include "app/lines_command.h"
 #include "app/seeds_lines.h"
 #include "app/warning_lines.h"
 #include "resultfiles/dynamic_reader.h"
+#include "study/lines_run.h"
 
 namespace overbend {
 namespace {
@@ -97,6 +99,9 @@ int run_dynamic(const DynamicArguments& arguments) {
                               : fs::path(arguments.output);
   StudyPlan plan;
   try {
+    if (is_lines_alone(*description)) {
+      return run_dynamic_lines(*description, duration_of(arguments.duration), folder);
+    }
     plan = plan_of(*description, arguments);
   } catch (const std::invalid_argument& fault) {
     return tell({RunEnding::wrong_input, fault.what()});

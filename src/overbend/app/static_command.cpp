@@ -6,10 +6,12 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/lines_command.h"
 #include "app/warning_lines.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
 #include "statics/statics.h"
+#include "study/lines_run.h"
 #include "study/prepared_case.h"
 #include "study/static_run.h"
 
@@ -68,11 +70,12 @@ fs::path default_folder(const std::string& model_file) {
 int run_static(const std::string& model_file, const std::string& output, bool strict) {
   const std::optional<Description> description = load_model(model_file);
   if (!description) return kWrongInput;
+  const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
+  if (is_lines_alone(*description)) return run_static_lines(*description, folder);
   const Model model = build_model(*description);
   const StaticOutcome outcome = solve_statics(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
   const StaticResults results = checked_statics(model, *outcome.solution);
-  const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   try {
     write_static_run(results, *description, folder);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend

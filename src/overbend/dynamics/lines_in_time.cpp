@@ -17,7 +17,7 @@ struct Swing {
 };
 
 Swing swing_of(const LineEndDescription& end) {
-  if (end.kind != LineEndKind::fixed || end.period <= 0.0) return {};
+  if (end.kind == LineEndKind::body || end.period <= 0.0) return {};
   return {end.amplitude, 2.0 * std::numbers::pi / end.period, end.phase};
 }
 

@@ -7,8 +7,8 @@
 
 namespace overbend {
 
-/// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, a fixed end about its place
-/// by its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
+/// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, an end that is not on it
+/// about its place by its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
 SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
                            double build_up);
 

@@ -6,13 +6,11 @@
 #include <string>
 
 #include "dynamics/laid_tail.h"
+#include "dynamics/step_loop.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kLeastMotion = 1e-6;      ///< Of the whole line: less is rest [m].
-constexpr double kSmallestStep = 1e-7;     ///< [s]
-constexpr double kMostGrowth = 1.5;        ///< Of the step, from one to the next.
 constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
 constexpr double kUnlimited = 1e300;
 
@@ -83,19 +81,7 @@ bool Simulation::begin() {
   }
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
-  assembly_->impose_ends(state_);
-  if (!assembly_->find_accelerations(state_)) {
-    return false;
-  }
-  for (LineState& line : state_.lines) {
-    line.alg = line.acc;
-  }
-  for (AttachmentState& attachment : state_.attachments) {
-    attachment.guide.alg = attachment.guide.acc;
-  }
-  for (HullState& body : state_.bodies) {
-    body.alg = body.acc;
-  }
+  if (!begin_motion(*assembly_, state_)) return false;
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);
   observe_tension(state_, 0.0);
@@ -135,10 +121,8 @@ void Simulation::adapt(double h) {
     return;
   }
   const double error = stepper_->local_error(state_, next_);
-  const double growth =
-      std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
   const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
-  chooser_.wanted = std::clamp(h * growth, kSmallestStep, longest);
+  chooser_.wanted = step_by_error(h, error, options_.error_tolerance, longest);
 }
 
 /// The tensioner takes the tension at the end of a step of `h`, and stops or starts.

@@ -1,14 +1,12 @@
 #include "dynamics/system_run.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "dynamics/step_loop.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kLeastMotion = 1e-6;   ///< Of the lines: less is rest [m].
-constexpr double kSmallestStep = 1e-7;  ///< [s]
-constexpr double kMostGrowth = 1.5;     ///< Of the step, from one to the next.
 constexpr double kUnlimited = 1e300;
 
 }  // namespace
@@ -47,10 +45,7 @@ bool SystemRun::begin() {
     if (!water_[i].calm()) water_[i].start(water_memory_[i], clock_.time(), state_.lines[i].q, state_.lines[i].v);
   }
   assembly_->set_time(state_.time, state_);
-  assembly_->impose_ends(state_);
-  if (!assembly_->find_accelerations(state_)) return false;
-  for (LineState& line : state_.lines) line.alg = line.acc;
-  for (AttachmentState& attachment : state_.attachments) attachment.guide.alg = attachment.guide.acc;
+  if (!begin_motion(*assembly_, state_)) return false;
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);
   double scale = 0.0;
@@ -75,14 +70,12 @@ void SystemRun::adapt(double h) {
     return;
   }
   const double error = stepper_->local_error(state_, next_);
-  const double growth =
-      std::clamp(0.9 * std::cbrt(options_.error_tolerance / std::max(error, 1e-12)), 0.3, kMostGrowth);
   double longest = options_.max_step;
   for (std::size_t i = 0; i < system_.lines.size(); ++i) {
     longest = std::min(longest, watches_[2 * i].longest_step(end_force(i, LineEnd::first).norm(), h));
     longest = std::min(longest, watches_[2 * i + 1].longest_step(end_force(i, LineEnd::last).norm(), h));
   }
-  chooser_.wanted = std::clamp(h * growth, kSmallestStep, longest);
+  chooser_.wanted = step_by_error(h, error, options_.error_tolerance, longest);
 }
 
 bool SystemRun::attempt(double h, double target) {

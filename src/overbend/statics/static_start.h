@@ -27,8 +27,8 @@ LineState sample_shape(const StaticSystem& system, const LayShape& shape);
 /// along the bed.
 LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane);
 
-/// Moves a state that was solved with its ends elsewhere to where the tensioner and the route are now: along the route as
-/// a whole, across it each end by its own way, in height down to the touchdown. What Newton's method starts from.
+/// Moves a state that was solved with its ends elsewhere to where the tensioner and the route are now: along the route
+/// as a whole, across it each end by its own way, in height down to the touchdown. What Newton's method starts from.
 void bring_to_ends(const StaticSystem& system, LineState& state);
 
 /// Length from the tensioner to the last roller that the pipe passes [m]; from the contacts of the last evaluation.

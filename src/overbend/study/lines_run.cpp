@@ -11,6 +11,15 @@
 namespace overbend {
 namespace {
 
+/// A vessel that floats free moves by what the lines do to it, which is not computed here.
+std::optional<StaticFailure> obstacle_of(const Description& description) {
+  const VesselDescription& vessel = description.vessel;
+  if (!vessel.coupled && !vessel.hydrostatics && vessel.motion != VesselMotion::coupled) return std::nullopt;
+  return StaticFailure{"lines on a hull that floats free cannot be solved by themselves yet", "",
+                       "give them under moorings, or another vessel.motion than coupled without vessel.hydrostatics",
+                       true};
+}
+
 /// The lines of a model at rest, and what a run starts from.
 struct RestOfModel {
   LinesSetup setup;
@@ -62,11 +71,18 @@ void add_history(const LineHistory& history, LineResult& line) {
 
 }  // namespace
 
+bool is_lines_alone(const Description& description) {
+  const bool moored = description.moorings && !description.moorings->lines.empty();
+  return !description.has_pipe && !moored && !description.lines.empty();
+}
+
 LinesOutcome solve_lines(const Model& model) {
+  if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
   return rest_of(model).outcome;
 }
 
 LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
+  if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
   RestOfModel found = rest_of(model);
   if (found.outcome.failure) return found.outcome;
   const EnvironmentDescription& around = model.description.environment;

@@ -14,6 +14,9 @@ struct LinesOutcome {
   std::optional<StaticFailure> failure;
 };
 
+/// Whether a model is lines by themselves and nothing else.
+bool is_lines_alone(const Description& description);
+
 /// The lines at rest.
 LinesOutcome solve_lines(const Model& model);
 

@@ -1,0 +1,99 @@
+/// Analyses of lines by themselves from the model to the files.
+#include "study/lines_run.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "resultfiles/hdf5_file.h"
+#include "resultfiles/lines_writer.h"
+#include "support/line_cases.h"
+
+namespace overbend {
+namespace {
+
+Description two_chains() {
+  Description d = testing::chain_case(50.0, 2.0);
+  d.title = "two chains";
+  d.lines[0].name = "west";
+  d.lines.push_back(d.lines[0]);
+  d.lines[1].name = "east";
+  d.lines[1].first.at.x() = -400.0;
+  d.lines[1].second.amplitude = Vec3::Zero();
+  d.lines[0].segments[0].type.breaking_load = 2e6;
+  return d;
+}
+
+DynamicOptions short_run() {
+  DynamicOptions options;
+  options.duration = 10.0;
+  options.build_up = 10.0;
+  return options;
+}
+
+TEST(lines_run, at_rest_tells_both_ends_of_every_line) {
+  const Model model = build_model(two_chains());
+  const LinesOutcome outcome = solve_lines(model);
+  ASSERT_TRUE(outcome.results);
+  const std::vector<LineResult>& lines = outcome.results->lines;
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NEAR(lines[0].second.tension, 1.002e6, 2e3);
+  EXPECT_NEAR(lines[0].second.force.x(), -lines[1].second.force.x(), 1e-3);  // mirrored
+  EXPECT_NEAR(lines[0].on_bed, 243.8, 5.0);                                  // closed form, to a third of an element
+  EXPECT_NEAR(*lines[0].utilisation, 0.501, 1e-3);
+  EXPECT_FALSE(lines[1].utilisation);
+  // H = T cos of the declination at the fairlead.
+  EXPECT_NEAR(lines[0].second.tension * std::cos(lines[0].second.declination), std::abs(lines[0].first.force.x()),
+              5e-3 * lines[0].second.tension);
+  EXPECT_FALSE(outcome.results->moved);
+}
+
+TEST(lines_run, in_time_swings_the_line_whose_end_moves_and_leaves_the_other) {
+  const Model model = build_model(two_chains());
+  const LinesOutcome outcome = run_lines(model, short_run());
+  ASSERT_TRUE(outcome.results) << outcome.failure->what;
+  const LineResult &west = outcome.results->lines[0], &east = outcome.results->lines[1];
+  EXPECT_GT(west.second.in_time.max - west.second.in_time.min, 0.15e6);
+  EXPECT_LT(east.second.in_time.max - east.second.in_time.min, 1e2);
+  EXPECT_EQ(west.first_history.size(), outcome.results->time.size());
+  EXPECT_GE(west.largest_in_time, west.largest_tension);
+  EXPECT_LT(std::abs(outcome.results->energy_drift), 1e-3);
+}
+
+TEST(lines_run, files_hold_what_was_found) {
+  const Description description = two_chains();
+  const Model model = build_model(description);
+  const LinesOutcome outcome = run_lines(model, short_run());
+  ASSERT_TRUE(outcome.results);
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "lines_run_test.results";
+  write_lines_run(*outcome.results, description, folder);
+  std::ifstream file(folder / "summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["static"]["lines"][1]["name"], "east");
+  EXPECT_NEAR(summary["static"]["lines"][0]["second"]["tension"], 1.002e6, 2e3);
+  EXPECT_EQ(summary["dynamic"]["lines"][0]["second_tension"]["max"], outcome.results->lines[0].second.in_time.max);
+  EXPECT_TRUE(summary["static"]["lines"][1]["utilisation"].is_null());
+  const Hdf5Reader reader(folder / "results.h5");
+  EXPECT_EQ(reader.doubles("/lines/0/second_tension"), outcome.results->lines[0].second_history);
+  EXPECT_EQ(reader.doubles("/lines/1/nodes/s").size(), outcome.results->lines[1].nodes.size());
+  const std::string table = lines_table(*outcome.results);
+  EXPECT_EQ(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')),
+            1 + outcome.results->lines[0].nodes.size() + outcome.results->lines[1].nodes.size());
+  EXPECT_EQ(table.find("line,s [m],x [m],y [m],z [m],tension [kN]"), 0u);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(lines_run, says_which_line_pulls_its_end_off_the_bed) {
+  Description d = two_chains();
+  d.lines[0].first.kind = d.lines[1].first.kind = LineEndKind::bed;
+  d.lines[1].segments[0].length = 401.0;  // the way is 403.1 m
+  const LinesOutcome outcome = solve_lines(build_model(d));
+  ASSERT_TRUE(outcome.results);
+  ASSERT_EQ(outcome.results->warnings.size(), 1u);
+  EXPECT_NE(outcome.results->warnings[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overbend
