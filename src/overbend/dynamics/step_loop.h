@@ -25,6 +25,9 @@ inline bool begin_motion(Assembly& assembly, SystemState& state) {
   for (AttachmentState& attachment : state.attachments) {
     attachment.guide.alg = attachment.guide.acc;
   }
+  for (HullState& body : state.bodies) {
+    body.alg = body.acc;
+  }
   return true;
 }
 
