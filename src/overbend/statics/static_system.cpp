@@ -46,6 +46,7 @@ std::unique_ptr<const StaticSystem::Parts> StaticSystem::parts_of(const Model& m
 
 StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh)
     : model_(&model),
+      pose_(pose),
       plane_(lay_plane(model, pose)),
       parts_(parts_of(model, pose, std::move(mesh), plane_)),
       solver_(std::make_unique<BorderedSystem>(std::vector<BorderedLine>{{parts_->line.mesh.nodes(), {0}}}, 1)),

@@ -31,6 +31,7 @@ class StaticSystem {
   StaticSystem(const Model& model, const VesselPose& pose, LineMesh mesh);
 
   const Model& model() const { return *model_; }
+  const VesselPose& pose() const { return pose_; }  ///< Of the vessel.
   const Line& line() const { return parts_->line; }
   const LineMesh& mesh() const { return line().mesh; }
   const LineElements& elements() const { return line().elements; }
@@ -100,6 +101,7 @@ class StaticSystem {
                                                const LayPlane& plane);
 
   const Model* model_;
+  VesselPose pose_;
   LayPlane plane_;
   std::unique_ptr<const Parts> parts_;
   std::unique_ptr<BorderedSystem> solver_;  ///< Its one shared unknown is the far force.
