@@ -23,26 +23,36 @@ inline LinearHull bgl1_hull(const HydrodynamicData& data) {
   return hull;
 }
 
-/// Motions from a release at rest at `start`, at i * step; trapezoidal rule, velocities linear in the step.
-inline std::vector<Vec6> decay(const LinearHull& hull, const RadiationModel& radiation, const Vec6& start, double step,
-                               int steps) {
+/// Motions at the ends of the steps, the start first; trapezoidal rule, velocities linear in the step. `force(t)` acts
+/// besides.
+template <typename Force>
+std::vector<Vec6> simulate(const LinearHull& hull, const RadiationModel& radiation, const Vec6& start,
+                           const std::vector<double>& steps, Force force) {
   std::vector<Vec6> motion = {start};
   RadiationMemory memory = fresh_memory(radiation);
   Vec6 x = start, v = Vec6::Zero();
   const Mat6 mass = hull.mass + radiation.added_mass;
-  for (int i = 0; i < steps; ++i) {
-    const Vec6 force = hull.stiffness * x + hull.damping * v + radiation_force(radiation, memory, v);
-    const RadiationStep next = radiation_step(radiation, memory, v, step);
-    // M (v1 - v0)/h = -(f0 + f1)/2 with f1 = C (x0 + h (v0 + v1)/2) + B v1 + mu1
-    const Mat6 left = mass / step + 0.5 * (next.slope + hull.damping + 0.5 * step * hull.stiffness);
-    const Vec6 right = mass * v / step - 0.5 * (force + next.force_at_rest_end + hull.stiffness * (x + 0.5 * step * v));
-    const Vec6 v1 = left.partialPivLu().solve(right);
-    advance(radiation, memory, v, v1, step);
-    x += 0.5 * step * (v + v1);
+  double time = 0.0;
+  for (const double h : steps) {
+    const Vec6 before = force(time) - hull.stiffness * x - hull.damping * v - radiation_force(radiation, memory, v);
+    const RadiationStep next = radiation_step(radiation, memory, v, h);
+    // M (v1 - v0)/h = (f0 + f1)/2 with f1 = F1 - C (x0 + h (v0 + v1)/2) - B v1 - mu1
+    const Mat6 left = mass / h + 0.5 * (next.slope + hull.damping + 0.5 * h * hull.stiffness);
+    const Vec6 behind = force(time + h) - next.force_at_rest_end - hull.stiffness * (x + 0.5 * h * v);
+    const Vec6 v1 = left.partialPivLu().solve(mass * v / h + 0.5 * (before + behind));
+    advance(radiation, memory, v, v1, h);
+    x += 0.5 * h * (v + v1);
     v = v1;
+    time += h;
     motion.push_back(x);
   }
   return motion;
+}
+
+/// Motions from a release at rest at `start`, at i * step.
+inline std::vector<Vec6> decay(const LinearHull& hull, const RadiationModel& radiation, const Vec6& start, double step,
+                               std::size_t steps) {
+  return simulate(hull, radiation, start, std::vector<double>(steps, step), [](double) { return Vec6(Vec6::Zero()); });
 }
 
 /// Time and value of the k-th extremum after the release of one freedom, by a parabola through three points.
