@@ -36,7 +36,22 @@ TEST(moorings, a_vessel_on_lines_needs_no_pipe) {
   EXPECT_TRUE(read_good(testing::kGoodModel).has_pipe);
   const Model model = build_model(d);
   EXPECT_TRUE(model.sections.empty());
-  EXPECT_FALSE(assumptions(model).empty());
+}
+
+TEST(moorings, what_was_assumed_of_lines_is_said) {
+  const std::vector<std::string> list = assumptions(build_model(read_good(kMoored)));
+  const auto says = [&](const std::string& words) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const std::string& s) { return s.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("'wire64' is a six-strand wire rope of 64 mm with a wire core: 16.34 kg/m, EA 165.5 MN"));
+  EXPECT_TRUE(says("'chain76' is a studless chain R4 of 76 mm"));
+  EXPECT_FALSE(says("'given'"));
+  EXPECT_TRUE(says("fixed point of the vessel"));
+  EXPECT_FALSE(says("stern shoe"));
+  for (const std::string& line : assumptions(build_model(read_good(kLines)))) {
+    EXPECT_EQ(line.find("vessel"), std::string::npos) << line;
+  }
 }
 
 TEST(moorings, keys_fill_the_description) {
