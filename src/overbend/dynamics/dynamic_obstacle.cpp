@@ -7,11 +7,27 @@
 namespace overbend {
 namespace {
 
+/// A hull that floats free needs its coefficients, and something that holds its place.
+std::optional<StaticFailure> coupled_obstacle(const Description& d) {
+  if (d.moorings) {
+    return StaticFailure{"a hull that floats free on moorings cannot be run in time yet", "",
+                         "raos, harmonic and history can, and coupled with station_keeping"};
+  }
+  if (!d.vessel.coupled || !d.vessel.coupled->data) {
+    return StaticFailure{"the hull that floats free has no hydrodynamic coefficients", "",
+                         "vessel.motion.coupled names their files"};
+  }
+  if (!d.station_keeping) {
+    return StaticFailure{"nothing holds the hull that floats free in its place", "", "give station_keeping"};
+  }
+  return std::nullopt;
+}
+
 /// A motion that cannot be followed over the whole run.
 std::optional<StaticFailure> motion_obstacle(const Description& d) {
   const VesselDescription& vessel = d.vessel;
   if (vessel.motion == VesselMotion::coupled) {
-    return StaticFailure{"vessel.motion: coupled cannot be run yet", "", "raos, harmonic and history can"};
+    return coupled_obstacle(d);
   }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {

@@ -1,8 +1,11 @@
 /// What stands still during a run in time: made once, before the first step.
 #pragma once
 
+#include <memory>
+
 #include "dynamics/dynamic_setup.h"
 #include "dynamics/dynamics.h"
+#include "hull/make_hull.h"
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
 
@@ -11,7 +14,9 @@ namespace overbend {
 /// Everything that stands still during a run.
 struct RunSetup {
   Sea sea;
-  VesselMotionModel motion;
+  VesselMotionModel motion;        ///< Told; not where the vessel floats free.
+  std::unique_ptr<MadeHull> hull;  ///< Where it does; `system` points to it.
+  Ballast ballast = Ballast::trim;
   System system;
   double interval = 0.5;  ///< Of the clock that steps must meet [s].
 };

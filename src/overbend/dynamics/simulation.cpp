@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "dynamics/free_start.h"
 #include "dynamics/laid_tail.h"
 #include "dynamics/step_loop.h"
 
@@ -62,11 +63,14 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
   state_ = static_state(setup_.system, start, clock_.time());
   chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
   ended_.reserve(setup_.system.bodies.front().rollers.size());
-  if (!begin()) failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
+  if (!begin() && !failure_)
+    failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
 }
 
 void Simulation::surroundings(double time, Surroundings& now) {
-  now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+  if (!setup_.hull) {
+    now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+  }
   lead_attachments(setup_.system, now);
   if (!water_.calm()) {
     std::vector<double>& water = now.water.front();
@@ -78,6 +82,12 @@ void Simulation::surroundings(double time, Surroundings& now) {
 bool Simulation::begin() {
   if (!water_.calm()) {
     water_.start(water_memory_, clock_.time(), state_.lines.front().q, state_.lines.front().v);
+  }
+  if (setup_.hull) {
+    let_hull_go();
+  }
+  if (failure_) {
+    return false;
   }
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
@@ -92,6 +102,14 @@ bool Simulation::begin() {
   report_.smallest_step = options_.max_step;
   find_elevation();
   return true;
+}
+
+/// Hull, lines and pipe to rest. What the tensioner has paid out for that is where it begins.
+void Simulation::let_hull_go() {
+  failure_ = rest_afloat(*assembly_, setup_.ballast, setup_.hull->hull, state_);
+  Attachment& top = setup_.system.attachments[machine()];
+  top.place -= tensioner(state_).travel.q * top.direction;
+  tensioner(state_).travel = {};
 }
 
 void Simulation::find_elevation() {

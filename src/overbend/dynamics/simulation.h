@@ -75,6 +75,7 @@ class Simulation {
   TensionerLaw& set_law() { return setup_.system.attachments[machine()].tensioner; }
   void surroundings(double time, Surroundings& now);
   bool begin();
+  void let_hull_go();
   bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);

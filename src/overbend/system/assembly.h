@@ -54,6 +54,7 @@ class Assembly {
   void impose_ends(SystemState& state);
   /// A freedom of a free body (index in System::bodies) that stays where it is: its equation is left out.
   void hold_body(int body, int freedom, bool held);
+  bool body_held(int body, int freedom) const { return border_.held(body, freedom); }
 
   /// Inertia plus internal minus external forces at `state`; its memories receive what those of `before` have become
   /// after the step.

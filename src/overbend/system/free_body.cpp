@@ -18,7 +18,9 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   body.rest = hull_at_rest(hull, hull.drawn);
   body.balance = [&hull](const HullState& at, const HullState& before, const Weights& weights, double time,
                          HullBalance& out) {
-    balance_hull(hull, at, before, weights.step, {1.0, weights.velocity, weights.acceleration}, time, out);
+    const bool rests = weights.acceleration == 0.0;  // statics, in which friction alone remembers
+    balance_hull(hull, at, before, rests ? 0.0 : weights.step,
+                 {1.0, rests ? 0.0 : weights.velocity, weights.acceleration}, time, out);
   };
   body.finish_step = [&hull](const HullState& before, double step, HullState& at) {
     finish_step(hull, before, step, at);

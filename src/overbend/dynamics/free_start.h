@@ -1,0 +1,17 @@
+/// The beginning of a run with a hull that floats free.
+#pragma once
+
+#include <optional>
+
+#include "hull/hull.h"
+#include "statics/statics.h"
+#include "system/assembly.h"
+
+namespace overbend {
+
+/// Lets `hull` of `assembly` go at a state in which it was held as drawn: it is ballasted, where the model says so, for
+/// draught, heel and trim to stay with pipe and lines on it, and hull, lines and pipe come to rest together, the
+/// tensioner keeping its tension. Says why where they do not.
+std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hull& hull, SystemState& state);
+
+}  // namespace overbend

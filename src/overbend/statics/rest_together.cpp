@@ -1,0 +1,182 @@
+#include "statics/rest_together.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Time of the step without inertia, in which friction stretches and slides: so long that no rate makes a force [s].
+constexpr double kLongTime = 1e6;
+constexpr double kGrowth = 10.0;  ///< Of the residual that an iteration may bring: cables stiffen as they turn.
+constexpr int kHalvings = 8;
+constexpr double kAlmost = 0.05;  ///< Unbalanced force from which Newton's method is tried again in the fallback.
+
+void add(MotionValues& values, double d) {
+  values.q += d;
+  values.v += d / kLongTime;
+}
+
+class Rest {
+ public:
+  Rest(Assembly& assembly, SystemState& state, const RestSettings& settings)
+      : assembly_(assembly),
+        settings_(settings),
+        before_(state),
+        now_(state),
+        tried_(state),
+        dq_(assembly.increments()) {}
+
+  RestReport find(SystemState& result) {
+    rest_lines();
+    newton(settings_.max_iterations);
+    while (!report_.converged && report_.rounds < settings_.max_rounds) {
+      ++report_.rounds;
+      move_bodies();
+      if (report_.residual < kAlmost) {
+        newton(settings_.max_iterations);
+      }
+    }
+    result = now_;
+    at_rest(result);
+    return report_;
+  }
+
+ private:
+  /// Residual of a state; with its tangent where it is asked for.
+  double residual_of(SystemState& at, bool tangent) {
+    assembly_.set_time(at.time, at);
+    assembly_.impose_ends(at);
+    assembly_.evaluate(at, before_, {1.0 / kLongTime, 0.0, kLongTime}, tangent);
+    assembly_.hold(tangent);
+    report_.worst_place = assembly_.worst_place();
+    return assembly_.relative_residual();
+  }
+
+  /// Share of the correction that keeps bodies within their bounds.
+  double bounded_share() const {
+    double share = 1.0;
+    for (std::size_t i = 0; i < now_.bodies.size(); ++i) {
+      const Vec6 dh = Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
+      share = std::min({share, settings_.largest_move / std::max(dh.head<3>().norm(), 1e-300),
+                        settings_.largest_turn / std::max(dh.tail<3>().norm(), 1e-300)});
+    }
+    return share;
+  }
+
+  /// Guides stand so where the correction was made; a try turns them with its bodies.
+  void keep_directions() {
+    directions_.clear();
+    for (const EndMotion& end : assembly_.surroundings().ends) {
+      directions_.push_back(end.direction);
+    }
+  }
+
+  void move(double share, bool lines, SystemState& to) const {
+    to = now_;
+    for (std::size_t line = 0; line < (lines ? to.lines.size() : 0); ++line) {
+      LineState& at = to.lines[line];
+      for (std::size_t i = 0; i < at.q.size(); ++i) {
+        at.q[i] += share * dq_[line][i];
+        at.v[i] += share * dq_[line][i] / kLongTime;
+      }
+    }
+    for (std::size_t i = 0; i < to.bodies.size(); ++i) {
+      const Vec6 dh = share * Eigen::Map<const Vec6>(dq_.back().data() + 6 * i);
+      to.bodies[i].h += dh;
+      to.bodies[i].v += dh / kLongTime;
+    }
+    for (std::size_t i = 0; i < (lines ? to.attachments.size() : 0); ++i) {
+      const Attachment& held = assembly_.system().attachments[i];
+      const std::size_t line = static_cast<std::size_t>(held.line);
+      const double* part = dq_[line].data() + 6 * assembly_.line(line).end_node(held.end);
+      const Vec3& direction = directions_[i];
+      add(to.attachments[i].guide, share * direction.dot(Vec3(Eigen::Map<const Vec3>(part + 3))));
+      if (static_cast<int>(i) == assembly_.system().machine) {
+        add(to.attachments[i].travel, -share * direction.dot(Vec3(Eigen::Map<const Vec3>(part))));
+      }
+    }
+  }
+
+  void newton(int most) {
+    for (int i = 0; i < most; ++i) {
+      report_.residual = residual_of(now_, true);
+      report_.converged = report_.residual < settings_.tolerance && assembly_.contacts_settled();
+      if (report_.converged || !(report_.residual < 1e30) || !assembly_.solve_factored(dq_)) {
+        return;
+      }
+      ++report_.iterations;
+      assembly_.end_iteration(now_);
+      keep_directions();
+      double share = bounded_share();
+      move(share, true, tried_);
+      for (int k = 0; k < kHalvings && !(residual_of(tried_, false) < kGrowth * report_.residual); ++k) {
+        share *= 0.5;
+        move(share, true, tried_);
+      }
+      std::swap(now_, tried_);
+    }
+  }
+
+  /// Lines on held bodies.
+  void rest_lines() {
+    const std::vector<std::pair<int, int>> held = hold_all();
+    newton(settings_.max_iterations);
+    for (const auto& [body, freedom] : held) {
+      assembly_.hold_body(body, freedom, false);
+    }
+    report_.converged = false;
+  }
+
+  /// A round of the fallback: lines on held bodies, then the bodies by half a step.
+  void move_bodies() {
+    rest_lines();
+    report_.residual = residual_of(now_, true);
+    if (assembly_.solve_factored(dq_)) {
+      move(0.5 * bounded_share(), false, tried_);
+      std::swap(now_, tried_);
+    }
+  }
+
+  /// Holds what is free of the bodies; returns what it held.
+  std::vector<std::pair<int, int>> hold_all() {
+    std::vector<std::pair<int, int>> held;
+    for (const int body : free_bodies(assembly_.system())) {
+      for (int freedom = 0; freedom < 6; ++freedom) {
+        if (!assembly_.body_held(body, freedom)) {
+          assembly_.hold_body(body, freedom, true);
+          held.emplace_back(body, freedom);
+        }
+      }
+    }
+    return held;
+  }
+
+  void at_rest(SystemState& state) {
+    for (LineState& line : state.lines) {
+      std::fill(line.v.begin(), line.v.end(), 0.0);
+    }
+    for (HullState& body : state.bodies) {
+      body.v.setZero();
+    }
+    for (AttachmentState& end : state.attachments) {
+      end.guide.v = end.travel.v = 0.0;
+    }
+  }
+
+  Assembly& assembly_;
+  RestSettings settings_;
+  const SystemState before_;
+  SystemState now_, tried_;
+  Increments dq_;
+  std::vector<Vec3> directions_;
+  RestReport report_;
+};
+
+}  // namespace
+
+RestReport rest_together(Assembly& assembly, SystemState& state, const RestSettings& settings) {
+  return Rest(assembly, state, settings).find(state);
+}
+
+}  // namespace overbend
