@@ -7,6 +7,13 @@
 #include "mechanics/element_constants.h"
 
 namespace overbend {
+namespace {
+
+/// A slack line without bending stiffness would have none at all across. Over EA D^2: a solid bar has 1/16, a wire rope
+/// a thousandth.
+constexpr double kLeastBending = 1e-5;
+
+}  // namespace
 
 ElementConstants pipe_constants(const Model& model, const Section& section) {
   const double poisson = 1.0 - 2.0 * section.poissons_ratio;
@@ -33,10 +40,10 @@ ElementConstants cable_constants(const Model& model, const LineTypeDescription& 
   const double area = (type.weight_in_air - type.weight_submerged) / model.water_weight_density;
   ElementConstants c;
   c.EA = type.axial_stiffness;
-  c.EI = type.bending_stiffness;
   c.weight = type.weight_in_air;
   c.buoyancy = type.weight_in_air - type.weight_submerged;
   c.radius = area > 0.0 ? std::sqrt(area / std::numbers::pi) : 0.5 * type.diameter;
+  c.EI = std::max(type.bending_stiffness, kLeastBending * c.EA * std::pow(2.0 * c.radius, 2));
   c.drag_normal = 0.5 * model.water_density * type.drag_normal * drag_diameter;
   c.drag_axial = 0.5 * model.water_density * std::numbers::pi * drag_diameter * type.drag_axial;
   c.mass = type.weight_in_air / kGravity;
