@@ -36,7 +36,22 @@ TEST(moorings, a_vessel_on_lines_needs_no_pipe) {
   EXPECT_TRUE(read_good(testing::kGoodModel).has_pipe);
   const Model model = build_model(d);
   EXPECT_TRUE(model.sections.empty());
-  EXPECT_FALSE(assumptions(model).empty());
+}
+
+TEST(moorings, what_was_assumed_of_lines_is_said) {
+  const std::vector<std::string> list = assumptions(build_model(read_good(kMoored)));
+  const auto says = [&](const std::string& words) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const std::string& s) { return s.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("'wire64' is a six-strand wire rope of 64 mm with a wire core: 16.34 kg/m, EA 165.5 MN"));
+  EXPECT_TRUE(says("'chain76' is a studless chain R4 of 76 mm"));
+  EXPECT_FALSE(says("'given'"));
+  EXPECT_TRUE(says("fixed point of the vessel"));
+  EXPECT_FALSE(says("stern shoe"));
+  for (const std::string& line : assumptions(build_model(read_good(kLines)))) {
+    EXPECT_EQ(line.find("vessel"), std::string::npos) << line;
+  }
 }
 
 TEST(moorings, keys_fill_the_description) {
@@ -280,6 +295,26 @@ TEST(coupled_hull, keys_fill_the_description) {
   ASSERT_TRUE(d.station_keeping);
   EXPECT_EQ(d.station_keeping->stiffness, Vec3(1e5, 0.0, 1e9));
   EXPECT_EQ(d.station_keeping->limit.x(), 5e5);
+}
+
+TEST(coupled_hull, its_files_are_read_with_their_conventions) {
+  const std::string found = "hydrodynamics: ../data/bgl1/bgl1\n";
+  const Description d = read_good(replaced(kCoupled, found, found + "      convention: {drift_from: 0.5 rad/s}\n"));
+  ASSERT_TRUE(d.vessel.coupled && d.vessel.coupled->data);
+  const HydrodynamicData& data = *d.vessel.coupled->data;
+  EXPECT_EQ(data.origin_V, Vec3(0.0, 0.0, 0.818));
+  EXPECT_NEAR(data.hydrostatic_stiffness(2, 2), 1025.0 * 9.81 * 3600.0, 1e3);  // a box of 120 x 30 m
+  EXPECT_EQ(data.excitation.heading.size(), 24U);
+  EXPECT_EQ(data.mean_drift.at(data.drift.index(0, 6))[1], 0.0);
+}
+
+TEST(coupled_hull, files_of_another_hull_or_scale_are_refused) {
+  const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
+  const std::string good = replaced(kCoupled, "../data/bgl1/bgl1", stem);
+  const std::string key = "vessel.motion.coupled.hydrodynamics";
+  expect_told(good,
+              {"length scale", stem + "\n", stem + "\n      convention: {length_scale: 10 m}\n", key, "waterplane"});
+  expect_told(good, {"another vessel", "  depth: 9 m", "  length: 500 m\n  depth: 9 m", key, "3600 m^2"});
 }
 
 TEST(coupled_hull, current_may_be_left_out_only_in_words) {

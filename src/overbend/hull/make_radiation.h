@@ -39,7 +39,7 @@ struct Radiated {
 };
 
 /// Kernel, A_inf that goes with it and, for the state space, the fit. Falls back to convolution with a warning where no
-/// order up to 20 represents the file's values within 1 %. `data` needs at least four frequencies.
+/// order up to 20 represents damping and added mass within 1 %. `data` needs at least four frequencies.
 Radiated make_radiation(const HydrodynamicData& data, Radiation kind);
 
 /// The damping [N s/m, ...] and added mass that the model has at a frequency [rad/s], for comparison with the file's.

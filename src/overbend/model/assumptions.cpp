@@ -7,6 +7,7 @@
 #include "model/dynamic_assumptions.h"
 #include "model/material_words.h"
 #include "model/model.h"
+#include "model/mooring_assumptions.h"
 
 namespace overbend {
 namespace {
@@ -55,8 +56,8 @@ void assume_vessel(std::vector<std::string>& list, const Model& model) {
                     "the water line.",
                     degrees(vessel.trim), degrees(vessel.heel)));
   }
-  list.push_back(fmt::format("Water depth {:.2f} m applies at the stern shoe{}.",
-                             model.description.environment.water_depth,
+  list.push_back(fmt::format("Water depth {:.2f} m applies at {}{}.", model.description.environment.water_depth,
+                             model.description.has_pipe ? "the stern shoe" : "the vessel",
                              model.description.environment.seabed.slope == 0.0 ? "; the seabed is horizontal"
                                                                                : "; the seabed is a sloping plane"));
 }
@@ -166,12 +167,15 @@ void assume_tensioner(std::vector<std::string>& list, const Model& model) {
 std::vector<std::string> assumptions(const Model& model) {
   std::vector<std::string> list;
   if (!model.description.has_pipe) {
-    assume_vessel(list, model);
+    const bool vessel = model.description.moorings || model.description.vessel.coupled;
+    if (vessel) assume_vessel(list, model);
+    assume_floating(list, model);
     return list;
   }
   assume_pipe(list, model);
   assume_vessel(list, model);
   assume_motion(list, model);
+  assume_floating(list, model);
   assume_tensioner(list, model);
   assume_supports(list, model);
   assume_seabed(list, model);

@@ -2,11 +2,13 @@
 
 #include "model/description_words.h"
 #include "modelfile/row_makers.h"
+#include "seafiles/hydrodynamics_reader.h"
 
 namespace overbend::field_rows {
 namespace {
 
 const std::string kHull = "vessel.motion.coupled";
+constexpr const char* kMirrored = "mirrored";
 
 struct Freedom {
   const char* name;
@@ -62,6 +64,32 @@ std::vector<Field> body() {
                     "Corner period of the filter for the slow position and heading.", kTime,
                     {.low = 1.0, .high = 1000.0})});
   return rows;
+}
+
+/// Kept apart from the description, for the reader of the files: modelfile/hull_files.h.
+std::vector<Field> file_convention() {
+  using Source = HydrodynamicsSource;
+  const std::string c = kHull + ".convention";
+  const auto take_sides = [](Source& source, const FieldValue& word) {
+    source.mirror_headings = word.text == kMirrored;
+  };
+  Field headings =
+      row_of_kind(FieldKind::choice, c + ".headings", with_default(taken_by<Source>(take_sides), "as_given"),
+                  "as_given: the files have headings all round; mirrored: headings that they lack are taken "
+                  "from the other side of a symmetric hull.");
+  headings.choices = {"as_given", kMirrored};
+  return {group_row(c, read_elsewhere(), "Conventions of the files."),
+          quantity_row(c + ".length_scale", defaults(&Source::length_scale), "ULEN of WAMIT.", kLength,
+                       {.low = 0.0, .high = 1000.0, .low_open = true}),
+          quantity_row(c + ".water_density", defaults(&Source::water_density),
+                       "Density of water by which the files' values get their dimension.", {"kg/m^3", "kg/m^3"},
+                       {.low = 900.0, .high = 1100.0}),
+          quantity_row(c + ".gravity", defaults(&Source::gravity), "Gravity, for the same.", {"m/s^2", "m/s^2"},
+                       {.low = 9.0, .high = 11.0}),
+          headings,
+          quantity_row(c + ".drift_from", defaults(&Source::drift_from),
+                       "Frequency below which the mean drift is set to zero: panel programs give noise there.",
+                       {"rad/s", "rad/s"}, {.low = 0.0, .high = 10.0})};
 }
 
 /// `roll: 5 %` of critical damping, or a group of coefficients.
@@ -227,6 +255,7 @@ std::vector<Field> vessel_load_rows(const std::string& p) {
 
 std::vector<Field> hull() {
   std::vector<Field> rows = body();
+  append(rows, file_convention());
   append(rows, damping());
   append(rows, current());
   append(rows, wind());

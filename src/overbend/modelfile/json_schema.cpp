@@ -120,6 +120,9 @@ std::string json_schema() {
   schema["$schema"] = "http://json-schema.org/draft-07/schema#";
   schema["title"] = "Overbend model file";
   schema.update(schema_of(field_tree()));
+  // A model is one of a pipe, of a vessel on lines or floating free, or of lines by themselves.
+  schema["anyOf"] = {{{"required", {"vessel"}}}, {{"required", {"lines"}}}};
+  schema["dependencies"] = {{"pipe", {"tensioner", "vessel"}}, {"tensioner", {"pipe"}}, {"moorings", {"vessel"}}};
   return schema.dump(2) + "\n";
 }
 

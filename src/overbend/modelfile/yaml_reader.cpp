@@ -9,6 +9,7 @@
 #include "modelfile/binding.h"
 #include "modelfile/field_tree.h"
 #include "modelfile/field_value.h"
+#include "modelfile/hull_files.h"
 #include "modelfile/model_checks.h"
 #include "modelfile/motion_files.h"
 #include "seafiles/spectrum_reader.h"
@@ -61,6 +62,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);
+    read_hull_files(values, *reading.description, reading.diagnostics);
   }
   if (reading.diagnostics.has_errors()) {
     reading.description.reset();

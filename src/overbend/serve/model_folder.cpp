@@ -7,6 +7,7 @@
 
 #include "runstore/replace_file.h"
 #include "runstore/run_record.h"
+#include "serve/embedded_files.h"
 #include "serve/page_files.h"
 
 namespace overbend {
@@ -95,12 +96,16 @@ void ModelFolder::overwrite(const std::string& name, const std::string& text) co
 }
 
 void ModelFolder::provide_data(const std::string& text) const {
-  const std::string name = "data/bgl1/rao.csv";
   std::error_code fault;
-  const fs::path file = folder_ / name;
-  if (text.find(" " + name) == std::string::npos || fs::exists(file, fault)) return;
-  fs::create_directories(file.parent_path(), fault);
-  put(file, embedded_text(name));
+  for (const EmbeddedFile& data : embedded_files()) {
+    // By the stem, which is all that a model says of several files of one hull.
+    const fs::path name(data.path);
+    const fs::path file = folder_ / name;
+    if (!data.path.starts_with("data/") || fs::exists(file, fault)) continue;
+    if (text.find(" " + (name.parent_path() / name.stem()).generic_string()) == std::string::npos) continue;
+    fs::create_directories(file.parent_path(), fault);
+    put(file, data.bytes);
+  }
 }
 
 }  // namespace overbend

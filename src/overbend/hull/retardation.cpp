@@ -1,4 +1,4 @@
-#include "hull/radiation_kernel.h"
+#include "hull/retardation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,6 +197,64 @@ std::vector<Mat6> retardation_samples(const DampingSpectrum& spectrum, double in
   samples.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     samples.push_back(retardation(spectrum, i * interval));
+  }
+  return samples;
+}
+
+namespace {
+
+/// Integral of K from 0 to `time`, (2/pi) integral of B/omega sin(omega t), with B/omega linear between nodes.
+Mat6 retardation_integral(const DampingSpectrum& spectrum, double time) {
+  const auto& w = spectrum.omega;
+  const auto per_omega = [&](std::size_t i) -> Mat6 {
+    const std::size_t at = std::max<std::size_t>(i, 1);
+    return spectrum.damping[at] / w[at];
+  };
+  Mat6 sum = Mat6::Zero(), left = per_omega(0);
+  const Mat6 first = left;
+  double sine = 0.0;
+  for (std::size_t i = 0; i + 1 < w.size(); ++i) {
+    const Mat6 right = per_omega(i + 1);
+    const double next = std::sin(w[i + 1] * time);
+    sum += (next - sine) / (w[i + 1] - w[i]) * (right - left);
+    sine = next;
+    left = right;
+  }
+  return kTwoOverPi * (sum / (time * time) + (first - std::cos(w.back() * time) * left) / time);
+}
+
+/// Samples after the last at which an entry exceeds a share of its peak.
+int samples_that_count(const std::vector<Mat6>& kernel, double share) {
+  Mat6 peak = Mat6::Zero();
+  for (const Mat6& k : kernel) {
+    peak = peak.cwiseMax(k.cwiseAbs());
+  }
+  for (std::size_t i = kernel.size(); i-- > 0;) {
+    if ((kernel[i].cwiseAbs().array() > share * peak.array()).any()) {
+      return static_cast<int>(i) + 1;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+RadiationSamples convolution_samples(const DampingSpectrum& spectrum, double interval) {
+  constexpr double kShortest = 20.0, kLongest = 80.0, kForgotten = 1e-3;
+  const auto steps = [&](double time) { return static_cast<int>(std::ceil(time / interval - 1e-9)); };
+  const std::vector<Mat6> kernel = retardation_samples(spectrum, interval, steps(kLongest) + 1);
+  const int last = std::clamp(samples_that_count(kernel, kForgotten), steps(kShortest), steps(kLongest));
+  const Mat6 mean = retardation_integral(spectrum, last * interval) / (last * interval);
+  RadiationSamples samples;
+  samples.interval = interval;
+  samples.once.push_back(Mat6::Zero());
+  samples.twice.push_back(Mat6::Zero());
+  for (int i = 1; i <= last; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    samples.once.push_back(retardation_integral(spectrum, i * interval) - i * interval * mean);
+    // Trapezoid with its end correction, of fourth order; the mean drops out of the difference of K.
+    samples.twice.push_back(samples.twice.back() + 0.5 * interval * (samples.once[at - 1] + samples.once[at]) +
+                            interval * interval / 12.0 * (kernel[at - 1] - kernel[at]));
   }
   return samples;
 }
