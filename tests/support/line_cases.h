@@ -48,7 +48,6 @@ inline FreeLineDescription free_line(const LineTypeDescription& type, double len
 inline Description chain_case(double depth, double amplitude) {
   Description d = water_alone(1025.0, depth);
   LineTypeDescription chain = cable_type(390.0, 0.252, 1.674e9, 0.0, 1025.0);
-  chain.bending_stiffness = 2e3;  // one that an element can do with; it carries nothing
   chain.drag_normal = 1.37;
   // The program that made the records takes the drag along a chain on the diameter alone, ours on the circumference;
   // and its chain stands on the bed with the width of a link, 3.35 diameters of the bar, where the volume's is 1.89.

@@ -22,10 +22,11 @@ struct ElementConstants {
 /// Of a pipe with this section in the model's water.
 ElementConstants pipe_constants(const Model& model, const Section& section);
 
-/// Of a cable, chain or flexible in the model's water. Its axial stiffness is that of the effective tension, so that
-/// pressure makes none; what it displaces follows from its two weights, and its radius, which says when it is wet, from
-/// what it displaces. Drag counts on its own diameter, along it on the circumference (Morison et al. 1950; as MoorDyn,
-/// Hall and Goupee 2015, has it).
+/// Of a cable, chain or flexible in the model's water. It has a little bending stiffness
+/// whatever its type says, of no effect on tensions, so that it has some where it is slack. Its axial stiffness is that
+/// of the effective tension, so that pressure makes none; what it displaces follows from its two weights, and its
+/// radius, which says when it is wet, from what it displaces. Drag counts on its own diameter, along it on the
+/// circumference (Morison et al. 1950; as MoorDyn, Hall and Goupee 2015, has it).
 ElementConstants cable_constants(const Model& model, const LineTypeDescription& type);
 
 /// Elements of the given unstressed lengths [m]; element i is of `kinds[i]`.

@@ -7,6 +7,17 @@
 #include "mechanics/element_constants.h"
 
 namespace overbend {
+namespace {
+
+/// A slack line without bending stiffness would have none at all across. A solid bar has EA D^2/16, a wire rope a
+/// thousandth of EA D^2, this a hundredth of that; where a model gives an EA without bounds, what bends under its own
+/// weight over a metre [N m2].
+double least_bending(const LineTypeDescription& type, double diameter) {
+  constexpr double kShare = 1e-5, kMetre = 1.0;
+  return std::min(kShare * type.axial_stiffness * diameter * diameter, type.weight_in_air * std::pow(kMetre, 3));
+}
+
+}  // namespace
 
 ElementConstants pipe_constants(const Model& model, const Section& section) {
   const double poisson = 1.0 - 2.0 * section.poissons_ratio;
@@ -33,10 +44,10 @@ ElementConstants cable_constants(const Model& model, const LineTypeDescription& 
   const double area = (type.weight_in_air - type.weight_submerged) / model.water_weight_density;
   ElementConstants c;
   c.EA = type.axial_stiffness;
-  c.EI = type.bending_stiffness;
   c.weight = type.weight_in_air;
   c.buoyancy = type.weight_in_air - type.weight_submerged;
   c.radius = area > 0.0 ? std::sqrt(area / std::numbers::pi) : 0.5 * type.diameter;
+  c.EI = std::max(type.bending_stiffness, least_bending(type, 2.0 * c.radius));
   c.drag_normal = 0.5 * model.water_density * type.drag_normal * drag_diameter;
   c.drag_axial = 0.5 * model.water_density * std::numbers::pi * drag_diameter * type.drag_axial;
   c.mass = type.weight_in_air / kGravity;

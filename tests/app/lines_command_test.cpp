@@ -1,0 +1,59 @@
+/// The program on models that are lines by themselves.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace overbend {
+namespace {
+
+using testing::run_program;
+using testing::Scratch;
+
+const std::string kJumper = R"(overbend: 1
+title: jumper
+environment:
+  water_depth: 100 m
+  water_weight_density: 9.807 kN/m^3
+  seabed: {stiffness: 100 kN/m^2}
+lines:
+  - name: jumper
+    ends:
+      - {fixed: {x: -100 m, y: 0 m, z: -55 m}}
+      - {fixed: {x: 0 m, y: 0 m, z: -5 m}, motion: {amplitude: {x: 10 m}, period: 27 s}}
+    segments:
+      - {length: 170 m, diameter: 0.396 m, mass: 165 kg/m, axial_stiffness: 500 MN, bending_stiffness: 120.8 kN*m^2}
+analysis:
+  dynamic: {duration: 27 s, build_up: 27 s, max_step: 0.2 s}
+)";
+
+TEST(lines_command, static_finds_the_published_forces_on_the_ends) {
+  const Scratch scratch;
+  const auto done = run_program("static " + scratch.write("jumper.yaml", kJumper) + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const nlohmann::json line = nlohmann::json::parse(scratch.read("out/summary.json"))["static"]["lines"][0];
+  EXPECT_NEAR(line["second"]["force"]["x"], 11.40e3, 50.0);
+  EXPECT_NEAR(line["second"]["force"]["z"], 45.71e3, 50.0);
+  EXPECT_NE(done.out.find("second end"), std::string::npos);
+}
+
+TEST(lines_command, dynamic_finds_the_published_extremes) {
+  const Scratch scratch;
+  const auto done = run_program("dynamic " + scratch.write("jumper.yaml", kJumper) + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const nlohmann::json line = nlohmann::json::parse(scratch.read("out/summary.json"))["dynamic"]["lines"][0];
+  EXPECT_NEAR(line["second_tension"]["max"], 52.24e3, 0.02 * 52.24e3);
+  EXPECT_NEAR(line["second_tension"]["min"], 41.48e3, 0.03 * 41.48e3);  // drag coefficients are the defaults
+}
+
+TEST(lines_command, says_what_a_run_needs) {
+  const Scratch scratch;
+  const std::string still = kJumper.substr(0, kJumper.find("analysis:"));
+  const auto done = run_program("dynamic " + scratch.write("jumper.yaml", still) + " -o " + scratch.file("out"));
+  EXPECT_EQ(done.code, 2);
+  EXPECT_NE(done.err.find("analysis.dynamic"), std::string::npos) << done.err;
+}
+
+}  // namespace
+}  // namespace overbend

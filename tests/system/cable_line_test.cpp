@@ -1,0 +1,87 @@
+/// What a cable is made of, and where its nodes stand.
+#include "system/cable_line.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/line_cases.h"
+
+namespace overbend {
+namespace {
+
+CableParts chain_and_wire() {
+  CableParts parts;
+  parts.segments = {{"chain", 300.0, testing::cable_type(100.0, 0.13, 5e8, 2e3, 1025.0)},
+                    {"wire", 700.0, testing::cable_type(16.3418, 0.0512, 165.48e6, 2e3, 1025.0)}};
+  parts.points.resize(1);
+  parts.points[0].at = 512.5;
+  parts.points[0].net_force = -10e3;
+  return parts;
+}
+
+TEST(cable_line, has_the_numbers_of_its_segments_and_their_water) {
+  const Model model = build_model(testing::water_alone(1025.0, 100.0));
+  const CableParts parts = chain_and_wire();
+  const Line line = cable_line(model, parts, {}, Vec3::Zero(), Vec3(900.0, 0.0, 0.0));
+  const LineElements& e = line.elements;
+  const std::size_t last = static_cast<std::size_t>(e.count) - 1;
+  EXPECT_DOUBLE_EQ(e.EA[0], 5e8);
+  EXPECT_DOUBLE_EQ(e.EA[last], 165.48e6);
+  EXPECT_NEAR(e.mass[last], 16.3418, 1e-12);
+  EXPECT_NEAR(e.displaced_mass[last], 1025.0 * 0.25 * std::numbers::pi * 0.0512 * 0.0512, 1e-9);
+  EXPECT_NEAR(e.radius[0], 0.065, 1e-12);
+  EXPECT_NEAR(e.added_normal[0], e.displaced_mass[0], 1e-12);
+  EXPECT_NEAR(e.drag_normal[0], 0.5 * 1025.0 * 1.2 * 0.13, 1e-9);
+  EXPECT_NEAR(line.force_scale, kGravity * (300.0 * 100.0 + 700.0 * 16.3418) + 10e3, 1e-6);
+  EXPECT_FALSE(line.on_rollers);
+}
+
+TEST(cable_line, has_nodes_where_segments_meet_and_at_points) {
+  const CableParts parts = chain_and_wire();
+  const LineMesh mesh = cable_mesh(parts, {150.0, std::nullopt});
+  for (const double place : {0.0, 300.0, 512.5, 1000.0}) {
+    EXPECT_EQ(std::count(mesh.s.begin(), mesh.s.end(), place), 1) << place;
+  }
+  const auto [least, most] = std::minmax_element(mesh.length.begin(), mesh.length.end());
+  EXPECT_GT(*least, 15.0);
+  EXPECT_LE(*most, 50.0);
+  EXPECT_LE(mesh.length[static_cast<std::size_t>(mesh.elements()) / 5], 26.0);  // by touchdown
+}
+
+TEST(cable_line, sinks_a_centimetre_into_a_soft_bed_and_keeps_a_hard_one) {
+  Description d = testing::water_alone(1025.0, 100.0);
+  const CableParts parts = chain_and_wire();
+  const double w = parts.segments[0].type.weight_submerged;
+  for (const auto& [given, expected] : {std::pair{1e3, w / 0.01}, {1e6, 1e6}}) {
+    d.environment.seabed.stiffness = given;
+    const Model model = build_model(d);
+    const LineEnvironment env = cable_environment(model, parts, Vec3::Zero(), Vec3(30.0, 40.0, 0.0));
+    EXPECT_NEAR(env.bed_stiffness, expected, 1e-9 * expected);
+    EXPECT_DOUBLE_EQ(env.bed_stick, given);
+    EXPECT_NEAR(env.bed_along[0], 0.6, 1e-15);
+    EXPECT_NEAR(env.route_normal[0], -0.8, 1e-15);
+  }
+}
+
+TEST(cable_line, takes_the_friction_of_its_type_before_that_of_the_bed) {
+  Description d = testing::water_alone(1025.0, 100.0);
+  d.environment.seabed.friction_axial = 0.3;
+  const Model model = build_model(d);
+  CableParts parts = chain_and_wire();
+  EXPECT_DOUBLE_EQ(cable_environment(model, parts, Vec3::Zero(), Vec3::UnitX()).bed_friction_axial, 0.3);
+  parts.segments[0].type.friction = 1.0;
+  EXPECT_DOUBLE_EQ(cable_environment(model, parts, Vec3::Zero(), Vec3::UnitX()).bed_friction_axial, 1.0);
+}
+
+TEST(cable_line, without_bending_stiffness_has_a_little) {
+  const Model model = build_model(testing::water_alone(1025.0, 100.0));
+  CableParts parts = chain_and_wire();
+  parts.segments[0].type.bending_stiffness = 0.0;
+  const Line line = cable_line(model, parts, {}, Vec3::Zero(), Vec3(900.0, 0.0, 0.0));
+  EXPECT_GT(line.elements.EI[0], 0.0);
+  EXPECT_LT(line.elements.EI[0], 5e8 * 0.13 * 0.13 / 1e4);
+}
+
+}  // namespace
+}  // namespace overbend
