@@ -48,7 +48,7 @@ LIBRARIES = [
     ("fmt/", EVERYTHING),
     ("immintrin.h", {"mechanics"}),
     ("yaml-cpp/", {"base", "modelfile", "seafiles"}),
-    ("hdf5", {"resultfiles"}),
+    ("hdf5", {"resultfiles", "seafiles"}),
     ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve"}),
     ("httplib.h", {"serve"}),
     ("udunits2.h", {"base"}),

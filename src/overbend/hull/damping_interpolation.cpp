@@ -1,17 +1,14 @@
 #include "hull/damping_interpolation.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace overbend {
 namespace {
 
 constexpr double kSteepest = 8.0, kFlattest = 1.0, kWithoutPower = 2.0;
-
-Mat6 symmetric(const Mat6& m) {
-  return 0.5 * (m + m.transpose());
-}
+constexpr double kSilent = 1e-6;
 
 /// Second derivatives of the natural cubic spline through the points, all 36 entries at once.
 std::vector<Mat6> spline_curvatures(const std::vector<double>& x, const std::vector<Mat6>& y) {
@@ -32,11 +29,10 @@ std::vector<Mat6> spline_curvatures(const std::vector<double>& x, const std::vec
 }
 
 /// Below the first frequency: its value times (omega/first)^exponent.
-Mat6 low_exponents(const HydrodynamicData& data) {
+Mat6 low_exponents(const HydrodynamicData& data, const std::vector<Mat6>& at) {
   Mat6 exponents = Mat6::Constant(kWithoutPower);
   const auto& points = data.radiation;
   const double omega[3] = {points[0].omega, points[1].omega, points[2].omega};
-  const Mat6 at[3] = {symmetric(points[0].damping), symmetric(points[1].damping), symmetric(points[2].damping)};
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {
       exponents(i, j) = low_exponent(omega, {at[0](i, j), at[1](i, j), at[2](i, j)});
@@ -65,15 +61,39 @@ double low_exponent(const double (&omega)[3], const double (&value)[3]) {
   return std::clamp(xy / xx, kFlattest, kSteepest);
 }
 
-void interpolate_damping(const HydrodynamicData& data, std::span<const double> omega, std::span<Mat6> damping) {
+std::vector<Mat6> passive_damping(const HydrodynamicData& data, double& largest_negative) {
+  Vec6 peak = Vec6::Constant(1e-300);
+  for (const RadiationPoint& point : data.radiation) {
+    peak = peak.cwiseMax(point.damping.diagonal().cwiseAbs());
+  }
+  // Modes that do not radiate hold noise alone, which must not be blown up.
+  peak.head<3>() = peak.head<3>().cwiseMax(kSilent * peak.head<3>().maxCoeff()).eval();
+  peak.tail<3>() = peak.tail<3>().cwiseMax(kSilent * peak.tail<3>().maxCoeff()).eval();
+  const Vec6 unit = peak.cwiseSqrt();
+  std::vector<Mat6> passive;
+  largest_negative = 0.0;
+  for (const RadiationPoint& point : data.radiation) {
+    const Mat6 scaled = unit.cwiseInverse().asDiagonal() * (0.5 * (point.damping + point.damping.transpose())) *
+                        unit.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
+    largest_negative = std::max(largest_negative, -solver.eigenvalues()(0));
+    const Mat6 positive =
+        solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
+    passive.emplace_back(unit.asDiagonal() * positive * unit.asDiagonal());
+  }
+  return passive;
+}
+
+void interpolate_damping(const HydrodynamicData& data, const std::vector<Mat6>& given, std::span<const double> omega,
+                         std::span<Mat6> damping) {
   std::vector<double> x = {0.0};
   std::vector<Mat6> y = {Mat6::Zero()};
-  for (const RadiationPoint& point : data.radiation) {
-    x.push_back(point.omega);
-    y.push_back(symmetric(point.damping));
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    x.push_back(data.radiation[i].omega);
+    y.push_back(given[i]);
   }
   const std::vector<Mat6> curvature = spline_curvatures(x, y);
-  const Mat6 exponents = low_exponents(data);
+  const Mat6 exponents = low_exponents(data, given);
   std::size_t right = 1;
   for (std::size_t k = 0; k < omega.size(); ++k) {
     while (right + 1 < x.size() && omega[k] > x[right]) {

@@ -2,221 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/units.h"
-#include "hull/radiation_fit.h"
-#include "hull/radiation_poles.h"
-#include "hull/retardation.h"
+#include "hull/radiation_groups.h"
 
 namespace overbend {
 namespace {
 
-using Eigen::MatrixXd;
-
-constexpr int kLeastOrder = 6, kMostOrder = 20;
-/// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
-/// damping that may be left to the constant one.
-constexpr double kGoodFit = 0.006, kFairFit = 0.01, kPassive = 1e-5;
-constexpr double kNoise = 1e-4;    ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
-constexpr double kSilent = 1e-6;   ///< Of the strongest mode of its kind: it does not radiate.
-constexpr double kSlowest = 0.03;  // [1/s]
-constexpr double kWarnAddedMass = 0.03;
+constexpr double kWarnAddedMass = 0.03, kWarnNegative = 0.01;
 constexpr double kConvolutionInterval = 0.1;  // [s]
-constexpr int kKernelSamples = 401;
 constexpr const char* kModeNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
-Vec6 largest_diagonal(const HydrodynamicData& data, Mat6 RadiationPoint::*what) {
-  Vec6 largest = Vec6::Zero();
-  for (const RadiationPoint& point : data.radiation) {
-    largest = largest.cwiseMax((point.*what).diagonal().cwiseAbs());
-  }
-  return largest;
-}
-
-/// Largest coupling of each pair.
-Mat6 largest_damping(const HydrodynamicData& data) {
-  Mat6 largest = Mat6::Zero();
-  for (const RadiationPoint& point : data.radiation) {
-    largest = largest.cwiseMax((0.5 * (point.damping + point.damping.transpose())).cwiseAbs());
-  }
-  return largest;
-}
-
-/// Modes that are coupled by damping, directly or through others; those that do not radiate are left out.
-std::vector<std::vector<int>> coupled_groups(const HydrodynamicData& data) {
-  const Mat6 damping = largest_damping(data);
-  const Vec6 peak = largest_diagonal(data, &RadiationPoint::damping);
-  std::vector<std::vector<int>> groups;
-  std::vector<bool> taken(6, false);
-  for (int i = 0; i < 6; ++i) {
-    const double strongest = (i < 3 ? peak.head<3>() : peak.tail<3>()).maxCoeff();
-    taken[static_cast<std::size_t>(i)] = peak(i) <= kSilent * strongest;
-  }
-  for (int first = 0; first < 6; ++first) {
-    std::vector<int> group;
-    if (!taken[static_cast<std::size_t>(first)]) {
-      group.push_back(first);
-      taken[static_cast<std::size_t>(first)] = true;
-    }
-    for (std::size_t k = 0; k < group.size(); ++k) {
-      for (int j = 0; j < 6; ++j) {
-        const int i = group[k];
-        if (!taken[static_cast<std::size_t>(j)] && damping(i, j) > kNoise * std::sqrt(peak(i) * peak(j))) {
-          group.push_back(j);
-          taken[static_cast<std::size_t>(j)] = true;
-        }
-      }
-    }
-    if (!group.empty()) {
-      std::sort(group.begin(), group.end());
-      groups.push_back(group);
-    }
-  }
-  return groups;
-}
-
-/// Rows and columns of a group, each divided by a unit.
-MatrixXd part(const Mat6& matrix, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
-  const auto m = static_cast<Eigen::Index>(modes.size());
-  MatrixXd result(m, m);
-  for (Eigen::Index i = 0; i < m; ++i) {
-    for (Eigen::Index j = 0; j < m; ++j) {
-      result(i, j) = matrix(modes[static_cast<std::size_t>(i)], modes[static_cast<std::size_t>(j)]) / unit(i) / unit(j);
-    }
-  }
-  return result;
-}
-
-/// Damping at any frequency of the spectrum, linear between its nodes.
-Mat6 damping_at(const DampingSpectrum& spectrum, double omega) {
-  const auto right = static_cast<std::size_t>(
-      std::upper_bound(spectrum.omega.begin(), spectrum.omega.end() - 1, omega) - spectrum.omega.begin());
-  const double share = (omega - spectrum.omega[right - 1]) / (spectrum.omega[right] - spectrum.omega[right - 1]);
-  return (1.0 - share) * spectrum.damping[right - 1] + share * spectrum.damping[right];
-}
-
-/// Equal steps to one and a half times the last frequency of the data, coarser ones to 4.5 times.
-std::vector<double> fitted_frequencies(double last) {
-  std::vector<double> omega;
-  for (int k = 1; k <= 150; ++k) {
-    omega.push_back(0.01 * last * k);
-  }
-  for (int k = 1; k <= 60; ++k) {
-    omega.push_back(last * (1.5 + 0.05 * k));
-  }
-  return omega;
-}
-
-std::vector<double> checked_frequencies(double last) {
-  std::vector<double> omega;
-  for (int k = 1; k <= 440; ++k) {
-    omega.push_back(last * 0.0025 * k);
-  }
-  for (int k = 1; k <= 160; ++k) {
-    omega.push_back(last * 1.1 * std::pow(5.0, k / 160.0));
-  }
-  return omega;
-}
-
-/// Samples every 0.2 s over 80 s, finer where the data reach higher frequencies than a barge's.
-double kernel_interval(double last) {
-  return std::min(0.2, 0.5 * std::numbers::pi / last);
-}
-
-FitTarget target_of(const DampingSpectrum& spectrum, const std::vector<Mat6>& kernel, const std::vector<int>& modes,
-                    const Eigen::VectorXd& unit) {
-  FitTarget target;
-  target.interval = kernel_interval(spectrum.last);
-  for (const Mat6& k : kernel) {
-    target.kernel.push_back(part(k, modes, unit));
-  }
-  target.omega = fitted_frequencies(spectrum.last);
-  for (const double omega : target.omega) {
-    target.damping.push_back(part(damping_at(spectrum, omega), modes, unit));
-    target.mass.push_back(part(added_mass_above_infinite(spectrum, omega), modes, unit));
-  }
-  target.low_to = 0.114 * spectrum.last;
-  target.checked_omega = checked_frequencies(spectrum.last);
-  return target;
-}
-
-/// What the kernel itself says at the frequencies of the data, scaled as the target.
-struct Truth {
-  std::vector<double> omega;
-  std::vector<MatrixXd> damping, mass_above_infinite;
-  Eigen::VectorXd damping_peak, mass_peak;
-};
-
-Truth truth_of(const DampingSpectrum& spectrum, const HydrodynamicData& data, const std::vector<int>& modes,
-               const Eigen::VectorXd& unit) {
-  Truth truth;
-  truth.damping_peak = truth.mass_peak = Eigen::VectorXd::Zero(unit.size());
-  for (const RadiationPoint& point : data.radiation) {
-    truth.omega.push_back(point.omega);
-    truth.damping.push_back(part(damping_at(spectrum, point.omega), modes, unit));
-    truth.mass_above_infinite.push_back(part(added_mass_above_infinite(spectrum, point.omega), modes, unit));
-    truth.damping_peak = truth.damping_peak.cwiseMax(truth.damping.back().diagonal());
-    truth.mass_peak = truth.mass_peak.cwiseMax(part(point.added_mass, modes, unit).diagonal());
-  }
-  return truth;
-}
-
-/// Largest error of damping and added mass, share of the peaks.
-double error_of(const GroupFit& fit, const Truth& truth) {
-  double error = 0.0;
-  for (std::size_t k = 0; k < truth.omega.size(); ++k) {
-    const Eigen::MatrixXcd at = transform_of(fit, truth.omega[k]);
-    for (Eigen::Index i = 0; i < at.rows(); ++i) {
-      for (Eigen::Index j = i; j < at.cols(); ++j) {
-        const double damping = at(i, j).real() - truth.damping[k](i, j);
-        const double mass = at(i, j).imag() / truth.omega[k] - truth.mass_above_infinite[k](i, j);
-        error = std::max({error, std::abs(damping) / std::sqrt(truth.damping_peak(i) * truth.damping_peak(j)),
-                          std::abs(mass) / std::sqrt(truth.mass_peak(i) * truth.mass_peak(j))});
-      }
-    }
-  }
-  return error;
-}
-
-struct ChosenFit {
-  GroupFit fit;
-  int order = 0;  ///< 0: none is good enough.
-};
-
-/// The lowest order whose fit is good, else the best of those that are fair.
-ChosenFit choose_fit(const FitTarget& target, const Truth& truth) {
-  const HankelRealization realization(target.kernel, target.interval, kMostOrder);
-  ChosenFit best;
-  double best_error = kFairFit;
-  for (int order = kLeastOrder; order <= kMostOrder && best_error > kGoodFit; order += 2) {
-    GroupFit fit = fit_residues(target, improve_poles(target, realization.poles(order, kSlowest), kSlowest));
-    const double error = error_of(fit, truth);
-    if (fit.least_damping > -kPassive && error < best_error) {
-      best_error = error;
-      best = {std::move(fit), order};
-    }
-  }
-  return best;
-}
-
-/// Everything about a hull that its groups share.
-struct Source {
-  const HydrodynamicData& data;
-  DampingSpectrum spectrum;
-  std::vector<Mat6> kernel;
-};
-
 /// Fits one group and adds it to the model. False where no order is good enough.
-bool add_group(const Source& source, int group, RadiationModel& model, RadiationGroupReport& report) {
+bool add_group(const RadiationSource& source, int group, RadiationModel& model, RadiationGroupReport& report) {
   const std::vector<int>& modes = model.groups[static_cast<std::size_t>(group)];
-  Eigen::VectorXd unit(static_cast<Eigen::Index>(modes.size()));
-  for (std::size_t i = 0; i < modes.size(); ++i) {
-    unit(static_cast<Eigen::Index>(i)) = std::sqrt(source.kernel[0](modes[i], modes[i]));
-  }
-  const FitTarget target = target_of(source.spectrum, source.kernel, modes, unit);
-  const Truth truth = truth_of(source.spectrum, source.data, modes, unit);
-  const ChosenFit chosen = choose_fit(target, truth);
+  const ChosenFit chosen = choose_fit(source, modes);
   if (chosen.order == 0) {
     return false;
   }
@@ -231,19 +31,19 @@ bool add_group(const Source& source, int group, RadiationModel& model, Radiation
     for (std::size_t i = 0; i < modes.size(); ++i) {
       for (std::size_t j = 0; j < modes.size(); ++j) {
         const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
-        pole.residue(modes[i], modes[j]) = chosen.fit.residues[p](row, column) * unit(row) * unit(column);
+        pole.residue(modes[i], modes[j]) = chosen.fit.residues[p](row, column) * chosen.unit(row) * chosen.unit(column);
       }
     }
     model.poles.push_back(pole);
   }
+  const Vec6 peak = largest_diagonal(source.data, &RadiationPoint::damping);
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    model.constant_damping(modes[i], modes[i]) = report.added_damping * truth.damping_peak(row) * unit(row) * unit(row);
+    model.constant_damping(modes[i], modes[i]) = report.added_damping * peak(modes[i]);
   }
   return true;
 }
 
-void use_convolution(const Source& source, RadiationModel& model) {
+void use_convolution(const RadiationSource& source, RadiationModel& model) {
   model.kind = Radiation::convolution;
   model.poles.clear();
   model.constant_damping.setZero();
@@ -258,7 +58,7 @@ std::string names_of(const std::vector<int>& modes) {
   return names;
 }
 
-void fit_all(const Source& source, Radiated& radiated) {
+void fit_all(const RadiationSource& source, Radiated& radiated) {
   radiated.model.kind = Radiation::state_space;
   for (std::size_t g = 0; g < radiated.model.groups.size(); ++g) {
     if (!add_group(source, static_cast<int>(g), radiated.model, radiated.report.groups[g])) {
@@ -281,7 +81,7 @@ bool share_group(const RadiationModel& model, int i, int j) {
   });
 }
 
-void report_entries(const Source& source, Radiated& radiated) {
+void report_entries(const RadiationSource& source, Radiated& radiated) {
   const Vec6 damping_peak = largest_diagonal(source.data, &RadiationPoint::damping);
   const Vec6 mass_peak = largest_diagonal(source.data, &RadiationPoint::added_mass);
   Mat6 damping_error = Mat6::Zero(), mass_error = Mat6::Zero();
@@ -306,7 +106,11 @@ void report_entries(const Source& source, Radiated& radiated) {
   }
 }
 
-void warn_of_added_mass(RadiationReport& report) {
+void warn_of_file(double largest_negative, RadiationReport& report) {
+  if (largest_negative > kWarnNegative) {
+    report.warnings.push_back("the hydrodynamic file holds negative radiation damping, up to " +
+                              format_number(100.0 * largest_negative, 2) + " % of the largest; it is taken as zero");
+  }
   for (const RadiationEntryReport& entry : report.entries) {
     const double change = entry.added_mass_used / entry.added_mass_file - 1.0;
     if (entry.i == entry.j && std::abs(change) > kWarnAddedMass) {
@@ -345,8 +149,7 @@ RadiationPoint radiation_at(const RadiationModel& model, double omega) {
 }
 
 Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
-  Source source{data, damping_spectrum(data), {}};
-  source.kernel = retardation_samples(source.spectrum, kernel_interval(source.spectrum.last), kKernelSamples);
+  const RadiationSource source = radiation_source(data);
   Radiated radiated;
   radiated.model.added_mass = source.spectrum.added_mass;
   radiated.model.groups = coupled_groups(data);
@@ -359,7 +162,7 @@ Radiated make_radiation(const HydrodynamicData& data, Radiation kind) {
     fit_all(source, radiated);
   }
   report_entries(source, radiated);
-  warn_of_added_mass(radiated.report);
+  warn_of_file(source.spectrum.largest_negative, radiated.report);
   radiated.report.states = static_cast<int>(fresh_memory(radiated.model).values.size());
   return radiated;
 }

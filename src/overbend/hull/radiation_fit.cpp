@@ -263,7 +263,7 @@ std::vector<Complex> improve_poles(const FitTarget& target, std::vector<Complex>
           Complex(target.damping[k](i, j), target.omega[k] * target.mass[k](i, j));
     }
   }
-  for (int round = 0; round < kRelocations; ++round) {
+  for (int round = 0; round < kRelocations && !poles.empty(); ++round) {
     poles = relocate_poles(response, poles, slowest);
   }
   return poles;

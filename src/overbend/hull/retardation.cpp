@@ -147,7 +147,8 @@ DampingSpectrum damping_spectrum(const HydrodynamicData& data) {
   spectrum.damping.assign(spectrum.omega.size(), Mat6::Zero());
   const auto last = static_cast<std::size_t>(std::find(spectrum.omega.begin(), spectrum.omega.end(), spectrum.last) -
                                              spectrum.omega.begin());
-  interpolate_damping(data, std::span(spectrum.omega).first(last + 1), std::span(spectrum.damping).first(last + 1));
+  interpolate_damping(data, passive_damping(data, spectrum.largest_negative), std::span(spectrum.omega).first(last + 1),
+                      std::span(spectrum.damping).first(last + 1));
 
   std::vector<double> weights(spectrum.omega.size(), 0.0);
   Mat6 mean = Mat6::Zero();

@@ -15,6 +15,7 @@ struct DampingSpectrum {
   std::vector<Mat6> damping;  ///< Symmetric, at each of them [N s/m, N s, N m s].
   double last = 0.0;          ///< Highest frequency of the data; above it B ~ omega^-n [rad/s].
   Mat6 tail_exponent = Mat6::Zero();
+  double largest_negative = 0.0;  ///< Negative damping of the data that was taken as zero, share of the peaks.
   /// A_inf that goes with this damping: mean of A - (A - A_inf of the damping) over the middle of the data.
   Mat6 added_mass = Mat6::Zero();
 };
@@ -22,7 +23,8 @@ struct DampingSpectrum {
 /// Joins the data by cubic splines from zero, extends them below the first frequency by a power law (exponent 1 at
 /// least) through the first three points and above the last by omega^-n. n of each pair is what makes A_inf by
 /// Ogilvie's relation [ogilvie1964] that of the file, between 2 and 6; 3 where it decides less than 0.5 % of A_inf or
-/// the file has none. Matrices are made symmetric. `data` has four frequencies or more.
+/// the file has none. Matrices are made symmetric and without
+/// negative eigenvalues. `data` has four frequencies or more.
 DampingSpectrum damping_spectrum(const HydrodynamicData& data);
 
 /// A(omega) - A_inf by Ogilvie's relation, (2/pi) PV integral of B(x)/(x^2 - omega^2) dx [kg, kg m, kg m2].

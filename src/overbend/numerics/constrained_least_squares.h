@@ -5,7 +5,7 @@
 
 namespace overbend {
 
-/// min |A x - b| with x >= 0 (Lawson and Hanson 1974, chapter 23, NNLS).
+/// min |A x - b| with x >= 0 [lawson1974], chapter 23, NNLS.
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// min |R x - b| with C x >= d, R square and upper triangular with full rank (their problem LSI, by least distance).

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <initializer_list>
 
+#include "seafiles/capytaine_reader.h"
 #include "seafiles/wamit_radiation.h"
 #include "seafiles/wamit_waves.h"
 
@@ -55,7 +56,8 @@ std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Di
 }  // namespace
 
 std::optional<HydrodynamicData> read_hydrodynamics(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  return read_wamit(source, diagnostics);
+  const bool netcdf = std::filesystem::path(source.path).extension() == ".nc";
+  return netcdf ? read_capytaine(source, diagnostics) : read_wamit(source, diagnostics);
 }
 
 }  // namespace overbend

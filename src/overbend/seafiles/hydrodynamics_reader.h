@@ -12,7 +12,8 @@ namespace overbend {
 
 /// Which files, and what gives their numbers back their dimension.
 struct HydrodynamicsSource {
-  /// Stem of WAMIT's files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst); the name of any of them will do.
+  /// Stem of WAMIT's files (`data/bgl1/bgl1` for bgl1.1, bgl1.3, bgl1.8 and bgl1.hst; the name of any of them will do),
+  /// or a Capytaine file that ends in `.nc` (seafiles/capytaine_reader.h).
   std::string path;
   double water_density = 1025.0;  ///< [kg/m3]
   double gravity = 9.81;          ///< [m/s2]

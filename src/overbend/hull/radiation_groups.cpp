@@ -1,0 +1,212 @@
+#include "hull/radiation_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hull/radiation_poles.h"
+
+namespace overbend {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr int kLeastOrder = 6, kMostOrder = 20;
+/// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
+/// damping that may be left to the constant one.
+constexpr double kGoodFit = 0.006, kFairFit = 0.01, kPassive = 1e-5;
+/// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
+/// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
+constexpr double kJudgedFrom = 0.03;
+constexpr double kNoise = 1e-4;    ///< Of sqrt(max ii * max jj): coupling below is the panel code's rounding.
+constexpr double kSilent = 1e-6;   ///< Of the strongest mode of its kind: it does not radiate.
+constexpr double kSlowest = 0.03;  // [1/s]
+constexpr int kKernelSamples = 401;
+
+/// Largest coupling of each pair.
+Mat6 largest_damping(const HydrodynamicData& data) {
+  Mat6 largest = Mat6::Zero();
+  for (const RadiationPoint& point : data.radiation) {
+    largest = largest.cwiseMax((0.5 * (point.damping + point.damping.transpose())).cwiseAbs());
+  }
+  return largest;
+}
+
+/// Rows and columns of a group, each divided by a unit.
+MatrixXd part(const Mat6& matrix, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
+  const auto m = static_cast<Eigen::Index>(modes.size());
+  MatrixXd result(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      result(i, j) = matrix(modes[static_cast<std::size_t>(i)], modes[static_cast<std::size_t>(j)]) / unit(i) / unit(j);
+    }
+  }
+  return result;
+}
+
+/// Damping at any frequency of the spectrum, linear between its nodes.
+Mat6 damping_at(const DampingSpectrum& spectrum, double omega) {
+  const auto right = static_cast<std::size_t>(
+      std::upper_bound(spectrum.omega.begin(), spectrum.omega.end() - 1, omega) - spectrum.omega.begin());
+  const double share = (omega - spectrum.omega[right - 1]) / (spectrum.omega[right] - spectrum.omega[right - 1]);
+  return (1.0 - share) * spectrum.damping[right - 1] + share * spectrum.damping[right];
+}
+
+/// Equal steps to one and a half times the last frequency of the data, coarser ones to 4.5 times.
+std::vector<double> fitted_frequencies(double last) {
+  std::vector<double> omega;
+  for (int k = 1; k <= 150; ++k) {
+    omega.push_back(0.01 * last * k);
+  }
+  for (int k = 1; k <= 60; ++k) {
+    omega.push_back(last * (1.5 + 0.05 * k));
+  }
+  return omega;
+}
+
+std::vector<double> checked_frequencies(double last) {
+  std::vector<double> omega;
+  for (int k = 1; k <= 440; ++k) {
+    omega.push_back(last * 0.0025 * k);
+  }
+  for (int k = 1; k <= 160; ++k) {
+    omega.push_back(last * 1.1 * std::pow(5.0, k / 160.0));
+  }
+  return omega;
+}
+
+FitTarget target_of(const RadiationSource& source, const std::vector<int>& modes, const Eigen::VectorXd& unit) {
+  const DampingSpectrum& spectrum = source.spectrum;
+  FitTarget target;
+  target.interval = source.interval;
+  for (const Mat6& k : source.kernel) {
+    target.kernel.push_back(part(k, modes, unit));
+  }
+  target.omega = fitted_frequencies(spectrum.last);
+  for (const double omega : target.omega) {
+    target.damping.push_back(part(damping_at(spectrum, omega), modes, unit));
+    target.mass.push_back(part(added_mass_above_infinite(spectrum, omega), modes, unit));
+  }
+  target.low_to = 0.114 * spectrum.last;
+  target.checked_omega = checked_frequencies(spectrum.last);
+  return target;
+}
+
+/// What the kernel itself says at the frequencies of the data, scaled as the target.
+struct Truth {
+  std::vector<double> omega;
+  std::vector<MatrixXd> damping, mass_above_infinite;
+  Eigen::VectorXd damping_peak, mass_peak;
+};
+
+Truth truth_of(const DampingSpectrum& spectrum, const HydrodynamicData& data, const std::vector<int>& modes,
+               const Eigen::VectorXd& unit) {
+  Truth truth;
+  truth.damping_peak = truth.mass_peak = Eigen::VectorXd::Zero(unit.size());
+  for (const RadiationPoint& point : data.radiation) {
+    const MatrixXd damping = part(damping_at(spectrum, point.omega), modes, unit);
+    truth.damping_peak = truth.damping_peak.cwiseMax(damping.diagonal());
+    truth.mass_peak = truth.mass_peak.cwiseMax(part(point.added_mass, modes, unit).diagonal());
+    if (point.omega >= kJudgedFrom * spectrum.last) {
+      truth.omega.push_back(point.omega);
+      truth.damping.push_back(damping);
+      truth.mass_above_infinite.push_back(part(added_mass_above_infinite(spectrum, point.omega), modes, unit));
+    }
+  }
+  return truth;
+}
+
+/// Largest error of damping and added mass, share of the peaks.
+double error_of(const GroupFit& fit, const Truth& truth) {
+  double error = 0.0;
+  for (std::size_t k = 0; k < truth.omega.size(); ++k) {
+    const Eigen::MatrixXcd at = transform_of(fit, truth.omega[k]);
+    for (Eigen::Index i = 0; i < at.rows(); ++i) {
+      for (Eigen::Index j = i; j < at.cols(); ++j) {
+        const double damping = at(i, j).real() - truth.damping[k](i, j);
+        const double mass = at(i, j).imag() / truth.omega[k] - truth.mass_above_infinite[k](i, j);
+        error = std::max({error, std::abs(damping) / std::sqrt(truth.damping_peak(i) * truth.damping_peak(j)),
+                          std::abs(mass) / std::sqrt(truth.mass_peak(i) * truth.mass_peak(j))});
+      }
+    }
+  }
+  return error;
+}
+
+}  // namespace
+
+RadiationSource radiation_source(const HydrodynamicData& data) {
+  RadiationSource source{data, damping_spectrum(data), {}, 0.0};
+  source.interval = std::min(0.2, 0.5 * std::numbers::pi / source.spectrum.last);
+  source.kernel = retardation_samples(source.spectrum, source.interval, kKernelSamples);
+  return source;
+}
+
+Vec6 largest_diagonal(const HydrodynamicData& data, Mat6 RadiationPoint::*what) {
+  Vec6 largest = Vec6::Zero();
+  for (const RadiationPoint& point : data.radiation) {
+    largest = largest.cwiseMax((point.*what).diagonal().cwiseAbs());
+  }
+  return largest;
+}
+
+std::vector<std::vector<int>> coupled_groups(const HydrodynamicData& data) {
+  const Mat6 damping = largest_damping(data);
+  const Vec6 peak = largest_diagonal(data, &RadiationPoint::damping);
+  std::vector<std::vector<int>> groups;
+  std::vector<bool> taken(6, false);
+  for (int i = 0; i < 6; ++i) {
+    const double strongest = (i < 3 ? peak.head<3>() : peak.tail<3>()).maxCoeff();
+    taken[static_cast<std::size_t>(i)] = peak(i) <= kSilent * strongest;
+  }
+  for (int first = 0; first < 6; ++first) {
+    std::vector<int> group;
+    if (!taken[static_cast<std::size_t>(first)]) {
+      group.push_back(first);
+      taken[static_cast<std::size_t>(first)] = true;
+    }
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      for (int j = 0; j < 6; ++j) {
+        const int i = group[k];
+        if (!taken[static_cast<std::size_t>(j)] && damping(i, j) > kNoise * std::sqrt(peak(i) * peak(j))) {
+          group.push_back(j);
+          taken[static_cast<std::size_t>(j)] = true;
+        }
+      }
+    }
+    if (!group.empty()) {
+      std::sort(group.begin(), group.end());
+      groups.push_back(group);
+    }
+  }
+  return groups;
+}
+
+ChosenFit choose_fit(const RadiationSource& source, const std::vector<int>& modes) {
+  Eigen::VectorXd unit(static_cast<Eigen::Index>(modes.size()));
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    unit(static_cast<Eigen::Index>(i)) = std::sqrt(source.kernel[0](modes[i], modes[i]));
+  }
+  const FitTarget target = target_of(source, modes, unit);
+  const Truth truth = truth_of(source.spectrum, source.data, modes, unit);
+  const HankelRealization realization(target.kernel, target.interval, kMostOrder);
+  ChosenFit best;
+  best.unit = unit;
+  double best_error = kFairFit;
+  for (int order = kLeastOrder; order <= kMostOrder && best_error > kGoodFit; order += 2) {
+    const std::vector<std::complex<double>> poles = improve_poles(target, realization.poles(order, kSlowest), kSlowest);
+    if (poles.size() < 2) {
+      continue;
+    }
+    GroupFit fit = fit_residues(target, poles);
+    const double error = error_of(fit, truth);
+    if (fit.least_damping > -kPassive && error < best_error) {
+      best_error = error;
+      best.fit = std::move(fit);
+      best.order = order;
+    }
+  }
+  return best;
+}
+
+}  // namespace overbend

@@ -1,0 +1,226 @@
+#include "seafiles/capytaine_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "seafiles/heading_table_builder.h"
+#include "seafiles/netcdf_arrays.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+
+/// What was found in place of what; one per file, for a fault ends the reading.
+struct Fault : std::runtime_error {
+  Fault(std::string found_, std::string expected_)
+      : std::runtime_error(found_), found(std::move(found_)), expected(std::move(expected_)) {}
+  std::string found, expected;
+};
+
+/// A variable that is read by the names of its dimensions, in whatever order they stand.
+class Variable {
+ public:
+  Variable(NetcdfArray array, const std::string& name, const std::vector<std::string>& dimensions)
+      : array_(std::move(array)), strides_(dimensions.size(), 0) {
+    std::size_t stride = 1, known = 0;
+    for (std::size_t k = array_.sizes.size(); k-- > 0;) {
+      const auto at = std::find(dimensions.begin(), dimensions.end(), array_.dimensions[k]);
+      if (at != dimensions.end()) {
+        strides_[static_cast<std::size_t>(at - dimensions.begin())] = stride;
+        ++known;
+      } else if (array_.sizes[k] != 1) {
+        throw Fault("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
+                    "only " + join_words(dimensions, "and"));
+      }
+      stride *= array_.sizes[k];
+    }
+    if (known != dimensions.size()) {
+      throw Fault(std::to_string(known) + " of the dimensions of " + name, join_words(dimensions, "and"));
+    }
+  }
+  /// Value by indices in the order of the names.
+  double at(std::initializer_list<std::size_t> indices) const {
+    std::size_t place = 0, k = 0;
+    for (const std::size_t index : indices) {
+      place += index * strides_[k++];
+    }
+    return array_.values[place];
+  }
+
+ private:
+  NetcdfArray array_;
+  std::vector<std::size_t> strides_;
+};
+
+NetcdfArray needed(const NetcdfFile& file, const std::string& name) {
+  auto array = file.numbers(name);
+  if (!array) {
+    throw Fault("no variable " + name, "a file of Capytaine with complex values separated");
+  }
+  return *array;
+}
+
+Variable variable(const NetcdfFile& file, const std::string& name, const std::vector<std::string>& dimensions) {
+  return {needed(file, name), name, dimensions};
+}
+
+/// Modes of the degrees of freedom: "Heave", "hull__Heave".
+std::vector<int> modes_of(const NetcdfFile& file, const std::string& name) {
+  std::vector<int> modes;
+  for (const std::string& word : file.words(name)) {
+    const std::size_t body = word.rfind("__");
+    const std::string plain = lower_case(body == std::string::npos ? word : word.substr(body + 2));
+    const auto at = std::find(std::begin(kModes), std::end(kModes), plain);
+    const int mode = static_cast<int>(at - std::begin(kModes));
+    if (at == std::end(kModes) || std::find(modes.begin(), modes.end(), mode) != modes.end()) {
+      throw Fault("'" + for_display(word) + "' in " + name, "surge to yaw of one body, each once");
+    }
+    modes.push_back(mode);
+  }
+  if (modes.empty()) {
+    throw Fault("no words in " + name, "names of degrees of freedom");
+  }
+  return modes;
+}
+
+void check_constant(const NetcdfFile& file, const std::string& name, double expected) {
+  const auto array = file.numbers(name);
+  if (array && array->values.size() == 1 && std::abs(array->values[0] / expected - 1.0) > 1e-3) {
+    throw Fault(name + " = " + format_number(array->values[0]), "that of the model, " + format_number(expected));
+  }
+}
+
+class CapytaineReader {
+ public:
+  CapytaineReader(const HydrodynamicsSource& source)
+      : source_(source),
+        file_(source.path),
+        omega_(needed(file_, "omega").values),
+        radiating_(modes_of(file_, "radiating_dof")),
+        influenced_(modes_of(file_, "influenced_dof")) {}
+
+  HydrodynamicData read() {
+    check_constant(file_, "rho", source_.water_density);
+    check_constant(file_, "g", source_.gravity);
+    data_.source = source_.path;
+    data_.origin_V = source_.origin_V;
+    data_.water_density = source_.water_density;
+    data_.gravity = source_.gravity;
+    read_radiation();
+    read_excitation();
+    read_hydrostatics();
+    return std::move(data_);
+  }
+
+ private:
+  void read_radiation() {
+    const std::vector<std::string> dimensions = {"omega", "radiating_dof", "influenced_dof"};
+    const Variable mass = variable(file_, "added_mass", dimensions);
+    const Variable damping = variable(file_, "radiation_damping", dimensions);
+    for (std::size_t k = 0; k < omega_.size(); ++k) {
+      RadiationPoint point;
+      point.omega = omega_[k];
+      for (std::size_t i = 0; i < influenced_.size(); ++i) {
+        for (std::size_t j = 0; j < radiating_.size(); ++j) {
+          point.added_mass(influenced_[i], radiating_[j]) = mass.at({k, j, i});
+          point.damping(influenced_[i], radiating_[j]) = damping.at({k, j, i});
+        }
+      }
+      sort_in(point);
+    }
+    if (data_.radiation.size() < 4) {
+      throw Fault(std::to_string(data_.radiation.size()) + " finite frequencies", "four or more");
+    }
+    std::sort(data_.radiation.begin(), data_.radiation.end(),
+              [](const RadiationPoint& a, const RadiationPoint& b) { return a.omega < b.omega; });
+  }
+
+  void sort_in(const RadiationPoint& point) {
+    if (std::isinf(point.omega)) {
+      data_.has_infinite = true;
+      data_.added_mass_infinite = point.added_mass;
+    } else if (point.omega == 0.0) {
+      data_.has_zero = true;
+      data_.added_mass_zero = point.added_mass;
+    } else if (point.omega > 0.0 && point.added_mass.allFinite() && point.damping.allFinite()) {
+      data_.radiation.push_back(point);
+    } else {
+      throw Fault("added mass or damping that is no number at omega " + format_number(point.omega), "finite numbers");
+    }
+  }
+
+  /// Real and imaginary part stand along "complex". Frequencies without a wave (zero, infinite) are passed over.
+  void read_excitation() {
+    const std::vector<std::string> dimensions = {"complex", "omega", "wave_direction", "influenced_dof"};
+    const std::vector<double> headings = needed(file_, "wave_direction").values;
+    std::vector<Variable> parts;
+    if (file_.numbers("diffraction_force")) {
+      parts.push_back(variable(file_, "diffraction_force", dimensions));
+      parts.push_back(variable(file_, "Froude_Krylov_force", dimensions));
+    } else {
+      parts.push_back(variable(file_, "excitation_force", dimensions));
+    }
+    HeadingTableBuilder values;
+    for (std::size_t k = 0; k < omega_.size(); ++k) {
+      if (!(omega_[k] > 0.0) || std::isinf(omega_[k])) {
+        continue;
+      }
+      for (std::size_t b = 0; b < headings.size(); ++b) {
+        for (std::size_t i = 0; i < influenced_.size(); ++i) {
+          std::complex<double> force;
+          for (const Variable& part : parts) {
+            force += std::complex<double>(part.at({0, k, b, i}), -part.at({1, k, b, i}));
+          }
+          if (!std::isfinite(force.real()) || !std::isfinite(force.imag())) {
+            throw Fault("an excitation that is no number at omega " + format_number(omega_[k]), "finite numbers");
+          }
+          values.add(omega_[k], headings[b], influenced_[i], force);
+        }
+      }
+    }
+    std::string fault;
+    auto built = values.build(source_.mirror_headings, fault);
+    if (!built) {
+      throw Fault(fault, "one value for every pair of frequency and heading");
+    }
+    data_.excitation = std::move(built->table);
+    data_.force = std::move(built->values);
+  }
+
+  void read_hydrostatics() {
+    const Variable stiffness = variable(file_, "hydrostatic_stiffness", {"influenced_dof", "radiating_dof"});
+    for (std::size_t i = 0; i < influenced_.size(); ++i) {
+      for (std::size_t j = 0; j < radiating_.size(); ++j) {
+        data_.hydrostatic_stiffness(influenced_[i], radiating_[j]) = stiffness.at({i, j});
+      }
+    }
+  }
+
+  const HydrodynamicsSource& source_;
+  NetcdfFile file_;
+  std::vector<double> omega_;
+  std::vector<int> radiating_, influenced_;
+  HydrodynamicData data_;
+};
+
+}  // namespace
+
+std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    diagnostics.add({Severity::error, source.path, 0, 0, "", found, expected, ""});
+    return std::nullopt;
+  };
+  try {
+    return CapytaineReader(source).read();
+  } catch (const Fault& fault) {
+    return refuse(fault.found, fault.expected);
+  } catch (const std::runtime_error& fault) {
+    return refuse(fault.what(), "a netCDF-4 file of Capytaine");
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,158 @@
+#include "seafiles/capytaine_reader.h"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <hdf5_hl.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "hull/made_radiation.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kDofs[] = {"Heave", "Pitch", "Roll", "Surge", "Sway", "Yaw"};  // as xarray sorts them
+constexpr int kModeOfDof[] = {2, 4, 3, 0, 1, 5};
+
+/// Writes a netCDF-4 file with the layout of Capytaine's exports.
+class Writer {
+ public:
+  explicit Writer(const std::string& path) : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)) {}
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { H5Fclose(file_); }
+
+  void numbers(const std::string& name, const std::vector<std::string>& dimensions,
+               const std::vector<std::size_t>& sizes, const std::vector<double>& values) const {
+    const std::vector<hsize_t> extent(sizes.begin(), sizes.end());
+    H5LTmake_dataset_double(file_, name.c_str(), static_cast<int>(extent.size()), extent.data(), values.data());
+    if (dimensions == std::vector{name}) {
+      scale(name);
+    }
+    for (unsigned k = 0; k < dimensions.size() && dimensions[k] != name; ++k) {
+      attach(name, dimensions[k], k);
+    }
+  }
+  void words(const std::string& name, const std::vector<const char*>& texts) const {
+    const hid_t type = H5Tcopy(H5T_C_S1);
+    H5Tset_size(type, H5T_VARIABLE);
+    const hsize_t count = texts.size();
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t set = H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data());
+    H5Dclose(set);
+    H5Sclose(space);
+    H5Tclose(type);
+    scale(name);
+  }
+
+ private:
+  void scale(const std::string& name) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
+    H5DSset_scale(set, name.c_str());
+    H5Dclose(set);
+  }
+  void attach(const std::string& name, const std::string& dimension, unsigned k) const {
+    const hid_t set = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
+    const hid_t of = H5Dopen2(file_, dimension.c_str(), H5P_DEFAULT);
+    H5DSattach_scale(set, of, k);
+    H5Dclose(of);
+    H5Dclose(set);
+  }
+  hid_t file_;
+};
+
+/// The barge's first frequencies, two headings, in Capytaine's convention, and infinite frequency.
+void write_barge(const std::string& path, double density) {
+  const HydrodynamicData& data = testing::bgl1_data();
+  const std::size_t count = 6, headings = 2;
+  const Writer writer(path);
+  std::vector<double> omega, mass, damping, force(2 * (count + 1) * headings * 6), zero(force.size()), stiffness;
+  for (std::size_t k = 0; k <= count; ++k) {
+    const bool infinite = k == count;
+    omega.push_back(infinite ? std::numeric_limits<double>::infinity() : data.radiation[k].omega);
+    for (const int j : kModeOfDof) {
+      for (const int i : kModeOfDof) {
+        mass.push_back(infinite ? data.added_mass_infinite(i, j) : data.radiation[k].added_mass(i, j));
+        damping.push_back(infinite ? 0.0 : data.radiation[k].damping(i, j));
+      }
+    }
+    for (std::size_t b = 0; b < headings && !infinite; ++b) {
+      for (std::size_t d = 0; d < 6; ++d) {
+        const std::complex<double> value = data.force[data.excitation.index(k, b)](kModeOfDof[d]);
+        const std::size_t at = (k * headings + b) * 6 + d;
+        force[at] = value.real();
+        force[at + (count + 1) * headings * 6] = -value.imag();  // exp(-i omega t)
+      }
+    }
+  }
+  for (const int i : kModeOfDof) {
+    for (const int j : kModeOfDof) {
+      stiffness.push_back(data.hydrostatic_stiffness(i, j));
+    }
+  }
+  writer.words("radiating_dof", {std::begin(kDofs), std::end(kDofs)});
+  writer.words("influenced_dof", {std::begin(kDofs), std::end(kDofs)});
+  writer.words("complex", {"re", "im"});
+  writer.numbers("omega", {"omega"}, {count + 1}, omega);
+  writer.numbers("wave_direction", {"wave_direction"}, {headings},
+                 {data.excitation.heading.begin(), data.excitation.heading.begin() + headings});
+  writer.numbers("rho", {}, {}, {density});
+  writer.numbers("added_mass", {"omega", "radiating_dof", "influenced_dof"}, {count + 1, 6, 6}, mass);
+  writer.numbers("radiation_damping", {"omega", "radiating_dof", "influenced_dof"}, {count + 1, 6, 6}, damping);
+  const std::vector<std::string> of_force = {"complex", "omega", "wave_direction", "influenced_dof"};
+  writer.numbers("diffraction_force", of_force, {2, count + 1, headings, 6}, force);
+  writer.numbers("Froude_Krylov_force", of_force, {2, count + 1, headings, 6}, zero);
+  writer.numbers("hydrostatic_stiffness", {"influenced_dof", "radiating_dof"}, {6, 6}, stiffness);
+}
+
+std::string scratch_file() {
+  return (std::filesystem::temp_directory_path() / ("overbend_" + std::to_string(getpid()) + ".nc")).string();
+}
+
+TEST(capytaine_reader, a_file_says_what_wamits_files_of_the_same_hull_say) {
+  HydrodynamicsSource source;
+  source.path = scratch_file();
+  write_barge(source.path, 1025.0);
+  Diagnostics diagnostics;
+  const auto data = read_hydrodynamics(source, diagnostics);
+  std::filesystem::remove(source.path);
+  ASSERT_TRUE(data) << diagnostics.lines(Severity::error)[0];
+  const HydrodynamicData& wamit = testing::bgl1_data();
+  ASSERT_EQ(data->radiation.size(), 6U);
+  EXPECT_TRUE(data->has_infinite);
+  EXPECT_EQ(data->added_mass_infinite, wamit.added_mass_infinite);
+  EXPECT_EQ(data->radiation[3].added_mass, wamit.radiation[3].added_mass);
+  EXPECT_EQ(data->radiation[3].damping, wamit.radiation[3].damping);
+  EXPECT_EQ(data->hydrostatic_stiffness, wamit.hydrostatic_stiffness);
+  ASSERT_EQ(data->excitation.heading.size(), 2U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t b = 0; b < 2; ++b) {
+      EXPECT_EQ(data->force[data->excitation.index(k, b)], wamit.force[wamit.excitation.index(k, b)]) << k << b;
+    }
+  }
+  EXPECT_TRUE(data->drift.omega.empty());
+}
+
+TEST(capytaine_reader, faults_name_what_was_found_and_expected) {
+  HydrodynamicsSource source;
+  source.path = scratch_file();
+  write_barge(source.path, 1000.0);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_hydrodynamics(source, diagnostics));
+  std::filesystem::remove(source.path);
+  ASSERT_EQ(diagnostics.error_count(), 1);
+  EXPECT_NE(diagnostics.lines(Severity::error)[0].find("rho = 1000, expected that of the model, 1025"),
+            std::string::npos)
+      << diagnostics.lines(Severity::error)[0];
+  { const Writer empty(source.path); }
+  EXPECT_FALSE(read_hydrodynamics(source, diagnostics));
+  std::filesystem::remove(source.path);
+  EXPECT_FALSE(read_hydrodynamics(source, diagnostics));  // no file at all
+  EXPECT_EQ(diagnostics.error_count(), 3);
+}
+
+}  // namespace
+}  // namespace overbend
