@@ -35,7 +35,7 @@ TEST(hull_report, warns_of_positioning_whose_filter_takes_all_its_damping) {
   made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 3e8), Vec3(1e5, 1e5, 1e8)}};
   const HullReport weak = hull_report(made, model, Sea{}, Mat6::Zero());
   EXPECT_LT(weak.damping[1].station_keeping, 0.0);
-  EXPECT_FALSE(weak.warnings.empty());
+  EXPECT_GT(weak.warnings.size(), made.warnings.size());
   made.hull.station_keeping->law.damping = Vec3(4e6, 5e6, 1.5e10);
   EXPECT_GT(hull_report(made, model, Sea{}, Mat6::Zero()).damping[1].station_keeping, 0.1);
 }
@@ -45,10 +45,12 @@ TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   MadeHull made = testing::made_bgl1_hull();
   Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1, 40);
   made.hull.waves = make_hull_waves(testing::bgl1_hydrodynamics(), sea, WaveDrift::newman, 5.182, 0.0);
-  EXPECT_TRUE(hull_report(made, model, sea, moored()).warnings.empty());
+  const std::size_t others = made.warnings.size();  // of the radiation
+  const HullReport fine = hull_report(made, model, sea, moored());
+  EXPECT_EQ(fine.warnings.size(), others) << fine.warnings.back();
   made.hull.waves.above_table = 0.03;
   sea.depth = 8.0;
-  EXPECT_EQ(hull_report(made, model, sea, moored()).warnings.size(), 2U);
+  EXPECT_EQ(hull_report(made, model, sea, moored()).warnings.size(), others + 2);
 }
 
 }  // namespace

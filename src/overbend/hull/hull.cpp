@@ -26,16 +26,20 @@ double built_up(const Hull& hull, double time) {
   return time == kBeforeWaves ? 0.0 : half_cosine(time, hull.build_up).value;
 }
 
-/// Force of the added mass that stands in turning axes: of the momentum A v, which turns with rate r; and what H's own
-/// turning takes from the acceleration. Its matrix on v.
+/// Of a turning rate about z, on both halves of a six-vector.
+Mat6 rate_matrix(double r) {
+  Mat6 Z = Mat6::Zero();
+  Z(0, 1) = Z(3, 4) = -r;
+  Z(1, 0) = Z(4, 3) = r;
+  return Z;
+}
+
+/// Force of the added mass in turning axes beside A times the acceleration: of the momentum A v, which turns with rate
+/// r, less what H's own turning takes from the acceleration. Its matrix on v.
 Mat6 turning_of(const Mat6& A, double r) {
-  Mat3 Z = Mat3::Zero();
-  Z(0, 1) = -r;
-  Z(1, 0) = r;
-  Mat6 turning;
-  turning.topRows<3>() = Z * A.topRows<3>();
-  turning.bottomRows<3>() = Z * A.bottomRows<3>();
-  turning.leftCols<3>() -= A.leftCols<3>() * Z;
+  const Mat6 Z = rate_matrix(r);
+  Mat6 turning = Z * A;
+  turning.leftCols<3>() -= A.leftCols<3>() * Z.topLeftCorner<3, 3>();
   return turning;
 }
 
@@ -217,6 +221,7 @@ HullEnergy hull_energy(const Hull& hull, const HullState& state, double time) {
   e.current = v.dot(around.current.force);
   e.wind = v.dot(around.wind);
   e.station_keeping = v.dot(around.station);
+  e.turning = -v.dot(rate_matrix(state.slow.rate.z()) * (hull.radiation.added_mass * v));
   e.viscous = -v.dot(viscous(hull.damping, v).force);
   HullBalance loads;
   add_loads(hull, state.h, 0.0, loads);

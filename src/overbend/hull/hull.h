@@ -114,8 +114,10 @@ struct HullEnergy {
   double hydrostatic = 0.0;  ///< Of `hydrostatics` from the drawn pose.
   double radiation = 0.0, waves = 0.0, drift = 0.0, current = 0.0, wind = 0.0, viscous = 0.0, loads = 0.0,
          ballast = 0.0, station_keeping = 0.0;  ///< Powers into the hull.
+  /// Of the turning terms of A_inf: Munk's moment, which would give it back to yaw, is not among the forces of waves.
+  double turning = 0.0;
   double power() const {
-    return radiation + waves + drift + current + wind + viscous + loads + ballast + station_keeping;
+    return radiation + waves + drift + current + wind + viscous + loads + ballast + station_keeping + turning;
   }
 };
 HullEnergy hull_energy(const Hull& hull, const HullState& state, double time);

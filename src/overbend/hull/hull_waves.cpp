@@ -21,13 +21,9 @@ struct InFrequency {
   double share = 0.0, weight = 1.0;
 };
 
-/// Below the first frequency its values hold; above the last there is nothing, or, of the drift, that of short waves,
-/// which a hull reflects alike.
-enum class Above { nothing, last };
-
-InFrequency find_frequency(const std::vector<double>& omega, double w, Above above) {
-  if (omega.empty()) return {0, 0, 0.0, 0.0};
-  if (w > omega.back()) return {omega.size() - 1, omega.size() - 1, 0.0, above == Above::last ? 1.0 : 0.0};
+/// Below the first frequency its values hold; above the last there is nothing.
+InFrequency find_frequency(const std::vector<double>& omega, double w) {
+  if (omega.empty() || w > omega.back()) return {0, 0, 0.0, 0.0};
   if (w <= omega.front()) return {0, 0, 0.0, 1.0};
   const auto high = static_cast<std::size_t>(std::upper_bound(omega.begin(), omega.end() - 1, w) - omega.begin());
   return {high - 1, high, (w - omega[high - 1]) / (omega[high] - omega[high - 1]), 1.0};
@@ -103,8 +99,8 @@ void fill_component(HullWaves& waves, std::size_t i, const WaveComponent& c, dou
 }
 
 void fill_rows(HullWaves& waves, std::size_t i, const WaveComponent& c, const HydrodynamicData& data) {
-  const InFrequency f = find_frequency(data.excitation.omega, c.omega, Above::nothing);
-  const InFrequency of_drift = find_frequency(data.drift.omega, c.omega, Above::last);
+  const InFrequency f = find_frequency(data.excitation.omega, c.omega);
+  const InFrequency of_drift = find_frequency(data.drift.omega, c.omega);
   for (std::size_t b = 0; b < waves.heading.size(); ++b) {
     double* row = waves.table.data() + (i * waves.heading.size() + b) * kHullWaveRow;
     const CVec6 force = c.amplitude * in_frequency(data.excitation, data.force, f, b);
@@ -222,13 +218,13 @@ StripWater strip_water(const HullWaves& waves, double t, const Vec3& slow, doubl
 Mat6 wave_drift_damping(const HydrodynamicData& data, const Sea& sea, double psi) {
   Mat6 damping = Mat6::Zero();
   if (data.mean_drift.empty()) return damping;
-  const double d = 0.01;  // of the frequency, for dD/dw [rad/s]
+  const double d = 0.01, last = data.drift.omega.back();  // difference of the frequencies for dD/dw [rad/s]
   for (const WaveComponent& c : sea.components) {
+    if (c.omega > last) continue;
     const double direction = direction_of(c) - psi;
-    const auto drift = [&](double w) {
-      return drift_at(data, find_frequency(data.drift.omega, w, Above::last), direction);
-    };
-    const Vec6 slope = (drift(c.omega + d) - drift(c.omega - d)) / (2.0 * d);
+    const auto drift = [&](double w) { return drift_at(data, find_frequency(data.drift.omega, w), direction); };
+    const double high = std::min(c.omega + d, last), low = c.omega - d;
+    const Vec6 slope = (drift(high) - drift(low)) / (high - low);
     const Vec6 along =
         c.amplitude * c.amplitude * (4.0 * c.omega / kGravity * drift(c.omega) + c.omega * c.omega / kGravity * slope);
     damping.col(0) += std::cos(direction) * along;

@@ -27,8 +27,7 @@ struct HullWaves {
 };
 
 /// Tables of the excitation and the drift on the components of a sea. Interpolated linearly in frequency, real and
-/// imaginary parts apart; below the file's frequencies its first value; above them no force, and the drift of the last,
-/// which is that of short waves. `draught` [m] averages the
+/// imaginary parts apart; below the file's frequencies its first value, above none. `draught` [m] averages the
 /// water's velocity. Throws std::invalid_argument when the headings of the file, seen from the hull with heading
 /// `psi` [rad], do not reach a component's.
 HullWaves make_hull_waves(const HydrodynamicData& data, const Sea& sea, WaveDrift drift, double draught, double psi);
