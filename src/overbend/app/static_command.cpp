@@ -7,11 +7,14 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/lines_command.h"
+#include "app/mooring_lines.h"
 #include "app/warning_lines.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
+#include "statics/moored_statics.h"
 #include "statics/statics.h"
 #include "study/lines_run.h"
+#include "study/mooring_run.h"
 #include "study/prepared_case.h"
 #include "study/static_run.h"
 
@@ -65,6 +68,20 @@ fs::path default_folder(const std::string& model_file) {
   return fs::path(model_file).stem().string() + ".results";
 }
 
+/// A hull and its mooring lines, without a pipe.
+int run_static_moorings(const Description& description, const Model& model, const fs::path& folder) {
+  const std::variant<MooringResults, StaticFailure> outcome = solve_moored_hull(model);
+  if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) return tell(failed_end(*failure));
+  const MooringResults& results = std::get<MooringResults>(outcome);
+  try {
+    write_mooring_run(results, description, folder);
+  } catch (const UnusableFolder& fault) {
+    return tell({RunEnding::wrong_input, fault.what()});
+  }
+  std::cout << mooring_lines(results) << "Results are in " << folder.string() << "\n";
+  return kDone;
+}
+
 }  // namespace
 
 int run_static(const std::string& model_file, const std::string& output, bool strict) {
@@ -73,6 +90,7 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   if (is_lines_alone(*description)) return run_static_lines(*description, folder);
   const Model model = build_model(*description);
+  if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
   const StaticOutcome outcome = solve_statics(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
   const StaticResults results = checked_statics(model, *outcome.solution);

@@ -1,0 +1,12 @@
+/// Hull and moorings at rest as lines on the terminal.
+#pragma once
+
+#include <string>
+
+#include "results/mooring_results.h"
+
+namespace overbend {
+
+std::string mooring_lines(const MooringResults& results);
+
+}  // namespace overbend

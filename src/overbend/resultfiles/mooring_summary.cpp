@@ -1,0 +1,91 @@
+#include "resultfiles/mooring_writer.h"
+#include "resultfiles/summary_fields.h"
+#include "resultfiles/summary_json.h"
+#include "results/fields/mooring_fields.h"
+#include "results/fields/static_values.h"
+
+namespace overbend {
+namespace {
+
+/// Six rows of six, null where there are none.
+Json square(const std::vector<double>& values) {
+  if (values.empty()) return nullptr;
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < values.size(); i += 6) {
+    rows.push_back(std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(i),
+                                       values.begin() + static_cast<std::ptrdiff_t>(i) + 6));
+  }
+  return rows;
+}
+
+Json vessel_json(const SummaryStyle& style, const VesselResult& vessel) {
+  JsonWriter json(style);
+  visit_vessel_offset(vessel, json);
+  json["natural_periods"] = Json::array();
+  for (const PeriodResult& period : vessel.natural_periods) {
+    json["natural_periods"].push_back(Json{{"mode", period.mode}, {"period", period.period}});
+  }
+  json["stiffness"] = square(vessel.stiffness);
+  return json.take();
+}
+
+Json line_json(const SummaryStyle& style, const MooringLineResult& line) {
+  JsonWriter json(style);
+  visit_mooring_line(line, json);
+  json["length_on_bed"] = line.on_bed;
+  visit_mooring_use(line, json);
+  if (line.clearance) json["nearest_object"] = line.nearest_object;
+  return json.take();
+}
+
+Json state_json(const SummaryStyle& style, const MooredState& state) {
+  Json json;
+  json["vessel"] = vessel_json(style, state.vessel);
+  json["moorings"] = style.rows(state.moorings, [&](const MooringLineResult& line) { return line_json(style, line); });
+  json["mooring_force"] = state.mooring_force.empty() ? Json(nullptr) : Json(state.mooring_force);
+  json["mooring_stiffness"] = square(state.mooring_stiffness);
+  json["balance"] = Json{{"force_residual", state.residual}};
+  json["iterations"] = state.iterations;
+  return json;
+}
+
+Json stage_json(const SummaryStyle& style, const MooredState& state) {
+  Json json;
+  json["name"] = state.name;
+  json.update(state_json(style, state));
+  json["winch_lengths"] = Json::object();
+  for (const MooringLineResult& line : state.moorings) json["winch_lengths"][line.name] = line.first_segment_length;
+  return json;
+}
+
+Json pull_ahead_json(const SummaryStyle& style, const MooringResults& results) {
+  Json json;
+  json["distance"] = results.distance;
+  json["lines"] = style.rows(results.winches, [&](const WinchMove& move) {
+    Json line = object_of(style, [&](auto& one) { visit_winch_move(move, one); });
+    line["winch"] = move.after - move.before;
+    return line;
+  });
+  return json;
+}
+
+}  // namespace
+
+std::string mooring_summary(const MooringResults& results) {
+  const SummaryStyle style;
+  JsonWriter json(style);
+  json["status"] = "converged";
+  visit_heading(results, json);
+  json["units"] = "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
+  json["frame"] = kWorldFrame;
+  json["static"] = state_json(style, results.rest);
+  if (!results.operation.empty()) {
+    json["operation/type"] = results.operation;
+    json["operation/stages"] =
+        style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
+  }
+  if (!results.winches.empty()) json["operation/pull_ahead"] = pull_ahead_json(style, results);
+  return summary_text(json.take());
+}
+
+}  // namespace overbend

@@ -1,0 +1,23 @@
+/// Writes what a static analysis of a hull and its mooring lines found: summary.json, moorings.csv, results.h5.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "model/description.h"
+#include "results/mooring_results.h"
+
+namespace overbend {
+
+/// The text of summary.json: static.vessel, static.moorings and operation.stages in SI.
+std::string mooring_summary(const MooringResults& results);
+
+/// The text of moorings.csv: a row per state and line, engineering units.
+std::string moorings_table(const MooringResults& results);
+
+/// Writes all files into an existing folder. Throws std::runtime_error when a quantity is not finite (and names it) or
+/// a file cannot be written.
+void write_mooring_files(const MooringResults& results, const Description& description,
+                         const std::filesystem::path& folder);
+
+}  // namespace overbend

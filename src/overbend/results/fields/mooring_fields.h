@@ -1,0 +1,74 @@
+/// Rows of hull and moorings at rest; result_field.h has the idea.
+#pragma once
+
+#include "results/fields/result_field.h"
+#include "results/mooring_results.h"
+
+namespace overbend {
+
+template <class Row, class Visit>
+void visit_vessel_offset(Row& r, Visit& visit) {
+  visit(ResultField{"surge", "m", "Shift of midship forward from the drawn place"}.summary(), r.surge);
+  visit(ResultField{"sway", "m", "Shift to port"}.summary(), r.sway);
+  visit(ResultField{"heave", "m", "Shift upwards"}.summary(), r.heave);
+  visit(ResultField{"roll", "rad", "Starboard down, from as drawn"}.summary(), r.roll);
+  visit(ResultField{"pitch", "rad", "Bow down, from as drawn"}.summary(), r.pitch);
+  visit(ResultField{"yaw", "rad", "Bow to port, from as drawn"}.summary(), r.yaw);
+}
+
+template <class Row, class Visit>
+void visit_mooring_line(Row& r, Visit& visit) {
+  visit(ResultField{"name", "1", "Name of the line"}.csv("line").summary(), r.name);
+  visit(ResultField{"length", "m", "Unstressed length"}.csv("length").summary(), r.length);
+  visit(
+      ResultField{"first_segment_length", "m", "Unstressed length of the first segment"}.csv("first segment").summary(),
+      r.first_segment_length);
+  visit(ResultField{"fairlead_tension", "N", "Tension at the fairlead"}.csv("fairlead tension").summary(),
+        r.fairlead_tension);
+  visit(ResultField{"horizontal", "N", "Horizontal part of the tension at the fairlead"}.csv("horizontal").summary(),
+        r.horizontal);
+  visit(ResultField{"declination", "rad", "Of the line below horizontal at the fairlead"}.csv("declination").summary(),
+        r.declination);
+  visit(ResultField{"anchor_tension", "N", "Tension at the anchor"}.csv("anchor tension").summary(), r.anchor_tension);
+  visit(ResultField{"anchor_uplift", "N", "Vertical force on the anchor"}.csv("uplift").summary(), r.anchor_uplift);
+  visit(ResultField{"uplift_angle", "rad", "Of the line over horizontal at the anchor"}.csv("uplift angle").summary(),
+        r.uplift_angle);
+  visit(ResultField{"suspended_length", "m", "Unstressed length from the fairlead to touchdown"}
+            .csv("suspended")
+            .summary(),
+        r.suspended_length);
+  visit(ResultField{"touchdown_distance", "m", "Horizontal distance from the fairlead to touchdown"}
+            .csv("touchdown distance")
+            .summary(),
+        r.touchdown_distance);
+  visit(ResultField{"on_bed", "m", "Unstressed length on the bed"}.csv("on bed").summary(), r.on_bed);
+  visit(
+      ResultField{"horizontal_distance", "m", "Horizontal distance from fairlead to anchor"}.csv("distance").summary(),
+      r.horizontal_distance);
+  visit(ResultField{"azimuth", "rad", "Of the anchor from the fairlead, clockwise from north"}.csv("azimuth").summary(),
+        r.azimuth);
+  visit(ResultField{"slack", "1", "1 where nothing pulls horizontally"}.summary(), r.slack);
+  visit(ResultField{"parted", "1", "1 where the line is not there"}.summary(), r.parted);
+  visit(ResultField{"fairlead", "m", "Fairlead", kWorldFrame}.summary(), r.fairlead_W);
+  visit(ResultField{"anchor", "m", "Anchor", kWorldFrame}.summary(), r.anchor_W);
+}
+
+/// What is there only where the model gives a breaking load, a holding power, objects on the bed.
+template <class Row, class Visit>
+void visit_mooring_use(Row& r, Visit& visit) {
+  visit(ResultField{"utilisation", "1", "Tension over the least breaking load"}.summary(), r.utilisation);
+  visit(ResultField{"anchor_utilisation", "1", "Tension at the anchor over its holding power"}.summary(),
+        r.anchor_utilisation);
+  visit(ResultField{"clearance", "m", "Least distance to the objects on the bed"}.summary(), r.clearance);
+}
+
+template <class Row, class Visit>
+void visit_winch_move(Row& r, Visit& visit) {
+  visit(ResultField{"name", "1", "Name of the line"}.summary(), r.name);
+  visit(ResultField{"first_segment_before", "m", "Unstressed length before the move"}.summary(), r.before);
+  visit(ResultField{"first_segment_after", "m", "Unstressed length after it"}.summary(), r.after);
+  visit(ResultField{"fairlead_tension_before", "N", "Tension before the move"}.summary(), r.tension_before);
+  visit(ResultField{"fairlead_tension_after", "N", "Tension after it"}.summary(), r.tension_after);
+}
+
+}  // namespace overbend

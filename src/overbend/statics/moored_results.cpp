@@ -1,0 +1,194 @@
+#include "statics/moored_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "moorings/clearance.h"
+#include "moorings/periods.h"
+
+namespace overbend {
+namespace {
+
+/// Points of each hanging span in pictures and for clearances.
+constexpr int kShapePoints = 60;
+constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
+
+template <class Matrix>
+std::vector<double> by_rows(const Matrix& matrix) {
+  std::vector<double> values;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k) values.push_back(matrix(i, k));
+  }
+  return values;
+}
+
+std::vector<PeriodResult> periods_of(const Model& model, const RestOutcome& rest, const Mat6& stiffness) {
+  std::vector<PeriodResult> results;
+  const std::optional<CoupledHullDescription>& hull = model.description.vessel.coupled;
+  if (!hull || hull->mass <= 0.0) return results;
+  const Mat6 about_G = stiffness_about(stiffness, rest.forces.moorings.head<3>(), hull->centre_of_gravity);
+  for (const NaturalPeriod& period : natural_periods(*hull, about_G)) results.push_back({period.mode, period.period});
+  return results;
+}
+
+/// Stiffness of lines and water by shift and rotation: the slope by angles is one by rotations where the angles are
+/// small, as the water's part is.
+Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
+  Mat6 water = Mat6::Zero();
+  water.block<3, 3>(2, 2) = hull.restoring;
+  return rest.forces.mooring_stiffness + stiffness_about(water, Vec3::Zero(), -hull.restoring_point_V);
+}
+
+VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
+  VesselResult result;
+  const HullOffset& u = rest.offset;
+  result.surge = u[0];
+  result.sway = u[1];
+  result.heave = u[2];
+  result.roll = u[3];
+  result.pitch = u[4];
+  result.yaw = std::remainder(u[5], kWholeTurn);
+  if (free) {
+    const Mat6 stiffness = whole_stiffness(hull, rest);
+    result.stiffness = by_rows(stiffness);
+    result.natural_periods = periods_of(model, rest, stiffness);
+  }
+  return result;
+}
+
+void add_clearance(const std::vector<SeabedObjectDescription>& objects, MooringLineResult& result) {
+  for (const SeabedObjectDescription& object : objects) {
+    const double distance = distance_between(result.shape_W, object.points);
+    if (result.clearance && *result.clearance <= distance) continue;
+    result.clearance = distance;
+    result.nearest_object = object.name;
+  }
+}
+
+MooringLineResult line_result(const Model& model, const MooredLine& line, const Vec3& fairlead,
+                              const CatenarySolution& solution) {
+  const LineDirection to = line_direction(line, fairlead);
+  MooringLineResult result;
+  result.name = line.name;
+  result.length = line.line.length();
+  result.first_segment_length = line.line.first_segment();
+  result.fairlead_W = fairlead;
+  result.anchor_W = line.anchor_W;
+  result.horizontal_distance = to.distance;
+  const double azimuth = std::atan2(to.direction_W.x(), to.direction_W.y());
+  result.azimuth = azimuth < 0.0 ? azimuth + kWholeTurn : azimuth;
+  result.parted = line.parted;
+  if (line.parted) return result;
+  result.fairlead_tension = solution.tension();
+  result.horizontal = solution.pull;
+  result.declination = std::atan2(solution.sink, solution.pull);
+  result.anchor_tension = solution.anchor_tension();
+  result.anchor_uplift = solution.anchor_uplift;
+  result.uplift_angle = std::atan2(solution.anchor_uplift, std::max(solution.anchor_pull, 1e-9));
+  result.suspended_length = solution.trace.touchdown_s;
+  result.touchdown_distance = solution.trace.touchdown_x;
+  result.on_bed = solution.trace.on_bed;
+  result.slack = solution.slack;
+  if (line.breaking_load) result.utilisation = result.fairlead_tension / *line.breaking_load;
+  if (line.holding) result.anchor_utilisation = result.anchor_tension / *line.holding;
+  for (const Eigen::Vector2d& point : catenary_shape(line.line, solution, kShapePoints)) {
+    const Vec3 flat(fairlead.x(), fairlead.y(), point.y());
+    result.shape_W.push_back(flat + point.x() * to.direction_W);
+  }
+  add_clearance(model.description.moorings->objects, result);
+  return result;
+}
+
+}  // namespace
+
+MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
+                         const HullAtRest& hull, const RestOutcome& rest, bool free) {
+  MooredState state;
+  state.name = name;
+  state.vessel = vessel_result(model, hull, rest, free);
+  if (free) {
+    state.mooring_force = by_rows(rest.forces.moorings);
+    state.mooring_stiffness = by_rows(rest.forces.mooring_stiffness);
+  }
+  state.residual = rest.residual;
+  state.iterations = rest.iterations;
+  const HullPlace place = place_of(hull, rest.offset);
+  for (std::size_t i = 0; i < spread.lines.size(); ++i) {
+    const MooredLine& line = spread.lines[i];
+    state.moorings.push_back(line_result(model, line, place.p_W + place.R_WV * line.fairlead_V, rest.lines[i]));
+  }
+  return state;
+}
+
+std::vector<std::string> mooring_warnings(const Model& model, const MooringSpread& spread, const MooredState& state) {
+  std::vector<std::string> list;
+  const MooringsDescription& moorings = *model.description.moorings;
+  int effective = 0;
+  for (std::size_t i = 0; i < state.moorings.size(); ++i) {
+    const MooringLineResult& line = state.moorings[i];
+    const std::string head = fmt::format("{}: mooring line \"{}\"", state.name, line.name);
+    const double tension = line.fairlead_tension / 1e3;
+    if (line.parted) continue;
+    effective += line.slack ? 0 : 1;
+    if (line.slack) list.push_back(head + " is slack: it holds nothing.");
+    if (line.utilisation && *line.utilisation > 1.0) {
+      list.push_back(fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension));
+    } else if (moorings.working_load && line.fairlead_tension > *moorings.working_load) {
+      list.push_back(fmt::format("{} has {:.1f} kN, more than the working load.", head, tension));
+    }
+    if (line.anchor_uplift > 0.0) {
+      list.push_back(fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.", head,
+                                 line.anchor_uplift / 1e3));
+    } else if (line.on_bed <= 0.0) {
+      list.push_back(head + " has no length on the bed.");
+    }
+    if (line.anchor_utilisation && *line.anchor_utilisation > 1.0) {
+      list.push_back(fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
+                                 line.anchor_tension / 1e3));
+    }
+    const std::optional<double>& drum = spread.lines[i].drum;
+    if (drum && line.first_segment_length > *drum) {
+      list.push_back(fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.", head,
+                                 line.first_segment_length, *drum));
+    }
+  }
+  if (effective < 3) {
+    list.push_back(
+        fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
+                    state.name, effective));
+  }
+  const VesselDescription& vessel = model.description.vessel;
+  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle ||
+      std::abs(state.vessel.heave) > 0.5 * (vessel.depth - vessel.draught)) {
+    list.push_back(state.name +
+                   ": heel or trim beyond 10 deg, or heave beyond half the freeboard: the restoring of "
+                   "the water is no longer linear.");
+  }
+  return list;
+}
+
+std::vector<std::string> mooring_assumptions(const Model& model) {
+  std::vector<std::string> list = assumptions(model);
+  list.emplace_back(
+      "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
+      "bed at the line's axis, with the weight in air above the mean water level.");
+  list.emplace_back("Sheaves, their friction and the run from the fairlead to the winch are left out.");
+  for (const MooringLineDescription& line : model.description.moorings->lines) {
+    for (const LineSegmentDescription& segment : line.segments) {
+      if (segment.type.made_from.empty() || segment.type.made_from == "given") continue;
+      std::string sentence =
+          fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name, segment.type.made_from);
+      if (std::find(list.begin(), list.end(), sentence) == list.end()) list.push_back(std::move(sentence));
+    }
+  }
+  if (model.description.vessel.coupled) {
+    list.emplace_back("Steady wind, current and wave drift act on the hull only where vessel.loads give them.");
+  }
+  return list;
+}
+
+}  // namespace overbend

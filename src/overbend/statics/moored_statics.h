@@ -1,0 +1,18 @@
+/// Statics of a hull and its mooring lines, without a pipe.
+#pragma once
+
+#include <variant>
+
+#include "model/model.h"
+#include "results/mooring_results.h"
+#include "statics/statics.h"
+
+namespace overbend {
+
+/// Whether the model's statics are those of a hull and its lines.
+bool is_moored_hull(const Description& description);
+
+/// Rest of the hull on its lines and the stages of its operation; results, or why there are none.
+std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model);
+
+}  // namespace overbend

@@ -1,0 +1,15 @@
+#include "study/mooring_run.h"
+
+#include "resultfiles/mooring_writer.h"
+#include "runstore/staged_folder.h"
+
+namespace overbend {
+
+void write_mooring_run(const MooringResults& results, const Description& description,
+                       const std::filesystem::path& folder) {
+  StagedFolder staged(folder);
+  write_mooring_files(results, description, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

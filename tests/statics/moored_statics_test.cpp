@@ -1,0 +1,160 @@
+#include "statics/moored_statics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "modelfile/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+using nlohmann::json;
+
+const std::string kCases = std::string(OVERBEND_SOURCE_DIR) + "/validation/mooring_cases/";
+
+Description described(const std::string& name) {
+  ModelReading result = read_model(kCases + name + ".yaml");
+  EXPECT_TRUE(result.description) << name;
+  return std::move(*result.description);
+}
+
+MooringResults solved(const Description& description) {
+  const auto outcome = solve_moored_hull(build_model(description));
+  const StaticFailure* failure = std::get_if<StaticFailure>(&outcome);
+  EXPECT_EQ(failure, nullptr) << failure->why;
+  return failure != nullptr ? MooringResults{} : std::get<MooringResults>(outcome);
+}
+
+json expected_of(const std::string& name) {
+  std::ifstream stream(kCases + name + ".expected.json");
+  return json::parse(stream);
+}
+
+/// Tolerances: what the collocation and its second method agree to, with room for their differences.
+void expect_line(const json& want, const MooringLineResult& line) {
+  const double tension = want["fairlead_tension"];
+  EXPECT_EQ(want["name"], line.name);
+  EXPECT_NEAR(line.fairlead_tension, tension, 1e-6 * tension);
+  EXPECT_NEAR(line.horizontal, want["horizontal"], 1e-6 * tension);
+  EXPECT_NEAR(line.declination, want["declination"], 1e-6);
+  EXPECT_NEAR(line.anchor_tension, want["anchor_tension"], 1e-6 * tension);
+  EXPECT_NEAR(line.anchor_uplift, want["anchor_uplift"], 1e-3);
+  EXPECT_NEAR(line.suspended_length, want["suspended_length"], 1e-4);
+  EXPECT_NEAR(line.touchdown_distance, want["touchdown_distance"], 1e-4);
+  EXPECT_NEAR(line.on_bed, want["length_on_bed"], 1e-4);
+  EXPECT_NEAR(line.horizontal_distance, want["horizontal_distance"], 1e-5);
+  EXPECT_NEAR(line.first_segment_length, want["first_segment_length"], 1e-5);
+  EXPECT_NEAR(std::remainder(line.azimuth - want["azimuth"].get<double>(), 6.283185307179586), 0.0, 1e-7);
+}
+
+void expect_state(const json& want, const MooredState& state) {
+  ASSERT_EQ(state.moorings.size(), want["moorings"].size());
+  for (std::size_t i = 0; i < state.moorings.size(); ++i) expect_line(want["moorings"][i], state.moorings[i]);
+  if (want.contains("vessel")) {
+    const json& at = want["vessel"];
+    EXPECT_NEAR(state.vessel.surge, at["surge"], 1e-5);
+    EXPECT_NEAR(state.vessel.sway, at["sway"], 1e-5);
+    EXPECT_NEAR(state.vessel.heave, at["heave"], 1e-6);
+    EXPECT_NEAR(state.vessel.roll, at["roll"], 1e-7);
+    EXPECT_NEAR(state.vessel.pitch, at["pitch"], 1e-7);
+    EXPECT_NEAR(state.vessel.yaw, at["yaw"], 1e-7);
+  }
+}
+
+void expect_case(const std::string& name) {
+  const MooringResults results = solved(described(name));
+  const json want = expected_of(name);
+  if (want.contains("static")) expect_state(want["static"], results.rest);
+  if (!want.contains("operation")) return;
+  const json& stages = want["operation"]["stages"];
+  ASSERT_EQ(results.stages.size(), stages.size());
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    EXPECT_EQ(results.stages[i].name, stages[i]["name"]);
+    expect_state(stages[i], results.stages[i]);
+  }
+}
+
+TEST(moored_statics, wires_of_a_held_hull_are_those_of_the_reference) {
+  expect_case("MO1-wire");
+}
+
+TEST(moored_statics, chains_and_wires_of_a_held_hull_are_those_of_the_reference) {
+  expect_case("MO2-chain-wire");
+}
+
+TEST(moored_statics, stages_of_a_moored_hull_are_those_of_the_reference) {
+  expect_case("MO8-sym");
+}
+
+TEST(moored_statics, a_pull_ahead_is_that_of_the_reference) {
+  expect_case("MO8-pull-ahead");
+  const MooringResults results = solved(described("MO8-pull-ahead"));
+  const json lines = expected_of("MO8-pull-ahead")["operation"]["pull_ahead"]["lines"];
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_NEAR(results.winches[i].after - results.winches[i].before, lines[i]["winch"], 1e-5);
+  }
+}
+
+TEST(moored_statics, moves_one_after_the_other_haul_the_bow_lines_and_pay_out_the_stern_lines) {
+  Description d = described("MO8-pull-ahead");
+  d.operation.moves = 3;
+  const MooringResults results = solved(d);
+  ASSERT_EQ(results.stages.size(), 4);
+  EXPECT_NEAR(results.stages.back().vessel.surge - results.stages.front().vessel.surge, 36.0, 1e-6);
+  EXPECT_LT(results.winches[0].after, results.winches[0].before - 30.0);
+  EXPECT_GT(results.winches[3].after, results.winches[3].before + 30.0);
+}
+
+TEST(moored_statics, find_lengths_keeps_the_hull_where_it_is_drawn) {
+  Description d = described("MO8-pull-ahead");
+  d.vessel.loads = d.operation.loads;
+  d.operation = {};
+  d.moorings->find = FindMooring::lengths;
+  const MooredState held = solved(d).rest;
+  EXPECT_NEAR(held.vessel.surge, 0.0, 1e-7);
+  EXPECT_GT(held.moorings[0].fairlead_tension, 350e3);
+  d.moorings->find = FindMooring::pose;
+  EXPECT_LT(solved(d).rest.vessel.surge, -0.9);
+}
+
+TEST(moored_statics, warns_of_what_a_crew_would_mend) {
+  Description d = described("MO8-sym");
+  d.operation = {};
+  d.moorings->lines[0].segments[0].length = 1100.0;
+  d.moorings->lines[0].tension.reset();
+  d.moorings->lines[5].segments[0].length = 993.0;
+  d.moorings->lines[5].segments[0].type.breaking_load = 500e3;
+  d.moorings->lines[5].tension.reset();
+  d.moorings->lines[6].anchor_holding.holding = 100e3;
+  d.moorings->objects = {{"pipeline", {{-400.0, 300.0, -88.0}, {400.0, 300.0, -88.0}}}};
+  const MooringResults results = solved(d);
+  const auto warned = [&](const std::string& line, const std::string& of) {
+    return std::any_of(results.warnings.begin(), results.warnings.end(), [&](const std::string& warning) {
+      return warning.find("\"" + line + "\"") != std::string::npos && warning.find(of) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warned("S1", "slack"));
+  EXPECT_TRUE(warned("P2", "breaking load"));
+  EXPECT_TRUE(warned("P3", "holding power"));
+  for (const MooringLineResult& line : results.rest.moorings) {
+    ASSERT_TRUE(line.clearance);
+    EXPECT_EQ(line.nearest_object, "pipeline");
+  }
+}
+
+TEST(moored_statics, says_which_line_is_too_short) {
+  Description d = described("MO8-sym");
+  d.moorings->lines[2].segments[0].length = 700.0;
+  d.moorings->lines[2].tension.reset();
+  const auto outcome = solve_moored_hull(build_model(d));
+  const StaticFailure* failure = std::get_if<StaticFailure>(&outcome);
+  ASSERT_NE(failure, nullptr);
+  EXPECT_NE(failure->why.find("\"S3\" is too short to reach: 700.00 m"), std::string::npos) << failure->why;
+}
+
+}  // namespace
+}  // namespace overbend
