@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "base/yaml_document.h"
 #include "model/line_types.h"
 #include "model/model.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/moored_texts.h"
+#include "modelfile/yaml_edit.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
@@ -134,6 +136,28 @@ TEST(lines, keys_fill_the_description) {
   EXPECT_EQ(d.lines[1].first.kind, LineEndKind::bed);
   EXPECT_EQ(d.lines[1].second.kind, LineEndKind::water);
   EXPECT_TRUE(d.lines[1].second.clamped);
+}
+
+/// Paths of all scalars below a node, with what stands there.
+void collect(const YamlNode& node, const std::string& path, std::vector<YamlChange>& found) {
+  if (node.kind == YamlNode::Kind::scalar) found.push_back({path, YamlChange::Kind::scalar, node.text});
+  for (const YamlEntry& entry : node.entries) {
+    collect(entry.value, path.empty() ? entry.key : path + "." + entry.key, found);
+  }
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    collect(node.items[i], path + "[" + std::to_string(i) + "]", found);
+  }
+}
+
+// As the page's form does: each value set to what it is.
+TEST(moorings, every_value_can_be_set_where_it_stands) {
+  for (const std::string& text : {kMoored, kLines}) {
+    Diagnostics faults;
+    std::vector<YamlChange> values;
+    collect(*parse_yaml(text, "", faults), "", values);
+    EXPECT_GT(values.size(), 20U);
+    for (const YamlChange& value : values) EXPECT_EQ(edit_yaml(text, {value}), text) << value.path;
+  }
 }
 
 struct Slip {

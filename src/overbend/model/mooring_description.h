@@ -56,7 +56,7 @@ struct MooringsDescription {
   std::vector<WinchDescription> winches;
   std::vector<MooringLineDescription> lines;
   std::vector<SeabedObjectDescription> objects;
-  std::optional<FindMooring> find;  ///< lengths where all lines have tensions, else pose.
+  std::optional<FindMooring> find;  ///< pose where not given.
   MooringModel model = MooringModel::elements;
   std::optional<double> working_load, least_tension;  ///< Bounds of the planner [N].
   std::optional<double> bed_friction;                 ///< Of all lines whose type says nothing [-].

@@ -162,7 +162,7 @@ std::vector<Field> moorings() {
       {otherwise(row_of_kind(FieldKind::choice, "moorings.find", fills(&Moorings::find),
                              "pose: where the vessel lies on lines of given length; lengths: the lengths that hold it "
                              "as drawn, with tensions as near as possible to those given."),
-                 "lengths if all lines have a tension and the hull floats with a ballast, otherwise pose"),
+                 "pose"),
        row_of_kind(FieldKind::choice, "moorings.model", defaults(&Moorings::model),
                    "elements: lines with inertia and drag; quasi_static: elastic catenaries."),
        otherwise(quantity_row("moorings.working_load", fills(&Moorings::working_load),

@@ -67,7 +67,7 @@ std::string motion_words(const VesselDescription& vessel) {
     case VesselMotion::history:
       return "recorded, " + file_name(vessel.motion_file);
     case VesselMotion::coupled:
-      return "coupled with the hull motion, " + file_name(vessel.motion_file);
+      return "floating free" + (vessel.coupled ? ", by " + file_name(vessel.coupled->hydrodynamics) : std::string());
     case VesselMotion::harmonic:
       break;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -17,15 +18,27 @@ std::string file_text(const std::string& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
+/// Those that the model names, of a hull's files of one stem all that may be read.
+std::vector<std::string> named_files(const Description& d) {
+  std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file};
+  if (d.vessel.coupled) {
+    files.push_back(d.vessel.coupled->current.table_file);
+    for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
+      files.push_back(d.vessel.coupled->hydrodynamics + ending);
+    }
+  }
+  std::error_code fault;
+  std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, fault); });
+  return files;
+}
+
 }  // namespace
 
 std::string input_text(const Description& d) {
   std::string text = d.source_text;
   // What the files hold, not where they lie: that depends on how the model's own path was written.
-  for (const std::string& file : {d.vessel.motion_file, d.environment.waves.spectrum_file}) {
-    if (!file.empty()) {
-      text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
-    }
+  for (const std::string& file : named_files(d)) {
+    text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
   }
   return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
 }
