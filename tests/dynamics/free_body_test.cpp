@@ -95,6 +95,28 @@ TEST(free_body, on_a_spring_and_a_cable_swings_with_the_period_of_both) {
   EXPECT_LT(run.body().h.tail<5>().norm(), 1e-12);
 }
 
+TEST(free_body, with_an_ideal_winch_feels_the_constant_tension_of_its_line) {
+  SpringBody springs;
+  springs.stiffness = Vec6::Constant(600.0);
+  constexpr double kTension = 80.0, kStretch = 0.01;
+  System system = tied_body(kTension / kStretch, springs);
+  system.machine = 1;
+  system.attachments[1].tensioner.mode = TensionerMode::constant;
+  system.attachments[1].tensioner.wanted = kTension;
+  system.attachments[1].place = Vec3(4.0 * (1.0 + kStretch), 0.0, 0.0);
+  BodyRun run(system, {straight(system, Vec3::Zero(), Vec3::UnitX(), kStretch)});
+  run.assembly().set_drive(TensionerDrive::governor);
+  run.begin();
+  const double omega = std::sqrt(600.0 / springs.body.mass);
+  const double h = 2.0 * std::numbers::pi / omega / 400.0;
+  for (int i = 0; i < 300; ++i) {
+    run.step(h);
+    const double expected = -kTension / 600.0 * (1.0 - std::cos(omega * run.now.time));
+    ASSERT_NEAR(run.body().h(0), expected, 1e-4 * kTension / 600.0) << i;
+    ASSERT_NEAR(run.now.attachments[1].travel.q, expected, 1e-4 * kTension / 600.0) << i;
+  }
+}
+
 /// A body on springs between two cables with weight, one to a point beside it and one to its top, pinned and clamped.
 System between_cables() {
   System system = rod_system({2e3, 2.0, 0.8, 0.8 * kGravity}, 4.0, 8);
