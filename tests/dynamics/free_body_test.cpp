@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/energy_account.h"
 #include "support/allocation_count.h"
 #include "support/free_body.h"
 
@@ -93,6 +94,28 @@ TEST(free_body, on_a_spring_and_a_cable_swings_with_the_period_of_both) {
   }
   EXPECT_LT(error, 2e-4 * 0.2 + 1e-5);
   EXPECT_LT(run.body().h.tail<5>().norm(), 1e-12);
+}
+
+TEST(free_body, with_an_ideal_winch_feels_the_constant_tension_of_its_line) {
+  SpringBody springs;
+  springs.stiffness = Vec6::Constant(600.0);
+  constexpr double kTension = 80.0, kStretch = 0.01;
+  System system = tied_body(kTension / kStretch, springs);
+  system.machine = 1;
+  system.attachments[1].tensioner.mode = TensionerMode::constant;
+  system.attachments[1].tensioner.wanted = kTension;
+  system.attachments[1].place = Vec3(4.0 * (1.0 + kStretch), 0.0, 0.0);
+  BodyRun run(system, {straight(system, Vec3::Zero(), Vec3::UnitX(), kStretch)});
+  run.assembly().set_drive(TensionerDrive::governor);
+  run.begin();
+  const double omega = std::sqrt(600.0 / springs.body.mass);
+  const double h = 2.0 * std::numbers::pi / omega / 400.0;
+  for (int i = 0; i < 300; ++i) {
+    run.step(h);
+    const double expected = -kTension / 600.0 * (1.0 - std::cos(omega * run.now.time));
+    ASSERT_NEAR(run.body().h(0), expected, 1e-4 * kTension / 600.0) << i;
+    ASSERT_NEAR(run.now.attachments[1].travel.q, expected, 1e-4 * kTension / 600.0) << i;
+  }
 }
 
 /// A body on springs between two cables with weight, one to a point beside it and one to its top, pinned and clamped.
@@ -244,6 +267,34 @@ TEST(free_body, that_nothing_can_move_carries_lines_like_a_body_whose_motion_is_
     difference = std::max(difference, std::abs(run.now.lines[0].q[i] - rod.now.lines[0].q[i]));
   }
   EXPECT_LT(difference, 1e-7);
+}
+
+/// Error of the balance of energy over what has passed, of a rolling body with a rod on a rubbing, damped roller.
+double energy_error(double h) {
+  System system = heavy_with_rod(true);
+  SpringBody springs;
+  springs.stiffness << 300.0, 300.0, 500.0, 400.0, 400.0, 350.0;
+  springs.damping = Vec6::Constant(20.0);
+  system.bodies[0].free = free_body(springs, Vec3(0.5, 0.0, 0.2));
+  BodyRun run(system, level(system));
+  run.now.bodies[0].h.head<3>() = Vec3(0.5, 0.0, 0.2);
+  run.now.bodies[0].v << 0.1, 0.2, 0.0, 0.3, 0.0, 0.2;
+  run.begin();
+  EnergyAccount account;
+  account.start(run.assembly().energy(run.now), 1e-6);
+  for (int i = 0; i < static_cast<int>(std::lround(0.2 / h)); ++i) {
+    run.step(h);
+    account.add(run.assembly().energy(run.now), h);
+  }
+  EXPECT_GT(run.assembly().line(0).contacts().contacts()[0].normal, 0.0);
+  EXPECT_GT(account.balance().friction_loss, 1e-3);
+  return std::abs(account.balance().drift());
+}
+
+TEST(free_body, with_a_rod_that_rubs_on_its_roller_accounts_for_all_energy) {
+  const double coarse = energy_error(4e-4), fine = energy_error(2e-4);
+  EXPECT_LT(fine, 1e-3);
+  EXPECT_LT(fine, 0.5 * coarse);
 }
 
 TEST(free_body, that_is_held_leaves_its_line_what_it_is_and_shows_the_wrench_of_its_ends) {
