@@ -36,7 +36,7 @@ StaticResults solved(const Description& description) {
   if (!outcome.solution) {
     throw std::runtime_error(description.title + ": " + outcome.failure->what);
   }
-  return checked_statics(model, *outcome.solution);
+  return checked_statics(model, {outcome.solution, {}, {}});
 }
 
 /// A run as the pages' column of one minute has it: 60 s after the build-up, which is the file's own if not given.
@@ -45,7 +45,7 @@ DynamicResults minute_of(Description description, std::optional<double> build_up
   description.dynamics->build_up = build_up.value_or(description.dynamics->build_up);
   const Model model = build_model(description);
   const StaticSolution start = solve_statics(model).solution.value();
-  const StaticResults statics = checked_statics(model, start);
+  const StaticResults statics = checked_statics(model, {start, {}, {}});
   testing::MemorySink sink;
   const DynamicOutcome outcome = run_dynamics(model, start, statics, dynamic_options(model), sink, nullptr,
                                               [](const DynamicProgress&) { return DynamicControl::go_on; });

@@ -25,7 +25,7 @@ const Solved& bgl1() {
   static const Solved kSolved = [] {
     const Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
     const Model model = build_model(d);
-    return Solved{d, checked_statics(model, solve_statics(model).solution.value())};
+    return Solved{d, checked_statics(model, solve_lay(model))};
   }();
   return kSolved;
 }
@@ -123,7 +123,7 @@ TEST(run_checks, a_still_lay_without_its_current_is_the_functional_part) {
   Description d = bgl1().description;
   d.environment.current.clear();
   const Model model = build_model(d);
-  const StaticResults still = checked_statics(model, solve_statics(model).solution.value());
+  const StaticResults still = checked_statics(model, solve_lay(model));
   for (const Station& at : still.stations) EXPECT_EQ(at.current_vertical_moment, 0.0);
   const Station& with = bgl1().statics.stations.front();  // laid on the bed, far from everything
   EXPECT_NEAR(with.effective_tension - with.current_tension, still.stations.front().effective_tension, 5.0);

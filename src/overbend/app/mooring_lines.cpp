@@ -34,13 +34,17 @@ std::string state_lines(const MooredState& state) {
 
 }  // namespace
 
-std::string mooring_lines(const MooringResults& results) {
-  std::string text = results.title + "\n" + state_lines(results.rest);
+std::string moored_state_lines(const MooringResults& results) {
+  std::string text = state_lines(results.rest);
   for (const MooredState& stage : results.stages) text += state_lines(stage);
   for (const WinchMove& move : results.winches) {
     text += fmt::format("  winch of {:<16}{:>+9.3f} m\n", move.name, move.after - move.before);
   }
-  return text + warning_lines(results.warnings);
+  return text;
+}
+
+std::string mooring_lines(const MooringResults& results) {
+  return results.title + "\n" + moored_state_lines(results) + warning_lines(results.warnings);
 }
 
 }  // namespace overbend

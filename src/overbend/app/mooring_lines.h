@@ -9,4 +9,7 @@ namespace overbend {
 
 std::string mooring_lines(const MooringResults& results);
 
+/// The same without title and warnings.
+std::string moored_state_lines(const MooringResults& results);
+
 }  // namespace overbend

@@ -57,6 +57,7 @@ void print_results(const StaticResults& r) {
     line("largest roller reaction",
          fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
   }
+  if (r.moorings) std::cout << moored_state_lines(*r.moorings);
   std::cout << check_lines(r.checks);
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
@@ -89,11 +90,11 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   if (!description) return kWrongInput;
   const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
   if (is_lines_alone(*description)) return run_static_lines(*description, folder);
-  const Model model = build_model(*description);
+  Model model = build_model(*description);
   if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
-  const StaticOutcome outcome = solve_statics(model);
+  const LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
-  const StaticResults results = checked_statics(model, *outcome.solution);
+  const StaticResults results = checked_statics(model, outcome);
   try {
     write_static_run(results, *description, folder);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend

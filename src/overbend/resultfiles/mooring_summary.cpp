@@ -69,6 +69,15 @@ Json pull_ahead_json(const SummaryStyle& style, const MooringResults& results) {
   return json;
 }
 
+void add_operation(const SummaryStyle& style, const MooringResults& results, Json& json) {
+  if (!results.operation.empty()) {
+    json["operation"]["type"] = results.operation;
+    json["operation"]["stages"] =
+        style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
+  }
+  if (!results.winches.empty()) json["operation"]["pull_ahead"] = pull_ahead_json(style, results);
+}
+
 }  // namespace
 
 std::string mooring_summary(const MooringResults& results) {
@@ -79,13 +88,18 @@ std::string mooring_summary(const MooringResults& results) {
   json["units"] = "SI: m, N, rad; angles of the vessel by Rz(yaw) Ry(pitch) Rx(roll) along the drawn axes";
   json["frame"] = kWorldFrame;
   json["static"] = state_json(style, results.rest);
-  if (!results.operation.empty()) {
-    json["operation/type"] = results.operation;
-    json["operation/stages"] =
-        style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
+  Json summary = json.take();
+  add_operation(style, results, summary);
+  return summary_text(summary);
+}
+
+void add_moorings(const MooringResults& results, Json& summary) {
+  const SummaryStyle style;
+  Json rest = state_json(style, results.rest);
+  for (const char* part : {"vessel", "moorings", "mooring_force", "mooring_stiffness"}) {
+    summary["static"][part] = std::move(rest[part]);
   }
-  if (!results.winches.empty()) json["operation/pull_ahead"] = pull_ahead_json(style, results);
-  return summary_text(json.take());
+  add_operation(style, results, summary);
 }
 
 }  // namespace overbend

@@ -1,4 +1,5 @@
 #include "resultfiles/results_writer.h"
+#include "resultfiles/mooring_writer.h"
 
 #include <span>
 
@@ -16,6 +17,7 @@ void write_static_files(const StaticResults& results, const Description& descrip
   write_text(folder / "pipe.csv", pipe_table(results));
   write_text(folder / "supports.csv", supports_table(results));
   write_text(folder / "checks.csv", checks_table(results.checks));
+  if (results.moorings) write_text(folder / "moorings.csv", moorings_table(*results.moorings));
   write_text(folder / "summary.json", static_summary(results));
 }
 

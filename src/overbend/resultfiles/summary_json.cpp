@@ -20,7 +20,9 @@ Json static_summary_json(const StaticResults& r) {
   json["sections"] = sections;
   json["checks"] = summary_checks(style, r.checks);
   json["static"] = static_part(style, r);
-  return json.take();
+  Json summary = json.take();
+  if (r.moorings) add_moorings(*r.moorings, summary);
+  return summary;
 }
 
 std::string summary_text(const Json& summary) {

@@ -13,6 +13,9 @@ using Json = nlohmann::ordered_json;
 /// What a static analysis writes.
 Json static_summary_json(const StaticResults& results);
 
+/// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation beside it.
+void add_moorings(const MooringResults& results, Json& summary);
+
 std::string summary_text(const Json& summary);
 
 }  // namespace overbend

@@ -10,6 +10,7 @@
 #include "base/vec.h"
 #include "model/supports.h"
 #include "results/check_results.h"
+#include "results/mooring_results.h"
 
 namespace overbend {
 
@@ -188,6 +189,8 @@ struct StaticResults {
   double wanted_tension = 0.0;
 
   CheckTable checks;  ///< Of the static state.
+
+  std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 };
 
 }  // namespace overbend

@@ -38,20 +38,21 @@ bool LiveStatics::close_to_last(const Model& model) const {
          model.supports.rollers.size() == last_rollers_;
 }
 
-Json LiveStatics::solve(const Model& model, const StaticWish& wish) {
+Json LiveStatics::solve(Model model, const StaticWish& wish) {
   const bool warm = !wish.full && close_to_last(model);
   const auto start = Clock::now();
-  StaticOutcome outcome = solve_statics(model, warm ? &*last_ : nullptr);
+  LayOutcome outcome = solve_lay(model, warm ? &*last_ : nullptr);
   const double solve_ms = milliseconds_since(start);
   if (outcome.failure) {
     const StaticFailure& f = *outcome.failure;
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
+  const StaticResults results = checked_statics(model, outcome);
   last_ = std::move(outcome.solution);
   last_file_ = model.description.source_file;
   last_rollers_ = model.supports.rollers.size();
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
-  answer.update(static_json(checked_statics(model, *last_), wish.lists ? &*wish.lists : nullptr));
+  answer.update(static_json(results, wish.lists ? &*wish.lists : nullptr));
   return answer;
 }
 

@@ -27,7 +27,7 @@ class LiveStatics {
   Json solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish);
 
  private:
-  Json solve(const Model& model, const StaticWish& wish);
+  Json solve(Model model, const StaticWish& wish);
   bool close_to_last(const Model& model) const;
   std::optional<Description> read_changed(const ModelText& model, const std::vector<YamlChange>& changes);
 

@@ -178,13 +178,13 @@ void RunQueue::run(const Job& job) {
 void RunQueue::run_static(const Job& job) {
   const std::string& id = job.run.id;
   const Description description = description_of(job.model);
-  const Model model = build_model(description);
-  const StaticOutcome outcome = solve_statics(model);
+  Model model = build_model(description);
+  const LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return end(id, RunState::failed, failure_line(*outcome.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(checked_statics(model, *outcome.solution), description, folder(job.run));
+    write_static_run(checked_statics(model, outcome), description, folder(job.run));
   }
   end(id, RunState::done, "");
 }

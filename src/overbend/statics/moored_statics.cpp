@@ -6,88 +6,19 @@
 #include <cmath>
 
 #include "base/version.h"
-#include "moorings/hull_at_rest.h"
 #include "moorings/planner.h"
+#include "statics/moored_rest.h"
 #include "statics/moored_results.h"
 
 namespace overbend {
 namespace {
-
-/// Rounds of ballast and lengths, each of which hardly changes the other.
-constexpr int kTrimRounds = 4;
-
-/// The hull on its lines at one stage.
-struct Moored {
-  MooringSpread spread;
-  HullAtRest hull;
-  RestOutcome rest;
-  bool free = true;
-};
-
-TensionBounds bounds_of(const MooringsDescription& moorings) {
-  TensionBounds bounds;
-  bounds.least = moorings.least_tension.value_or(bounds.least);
-  bounds.most = moorings.working_load.value_or(bounds.most);
-  return bounds;
-}
-
-/// A held hull: the lines alone.
-void solve_lines(Moored& moored) {
-  moored.rest.forces = hull_forces(moored.spread, moored.hull, moored.rest.offset, moored.rest.lines);
-  moored.rest.fault = moored.rest.forces.fault;
-}
-
-void solve_pose(Moored& moored) {
-  if (moored.free) {
-    moored.rest = find_rest(moored.spread, moored.hull, moored.rest.offset);
-  } else {
-    solve_lines(moored);
-  }
-}
-
-/// Lengths that hold the hull as drawn, with the least change of the pulls that the lines have as drawn.
-void solve_lengths(Moored& moored, const TensionBounds& bounds) {
-  solve_lines(moored);
-  if (moored.rest.fault || !moored.free) return;
-  const Eigen::VectorXd wished = pulls_of(moored.spread, moored.rest.lines);
-  moored.rest = plan_lengths(moored.spread, moored.hull, HullOffset::Zero(), wished, bounds);
-}
-
-/// The state that the analysis starts with: lengths or pose, and ballast.
-void solve_start(const Description& d, Moored& moored) {
-  const bool lengths = d.moorings->find == FindMooring::lengths;
-  const bool trim = moored.free && d.vessel.coupled && d.vessel.coupled->ballast == Ballast::trim;
-  for (int round = 0; round < (trim ? kTrimRounds : 1) && !moored.rest.fault; ++round) {
-    if (trim) moored.rest = trim_ballast(moored.spread, moored.hull, HullOffset::Zero());
-    if (moored.rest.fault) return;
-    if (lengths) {
-      solve_lengths(moored, bounds_of(*d.moorings));
-    } else {
-      solve_pose(moored);
-    }
-  }
-}
-
-/// A line that would have to break to reach.
-MooringFault broken_line(const Moored& moored) {
-  const HullPlace place = place_of(moored.hull, moored.rest.offset);
-  for (std::size_t i = 0; i < moored.spread.lines.size(); ++i) {
-    const MooredLine& line = moored.spread.lines[i];
-    const Vec3 fairlead = place.p_W + place.R_WV * line.fairlead_V;
-    const bool stretched = (line.anchor_W - fairlead).norm() > line.line.length();
-    if (!line.parted && stretched && line.breaking_load && moored.rest.lines[i].tension() > *line.breaking_load) {
-      return line_fault(moored.spread, line, fairlead, CatenaryFault::too_short);
-    }
-  }
-  return std::nullopt;
-}
 
 /// Collects states; the first fault stays.
 class Stages {
  public:
   Stages(const Model& model, MooringResults& results) : model_(model), results_(results) {}
 
-  std::optional<MooredState> state(const std::string& name, const Moored& moored) {
+  std::optional<MooredState> state(const std::string& name, const MooredHull& moored) {
     fault_ = moored.rest.fault ? moored.rest.fault : broken_line(moored);
     if (fault_) {
       where_ = name;
@@ -99,7 +30,7 @@ class Stages {
     }
     return found;
   }
-  bool add(const std::string& name, const Moored& moored) {
+  bool add(const std::string& name, const MooredHull& moored) {
     std::optional<MooredState> found = state(name, moored);
     if (found) results_.stages.push_back(std::move(*found));
     return found.has_value();
@@ -113,19 +44,19 @@ class Stages {
   std::string where_;
 };
 
-void add_loads(Moored& moored, const std::vector<VesselLoadDescription>& loads) {
+void add_loads(MooredHull& moored, const std::vector<VesselLoadDescription>& loads) {
   moored.hull.loads.insert(moored.hull.loads.end(), loads.begin(), loads.end());
 }
 
-bool run_stages(const OperationDescription& operation, const Moored& start, Stages& stages) {
+bool run_stages(const OperationDescription& operation, const MooredHull& start, Stages& stages) {
   for (const MooredStageDescription& stage : operation.stages) {
-    Moored moored = start;
+    MooredHull moored = start;
     add_loads(moored, stage.loads);
     for (MooredLine& line : moored.spread.lines) {
       const auto named = std::find(stage.parted.begin(), stage.parted.end(), line.name);
       line.parted = line.parted || named != stage.parted.end();
     }
-    solve_pose(moored);
+    find_pose(moored);
     if (!stages.add(stage.name, moored)) return false;
   }
   return true;
@@ -148,11 +79,11 @@ std::vector<WinchMove> winch_moves(const MooredState& before, const MooredState&
 }
 
 /// Ahead along the heading that the hull has, with the pulls it had, changed as little as balance asks.
-bool pull_ahead(const Description& d, const Moored& start, Stages& stages, MooringResults& results) {
+bool pull_ahead(const Description& d, const MooredHull& start, Stages& stages, MooringResults& results) {
   const OperationDescription& operation = d.operation;
-  Moored moored = start;
+  MooredHull moored = start;
   add_loads(moored, operation.loads);
-  solve_pose(moored);
+  find_pose(moored);
   if (!stages.add(names_of(operation.loads), moored)) return false;
   const Eigen::VectorXd wished = pulls_of(moored.spread, moored.rest.lines);
   const HullOffset from = moored.rest.offset;
@@ -169,7 +100,7 @@ bool pull_ahead(const Description& d, const Moored& start, Stages& stages, Moori
   return true;
 }
 
-bool run_operation(const Description& d, const Moored& start, Stages& stages, MooringResults& results) {
+bool run_operation(const Description& d, const MooredHull& start, Stages& stages, MooringResults& results) {
   switch (d.operation.type) {
     case OperationType::moored:
       results.operation = "moored";
@@ -190,30 +121,27 @@ bool is_moored_hull(const Description& description) {
          !description.moorings->lines.empty();
 }
 
-std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model) {
+std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored) {
   const Description& d = model.description;
   MooringResults results;
   results.title = d.title;
   results.version = OVERBEND_VERSION;
   results.assumptions = mooring_assumptions(model);
   results.warnings = d.warnings;
-  Moored moored;
-  moored.hull = hull_at_rest(d);
-  moored.free = hull_is_free(d);
-  SpreadOutcome outcome = build_spread(*d.moorings, model.seabed.surface, model.mean_pose.R_WV);
-  if (outcome.fault) return StaticFailure{"the mooring lines cannot be as given", "", *outcome.fault};
-  if (d.operation.type == OperationType::pull_ahead && !moored.free) {
-    return StaticFailure{"a held hull cannot be pulled ahead", "operation.type",
-                         "give vessel.hydrostatics or vessel.motion.coupled, or leave out the operation", true};
-  }
-  moored.spread = std::move(outcome.spread);
   Stages stages(model, results);
-  solve_start(d, moored);
   std::optional<MooredState> rest = stages.state("static", moored);
   if (!rest) return stages.failure();
   results.rest = std::move(*rest);
   if (!run_operation(d, moored, stages, results)) return stages.failure();
   return results;
+}
+
+std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model) {
+  std::variant<MooredHull, StaticFailure> made = moored_hull(model);
+  if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) return *failure;
+  MooredHull& moored = std::get<MooredHull>(made);
+  find_rest_at_start(model.description, moored);
+  return moored_results(model, moored);
 }
 
 }  // namespace overbend

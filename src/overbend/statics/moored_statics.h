@@ -5,12 +5,16 @@
 
 #include "model/model.h"
 #include "results/mooring_results.h"
-#include "statics/statics.h"
+#include "statics/moored_rest.h"
 
 namespace overbend {
 
 /// Whether the model's statics are those of a hull and its lines.
 bool is_moored_hull(const Description& description);
+
+/// Results of a hull whose rest at the start has been found, the stages of its operation included; or why there are
+/// none.
+std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored);
 
 /// Rest of the hull on its lines and the stages of its operation; results, or why there are none.
 std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model);

@@ -16,13 +16,11 @@ std::optional<StaticFailure> static_obstacle(const Description& description) {
   if (!description.lines.empty()) {
     return obstacle("lines beside a pipe cannot be solved yet", "give the pipe and the lines in models of their own");
   }
-  if (description.moorings && !description.moorings->lines.empty()) {
-    return obstacle("a pipe and mooring lines cannot be solved together yet",
-                    "give the moored vessel in a model of its own, with the pull of the pipe under vessel.loads");
-  }
-  if (description.vessel.coupled || description.vessel.hydrostatics) {
-    return obstacle("a pipe on a hull that floats free cannot be solved yet",
-                    "leave out vessel.hydrostatics, or give another vessel.motion than coupled");
+  const bool moored = description.moorings && !description.moorings->lines.empty();
+  const bool trimmed = description.vessel.coupled && description.vessel.coupled->ballast == Ballast::trim;
+  if (!moored && !trimmed && (description.vessel.coupled || description.vessel.hydrostatics)) {
+    return obstacle("a pipe on a hull that sinks and trims under it cannot be solved yet without mooring lines",
+                    "give moorings, vessel.motion.coupled with ballast: trim, or leave out vessel.hydrostatics");
   }
   return std::nullopt;
 }

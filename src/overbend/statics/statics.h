@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "moorings/spread.h"
 #include "results/static_results.h"
 #include "statics/static_system.h"
 
@@ -15,6 +16,8 @@ struct StaticSolution {
   LineState state;
   SolveReport report;
   std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
+  VesselPose pose;                     ///< Of the vessel.
+  std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
 };
 
 /// Why there is none.

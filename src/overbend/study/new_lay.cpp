@@ -32,14 +32,14 @@ struct Verdict {
 };
 
 Verdict judge(const Description& description) {
-  const Model model = build_model(description);
-  const StaticOutcome outcome = solve_statics(model);
+  Model model = build_model(description);
+  const LayOutcome outcome = solve_lay(model);
   Verdict verdict;
   if (!outcome.solution) {
     verdict.no_solution = outcome.failure->what;
     return verdict;
   }
-  const StaticResults results = checked_statics(model, *outcome.solution);
+  const StaticResults results = checked_statics(model, outcome);
   verdict.top_inclination = results.stations.back().inclination;
   for (const CheckRow& row : results.checks.rows) {
     if (row.governing && row.status == CheckStatus::exceeded) verdict.exceeded.push_back(row);

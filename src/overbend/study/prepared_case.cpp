@@ -58,9 +58,9 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
     return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
   }
-  StaticOutcome outcome = solve_statics(model);
+  LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return failed_end(*outcome.failure);
-  StaticResults statics = checked_statics(model, *outcome.solution);
+  StaticResults statics = checked_statics(model, outcome);
   return std::make_shared<const PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
                                                            std::move(statics), input_text(description)});
 }

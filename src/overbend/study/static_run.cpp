@@ -1,5 +1,8 @@
 #include "study/static_run.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
@@ -7,9 +10,23 @@
 #include "statics/recovery.h"
 
 namespace overbend {
+namespace {
 
-StaticResults checked_statics(const Model& model, const StaticSolution& solution) {
-  StaticResults results = recover_statics(model, solution);
+void add_missing(const std::vector<std::string>& sentences, std::vector<std::string>& list) {
+  std::copy_if(sentences.begin(), sentences.end(), std::back_inserter(list), [&](const std::string& sentence) {
+    return std::find(list.begin(), list.end(), sentence) == list.end();
+  });
+}
+
+}  // namespace
+
+StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
+  StaticResults results = recover_statics(model, *lay.solution);
+  if (lay.moorings) {
+    add_missing(lay.moorings->warnings, results.warnings);
+    add_missing(lay.moorings->assumptions, results.assumptions);
+    results.moorings = lay.moorings;
+  }
   fill_checks(model, results);
   return results;
 }

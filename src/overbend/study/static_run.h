@@ -5,12 +5,12 @@
 
 #include "model/description.h"
 #include "results/static_results.h"
-#include "statics/statics.h"
+#include "statics/moored_lay.h"
 
 namespace overbend {
 
 /// Results of an equilibrium with the table of code checks.
-StaticResults checked_statics(const Model& model, const StaticSolution& solution);
+StaticResults checked_statics(const Model& model, const LayOutcome& lay);
 
 /// Writes the files of a static analysis and its report, whole or not at all. Throws UnusableFolder
 /// (runstore/staged_folder.h) when the folder cannot be.

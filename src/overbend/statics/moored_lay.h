@@ -1,0 +1,27 @@
+/// Statics of a lay whose barge lies on mooring lines: pipe, hull and lines.
+#pragma once
+
+#include "results/mooring_results.h"
+#include "statics/statics.h"
+
+namespace overbend {
+
+/// Whether a lay has mooring lines.
+bool is_moored_lay(const Description& description);
+
+struct LayOutcome {
+  std::optional<StaticSolution> solution;
+  std::optional<MooringResults> moorings;  ///< Of a moored lay.
+  std::optional<StaticFailure> failure;
+};
+
+/// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie. Without mooring lines
+/// it is that of the pipe on the vessel as described.
+///
+/// With them pipe and hull take turns: what the pipe does to the vessel is a load on the hull on its lines, whose rest
+/// is a new place for the pipe's supports, until nothing moves. The hull's restoring is stiff beside the change of that
+/// load with the pose, so that a few turns do; it does not fail where the pipe on a held vessel does not. `start` as
+/// for solve_statics.
+LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr);
+
+}  // namespace overbend
