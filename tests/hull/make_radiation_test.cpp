@@ -118,6 +118,20 @@ TEST(make_radiation, without_the_infinite_block_added_mass_follows_from_ogilvie)
   }
 }
 
+TEST(make_radiation, what_no_exponentials_represent_is_convolved_and_told) {
+  HydrodynamicData data = testing::bgl1_data();
+  for (std::size_t k = 0; k < data.radiation.size(); ++k) {
+    data.radiation[k].damping *= k % 2 == 0 ? 0.6 : 1.4;  // a saw, as of a tank's walls
+  }
+  const Radiated made = make_radiation(data, Radiation::state_space);
+  EXPECT_EQ(made.model.kind, Radiation::convolution);
+  EXPECT_TRUE(made.model.poles.empty());
+  ASSERT_FALSE(made.report.warnings.empty());
+  EXPECT_NE(made.report.warnings[0].find("direct convolution is used instead"), std::string::npos);
+  EXPECT_EQ(made.report.groups[0].order, 0);
+  EXPECT_EQ(static_cast<std::size_t>(made.report.states), fresh_memory(made.model).values.size());
+}
+
 TEST(make_radiation, a_file_that_contradicts_itself_is_told) {
   HydrodynamicData data = testing::bgl1_data();
   data.added_mass_infinite(2, 2) *= 1.1;

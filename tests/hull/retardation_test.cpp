@@ -54,11 +54,11 @@ TEST(retardation, relation_in_frequency_is_that_in_time_for_a_closed_form) {
     point.omega = 0.05 * k;
     const double square = point.omega * point.omega, sum = square + a * a;
     point.damping.diagonal().setConstant(2.0 * a * square / (sum * sum));
-    point.added_mass.diagonal().setConstant(5.0 + (a * a - square) / (sum * sum));
+    point.added_mass.diagonal().setConstant(0.01 + (a * a - square) / (sum * sum));
     data.radiation.push_back(point);
   }
   data.has_infinite = true;
-  data.added_mass_infinite.diagonal().setConstant(5.0);
+  data.added_mass_infinite.diagonal().setConstant(0.01);
   const DampingSpectrum spectrum = damping_spectrum(data);
   for (const double w : {0.1, 0.5, 1.0, 3.0}) {
     const double sum = w * w + a * a;

@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 constexpr int kLeastOrder = 6, kMostOrder = 20;
 /// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
 /// damping that may be left to the constant one.
-constexpr double kGoodFit = 0.006, kFairFit = 0.01, kPassive = 1e-5;
+constexpr double kGoodFit = 0.005, kFairFit = 0.01, kPassive = 1e-5;
 /// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
 /// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
 constexpr double kJudgedFrom = 0.03;

@@ -32,7 +32,7 @@ struct ChosenFit {
   int order = 0;         ///< Poles, a conjugate pair counted as two; 0: none is good enough.
 };
 
-/// The lowest even order from 6 to 20 whose fit is good (0.6 % in damping and added mass), else the best of those that
+/// The lowest even order from 6 to 20 whose fit is good (0.5 % in damping and added mass), else the best of those that
 /// are fair (1 %).
 ChosenFit choose_fit(const RadiationSource& source, const std::vector<int>& modes);
 

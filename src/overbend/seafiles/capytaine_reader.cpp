@@ -96,7 +96,7 @@ void check_constant(const NetcdfFile& file, const std::string& name, double expe
 
 class CapytaineReader {
  public:
-  CapytaineReader(const HydrodynamicsSource& source)
+  explicit CapytaineReader(const HydrodynamicsSource& source)
       : source_(source),
         file_(source.path),
         omega_(needed(file_, "omega").values),
