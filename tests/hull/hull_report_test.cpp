@@ -43,7 +43,7 @@ TEST(hull_report, warns_of_positioning_whose_filter_takes_all_its_damping) {
 TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();
-  Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1, 40);
+  Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1);
   made.hull.waves = make_hull_waves(testing::bgl1_hydrodynamics(), sea, WaveDrift::newman, 5.182, 0.0);
   const std::size_t others = made.warnings.size();  // of the radiation
   const HullReport fine = hull_report(made, model, sea, moored());

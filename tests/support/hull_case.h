@@ -84,4 +84,15 @@ inline Hull bgl1_in(const Sea& sea, WaveDrift drift) {
   return hull;
 }
 
+/// Stiffness of eight lines at 300 kN about the centre of gravity.
+inline HullSprings on_eight_lines(const Vec6& rest) {
+  HullSprings springs;
+  Mat6& K = springs.stiffness;
+  K.diagonal() << 1.8479e5, 1.8479e5, 1.1845e4, 2.7285e6, 1.3382e8, 5.1281e8;
+  K(0, 4) = K(4, 0) = 2.455e6;
+  K(1, 3) = K(3, 1) = -9.4315e5;
+  springs.rest = rest;
+  return springs;
+}
+
 }  // namespace overbend::testing
