@@ -110,7 +110,8 @@ Trial random_trial(Dice& dice) {
 bool asks_too_little(const Trial& trial, const MooringSpread& spread) {
   const MooringLineDescription& asked = trial.description.moorings->lines[spread.lines.size() - 1];
   const MooredLine& line = spread.lines.back();
-  const double wet = -line.anchor_W.z() + std::min(asked.fairlead.z(), 0.0);
+  const double bed = std::min(line.anchor_W.z(), spread.bed.height(asked.fairlead.x(), asked.fairlead.y()));
+  const double wet = -bed + std::min(asked.fairlead.z(), 0.0);
   const LineTypeDescription& first = asked.segments.front().type;
   const double weight = std::max(asked.fairlead.z(), 0.0) * first.weight_in_air + wet * first.weight_submerged;
   return *asked.tension < 1.05 * weight;
