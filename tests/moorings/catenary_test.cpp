@@ -236,6 +236,25 @@ TEST(catenary, on_a_falling_bed_weight_helps_to_hold_the_line) {
   EXPECT_NEAR(at_touchdown - at_anchor, 148.0 * found.trace.on_bed * std::sin(0.05), 1.0);
 }
 
+TEST(catenary, a_taut_line_on_a_sloping_bed_has_a_shape_for_every_pull) {
+  // Where its last metres just lift, the end and what lies before it are on the same bed.
+  CatenaryLine line;
+  line.pieces = {{155.2993, 255.01, 222.08, 2.633e8, 0.6}, {391.9959, 255.01, 222.08, 2.633e8, 0.6}};
+  line.points = {{0, -6918.84, 0.0, 2.0, 0.0, BuoyShape::sphere}};
+  CatenarySite site;
+  site.fairlead_z = 2.039;
+  site.anchor_z = -96.592;
+  site.bed_z = -102.489;
+  site.bed_descent = -0.010908;
+  double last = 0.0;
+  for (double pull = 2e5; pull < 6e5; pull *= 1.0007) {
+    const CatenaryTrace trace = trace_catenary(line, site, pull, pull);
+    ASSERT_EQ(trace.fault, TraceFault::none) << pull;
+    EXPECT_GT(trace.reach.v, last);
+    last = trace.reach.v;
+  }
+}
+
 TEST(catenary, lengths_give_the_wanted_pull_and_tension) {
   CatenaryLine line = plain_line(0.0, 148, 190e6);
   line.pieces[0].weight_in_air = 170;

@@ -29,6 +29,9 @@ struct Setting {
     return piece == 0 ? Dual(value, CatenaryUnknown::first) : Dual(value);
   }
   Dual bed(const Dual& x) const { return site.bed_z - site.bed_descent * x; }
+  /// Height to which the line's end belongs. On a sloping bed the end touches wherever it comes to, so that heights do
+  /// not jump between the end and what lies just before it; at the anchor it is the same.
+  Dual end_level(const Dual& x) const { return site.has_bed && site.bed_descent != 0.0 ? bed(x) : Dual(site.anchor_z); }
   /// Vertical force of a line that has the direction of the bed.
   Dual along_bed(const Dual& pull) const { return site.bed_descent * pull; }
   /// Whether something behind a position lifts the line off the bed.
@@ -113,7 +116,7 @@ LowestPlace fly(const Setting& on, CatenaryState at, LinePosition place, bool ma
     }
     pass_points(on, at, place.piece, lowest);
   }
-  const Dual gap = at.z - on.site.anchor_z;
+  const Dual gap = at.z - on.end_level(at.x);
   if (gap.v < lowest.gap.v) lowest = {gap, at, place, false, {}};
   return lowest;
 }

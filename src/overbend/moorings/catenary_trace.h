@@ -11,7 +11,7 @@ namespace overbend {
 /// What a line hangs between, in its vertical plane.
 struct CatenarySite {
   double fairlead_z = 0.0;   ///< Over mean water level [m].
-  double anchor_z = 0.0;     ///< [m]
+  double anchor_z = 0.0;     ///< On a sloping bed the anchor lies on it [m].
   bool has_bed = true;       ///< Else the line hangs free.
   double bed_z = 0.0;        ///< Height of the bed under the fairlead [m].
   double bed_descent = 0.0;  ///< Fall of the bed per metre towards the anchor [-].

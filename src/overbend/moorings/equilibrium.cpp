@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,10 +10,12 @@
 namespace overbend {
 namespace {
 
-constexpr int kMaxIterations = 100;
-constexpr int kMaxTrials = 14;                                   ///< Of one damped step.
-constexpr double kLongestShift = 5.0;                            ///< Of one step [m].
+constexpr int kMaxIterations = 300;
+constexpr int kMaxIdle = 60;           ///< Steps in a row that may leave the balance worse: over a hill of forces.
+constexpr int kMaxTrials = 14;         ///< Of one damped step.
+constexpr double kLongestShift = 5.0;  ///< Of one step [m].
 constexpr double kLargestTurn = 2.0 * std::numbers::pi / 180.0;  ///< Of one step [rad].
+constexpr double kLeastStiffness = 1e-9;                         ///< Of a mode, over the largest [-].
 constexpr double kBalanced = 1e-9;                               ///< Share of the weight of the lines [-].
 
 Mat3 turn(int axis, double angle) {
@@ -94,27 +96,65 @@ double unbalanced(const Vec6& total, const FreeModes& free, double weight, doubl
   return largest;
 }
 
-/// A step of Newton in scaled modes (angles times `arm`), held to a trust region by `damping`.
-Vec6 step_of(const HullForces& forces, const FreeModes& free, double damping, double arm) {
-  Mat6 slope = forces.slope;
-  Vec6 right = forces.total;
-  double largest = 0.0;
-  for (int i = 0; i < 6; ++i) largest = std::max(largest, std::abs(slope(i, i)) / (i < 3 ? 1.0 : arm * arm));
+/// The forces that do work on the six coordinates, with angles and moments scaled by `arm`; held modes have none.
+Vec6 working_forces(const HullAtRest& hull, const HullOffset& u, const Vec6& total, const FreeModes& free, double arm) {
+  Vec6 work = total;
+  work.tail<3>() = attitude_of(hull, u).axes.transpose() * total.tail<3>() / arm;
+  for (int i = 0; i < 6; ++i) work[i] *= free[static_cast<std::size_t>(i)] ? 1.0 : 0.0;
+  return work;
+}
+
+/// A step of Newton, downhill in energy also where the stiffness is not positive: eigenvalues enter by their magnitude
+/// and not below a share of the largest (Nocedal & Wright, Numerical Optimization, 2006, section 3.4).
+Vec6 step_of(const HullAtRest& hull, const RestOutcome& at, const FreeModes& free, double arm) {
+  Mat6 slope = at.forces.slope;
+  slope.bottomRows<3>() = attitude_of(hull, at.offset).axes.transpose() * slope.bottomRows<3>() / arm;
+  slope.rightCols<3>() /= arm;
   for (int i = 0; i < 6; ++i) {
-    if (free[static_cast<std::size_t>(i)]) {
-      slope(i, i) += damping * largest * (i < 3 ? 1.0 : arm * arm);
-    } else {
-      slope.row(i).setZero();
-      slope.col(i).setZero();
-      slope(i, i) = 1.0;
-      right[i] = 0.0;
-    }
+    if (free[static_cast<std::size_t>(i)]) continue;
+    slope.row(i).setZero();
+    slope.col(i).setZero();
   }
-  Vec6 step = slope.fullPivLu().solve(right);
+  const Eigen::SelfAdjointEigenSolver<Mat6> modes(0.5 * (slope + slope.transpose()));
+  const Vec6 sizes = modes.eigenvalues().cwiseAbs();
+  const Vec6 floored = sizes.cwiseMax(kLeastStiffness * sizes.maxCoeff());
+  const Vec6 work = working_forces(hull, at.offset, at.forces.total, free, arm);
+  Vec6 step = modes.eigenvectors() * (modes.eigenvectors().transpose() * work).cwiseQuotient(floored);
+  step.tail<3>() /= arm;
+  if (!step.allFinite()) return Vec6::Zero();
   const double excess =
       std::max(step.head<3>().norm() / kLongestShift, step.tail<3>().lpNorm<Eigen::Infinity>() / kLargestTurn);
-  if (!step.allFinite()) return Vec6::Zero();
   return excess > 1.0 ? Vec6(step / excess) : step;
+}
+
+/// One step, cut where it goes far beyond the least energy on its way. False where nothing is gained.
+bool advance(const MooringSpread& spread, const HullAtRest& hull, const FreeModes& free, double weight, double arm,
+             RestOutcome& at) {
+  const Vec6 step = step_of(hull, at, free, arm);
+  const auto work_along = [&](const HullOffset& u, const Vec6& total) {
+    Vec6 scaled = step;
+    scaled.tail<3>() *= arm;
+    return working_forces(hull, u, total, free, arm).dot(scaled);
+  };
+  const double here = work_along(at.offset, at.forces.total);
+  double share = 1.0;
+  for (int trial = 0; trial < kMaxTrials; ++trial) {
+    const HullOffset there = at.offset + share * step;
+    std::vector<CatenarySolution> lines = at.lines;
+    HullForces forces = hull_forces(spread, hull, there, lines);
+    const double work = forces.fault ? -here : work_along(there, forces.total);
+    const double residual = unbalanced(forces.total, free, weight, arm);
+    if (!forces.fault && (work >= -0.5 * here || residual < at.residual)) {
+      const bool gained = residual < at.residual || here > 0.0;
+      at.offset = there;
+      at.lines = std::move(lines);
+      at.forces = std::move(forces);
+      at.residual = residual;
+      return gained;
+    }
+    share *= forces.fault ? 0.5 : std::clamp(here / (here - work), 0.1, 0.7);
+  }
+  return false;
 }
 
 MooringFault no_rest(const MooringSpread& spread, const RestOutcome& at) {
@@ -155,26 +195,12 @@ RestOutcome find_rest(const MooringSpread& spread, const HullAtRest& hull, const
   at.fault = at.forces.fault;
   if (at.fault) return at;
   at.residual = unbalanced(at.forces.total, free, weight, arm);
-  double damping = 0.0;
-  for (; at.residual > kBalanced && at.iterations < kMaxIterations; ++at.iterations) {
-    bool better = false;
-    for (int trial = 0; trial < kMaxTrials && !better; ++trial) {
-      const HullOffset there = at.offset + step_of(at.forces, free, damping, arm);
-      std::vector<CatenarySolution> lines = at.lines;
-      HullForces forces = hull_forces(spread, hull, there, lines);
-      const double residual = unbalanced(forces.total, free, weight, arm);
-      better = !forces.fault && residual < at.residual;
-      if (better) {
-        at.offset = there;
-        at.lines = std::move(lines);
-        at.forces = std::move(forces);
-        at.residual = residual;
-        damping = damping < 1e-6 ? 0.0 : 0.1 * damping;
-      } else {
-        damping = std::max(10.0 * damping, 1e-4);
-      }
-    }
-    if (!better) break;
+  double least = at.residual;
+  int idle = 0;  // steps since the balance last became better
+  for (; at.residual > kBalanced && at.iterations < kMaxIterations && idle < kMaxIdle; ++at.iterations) {
+    if (!advance(spread, hull, free, weight, arm, at)) break;
+    idle = at.residual < least ? 0 : idle + 1;
+    least = std::min(least, at.residual);
   }
   if (at.residual > 100.0 * kBalanced) at.fault = no_rest(spread, at);
   return at;

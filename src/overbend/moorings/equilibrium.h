@@ -53,7 +53,7 @@ struct RestOutcome {
   MooringFault fault;
 };
 
-/// Newton from `start`, with steps of at most 5 m and 2 deg; damped where the unbalanced force would grow.
+/// Newton from `start`, with steps of at most 5 m and 2 deg; cut where they go beyond the least energy on their way.
 RestOutcome find_rest(const MooringSpread& spread, const HullAtRest& hull, const HullOffset& start,
                       const FreeModes& free = kAllFree);
 
