@@ -132,7 +132,8 @@ void check_unique_names(Checker& check, const std::vector<FieldValue>& items, co
 void check_line_type(Checker& check, const FieldValue& type) {
   int kinds = 0;
   for (const char* kind : kKinds) kinds += type.mentions(kind) ? 1 : 0;
-  if (kinds == 2) check.error(*type.find("chain"), "wire_rope and chain", "one of them");
+  const FieldValue* chain = type.find("chain");
+  if (kinds == 2 && chain != nullptr) check.error(*chain, "wire_rope and chain", "one of them");
   if (kinds > 0) {
     for (const char* key : {"diameter", "mass"}) {
       const FieldValue* number = type.find(key);

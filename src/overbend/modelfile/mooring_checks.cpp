@@ -82,6 +82,7 @@ void check_winches(Checker& check, const std::set<std::string>& used) {
 
 void check_find(Checker& check) {
   const FieldValue* moorings = check.root().find("moorings");
+  if (moorings == nullptr) return;
   const FieldValue *least = moorings->find("least_tension"), *most = moorings->find("working_load");
   if (least != nullptr && most != nullptr && least->number >= most->number) {
     check.error(*least, least->shown, "less than the working load, " + most->shown);
@@ -153,7 +154,7 @@ void check_moorings(Checker& check, std::set<std::string>& used_types) {
     }
   }
   check_winches(check, used_winches);
-  if (is_given(check.root(), "moorings")) check_find(check);
+  check_find(check);
   check_count(check, lines);
   check_operation(check, lines);
 }
