@@ -8,7 +8,8 @@ namespace {
 
 /// Time of the step without inertia, in which friction stretches and slides: so long that no rate makes a force [s].
 constexpr double kLongTime = 1e6;
-constexpr double kGrowth = 10.0;  ///< Of the residual that an iteration may bring: cables stiffen as they turn.
+constexpr double kGrowthHeld = 10.0;  ///< Of the residual, that an iteration may bring: cables stiffen as they turn.
+constexpr double kGrowthFree = 2.0;   ///< The same where bodies move: the pipe must not leave its rollers behind.
 constexpr int kHalvings = 8;
 constexpr double kAlmost = 0.05;  ///< Unbalanced force from which Newton's method is tried again in the fallback.
 
@@ -29,12 +30,12 @@ class Rest {
 
   RestReport find(SystemState& result) {
     rest_lines();
-    newton(settings_.max_iterations);
+    all_together();
     while (!report_.converged && report_.rounds < settings_.max_rounds) {
       ++report_.rounds;
       move_bodies();
       if (report_.residual < kAlmost) {
-        newton(settings_.max_iterations);
+        all_together();
       }
     }
     result = now_;
@@ -98,7 +99,7 @@ class Rest {
     }
   }
 
-  void newton(int most) {
+  void newton(int most, double growth) {
     for (int i = 0; i < most; ++i) {
       report_.residual = residual_of(now_, true);
       report_.converged = report_.residual < settings_.tolerance && assembly_.contacts_settled();
@@ -110,7 +111,7 @@ class Rest {
       keep_directions();
       double share = bounded_share();
       move(share, true, tried_);
-      for (int k = 0; k < kHalvings && !(residual_of(tried_, false) < kGrowth * report_.residual); ++k) {
+      for (int k = 0; k < kHalvings && !(residual_of(tried_, false) < growth * report_.residual); ++k) {
         share *= 0.5;
         move(share, true, tried_);
       }
@@ -118,10 +119,19 @@ class Rest {
     }
   }
 
+  /// Newton's method for all; where it fails all is as it was.
+  void all_together() {
+    const SystemState from = now_;
+    newton(settings_.max_iterations, kGrowthFree);
+    if (!report_.converged) {
+      now_ = from;
+    }
+  }
+
   /// Lines on held bodies.
   void rest_lines() {
     const std::vector<std::pair<int, int>> held = hold_all();
-    newton(settings_.max_iterations);
+    newton(settings_.max_iterations, kGrowthHeld);
     for (const auto& [body, freedom] : held) {
       assembly_.hold_body(body, freedom, false);
     }
@@ -176,7 +186,17 @@ class Rest {
 }  // namespace
 
 RestReport rest_together(Assembly& assembly, SystemState& state, const RestSettings& settings) {
-  return Rest(assembly, state, settings).find(state);
+  const auto let_rub = [&](bool friction) {
+    for (std::size_t i = 0; i < assembly.system().lines.size(); ++i) {
+      ContactEasing easing;
+      easing.friction = friction;
+      assembly.line(i).contacts().ease(easing);
+    }
+  };
+  let_rub(false);
+  const RestReport report = Rest(assembly, state, settings).find(state);
+  let_rub(true);
+  return report;
 }
 
 }  // namespace overbend

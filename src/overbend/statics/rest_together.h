@@ -6,10 +6,10 @@
 namespace overbend {
 
 struct RestSettings {
-  double tolerance = 1e-9;       ///< Largest unbalanced force over the force scale, of lines and bodies.
+  double tolerance = 1e-8;       ///< Largest unbalanced force over the force scale, of lines and bodies.
   int max_iterations = 100;      ///< Of Newton's method for all together.
   int max_rounds = 40;           ///< Of the fallback: lines on held bodies, then the bodies by half a step.
-  double largest_move = 1.0;     ///< Of a body in an iteration [m]: rollers are stiff.
+  double largest_move = 0.3;     ///< Of a body in an iteration [m]: rollers are stiff.
   double largest_turn = 0.0087;  ///< [rad]
 };
 
@@ -22,9 +22,10 @@ struct RestReport {
 };
 
 /// Brings lines and free bodies of `state` to rest together, with the surroundings as they are at its time: first the
-/// lines on the bodies where they are, from shapes that should be near their equilibrium there, then all. Memories of
-/// friction go with the way, as in a step without inertia. Ends that a tensioner moves are let go by
-/// Assembly::set_drive(governor) before. Freedoms held by Assembly::hold_body() stay.
+/// lines on the bodies where they are, from shapes that should be near their equilibrium there, then all. The
+/// bed's friction goes with the way, as in a step without inertia; rollers do not rub, as in the pipe's own statics.
+/// Ends that a tensioner moves are let go by Assembly::set_drive(governor) before. Freedoms held by
+/// Assembly::hold_body() stay.
 ///
 /// Newton's method with bounded moves of the bodies; where it does not settle, block Gauss-Seidel: lines on held
 /// bodies, bodies by half the step that the reduced system asks for, again and again. Rates of `state` are zero

@@ -67,7 +67,4 @@ Mat36 point_rows(const BodyPose& pose, const Vec3& r);
 /// How a vector that turns with the body does.
 Mat36 vector_rows(const BodyPose& pose, const Vec3& t);
 
-/// a x, as a matrix.
-Mat3 cross_matrix(const Vec3& a);
-
 }  // namespace overbend

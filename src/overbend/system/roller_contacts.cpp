@@ -236,6 +236,9 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   contact.slip_rate_axial = slip_rate.dot(contact.axial_direction);
   contact.slip_rate_lateral = slip_rate.dot(contact.lateral_direction);
   const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last) {
+    if (!easing_.friction) {
+      return FrictionForce{};
+    }
     const SlipStep step{slip, rate, weights.step, normal.force};
     if (kept) {
       return friction_in_state(roller.law, mu, step, at_start);

@@ -45,6 +45,7 @@ enum class ContactMode { free, kept };
 struct ContactEasing {
   double most_stiffness = 1e300;  ///< Limit of the normal stiffness [N/m].
   bool sides = true;              ///< Whether side rollers act.
+  bool friction = true;           ///< Whether rollers rub where evaluate() looks at them.
 };
 
 /// Where the forces of contacts are added: six per node, both as in LineTarget.
