@@ -186,6 +186,19 @@ TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
   EXPECT_LT(fine, 0.4 * coarse + 1e-5);
 }
 
+TEST(lines_in_time, on_a_heaving_vessel_swing_as_if_their_end_were_told_to) {
+  const LineHistory told = testing::run_lines(testing::chain_case(50.0, 2.0), options_for(10.0, 10.0)).front();
+  Description d = testing::chain_case(50.0, 0.0);
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.harmonic["heave"] = {2.0, 10.0, 0.0};
+  d.vessel.heading = 0.5 * std::numbers::pi;  // the bow to the east: V along W
+  d.lines[0].second.kind = LineEndKind::body;
+  const LineHistory carried = testing::run_lines(d, options_for(10.0, 10.0)).front();
+  // The phase of the build-up differs where sine and cosine do; a period later little is left of that.
+  EXPECT_NEAR(carried.most_last, told.most_last, 0.01 * told.most_last);
+  EXPECT_NEAR(carried.least_last, told.least_last, 0.01 * told.most_last);
+}
+
 TEST(lines_in_time, allocate_nothing_in_a_step) {
   testing::RestingLines rest(busy_line());
   const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);

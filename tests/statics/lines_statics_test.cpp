@@ -148,7 +148,10 @@ TEST(lines_statics, slack_lying_hanging_and_rising_lines_come_to_rest) {
                         {"a narrow bight", {0.0, 0.0, -20.0}, {5.0, 0.0, -8.0}, 120.0, 0.05},
                         {"taut", {0.0, 0.0, -100.0}, {300.0, 40.0, -8.0}, 314.0, 0.05},
                         {"rising from both ends", {0.0, 0.0, -90.0}, {200.0, 0.0, -90.0}, 230.0, 0.17},
-                        {"a bight on the bed", {0.0, 0.0, -8.0}, {300.0, 0.0, -20.0}, 420.0, 0.05}};
+                        {"a bight on the bed", {0.0, 0.0, -8.0}, {300.0, 0.0, -20.0}, 420.0, 0.05},
+                        {"a bight afloat", {0.0, 0.0, -10.0}, {200.0, 0.0, -10.0}, 320.0, 0.17},
+                        {"steep and slack", {0.0, 0.0, -100.0}, {2.0, 0.0, -5.0}, 160.0, 0.05},
+                        {"steep, slack and afloat", {0.0, 0.0, -100.0}, {2.0, 0.0, 0.0}, 150.0, 0.17}};
   for (const Case& one : cases) {
     Description d = testing::water_alone(1025.0, 100.0);
     d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.6;

@@ -133,7 +133,8 @@ std::vector<double> CableStart::shape(const LineMesh& mesh) const {
       way = Eigen::Vector2d(horizontal, at.vertical) / tension;
       stretch = 1.0 + tension / EA;
     }
-    const Vec3 r = lower + x * ahead + side * z * Vec3::UnitZ();
+    Vec3 r = lower + x * ahead + side * z * Vec3::UnitZ();
+    r.z() = std::clamp(r.z(), lowest, highest);
     const Vec3 t = (from_second ? -stretch : stretch) * (way.x() * ahead + side * way.y() * Vec3::UnitZ());
     put(q, r, t);
   }
@@ -161,8 +162,11 @@ CableStart cable_start(const Model& model, const CableParts& parts, const Vec3& 
   c.across = std::hypot(way.x(), way.y());
   c.up = std::abs(way.z());
   if (c.across > 0.0) c.ahead = Vec3(way.x(), way.y(), 0.0) / c.across;
-  const double height = model.seabed.surface.clearance(c.lower);
-  const bool may_lie = !c.buoyant && height < kOnBed * c.length;
+  const double bed = model.seabed.surface.height(c.lower.x(), c.lower.y());
+  c.lowest = std::min({bed, first.z(), second.z()});
+  if (c.buoyant) c.highest = std::max({0.0, first.z(), second.z()});
+  const double height = c.buoyant ? -c.lower.z() : c.lower.z() - bed;
+  const bool may_lie = height < kOnBed * c.length;
   if (solve(c, false) && !(may_lie && c.vertical < c.weight * c.length)) return c;
   if (may_lie && solve(c, true)) return c;
   c.across = std::hypot(way.x(), way.y());

@@ -17,9 +17,10 @@ struct CableStart {
   bool buoyant = false;                              ///< Hangs upwards.
   bool from_second = false;                          ///< The lower end is the second.
   Vec3 lower = Vec3::Zero(), ahead = Vec3::UnitX();  ///< Of the lower end, and horizontal unit vector from there.
-  bool slack = false;             ///< Longer than the way along the bed and up: the rest lies in a bow.
-  bool straight = false;          ///< Too taut for a catenary to be found.
-  double across = 0.0, up = 0.0;  ///< Of the upper end from the lower [m].
+  bool slack = false;                     ///< Longer than the way along the bed and up: the rest lies in a bow.
+  bool straight = false;                  ///< Too taut for a catenary to be found.
+  double lowest = -1e30, highest = 1e30;  ///< Between bed and, where it floats, surface [m].
+  double across = 0.0, up = 0.0;          ///< Of the upper end from the lower [m].
 
   /// Arc length from the first end at which the cable leaves the bed; none where nothing lies.
   std::optional<double> touchdown() const;

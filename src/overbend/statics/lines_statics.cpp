@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kRounding = 1e-15;  ///< Of the axial stiffness: a tangent of length 1 knows its strain no better.
 
+constexpr int kFirstTry = 60;  ///< Iterations from the first guess, before a way from soft to hard is taken.
+
 /// A second way to look at rest: so slow a motion from the laid shape that neither water nor mass notice, but the bed's
 /// friction, which stretches by what was moved [s].
 constexpr double kSlowly = 1e9;
@@ -104,6 +106,28 @@ NewtonReport come_to_rest(RestingLine resting, LineState& state, const LineRestS
   return report;
 }
 
+/// From soft to hard: a cable that stretches finds its shape in large steps, where a stiff one has to keep its length
+/// in every turn. Each shape is the start of the next.
+NewtonReport harden_and_rest(const RestingLine& resting, LineState& state, const LineRestSettings& settings) {
+  constexpr double kSoftest = 20.0, kHarder = 8.0;  // EA over the weight in air, and by how much it grows
+  constexpr double kRoughly = 1e-5;
+  const Line& line = resting.line.line();
+  const double stiffest = *std::max_element(line.elements.EA.begin(), line.elements.EA.begin() + line.elements.count);
+  int iterations = 0;
+  for (double most = kSoftest * line.force_scale; most < stiffest; most *= kHarder) {
+    Line soft = line;
+    for (double& EA : soft.elements.EA) EA = std::min(EA, most);
+    BlockTridiagonal tangent(line.mesh.nodes());
+    const std::vector<Body> none;
+    LineAssembly assembly(soft, none, tangent);
+    const RestingLine trial{assembly, resting.bodies, resting.first, resting.last, resting.laid};
+    iterations += come_to_rest(trial, state, {kRoughly, settings.max_iterations}).iterations;
+  }
+  NewtonReport report = come_to_rest(resting, state, settings);
+  report.iterations += iterations;
+  return report;
+}
+
 HeldDirections held_by(const Attachment& attachment, const EndMotion& end) {
   HeldDirections held;
   if (attachment.hold_place) held.position = all_directions();
@@ -138,12 +162,16 @@ LinesRest rest_lines(Assembly& assembly, SystemState& state, const LineRestSetti
     const LineState start = line;
     const std::vector<RigidMotion>& bodies = assembly.surroundings().bodies;
     RestingLine resting{assembly.line(i), bodies, first, last, nullptr};
-    rest.lines.push_back(come_to_rest(resting, line, settings));
+    rest.lines.push_back(come_to_rest(resting, line, {settings.tolerance, kFirstTry}));
+    if (!rest.lines.back().converged()) {
+      line = start;
+      rest.lines.back() = harden_and_rest(resting, line, settings);
+    }
     rest.in_bows.push_back(!rest.lines.back().converged());
     if (rest.in_bows.back()) {
       line = start;
       resting.laid = &start;
-      rest.lines.back() = come_to_rest(resting, line, settings);
+      rest.lines.back() = harden_and_rest(resting, line, settings);
     }
     resting.balance(line, false);
     std::fill(line.v.begin(), line.v.end(), 0.0);

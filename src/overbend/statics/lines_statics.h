@@ -9,12 +9,12 @@ namespace overbend {
 
 struct LineRestSettings {
   double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the line's force scale.
-  int max_iterations = 300;
+  int max_iterations = 2000;
 };
 
 /// Iterates the shape of one line, whose held ends are in their places, towards equilibrium: Newton's method as for the
 /// pipe, searched along and damped where a step leads uphill. A slack cable has next to no stiffness across, and its
-/// way down is long: hence the many iterations it may take.
+/// way down is long: hence the many iterations it may take; they cost microseconds.
 NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
                        const HeldDirections& last, LineState& state, const LineRestSettings& settings = {});
 
