@@ -144,6 +144,57 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   }
 }
 
+/// The hull of MO8-sym with the numbers of a hydrodynamic file: balanced by its crew, or as given.
+Description coupled_barge(Ballast ballast) {
+  Description d = described("MO8-sym");
+  d.operation = {};
+  d.vessel.hydrostatics.reset();
+  CoupledHullDescription& hull = d.vessel.coupled.emplace();
+  hull.ballast = ballast;
+  hull.mass = 19121.58e3;
+  hull.centre_of_gravity = {0.0, 0.0, 0.818};
+  hull.gyration = {10.5, 30.0, 30.0};
+  HydrodynamicData& data = hull.data.emplace();
+  data.origin_V = hull.centre_of_gravity;
+  data.hydrostatic_stiffness.diagonal() << 0.0, 0.0, 36198.9e3, 2075448e3, 42799210e3, 0.0;
+  RadiationPoint slow;
+  slow.omega = 0.1;
+  slow.added_mass.diagonal() << 1.858e6, 8.722e6, 9.988e7, 1.491e9, 5.867e10, 8.617e9;
+  data.radiation = {slow};
+  return d;
+}
+
+double period_of(const MooredState& state, const std::string& mode) {
+  for (const PeriodResult& one : state.vessel.natural_periods) {
+    if (one.mode == mode) return one.period;
+  }
+  return 0.0;
+}
+
+TEST(moored_statics, a_crew_that_ballasts_keeps_the_draught_and_the_trim) {
+  Description d = coupled_barge(Ballast::trim);
+  d.vessel.loads = {{"pipe", {-60, 0, 0}, {-205.6e3, 0, -250e3}, Vec3::Zero()}};
+  d.moorings->find = FindMooring::lengths;
+  const VesselResult held = solved(d).rest.vessel;
+  for (const double offset : {held.surge, held.sway, held.heave, held.roll, held.pitch, held.yaw}) {
+    EXPECT_NEAR(offset, 0.0, 1e-7);
+  }
+  d.vessel.coupled->ballast = Ballast::as_given;
+  const VesselResult sunk = solved(d).rest.vessel;
+  EXPECT_NEAR(sunk.heave, -(780e3 + 250e3) / 36198.9e3, 3e-4);
+  EXPECT_LT(sunk.pitch, -1e-4);  // the pipe pulls the stern down
+}
+
+TEST(moored_statics, natural_periods_are_those_of_mass_and_lines) {
+  const MooredState rest = solved(coupled_barge(Ballast::trim)).rest;
+  // Surge by itself: the lines' 221 kN/m and 19,122 t with 1,858 t of water; pitch takes part by a permille.
+  EXPECT_NEAR(period_of(rest, "surge"),
+              6.283185307179586 * std::sqrt((19121.58e3 + 1.858e6) / rest.vessel.stiffness[0]), 0.2);
+  EXPECT_NEAR(period_of(rest, "sway"), 6.283185307179586 * std::sqrt((19121.58e3 + 8.722e6) / rest.vessel.stiffness[7]),
+              0.3);
+  EXPECT_EQ(rest.vessel.natural_periods.size(), 6);
+}
+
 TEST(moored_statics, says_which_line_is_too_short) {
   Description d = described("MO8-sym");
   d.moorings->lines[2].segments[0].length = 700.0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "app/warning_lines.h"
@@ -11,12 +12,18 @@ namespace {
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 
+/// A zero of the last digits carries no sign.
+double shown(double value) {
+  return std::abs(value) < 5e-4 ? 0.0 : value;
+}
+
 std::string state_lines(const MooredState& state) {
   const VesselResult& v = state.vessel;
   std::string text = fmt::format(
       "{}\n  hull at surge {:.3f} m, sway {:.3f} m, heave {:.3f} m, roll {:.3f} deg, pitch "
       "{:.3f} deg, yaw {:.3f} deg\n",
-      state.name, v.surge, v.sway, v.heave, v.roll * kDegrees, v.pitch * kDegrees, v.yaw * kDegrees);
+      state.name, shown(v.surge), shown(v.sway), shown(v.heave), shown(v.roll * kDegrees), shown(v.pitch * kDegrees),
+      shown(v.yaw * kDegrees));
   for (const PeriodResult& period : v.natural_periods) {
     text += fmt::format("  natural period {:<6} {:>9.1f} s\n", period.mode, period.period);
   }

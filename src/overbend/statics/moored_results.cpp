@@ -14,6 +14,8 @@ namespace {
 
 /// Points of each hanging span in pictures and for clearances.
 constexpr int kShapePoints = 60;
+/// What the reader says of a type whose numbers the model gives.
+constexpr const char* kGivenNumbers = "numbers of the model";
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
 constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
 
@@ -179,7 +181,7 @@ std::vector<std::string> mooring_assumptions(const Model& model) {
   list.emplace_back("Sheaves, their friction and the run from the fairlead to the winch are left out.");
   for (const MooringLineDescription& line : model.description.moorings->lines) {
     for (const LineSegmentDescription& segment : line.segments) {
-      if (segment.type.made_from.empty() || segment.type.made_from == "given") continue;
+      if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
       std::string sentence =
           fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name, segment.type.made_from);
       if (std::find(list.begin(), list.end(), sentence) == list.end()) list.push_back(std::move(sentence));
