@@ -30,7 +30,9 @@ inline Description workable() {
 /// A model with its static state, to be run in time.
 struct Case {
   explicit Case(const Description& d)
-      : model(build_model(d)), start(solve_statics(model).solution.value()), statics(checked_statics(model, start)) {}
+      : model(build_model(d)),
+        start(solve_statics(model).solution.value()),
+        statics(checked_statics(model, {start, {}, {}})) {}
 
   DynamicOutcome run(
       DynamicSink& sink, const DynamicOptions& options, const DynamicCheckpoint* from = nullptr,

@@ -182,7 +182,9 @@ void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state) {
   }
 }
 
-void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& memory) {
+namespace {
+
+void save_moments(DynamicCheckpoint& checkpoint, const std::string& name, const WaterMemory& memory) {
   std::vector<double> out{memory.time, static_cast<double>(memory.first.size())};
   for (const std::vector<WaterState>* moment : {&memory.first, &memory.second}) {
     for (const WaterState& w : *moment) {
@@ -190,11 +192,10 @@ void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& memory) {
                              w.acceleration.z(), w.elevation, w.pressure_head});
     }
   }
-  put(checkpoint, "water", std::move(out));
+  put(checkpoint, name, std::move(out));
 }
 
-void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& memory) {
-  const std::vector<double>& in = checkpoint_array(checkpoint, "water");
+void restore_moments(const std::vector<double>& in, WaterMemory& memory) {
   memory.time = in.at(0);
   const std::size_t stations = static_cast<std::size_t>(in.at(1));
   std::size_t i = 2;
@@ -205,6 +206,24 @@ void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& memory) {
       w = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), v[6], v[7]};
       i += kWaterNumbers;
     }
+  }
+}
+
+std::string water_name(std::size_t line) {
+  return line == 0 ? "water" : "water/" + std::to_string(line);
+}
+
+}  // namespace
+
+void save_water(DynamicCheckpoint& checkpoint, const std::vector<WaterMemory>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    save_moments(checkpoint, water_name(i), lines[i]);
+  }
+}
+
+void restore_water(const DynamicCheckpoint& checkpoint, std::vector<WaterMemory>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    restore_moments(checkpoint_array(checkpoint, water_name(i)), lines[i]);
   }
 }
 

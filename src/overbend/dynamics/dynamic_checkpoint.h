@@ -17,8 +17,9 @@ void save_state(DynamicCheckpoint& checkpoint, const SystemState& state);
 /// Into a state of the same line.
 void restore_state(const DynamicCheckpoint& checkpoint, SystemState& state);
 
-void save_water(DynamicCheckpoint& checkpoint, const WaterMemory& water);
-void restore_water(const DynamicCheckpoint& checkpoint, WaterMemory& water);
+void save_water(DynamicCheckpoint& checkpoint, const std::vector<WaterMemory>& lines);
+/// `lines` has its size.
+void restore_water(const DynamicCheckpoint& checkpoint, std::vector<WaterMemory>& lines);
 
 void save_report(DynamicCheckpoint& checkpoint, const DynamicRunReport& report);
 void restore_report(const DynamicCheckpoint& checkpoint, DynamicRunReport& report);

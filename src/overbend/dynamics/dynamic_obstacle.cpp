@@ -7,18 +7,46 @@
 namespace overbend {
 namespace {
 
+bool is_moored(const Description& d) {
+  return d.moorings && !d.moorings->lines.empty();
+}
+
+/// What is asked of mooring lines that a dynamic analysis does not do.
+std::optional<StaticFailure> mooring_obstacle(const Description& d) {
+  const MooringsDescription& moorings = *d.moorings;
+  if (d.vessel.motion != VesselMotion::coupled) {
+    return StaticFailure{"mooring lines cannot be run in time yet on a vessel whose motion is told", "",
+                         "give vessel.motion.coupled, or leave out moorings"};
+  }
+  if (moorings.model == MooringModel::quasi_static) {
+    return StaticFailure{"quasi-static mooring lines cannot be run in time yet", "", "leave out moorings.model"};
+  }
+  if (d.operation.type == OperationType::pull_ahead) {
+    return StaticFailure{"a pull-ahead cannot be run in time yet", "", "overbend static has its table"};
+  }
+  for (const MooringLineDescription& line : moorings.lines) {
+    if (line.fails_at || line.anchor_holding.slides) {
+      return StaticFailure{"mooring line '" + line.name + "' cannot part or drag its anchor in time yet", "",
+                           "leave out fails_at and anchor_slides"};
+    }
+  }
+  for (const WinchDescription& winch : moorings.winches) {
+    if (winch.mode != WinchMode::hold) {
+      return StaticFailure{"winch '" + winch.name + "' can only hold in time yet", "", "leave out its mode"};
+    }
+  }
+  return std::nullopt;
+}
+
 /// A hull that floats free needs its coefficients, and something that holds its place.
 std::optional<StaticFailure> coupled_obstacle(const Description& d) {
-  if (d.moorings) {
-    return StaticFailure{"a hull that floats free on moorings cannot be run in time yet", "",
-                         "raos, harmonic and history can, and coupled with station_keeping"};
-  }
   if (!d.vessel.coupled || !d.vessel.coupled->data) {
     return StaticFailure{"the hull that floats free has no hydrodynamic coefficients", "",
                          "vessel.motion.coupled names their files"};
   }
-  if (!d.station_keeping) {
-    return StaticFailure{"nothing holds the hull that floats free in its place", "", "give station_keeping"};
+  if (!d.station_keeping && !is_moored(d)) {
+    return StaticFailure{"nothing holds the hull that floats free in its place", "",
+                         "give moorings or station_keeping"};
   }
   return std::nullopt;
 }
@@ -26,6 +54,9 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
 /// A motion that cannot be followed over the whole run.
 std::optional<StaticFailure> motion_obstacle(const Description& d) {
   const VesselDescription& vessel = d.vessel;
+  if (is_moored(d)) {
+    if (std::optional<StaticFailure> obstacle = mooring_obstacle(d)) return obstacle;
+  }
   if (vessel.motion == VesselMotion::coupled) {
     return coupled_obstacle(d);
   }

@@ -16,6 +16,8 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension);
 
 /// The equilibrium as a state at rest at `time`: the bed's friction stretched as statics left it, accelerations zero.
-SystemState static_state(const System& system, const StaticSolution& solution, double time);
+/// `moorings`: first shapes of the lines behind the pipe.
+SystemState static_state(const System& system, const StaticSolution& solution,
+                         const std::vector<std::vector<double>>& moorings, double time);
 
 }  // namespace overbend

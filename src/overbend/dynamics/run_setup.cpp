@@ -13,6 +13,10 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   setup.sea =
       make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
   setup.system = pipe_system(model, start, static_tension);
+  if (start.moorings) {
+    setup.mooring_names = mooring_names(*start.moorings);
+    setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
+  }
   if (d.vessel.motion == VesselMotion::coupled) {
     setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
     setup.ballast = d.vessel.coupled->ballast;

@@ -5,6 +5,7 @@
 
 #include "dynamics/dynamic_setup.h"
 #include "dynamics/dynamics.h"
+#include "dynamics/mooring_lines.h"
 #include "hull/make_hull.h"
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
@@ -18,6 +19,8 @@ struct RunSetup {
   std::unique_ptr<MadeHull> hull;  ///< Where it does; `system` points to it.
   Ballast ballast = Ballast::trim;
   System system;
+  std::vector<std::string> mooring_names;
+  LineShapes moorings;    ///< First shapes of the mooring lines, which follow the pipe among the lines.
   double interval = 0.5;  ///< Of the clock that steps must meet [s].
 };
 

@@ -54,13 +54,16 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     : options_(options),
       setup_(make_setup(model, start, top_tension, options)),
       clock_(make_clock(options, setup_.interval)),
-      water_(setup_.sea, start.mesh, start.state.q, options.build_up, setup_.interval),
       shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
   tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
-  state_ = static_state(setup_.system, start, clock_.time());
+  state_ = static_state(setup_.system, start, setup_.moorings, clock_.time());
+  for (std::size_t i = 0; i < setup_.system.lines.size(); ++i) {
+    water_.emplace_back(setup_.sea, setup_.system.lines[i].mesh, state_.lines[i].q, options.build_up, setup_.interval);
+  }
+  water_memory_.resize(water_.size());
   chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
   ended_.reserve(setup_.system.bodies.front().rollers.size());
   if (!begin() && !failure_)
@@ -72,16 +75,20 @@ void Simulation::surroundings(double time, Surroundings& now) {
     now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
   }
   lead_attachments(setup_.system, now);
-  if (!water_.calm()) {
-    std::vector<double>& water = now.water.front();
-    water.resize(static_cast<std::size_t>(kWaterValues) * static_cast<std::size_t>(pipe().mesh.nodes()));
-    water_.nodes_at(water_memory_, time, water);
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (water_[i].calm()) continue;
+    std::vector<double>& water = now.water[i];
+    water.resize(static_cast<std::size_t>(kWaterValues) *
+                 static_cast<std::size_t>(setup_.system.lines[i].mesh.nodes()));
+    water_[i].nodes_at(water_memory_[i], time, water);
   }
 }
 
 bool Simulation::begin() {
-  if (!water_.calm()) {
-    water_.start(water_memory_, clock_.time(), state_.lines.front().q, state_.lines.front().v);
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (!water_[i].calm()) {
+      water_[i].start(water_memory_[i], clock_.time(), state_.lines[i].q, state_.lines[i].v);
+    }
   }
   if (setup_.hull) {
     let_hull_go();
@@ -219,8 +226,10 @@ void Simulation::accept(double h) {
 
 void Simulation::reach_tick() {
   ++clock_.tick;
-  if (!water_.calm()) {
-    water_.advance(water_memory_, state_.lines.front().q, state_.lines.front().v);
+  for (std::size_t i = 0; i < water_.size(); ++i) {
+    if (!water_[i].calm()) {
+      water_[i].advance(water_memory_[i], state_.lines[i].q, state_.lines[i].v);
+    }
   }
   if (!clock_.at_row()) return;
   const Instant at = now();

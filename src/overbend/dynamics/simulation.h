@@ -48,6 +48,8 @@ class Simulation {
   const std::optional<StaticFailure>& failure() const { return failure_; }
 
   const System& system() const { return setup_.system; }
+  /// Names of the mooring lines, which follow the pipe among the lines of the system.
+  const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
   const DynamicOptions& options() const { return options_; }
   /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
   Instant now() const;
@@ -90,8 +92,8 @@ class Simulation {
   DynamicOptions options_;
   RunSetup setup_;
   Clock clock_;
-  WaterField water_;
-  WaterMemory water_memory_;
+  std::vector<WaterField> water_;  ///< Line by line.
+  std::vector<WaterMemory> water_memory_;
   Vec3 shoe_;               ///< Mean place of the stern shoe, W [m].
   double elevation_ = 0.0;  ///< Of the water there, now [m].
   std::optional<Assembly> assembly_;

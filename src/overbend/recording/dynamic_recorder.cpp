@@ -74,7 +74,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
-      columns_(recorded_columns(model.supports)),
+      columns_(recorded_columns(model.supports, simulation.moorings())),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = line_->mesh.s;
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());

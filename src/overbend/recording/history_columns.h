@@ -25,6 +25,7 @@ struct RecordedColumn {
 };
 
 /// The columns of a run over these supports; the first is time.
-std::vector<RecordedColumn> recorded_columns(const Supports& supports);
+/// `moorings`: names of the mooring lines of the run.
+std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {});
 
 }  // namespace overbend
