@@ -30,7 +30,7 @@ inline const SolvedExample& bgl1() {
     if (!outcome.solution) {
       throw std::runtime_error("the example cannot be solved");
     }
-    return SolvedExample{checked_statics(model, *outcome.solution), reading.description->source_text};
+    return SolvedExample{checked_statics(model, {outcome.solution, {}, {}}), reading.description->source_text};
   }();
   return kSolved;
 }

@@ -34,7 +34,7 @@ inline const SolvedCase& solved_case(const std::string& name) {
     const ModelReading reading = read_model(case_file(name));
     const Model model = build_model(reading.description.value());
     const StaticOutcome outcome = solve_statics(model);
-    found->second = {*reading.description, checked_statics(model, outcome.solution.value())};
+    found->second = {*reading.description, checked_statics(model, {outcome.solution, {}, {}})};
   }
   return found->second;
 }
