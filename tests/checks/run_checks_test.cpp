@@ -24,7 +24,7 @@ struct Solved {
 const Solved& bgl1() {
   static const Solved kSolved = [] {
     const Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
-    const Model model = build_model(d);
+    Model model = build_model(d);
     return Solved{d, checked_statics(model, solve_lay(model))};
   }();
   return kSolved;
@@ -122,7 +122,7 @@ TEST(run_checks, what_the_current_adds_counts_as_environmental_and_is_never_less
 TEST(run_checks, a_still_lay_without_its_current_is_the_functional_part) {
   Description d = bgl1().description;
   d.environment.current.clear();
-  const Model model = build_model(d);
+  Model model = build_model(d);
   const StaticResults still = checked_statics(model, solve_lay(model));
   for (const Station& at : still.stations) EXPECT_EQ(at.current_vertical_moment, 0.0);
   const Station& with = bgl1().statics.stations.front();  // laid on the bed, far from everything
