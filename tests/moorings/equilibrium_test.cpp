@@ -314,6 +314,17 @@ TEST(mooring_statics, says_what_does_not_hold_the_hull) {
   EXPECT_NE(none.fault->find("\"S3\" is too short to reach"), std::string::npos) << *none.fault;
 }
 
+TEST(mooring_statics, buoys_need_a_length_to_count_from) {
+  Description d = eight_line_barge();
+  LinePointDescription buoy;
+  buoy.at = 300.0;
+  d.moorings->lines[3].points = {buoy};
+  const SpreadOutcome outcome =
+      build_spread(*d.moorings, BedSurface(Vec3(0.0, 0.0, -89.0), Vec3::UnitZ()), Mat3::Identity());
+  ASSERT_TRUE(outcome.fault);
+  EXPECT_NE(outcome.fault->find("\"S4\": give the length of its first segment"), std::string::npos) << *outcome.fault;
+}
+
 TEST(mooring_statics, finds_a_hull_that_starts_far_from_its_rest) {
   Case c = case_of(eight_line_barge());
   HullOffset far;

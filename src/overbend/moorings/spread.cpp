@@ -180,17 +180,34 @@ std::string line_fault(const MooringSpread& spread, const MooredLine& line, cons
                      line.name, chord);
 }
 
+namespace {
+
+/// What a line cannot be made of.
+MooringFault unusable(const MooringLineDescription& line) {
+  if (!line.segments.front().length && !line.tension) {
+    return fmt::format("mooring line \"{}\" has neither a length of its first segment nor a tension", line.name);
+  }
+  if (!line.segments.front().length && !line.points.empty()) {
+    return fmt::format(
+        "mooring line \"{}\": give the length of its first segment, from which its buoys and weights count", line.name);
+  }
+  const auto at_fairlead = [](const LinePointDescription& point) { return point.at <= 1e-3; };
+  if (std::any_of(line.points.begin(), line.points.end(), at_fairlead)) {
+    return fmt::format("mooring line \"{}\": a buoy or a weight lies at its fairlead", line.name);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 SpreadOutcome build_spread(const MooringsDescription& moorings, const BedSurface& bed, const Mat3& drawn) {
   SpreadOutcome outcome;
   outcome.spread.bed = bed;
   for (const MooringLineDescription& from : moorings.lines) {
+    outcome.fault = unusable(from);
+    if (outcome.fault) return outcome;
     MooredLine& line = outcome.spread.lines.emplace_back(moored_line(moorings, from, bed, drawn));
-    if (!from.segments.front().length && !from.tension) {
-      outcome.fault =
-          fmt::format("mooring line \"{}\" has neither a length of its first segment nor a tension", from.name);
-    } else if (!from.segments.front().length) {
-      outcome.fault = set_drawn_length(outcome.spread, line, *from.tension, drawn);
-    }
+    if (!from.segments.front().length) outcome.fault = set_drawn_length(outcome.spread, line, *from.tension, drawn);
     if (outcome.fault) return outcome;
   }
   return outcome;
