@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hull/damping_ratios.h"
 namespace overbend {
 namespace {
 
@@ -44,18 +45,6 @@ const char* name_of(const Mode& mode, const Mat6& mass) {
 }
 
 }  // namespace
-
-Mat6 added_mass_at(const HydrodynamicData& data, double omega) {
-  const std::vector<RadiationPoint>& points = data.radiation;
-  if (points.empty()) return data.added_mass_infinite;
-  const auto above = std::lower_bound(points.begin(), points.end(), omega,
-                                      [](const RadiationPoint& point, double w) { return point.omega < w; });
-  if (above == points.begin()) return points.front().added_mass;
-  if (above == points.end()) return points.back().added_mass;
-  const RadiationPoint& below = *(above - 1);
-  const double share = (omega - below.omega) / (above->omega - below.omega);
-  return (1.0 - share) * below.added_mass + share * above->added_mass;
-}
 
 std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, const Mat6& stiffness) {
   const Mat6 even = 0.5 * (stiffness + stiffness.transpose());

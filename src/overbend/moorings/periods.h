@@ -18,7 +18,4 @@ struct NaturalPeriod {
 /// are left out.
 std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, const Mat6& stiffness);
 
-/// Added mass at a frequency [rad/s], linear between the data, constant beyond them.
-Mat6 added_mass_at(const HydrodynamicData& data, double omega);
-
 }  // namespace overbend
