@@ -39,6 +39,10 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   Description d = moored();
   d.environment.waves.type = WaveType::none;
   d.environment.current.clear();
+  // The catenaries were pulled out over a bed that rubs; elements come to rest on one that does not.
+  for (MooringLineDescription& line : d.moorings->lines) {
+    for (LineSegmentDescription& segment : line.segments) segment.type.friction = 0.0;
+  }
   const Moored at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
@@ -50,7 +54,7 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   EXPECT_LT(first.h.head<2>().norm(), 0.02);  // as drawn, but for elements in place of catenaries
   for (std::size_t i = 0; i < 8; ++i) {
     const double catenary = at.lay.moorings->rest.moorings[i].fairlead_tension;
-    EXPECT_NEAR(fairlead_tension(simulation, i + 1), catenary, 0.005 * catenary) << i;
+    EXPECT_NEAR(fairlead_tension(simulation, i + 1), catenary, 0.002 * catenary) << i;
   }
   while (simulation.step()) {
   }

@@ -58,6 +58,7 @@ TEST(moored_lay, the_load_on_the_vessel_balances_the_pipe) {
 
 TEST(moored_lay, a_barge_with_given_lengths_gives_way_to_the_pipe) {
   Description d = moored();
+  d.environment.current.clear();
   d.moorings->find = FindMooring::pose;
   Model model = build_model(d);
   const LayOutcome lay = solve_lay(model);
@@ -75,6 +76,7 @@ TEST(moored_lay, a_barge_with_given_lengths_gives_way_to_the_pipe) {
 
 TEST(moored_lay, starts_from_the_solution_of_a_neighbour) {
   Description d = moored();
+  d.environment.current.clear();
   d.moorings->find = FindMooring::pose;
   Model model = build_model(d);
   const LayOutcome first = solve_lay(model);

@@ -43,6 +43,16 @@ class WallTime {
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
+/// The system with mooring lines that slide on the bed without friction, which is how they find their rest: friction
+/// holds them from there on, whichever way they then move.
+System sliding(const System& system) {
+  System slides = system;
+  for (std::size_t i = 1; i < slides.lines.size(); ++i) {
+    slides.lines[i].environment.bed_friction_axial = slides.lines[i].environment.bed_friction_lateral = 0.0;
+  }
+  return slides;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Model& model, const StaticSolution& start, double top_tension,
@@ -113,7 +123,9 @@ bool Simulation::begin() {
 
 /// Hull, lines and pipe to rest. What the tensioner has paid out for that is where it begins.
 void Simulation::let_hull_go() {
-  failure_ = rest_afloat(*assembly_, setup_.ballast, setup_.hull->hull, state_);
+  const System slides = sliding(setup_.system);
+  Assembly resting(slides);
+  failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
   Attachment& top = setup_.system.attachments[machine()];
   top.place -= tensioner(state_).travel.q * top.direction;
   tensioner(state_).travel = {};

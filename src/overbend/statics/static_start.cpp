@@ -167,6 +167,9 @@ LineState sample_shape(const StaticSystem& system, const LayShape& shape) {
     r.z() = mix(shape.z);
     t = -std::cos(dip) * plane.astern_W + std::sin(dip) * Vec3::UnitZ();
   }
+  if (system.held_direction()) {  // a vessel off its course does not guide the pipe along the route
+    Eigen::Map<Vec3>(state.q.data() + state.q.size() - 3) = *system.held_direction();
+  }
   return state;
 }
 
