@@ -223,7 +223,8 @@ std::vector<double> moved(const std::vector<double>& q, const Mat3& turn, const 
 
 TEST(roller_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_found_in_any_pose) {
   const Deck deck;
-  const std::vector<Body> bodies = {{deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V, {}}};
+  const std::vector<Body> bodies = {
+      {deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V, {}}};
   Line line;
   line.mesh.length = deck.length;
   line.elements.radius = deck.radius;
