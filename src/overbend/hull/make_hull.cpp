@@ -35,37 +35,6 @@ void place(Hull& hull, const Model& model, const Vec3& centre_of_gravity) {
   hull.drawn = coordinates_of(pose.p_WV + pose.R_WV * centre_of_gravity, pose.R_WV);
 }
 
-void put_current(Hull& hull, const Model& model, const HullCurrentDescription& given) {
-  const VesselDescription& vessel = model.description.vessel;
-  HullCurrent& c = hull.current;
-  c.form = given.form;
-  c.velocity = current_at(model.current, -0.5 * vessel.draught);
-  c.water_density = model.water_density;
-  c.length = vessel.length;
-  c.beam = vessel.beam;
-  c.draught = vessel.draught;
-  c.reference_V = hull.reference_V;
-  c.transverse = given.transverse;
-  c.longitudinal = given.longitudinal;
-  c.wetted_surface = vessel.length * vessel.beam + 2.0 * vessel.draught * (vessel.length + vessel.beam);
-  c.in_water = given.relative_to == CurrentRelativeTo::water;
-  if (given.form != HullCurrentForm::table) return;
-  if (!given.axes || given.table.empty()) {
-    throw std::invalid_argument("a table of current coefficients needs its rows and the convention of its axes");
-  }
-  c.frontal_area = given.frontal_area.value_or(vessel.beam * vessel.draught);
-  c.lateral_area = given.lateral_area.value_or(vessel.length * vessel.draught);
-  c.table_length = given.length.value_or(vessel.length);
-  c.table = coefficients_from_bow(given.table, *given.axes);
-}
-
-void put_wind(Hull& hull, const WindDescription& given) {
-  hull.wind.velocity = towards(given.speed, given.from);
-  hull.wind.density = given.air_density;
-  hull.wind.reference_V = hull.reference_V;
-  hull.wind.areas = given.areas;
-}
-
 void put_loads(Hull& hull, const Model& model) {
   const Mat3& R = model.mean_pose.R_WV;
   for (const VesselLoadDescription& load : model.description.vessel.loads) {
@@ -134,13 +103,50 @@ void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const C
   made.radiation = std::move(radiated.report);
   made.warnings = made.radiation.warnings;
   hull.slow_period = given.slow_period;
-  put_current(hull, model, given.current);
-  put_wind(hull, given.wind);
+  hull.current = make_hull_current(model, given);
+  hull.wind = make_hull_wind(given);
   put_waves(hull, model, sea, given);
   put_damping(hull, given, station_stiffness);
 }
 
 }  // namespace
+
+HullCurrent make_hull_current(const Model& model, const CoupledHullDescription& hull) {
+  const VesselDescription& vessel = model.description.vessel;
+  const HullCurrentDescription& given = hull.current;
+  HullCurrent c;
+  c.form = given.form;
+  c.velocity = current_at(model.current, -0.5 * vessel.draught);
+  c.water_density = model.water_density;
+  c.length = vessel.length;
+  c.beam = vessel.beam;
+  c.draught = vessel.draught;
+  c.reference_V = hull.centre_of_gravity;
+  c.transverse = given.transverse;
+  c.longitudinal = given.longitudinal;
+  c.wetted_surface = vessel.length * vessel.beam + 2.0 * vessel.draught * (vessel.length + vessel.beam);
+  c.in_water = given.relative_to == CurrentRelativeTo::water;
+  if (given.form != HullCurrentForm::table) {
+    return c;
+  }
+  if (!given.axes || given.table.empty()) {
+    throw std::invalid_argument("a table of current coefficients needs its rows and the convention of its axes");
+  }
+  c.frontal_area = given.frontal_area.value_or(vessel.beam * vessel.draught);
+  c.lateral_area = given.lateral_area.value_or(vessel.length * vessel.draught);
+  c.table_length = given.length.value_or(vessel.length);
+  c.table = coefficients_from_bow(given.table, *given.axes);
+  return c;
+}
+
+HullWind make_hull_wind(const CoupledHullDescription& hull) {
+  HullWind wind;
+  wind.velocity = towards(hull.wind.speed, hull.wind.from);
+  wind.density = hull.wind.air_density;
+  wind.reference_V = hull.centre_of_gravity;
+  wind.areas = hull.wind.areas;
+  return wind;
+}
 
 MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness) {
   const VesselDescription& vessel = model.description.vessel;

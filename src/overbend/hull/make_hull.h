@@ -16,6 +16,11 @@ struct MadeHull {
   std::vector<std::string> warnings;  ///< Plain sentences.
 };
 
+/// The steady current and wind on the hull, about its centre of gravity. Throws std::invalid_argument for a table
+/// without rows or axes.
+HullCurrent make_hull_current(const Model& model, const CoupledHullDescription& hull);
+HullWind make_hull_wind(const CoupledHullDescription& hull);
+
 /// The hull of `vessel.motion.coupled`, or of `vessel.hydrostatics` (statics alone), as drawn by the model, in a sea.
 /// `station_stiffness`: of what keeps the hull's place, for damping given as a ratio of critical in surge, sway or yaw.
 /// The build-up [s] brings in waves and drift. Ballast is left zero. Throws std::invalid_argument for a description

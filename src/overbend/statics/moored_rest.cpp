@@ -1,5 +1,9 @@
 #include "statics/moored_rest.h"
 
+#include <cmath>
+
+#include "hull/make_hull.h"
+
 namespace overbend {
 namespace {
 
@@ -18,6 +22,16 @@ void solve_lengths(MooredHull& moored, const TensionBounds& bounds) {
   if (moored.rest.fault || !moored.free) return;
   const Eigen::VectorXd wished = pulls_of(moored.spread, moored.rest.lines);
   moored.rest = plan_lengths(moored.spread, moored.hull, HullOffset::Zero(), wished, bounds);
+}
+
+/// Of current and wind on the hull with its heading as drawn: force and moment about midship, axes D.
+Vec6 steady_load(const Model& model, const HullAtRest& hull, const CoupledHullDescription& coupled) {
+  const double heading = std::atan2(hull.axes_WD(1, 0), hull.axes_WD(0, 0));
+  Vec6 load = current_force(make_hull_current(model, coupled), heading, Vec6::Zero(), {}).force +
+              wind_force(make_hull_wind(coupled), heading);
+  const Vec3 force = load.head<3>();
+  load.tail<3>() += coupled.centre_of_gravity.cross(force);
+  return load;
 }
 
 }  // namespace
@@ -43,6 +57,9 @@ std::variant<MooredHull, StaticFailure> moored_hull(const Model& model) {
   moored.spread = std::move(outcome.spread);
   moored.hull = hull_at_rest(d);
   moored.free = hull_is_free(d);
+  if (d.vessel.coupled) {
+    moored.hull.steady += steady_load(model, moored.hull, *d.vessel.coupled);
+  }
   return moored;
 }
 

@@ -188,7 +188,10 @@ std::vector<std::string> mooring_assumptions(const Model& model) {
     }
   }
   if (model.description.vessel.coupled) {
-    list.emplace_back("Steady wind, current and wave drift act on the hull only where vessel.loads give them.");
+    list.emplace_back(
+        "In statics steady current and wind act on the hull with its heading as drawn, and the mean drift of the waves "
+        "does "
+        "not act.");
   }
   return list;
 }
