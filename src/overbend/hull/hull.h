@@ -43,7 +43,7 @@ struct ViscousDamping {
 };
 
 /// Made by make_hull; constant in an analysis.
-struct Hull {
+struct Hull {  // NOLINT(clang-analyzer-optin.performance.Padding): there is one of it; in the order of subjects
   Vec3 reference_V = Vec3::Zero();  ///< Reference point in V: the centre of gravity [m].
   Vec6 drawn = Vec6::Zero();        ///< Coordinates with the hull as drawn.
   RigidBody body;

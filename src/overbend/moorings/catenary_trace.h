@@ -35,7 +35,7 @@ inline constexpr std::size_t kMaxSpans = 6;
 enum class TraceFault { none, no_shape, floats, too_many_spans };
 
 /// Of the duals: derivatives in pull, height and first length; none in start.
-struct CatenaryTrace {
+struct CatenaryTrace {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of subjects
   TraceFault fault = TraceFault::none;
   Dual reach;            ///< Horizontal distance from fairlead to the line's end [m].
   Dual sink;             ///< Vertical force of the line at the fairlead, downwards positive [N].

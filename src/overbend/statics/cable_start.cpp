@@ -79,18 +79,17 @@ bool solve(CableStart& c, bool bed) {
     const Eigen::Vector2d step = -slope.partialPivLu().solve(error);
     if (!step.allFinite()) return false;
     const CableStart before = c;
+    bool nearer = false;
     double share = 1.0;
-    for (; share > 1e-6; share *= 0.5) {
+    for (int halvings = 0; halvings < 20 && !nearer; ++halvings, share *= 0.5) {
       c.horizontal = before.horizontal + share * step.x();
       c.vertical = before.vertical + share * step.y();
       if (c.horizontal < 0.1 * before.horizontal) continue;
       const Eigen::Vector2d now = missing(c, bed);
-      if (now.norm() < error.norm()) {
-        error = now;
-        break;
-      }
+      nearer = now.norm() < error.norm();
+      if (nearer) error = now;
     }
-    if (share <= 1e-6) return false;
+    if (!nearer) return false;
   }
   return false;
 }
