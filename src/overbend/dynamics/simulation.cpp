@@ -76,8 +76,9 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
   water_memory_.resize(water_.size());
   chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
   ended_.reserve(setup_.system.bodies.front().rollers.size());
-  if (!begin() && !failure_)
+  if (!begin() && !failure_) {
     failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
+  }
 }
 
 void Simulation::surroundings(double time, Surroundings& now) {
