@@ -32,7 +32,7 @@ InFrequency find_frequency(const std::vector<double>& omega, double w) {
 template <class Value>
 Value in_frequency(const HeadingTable& table, const std::vector<Value>& values, const InFrequency& f,
                    std::size_t heading) {
-  const Value low = values[table.index(f.low, heading)], high = values[table.index(f.high, heading)];
+  const Value &low = values[table.index(f.low, heading)], &high = values[table.index(f.high, heading)];
   return f.weight * ((1.0 - f.share) * low + f.share * high);
 }
 

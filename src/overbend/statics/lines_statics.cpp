@@ -114,7 +114,8 @@ NewtonReport harden_and_rest(const RestingLine& resting, LineState& state, const
   const Line& line = resting.line.line();
   const double stiffest = *std::max_element(line.elements.EA.begin(), line.elements.EA.begin() + line.elements.count);
   int iterations = 0;
-  for (double most = kSoftest * line.force_scale; most < stiffest; most *= kHarder) {
+  double most = kSoftest * line.force_scale;
+  while (most < stiffest) {
     Line soft = line;
     for (double& EA : soft.elements.EA) EA = std::min(EA, most);
     BlockTridiagonal tangent(line.mesh.nodes());
@@ -122,6 +123,7 @@ NewtonReport harden_and_rest(const RestingLine& resting, LineState& state, const
     LineAssembly assembly(soft, none, tangent);
     const RestingLine trial{assembly, resting.bodies, resting.first, resting.last, resting.laid};
     iterations += come_to_rest(trial, state, {kRoughly, settings.max_iterations}).iterations;
+    most *= kHarder;
   }
   NewtonReport report = come_to_rest(resting, state, settings);
   report.iterations += iterations;
