@@ -120,12 +120,14 @@ void check_operation(Checker& check, const std::vector<FieldValue>& lines) {
   const auto type = operation->get_word<OperationType>("type");
   const auto foreign = [&](const char* key, const char* whose) {
     const FieldValue* value = operation->find(key);
-    if (value != nullptr && value->given)
+    if (value != nullptr && value->given) {
       check.error(*value, "a key of " + std::string(whose), "none in this type of operation");
+    }
   };
   if (type == OperationType::moored) {
-    for (const char* key : {"distance", "speed", "acceleration_time", "start", "moves", "loads"})
+    for (const char* key : {"distance", "speed", "acceleration_time", "start", "moves", "loads"}) {
       foreign(key, "pull_ahead");
+    }
   } else if (type == OperationType::pull_ahead) {
     foreign("stages", "moored");
   }
