@@ -61,6 +61,7 @@ test('dragging the tension gives another S', async () => {
 
 test('a case without solution says why and keeps the last good one', async () => {
   await drag('#s-tension', 250);
+  await expect.poll(() => reading(page, 'top tension')).toBeCloseTo(250, 0);
   await page.fill('[aria-label="tension, typed"]', '1 kN');
   await page.keyboard.press('Enter');
   await page.waitForSelector('.failure', { timeout: 60_000 });
