@@ -28,7 +28,7 @@ struct ChainNumbers {
   double mass;                       ///< Over the squared diameter [kg/m3].
   double stiffness, stiffness_less;  ///< EA = first d^2 - second d^3 [N/m2, N/m3].
   double volume_diameter;            ///< Over the diameter of the bar.
-  double drag_normal, drag_axial;    ///< On the volume's diameter.
+  double drag_normal, drag_axial;    ///< On the area that the volume's diameter shows, as catalogues have them.
 };
 
 ChainNumbers numbers_of(ChainLink link) {
@@ -64,7 +64,7 @@ LineTypeDescription chain(double diameter, ChainLink link) {
   type.axial_stiffness = numbers.stiffness * d2 - numbers.stiffness_less * d3;
   type.breaking_load = 9.11e2 * diameter + 1.21e9 * d2 - 2.19e9 * d3;
   type.drag_normal = numbers.drag_normal;
-  type.drag_axial = numbers.drag_axial;
+  type.drag_axial = numbers.drag_axial / std::numbers::pi;  // a line's is on the circumference
   type.added_mass_axial = 0.5;
   type.friction = kChainFriction;
   return type;

@@ -95,7 +95,10 @@ std::vector<Field> water_forces(const std::string& p) {
   return {
       group_row(p + ".hydrodynamics", {}, "Morison coefficients."),
       number("drag_normal", &Type::drag_normal, "Normal drag, on drag_diameter.", "1.2"),
-      number("drag_axial", &Type::drag_axial, "Axial drag, on drag_diameter.", "0"),
+      number("drag_axial", &Type::drag_axial,
+             "Axial drag, on the circumference of drag_diameter: a catalogue's for chain, on the area shown, divided "
+             "by pi.",
+             "0"),
       otherwise(quantity_row(p + ".hydrodynamics.drag_diameter", fills(&Type::drag_diameter),
                              "Diameter that the drag coefficients refer to.", {"m", "mm"},
                              {.low = 0.0, .high = 5.0, .low_open = true}),
