@@ -128,6 +128,11 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   d.moorings->lines[0].tension.reset();
   d.moorings->lines[5].segments[0].type.breaking_load = 200e3;
   d.moorings->lines[6].anchor_holding.holding = 100e3;
+  WinchDescription weak;
+  weak.name = "weak";
+  weak.brake = 150e3;
+  d.moorings->winches = {weak};
+  d.moorings->lines[6].winch = "weak";
   d.moorings->objects = {{"pipeline", {{-400.0, 300.0, -88.0}, {400.0, 300.0, -88.0}}}};
   const MooringResults results = solved(d);
   const auto warned = [&](const std::string& line, const std::string& of) {
@@ -138,6 +143,8 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   EXPECT_TRUE(warned("S1", "slack"));
   EXPECT_TRUE(warned("P2", "breaking load"));
   EXPECT_TRUE(warned("P3", "holding power"));
+  EXPECT_TRUE(warned("P3", "brake renders"));
+  EXPECT_FALSE(warned("P4", "brake renders"));
   for (const MooringLineResult& line : results.rest.moorings) {
     ASSERT_TRUE(line.clearance);
     EXPECT_EQ(line.nearest_object, "pipeline");

@@ -74,6 +74,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
+      moorings_(model.description.moorings, simulation.moorings()),
       columns_(recorded_columns(model.supports, simulation.moorings())),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = line_->mesh.s;
@@ -264,6 +265,7 @@ void DynamicRecorder::find_support_values(const Instant& at) {
 void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.state->time, at.step);
+  moorings_.add(*at.assembly, at.state->time);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;

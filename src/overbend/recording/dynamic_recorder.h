@@ -10,6 +10,7 @@
 #include "recording/design_recorder.h"
 #include "recording/dynamic_stations.h"
 #include "recording/history_columns.h"
+#include "recording/mooring_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
 #include "system/find_regions.h"
@@ -95,6 +96,7 @@ class DynamicRecorder : public SimulationObserver {
   std::vector<double> reaction_sample_;  ///< Of the boxes.
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
+  MooringWatch moorings_;
   SurfaceCrossing crossing_;
   std::vector<RecordedColumn> columns_;
   std::int64_t snapshot_stride_ = 1;  ///< Rows from one to the next.

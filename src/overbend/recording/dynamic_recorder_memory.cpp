@@ -21,6 +21,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/reactions", reaction_quantiles_.save());
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
+  put("record/moorings", moorings_.save());
   put("record/design", design_.save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
   const auto put_peak = [&](const RegionPeak& peak) { peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time}); };
@@ -54,6 +55,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   reaction_quantiles_.restore(get("record/reactions"));
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
+  moorings_.restore(get("record/moorings"));
   crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));
   std::size_t i = 0;

@@ -149,6 +149,7 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
         "it are those of a pipe that does not yield (see pipe.steel.material)");
   }
   fill_tensioner_warnings(results);
+  for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
 }
 
 /// Impact forces hang on a stiffness that is known to a factor: says how much.

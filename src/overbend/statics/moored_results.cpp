@@ -105,6 +105,13 @@ MooringLineResult line_result(const Model& model, const MooredLine& line, const 
   return result;
 }
 
+/// Tension at which the brake of a winch renders; none where the line has no winch or the winch no limit.
+std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
+  const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
+                                  [&](const WinchDescription& one) { return one.name == winch; });
+  return named == moorings.winches.end() ? std::nullopt : named->brake;
+}
+
 }  // namespace
 
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
@@ -141,6 +148,11 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
       list.push_back(fmt::format("{} has {:.1f} kN, more than its breaking load.", head, tension));
     } else if (moorings.working_load && line.fairlead_tension > *moorings.working_load) {
       list.push_back(fmt::format("{} has {:.1f} kN, more than the working load.", head, tension));
+    }
+    if (const std::optional<double> brake = brake_of(moorings, moorings.lines[i].winch);
+        brake && line.fairlead_tension > *brake) {
+      list.push_back(fmt::format("{} has {:.1f} kN, more than the {:.1f} kN at which its winch's brake renders.", head,
+                                 tension, *brake / 1e3));
     }
     if (line.anchor_uplift > 0.0) {
       list.push_back(fmt::format("{} lifts its anchor with {:.1f} kN: no length of it is left on the bed.", head,
