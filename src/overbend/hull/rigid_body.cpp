@@ -23,12 +23,6 @@ BodyRates body_rates(double phi, double theta) {
   return r;
 }
 
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
-
 }  // namespace
 
 RigidBodyForce rigid_body_force(const RigidBody& body, const Vec6& h, const Vec6& v, const Vec6& a) {

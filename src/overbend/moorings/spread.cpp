@@ -81,12 +81,6 @@ Mat3 even_bed_stiffness(const CatenarySolution& solution, const LineDirection& t
 
 }  // namespace
 
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 matrix;
-  matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return matrix;
-}
-
 CatenarySite line_site(const MooringSpread& spread, const MooredLine& line, const Vec3& fairlead_W) {
   CatenarySite site;
   site.fairlead_z = fairlead_W.z();

@@ -79,7 +79,4 @@ MooringWrench mooring_wrench(const MooringSpread& spread, const HullPlace& hull,
 std::string line_fault(const MooringSpread& spread, const MooredLine& line, const Vec3& fairlead_W,
                        CatenaryFault fault);
 
-/// [a]x: the matrix of a cross product.
-Mat3 cross_matrix(const Vec3& a);
-
 }  // namespace overbend

@@ -13,13 +13,6 @@ Mat6 block(const double* rows) {
   return out;
 }
 
-/// a x, as a matrix.
-Mat3 cross_matrix(const Vec3& a) {
-  Mat3 m;
-  m << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-  return m;
-}
-
 }  // namespace
 
 HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
