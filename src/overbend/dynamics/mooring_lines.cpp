@@ -50,6 +50,7 @@ Attachment fairlead(int line, const Vec3& place_V) {
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
   LineShapes shapes;
   const MooringsDescription& moorings = *model.description.moorings;
+  const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
   for (std::size_t i = 0; i < spread.lines.size(); ++i) {
     const MooredLine& moored = spread.lines[i];
     if (moored.parted) continue;
@@ -58,6 +59,8 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     const CableStart start = cable_start(model, parts, moored.anchor_W, fairlead_W);
     const int line = static_cast<int>(system.lines.size());
     system.lines.push_back(cable_line(model, parts, {start.touchdown(), std::nullopt}, moored.anchor_W, fairlead_W));
+    // What may be left unbalanced at a node of the pipe may be at one of a wire, which pulls as hard as the pipe.
+    system.lines.back().force_scale = std::max(system.lines.back().force_scale, pipe_scale);
     system.attachments.push_back(anchor(line, moored.anchor_W));
     system.attachments.push_back(fairlead(line, moored.fairlead_V));
     shapes.push_back(start.shape(system.lines.back().mesh));
