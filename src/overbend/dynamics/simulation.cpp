@@ -53,6 +53,12 @@ System sliding(const System& system) {
   return slides;
 }
 
+/// An offset along and about the axes of the hull as drawn, of its coordinates.
+Vec6 in_world(Vec6 offset, const Vec6& drawn) {
+  offset.head<3>() = turned_about_z(drawn(5)) * offset.head<3>();
+  return offset;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Model& model, const StaticSolution& start, double top_tension,
@@ -127,6 +133,9 @@ void Simulation::let_hull_go() {
   const System slides = sliding(setup_.system);
   Assembly resting(slides);
   failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
+  if (!failure_ && !options_.release.isZero()) {
+    failure_ = displace_hull(resting, in_world(options_.release, setup_.hull->hull.drawn), state_);
+  }
   Attachment& top = setup_.system.attachments[machine()];
   top.place -= tensioner(state_).travel.q * top.direction;
   tensioner(state_).travel = {};
