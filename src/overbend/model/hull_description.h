@@ -78,6 +78,9 @@ struct CoupledHullDescription {
   HullCurrentDescription current;
   WindDescription wind;
   double slow_period = 40.0;  ///< Corner of the low-pass of position and heading [s].
+  /// Distance from rest at which a dynamic analysis lets the hull go: forward, to port, up; starboard down, bow down,
+  /// bow to port [m, rad].
+  Vec3 released_shift = Vec3::Zero(), released_turn = Vec3::Zero();
 };
 
 /// Restoring by buoyancy alone where there are no hydrodynamic files: balanced as drawn without lines and pipe.

@@ -66,6 +66,24 @@ std::vector<Field> body() {
   return rows;
 }
 
+/// Decay of a hull let go.
+std::vector<Field> release() {
+  using Hull = CoupledHullDescription;
+  const std::string r = kHull + ".release";
+  std::vector<Field> rows = {group_row(
+      r, {}, "Distance from rest at which a dynamic analysis lets the hull go: a decay, best in calm water.")};
+  for (std::size_t i = 0; i < kFreedoms.size(); ++i) {
+    const Freedom& f = kFreedoms[i];
+    const auto take = [i](Hull& hull, const FieldValue& value) {
+      (i < 3 ? hull.released_shift : hull.released_turn)(static_cast<Eigen::Index>(i % 3)) = value.number;
+    };
+    rows.push_back(quantity_row(r + "." + f.name, with_default(taken_by<Hull>(take), 0.0),
+                                "Distance in this degree of freedom.", f.turns ? kAngle : kLength,
+                                f.turns ? Range{.low = -0.5, .high = 0.5} : Range{.low = -100.0, .high = 100.0}));
+  }
+  return rows;
+}
+
 /// Kept apart from the description, for the reader of the files: modelfile/hull_files.h.
 std::vector<Field> file_convention() {
   using Source = HydrodynamicsSource;
@@ -257,6 +275,7 @@ std::vector<Field> hull() {
   std::vector<Field> rows = body();
   append(rows, file_convention());
   append(rows, damping());
+  append(rows, release());
   append(rows, current());
   append(rows, wind());
   append(rows, hydrostatics());
