@@ -133,6 +133,9 @@ std::vector<double> body_numbers(const HullState& body) {
     out.insert(out.end(), part->begin(), part->end());
   }
   out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
+  for (const LineEndForces& line : body.lines) {
+    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift});
+  }
   return out;
 }
 
@@ -146,6 +149,9 @@ void restore_body(const std::vector<double>& in, HullState& body) {
     for (double& value : *part) value = in.at(next++);
   }
   for (double& value : body.radiation.values) value = in.at(next++);
+  for (LineEndForces& line : body.lines) {
+    for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift}) *value = in.at(next++);
+  }
 }
 
 std::string numbered(const char* what, std::size_t index) {
