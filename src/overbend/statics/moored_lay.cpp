@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "statics/moored_statics.h"
+#include "statics/recovery.h"
 #include "statics/vessel_load.h"
 
 namespace overbend {
@@ -21,22 +22,70 @@ Vec6 pipe_load(const Model& model, const StaticSolution& pipe, const HullAtRest&
   return drawn;
 }
 
-/// How far the ends of the hull move from one pose to the other [m].
-double way_between(const VesselPose& a, const VesselPose& b, double length) {
-  return (a.p_WV - b.p_WV).norm() + 0.5 * length * (a.R_WV - b.R_WV).norm();
+HullPlace place_of(const VesselPose& pose) {
+  return {pose.p_WV, pose.R_WV};
 }
 
 LayOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::nullopt, std::move(failure)};
 }
 
-LayOutcome solved(const Model& model, StaticSolution pipe, const MooredHull& moored) {
-  std::variant<MooringResults, StaticFailure> results = moored_results(model, moored);
-  if (const StaticFailure* failure = std::get_if<StaticFailure>(&results)) {
+PipeAtStep pipe_at_step(const StaticResults& r) {
+  PipeAtStep pipe;
+  pipe.top_tension = r.top_tension;
+  pipe.bottom_tension = r.bottom_tension;
+  const std::optional<RegionResult>& upper = r.overbend ? r.overbend : r.tower;
+  pipe.overbend_bending_stress = upper ? upper->bending_stress.value : 0.0;
+  pipe.overbend_strain = upper ? upper->strain.value : 0.0;
+  pipe.sagbend_bending_stress = r.sagbend.bending_stress.value;
+  pipe.sagbend_strain = r.sagbend.strain.value;
+  pipe.largest_reaction = r.largest_reaction;
+  pipe.largest_reaction_support = r.largest_reaction_support;
+  pipe.lay_back = r.lay_back;
+  pipe.stinger_tip_clearance = r.stinger_tip_clearance;
+  return pipe;
+}
+
+/// The pipe follows the hull from place to place, each solved from the one before.
+class PipeOnTheWay {
+ public:
+  PipeOnTheWay(const Model& model, StaticSolution start, HullAtRest hull)
+      : model_(model), last_(std::move(start)), hull_(std::move(hull)) {
+    model_.description.checks.codes = CheckCodes::api;  // no second lay without current for each place
+  }
+  std::variant<PipeThere, StaticFailure> operator()(const HullPlace& place) {
+    model_.mean_pose = {place.p_W, place.R_WV};
+    StaticOutcome pipe = solve_statics(model_, &last_);
+    if (pipe.failure) return *pipe.failure;
+    last_ = std::move(*pipe.solution);
+    return PipeThere{pipe_load(model_, last_, hull_), pipe_at_step(recover_statics(model_, last_))};
+  }
+
+ private:
+  Model model_;
+  StaticSolution last_;
+  HullAtRest hull_;
+};
+
+double surge_period(const MooredState& rest) {
+  for (const PeriodResult& period : rest.vessel.natural_periods) {
+    if (period.mode == "surge") return period.period;
+  }
+  return 0.0;
+}
+
+LayOutcome solved(const Model& model, StaticSolution pipe, const MooredHull& moored, const Vec6& load) {
+  std::variant<MooringResults, StaticFailure> outcome =
+      moored_results(model, moored, {load, PipeOnTheWay(model, pipe, moored.hull)});
+  if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
     return fail(*failure);
   }
+  MooringResults& results = std::get<MooringResults>(outcome);
   pipe.moorings = moored.spread;
-  return {std::move(pipe), std::get<MooringResults>(std::move(results)), std::nullopt};
+  if (!results.steps.empty()) {
+    pipe.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
+  }
+  return {std::move(pipe), std::move(results), std::nullopt};
 }
 
 }  // namespace
@@ -65,15 +114,16 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start) {
       return fail(*pipe.failure);
     }
     MooredHull moored = described;
-    moored.hull.steady += pipe_load(model, *pipe.solution, moored.hull);
+    const Vec6 load = pipe_load(model, *pipe.solution, moored.hull);
+    moored.hull.steady += load;
     find_rest_at_start(model.description, moored);
     if (moored.rest.fault) {
       return fail({"no rest of the moored hull", "static", *moored.rest.fault});
     }
     const HullPlace place = place_of(moored.hull, moored.rest.offset);
     const VesselPose pose{place.p_W, place.R_WV};
-    if (way_between(pose, model.mean_pose, model.description.vessel.length) < kStill) {
-      return solved(model, std::move(*pipe.solution), moored);
+    if (way_between(place, place_of(model.mean_pose), model.description.vessel.length) < kStill) {
+      return solved(model, std::move(*pipe.solution), moored, load);
     }
     model.mean_pose = pose;
     pipe = solve_statics(model, &*pipe.solution);
