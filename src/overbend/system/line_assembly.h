@@ -87,9 +87,9 @@ class LineAssembly {
   void keep_ends();
 
   const Line* line_;
-  LineEnvironment environment_;  ///< Eased.
+  LineEnvironment environment_;               ///< Eased.
   mutable std::optional<LineElements> paid_;  ///< Where a winch gives the last element its length.
-  YieldingElements yielding_;    ///< With its levels.
+  YieldingElements yielding_;                 ///< With its levels.
   Easing easing_;
   RollerContacts contacts_;
   StaticYielding resting_;

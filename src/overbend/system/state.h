@@ -35,15 +35,15 @@ enum class Giving {
 };
 
 struct GivenWay {
-  double moved = 0.0;              ///< Paid out, or dragged, since the start [m].
-  double rate = 0.0;               ///< [m/s]
-  double last_element = 0.0;       ///< Unstressed length that a winch gives it; 0: that of the mesh [m].
-  Vec3 dragged = Vec3::Zero();     ///< Place of an anchor from where it was, W [m].
-  Vec3 drag_rate = Vec3::Zero();   ///< [m/s]
-  Giving how = Giving::steady;     ///< Over the last step.
-  double stiffness = 0.0;          ///< Fall of the tension with what gave way in a step, as found last [N/m].
-  double gave_way = 0.0;           ///< So far by yielding [m].
-  double held_up_for = 0.0;        ///< Time in which it could not haul in [s].
+  double moved = 0.0;             ///< Paid out, or dragged, since the start [m].
+  double rate = 0.0;              ///< [m/s]
+  double last_element = 0.0;      ///< Unstressed length that a winch gives it; 0: that of the mesh [m].
+  Vec3 dragged = Vec3::Zero();    ///< Place of an anchor from where it was, W [m].
+  Vec3 drag_rate = Vec3::Zero();  ///< [m/s]
+  Giving how = Giving::steady;    ///< Over the last step.
+  double stiffness = 0.0;         ///< Fall of the tension with what gave way in a step, as found last [N/m].
+  double gave_way = 0.0;          ///< So far by yielding [m].
+  double held_up_for = 0.0;       ///< Time in which it could not haul in [s].
 };
 
 /// Of what holds an end of a line.
