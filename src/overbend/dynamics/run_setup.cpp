@@ -2,19 +2,11 @@
 
 #include <cmath>
 
+#include "dynamics/pull_ahead.h"
 #include "dynamics/quasi_static_lines.h"
 #include "dynamics/water_field.h"
 
 namespace overbend {
-namespace {
-
-/// What the winches do in the operation; none where there is none.
-std::vector<LengthTable> programs_of(const StaticSolution& start) {
-  return start.winches ? winch_tables(start.winches->lengths, start.winches->profile) : std::vector<LengthTable>{};
-}
-
-}  // namespace
-
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
                     const DynamicOptions& options) {
   RunSetup setup;
@@ -25,7 +17,10 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   const bool quasi_static = d.moorings && d.moorings->model == MooringModel::quasi_static;
   if (start.moorings) {
     setup.mooring_names = mooring_names(*start.moorings);
-    if (!quasi_static) setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
+    if (!quasi_static) {
+      setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
+      follow_programs(*start.moorings, winch_programs(start), setup.system);
+    }
   }
   if (d.vessel.motion == VesselMotion::coupled) {
     setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
@@ -33,7 +28,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
     setup.system.bodies.front().free =
         free_hull(setup.hull->hull, setup.system.lines.front().force_scale, d.vessel.length);
     if (start.moorings && quasi_static) {
-      setup.system.bodies.front().free->springs = quasi_static_lines(*start.moorings, programs_of(start));
+      setup.system.bodies.front().free->springs = quasi_static_lines(*start.moorings, winch_programs(start));
     }
   } else {
     setup.motion = make_vessel_motion(model, setup.sea);

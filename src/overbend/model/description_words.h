@@ -210,6 +210,7 @@ inline constexpr std::array kWords<OperationType> = {
     Word{OperationType::moored, "moored"},
     Word{OperationType::pull_ahead, "pull_ahead"},
     Word{OperationType::anchor_move, "anchor_move"},
+    Word{OperationType::anchor_plan, "anchor_plan"},
 };
 
 template <>

@@ -30,6 +30,14 @@ struct AnchorDescription {
   bool slides = false;            ///< Above its holding power; else it is fixed and reported.
 };
 
+/// Where a line is of use while the vessel goes on: beyond, its anchor has to be moved.
+struct UsefulRange {
+  std::optional<double> least_length, most_length;  ///< Unstressed, of the whole line [m].
+  std::optional<double> sector;                     ///< Of its direction either way from that as drawn [rad].
+
+  bool given() const { return least_length || most_length || sector; }
+};
+
 struct MooringLineDescription {
   std::string name;
   Vec3 fairlead = Vec3::Zero();                 ///< Frame V [m].
@@ -43,6 +51,7 @@ struct MooringLineDescription {
   std::string winch;                             ///< By name; none: the line's length stands.
   AnchorDescription anchor_holding;
   std::optional<double> fails_at;  ///< Parts at its fairlead at this time [s].
+  UsefulRange useful;
 };
 
 /// A thing on the sea bed that lines should keep clear of.
@@ -62,7 +71,7 @@ struct MooringsDescription {
   std::optional<double> bed_friction;                 ///< Of all lines whose type says nothing [-].
 };
 
-enum class OperationType { none, moored, pull_ahead, anchor_move };
+enum class OperationType { none, moored, pull_ahead, anchor_move, anchor_plan };
 /// How a vessel that is pulled ahead moves: with ramps of its speed; smoothly; with ramps in two parts, half a period
 /// of its surge apart, that leave no surge behind.
 enum class MoveShape { trapezoid, minimum_jerk, zero_vibration };

@@ -77,15 +77,17 @@ std::vector<Field> operation() {
   Field type =
       required(row_of_kind(FieldKind::choice, "operation.type", fills(&Operation::type),
                            "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
-                           "winches; anchor_move: an anchor is taken up and laid down elsewhere."));
+                           "winches; anchor_move: an anchor is taken up and laid down elsewhere; anchor_plan: which "
+                           "anchor has to be moved before which joint."));
   type.choices = {word_of(OperationType::moored), word_of(OperationType::pull_ahead),
-                  word_of(OperationType::anchor_move)};
+                  word_of(OperationType::anchor_move), word_of(OperationType::anchor_plan)};
   std::vector<Field> rows = {
       otherwise(group_row("operation", enters(&Description::operation), "What is done with the moored vessel."),
                 "nothing"),
       type,
       quantity_row("operation.distance", defaults(&Operation::distance),
-                   "Of pull_ahead: distance ahead, astern negative.", kLength, {.low = -1000.0, .high = 1000.0}),
+                   "Of pull_ahead: distance ahead, astern negative; of anchor_plan: of each joint.", kLength,
+                   {.low = -1000.0, .high = 1000.0}),
       quantity_row("operation.speed", defaults(&Operation::speed), "Of pull_ahead: speed of the vessel.", kSpeed,
                    {.low = 0.0, .high = 5.0, .low_open = true}),
       quantity_row("operation.acceleration_time", defaults(&Operation::acceleration_time),
@@ -93,7 +95,8 @@ std::vector<Field> operation() {
       quantity_row("operation.start", defaults(&Operation::start), "Of pull_ahead: time at which it begins.", kTime,
                    kNotNegative),
       row_of_kind(FieldKind::integer, "operation.moves", defaults(&Operation::moves),
-                  "Of pull_ahead: number of such moves, one after the other.", {.low = 1.0, .high = 1000.0}),
+                  "Of pull_ahead: number of such moves, one after the other; of anchor_plan: of joints.",
+                  {.low = 1.0, .high = 1000.0}),
       quantity_row("operation.wait", defaults(&Operation::wait), "Of pull_ahead: time between two moves.", kTime,
                    {.low = 0.0, .high = 1e6}),
       row_of_kind(

@@ -96,6 +96,11 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
     json["operation"]["stages"] =
         style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
   }
+  if (results.operation == "anchor_plan") {
+    json["operation"]["anchors"] = style.rows(results.anchors, [&](const AnchorDue& due) {
+      return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
+    });
+  }
   if (!results.winches.empty()) json["operation"][results.operation] = pull_ahead_json(style, results);
 }
 

@@ -91,16 +91,26 @@ struct MoveStep {
   std::optional<PipeAtStep> pipe;
 };
 
+/// An anchor that is due on a route.
+struct AnchorDue {
+  int joint = 0;                                    ///< Before this one is laid, counted from 1.
+  std::string line;                                 ///< Whose anchor it is.
+  std::string reason;                               ///< What of the line's useful range it is about to leave.
+  Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();  ///< Old and new place [m].
+  double length = 0.0;                              ///< Of the line, unstressed, at its new place [m].
+};
+
 /// What a static analysis of a hull and its lines, without a pipe, hands on.
 struct MooringResults {
   std::string title, version;
   std::vector<std::string> assumptions, warnings;
   MooredState rest;
-  std::string operation;            ///< moored, pull_ahead, anchor_move or empty.
+  std::string operation;            ///< moored, pull_ahead, anchor_move, anchor_plan or empty.
   std::vector<MooredState> stages;  ///< Of the operation, in order.
   double distance = 0.0;            ///< Of a pull-ahead [m].
   std::vector<WinchMove> winches;   ///< Of a pull-ahead, from its first stage to its last.
   std::vector<MoveStep> steps;      ///< Of a pull-ahead, place by place.
+  std::vector<AnchorDue> anchors;   ///< Of an anchor plan, in order.
 };
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/version.h"
+#include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
 #include "statics/anchor_move.h"
 #include "statics/moored_rest.h"
@@ -116,6 +117,23 @@ bool move_anchor(const Model& model, const MooredHull& start, Stages& stages, Mo
   return true;
 }
 
+/// Each line with the pull that it has where the hull lies first.
+bool plan_anchors_due(const Model& model, const MooredHull& start, Stages& stages, MooringResults& results) {
+  const OperationDescription& operation = model.description.operation;
+  std::vector<UsefulLine> useful;
+  for (std::size_t i = 0; i < start.spread.lines.size(); ++i) {
+    useful.push_back({model.description.moorings->lines[i].useful, start.rest.lines[i].pull});
+  }
+  const AnchorRoute route{operation.distance * start.hull.axes_WD.col(0), operation.moves};
+  const AnchorSchedule schedule = plan_anchors(start.spread, model.drawn_pose.R_WV, useful, route);
+  if (schedule.fault) return stages.fail({"the anchors cannot be planned", "", *schedule.fault});
+  for (const AnchorShift& shift : schedule.shifts) {
+    results.anchors.push_back(
+        {shift.joint, start.spread.lines[shift.line].name, shift.reason, shift.from_W, shift.to_W, shift.length});
+  }
+  return true;
+}
+
 bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull& pipe, Stages& stages,
                    MooringResults& results) {
   const OperationDescription& operation = model.description.operation;
@@ -129,6 +147,9 @@ bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull
     case OperationType::anchor_move:
       results.operation = "anchor_move";
       return move_anchor(model, start, stages, results);
+    case OperationType::anchor_plan:
+      results.operation = "anchor_plan";
+      return plan_anchors_due(model, start, stages, results);
     case OperationType::none:
       break;
   }

@@ -12,6 +12,16 @@ void visit_move_step(Row& r, Visit& visit) {
         r.advance);
 }
 
+template <class Row, class Visit>
+void visit_anchor_due(Row& r, Visit& visit) {
+  visit(ResultField{"joint", "1", "Before this joint is laid, counted from 1"}.csv("joint").summary(), r.joint);
+  visit(ResultField{"line", "1", "Line whose anchor is moved"}.csv("line").summary(), r.line);
+  visit(ResultField{"reason", "1", "Bound of its useful range that it would pass"}.csv("reason").summary(), r.reason);
+  visit(ResultField{"from", "m", "Old place of the anchor", kWorldFrame}.summary(), r.from_W);
+  visit(ResultField{"to", "m", "New place of the anchor", kWorldFrame}.summary(), r.to_W);
+  visit(ResultField{"length", "m", "Unstressed length of the line at its new place"}.csv("length").summary(), r.length);
+}
+
 /// The pipe at one place.
 template <class Row, class Visit>
 void visit_pipe_at_step(Row& r, Visit& visit) {
