@@ -54,17 +54,18 @@ TEST(anchor_plan, keeps_every_line_in_its_useful_range_on_the_whole_route) {
   EXPECT_EQ(next, schedule.shifts.end());
 }
 
-/// With 300 kN the length is some 7 m more than the distance. A bow anchor at 25 deg is passed along its own direction
-/// at first: of 1000 m it has 500 m left after some 40 joints.
+/// Of a bow line with its pull kept: what of it lies becomes shorter, and stretches less.
 TEST(anchor_plan, moves_an_anchor_when_its_line_has_become_as_short_as_it_may) {
   Route at({});
-  at.useful[0].range = between(507.0, 1400.0);
+  const double stretch = at.useful[0].pull / (4.04e10 * 0.064 * 0.064);
+  const double excess = at.spread.lines[0].line.length() - 1000.0;  // over the distance, at 1000 m
+  at.useful[0].range = between(705.0 + excess + 295.0 * stretch, 1400.0);
   const AnchorSchedule schedule = at.plan();
   ASSERT_FALSE(schedule.fault) << *schedule.fault;
   ASSERT_FALSE(schedule.shifts.empty());
   const AnchorShift& first = schedule.shifts.front();
-  // Abreast by 1000 sin 25 deg, 500 m away in all: ahead by 268.5 m, after 906.3 - 268.5 m.
-  EXPECT_EQ(first.joint, static_cast<int>((906.3 - 268.5) / 12.0) + 1);
+  // Abreast by 1000 sin 25 deg, 705 m away in all: ahead by 564.3 m, after 906.3 - 564.3 m.
+  EXPECT_EQ(first.joint, static_cast<int>((906.3 - 564.3) / 12.0) + 1);
   EXPECT_STREQ(first.reason, "least length");
   EXPECT_EQ(first.line, 0U);
   EXPECT_LE(first.length, 1400.0);

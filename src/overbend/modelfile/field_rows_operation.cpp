@@ -98,7 +98,7 @@ std::vector<Field> operation() {
                   "Of pull_ahead: number of such moves, one after the other; of anchor_plan: of joints.",
                   {.low = 1.0, .high = 1000.0}),
       quantity_row("operation.wait", defaults(&Operation::wait), "Of pull_ahead: time between two moves.", kTime,
-                   {.low = 0.0, .high = 1e6}),
+                   {.low = 0.0, .high = 86400.0}),
       row_of_kind(
           FieldKind::choice, "operation.shape", defaults(&Operation::shape),
           "Of pull_ahead: speed in time. trapezoid: with ramps of acceleration_time; minimum_jerk: as smooth as "

@@ -29,10 +29,10 @@ std::vector<double> instants_of(const MoveProfile& profile) {
   std::vector<double> times;
   const int rows = std::max(2, static_cast<int>(std::ceil(duration / kRowStep)));
   for (int i = 1; i < rows; ++i) times.push_back(duration * i / rows);
-  for (const double shift : {0.0, 0.5 * profile.period}) {
-    for (const double kink :
-         {profile.ramp, profile.ramp + shift, duration - profile.ramp, duration - profile.ramp - shift}) {
-      if (kink > 0.0 && kink < duration) times.push_back(kink);
+  const double half = profile.shape == MoveShape::zero_vibration ? 0.5 * profile.period : 0.0;
+  for (const double kink : {half, profile.ramp, profile.ramp + half}) {
+    for (const double instant : {kink, duration - kink}) {
+      if (instant > 0.0 && instant < duration) times.push_back(instant);
     }
   }
   times.push_back(duration);

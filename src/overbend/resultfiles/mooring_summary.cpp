@@ -78,14 +78,16 @@ Json step_json(const SummaryStyle& style, const MooringResults& results, const M
   return json.take();
 }
 
-Json pull_ahead_json(const SummaryStyle& style, const MooringResults& results) {
+/// What the winches did, and on the way.
+Json winches_json(const SummaryStyle& style, const MooringResults& results) {
   Json json;
-  json["distance"] = results.distance;
   json["lines"] = style.rows(results.winches, [&](const WinchMove& move) {
     Json line = object_of(style, [&](auto& one) { visit_winch_move(move, one); });
     line["winch"] = move.after - move.before;
     return line;
   });
+  if (results.operation != "pull_ahead") return json;
+  json["distance"] = results.distance;
   json["steps"] = style.rows(results.steps, [&](const MoveStep& step) { return step_json(style, results, step); });
   return json;
 }
@@ -101,7 +103,7 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
       return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
     });
   }
-  if (!results.winches.empty()) json["operation"][results.operation] = pull_ahead_json(style, results);
+  if (!results.winches.empty()) json["operation"][results.operation] = winches_json(style, results);
 }
 
 }  // namespace
