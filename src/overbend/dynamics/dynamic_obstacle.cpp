@@ -60,6 +60,10 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
   if (vessel.motion == VesselMotion::coupled) {
     return coupled_obstacle(d);
   }
+  if (d.operation.type == OperationType::pull_ahead && d.operation.acceleration_time <= 0.0) {
+    return StaticFailure{"the vessel cannot be at its speed at once", "operation.acceleration_time",
+                         "a told motion without time to reach its speed strikes the pipe; give some seconds"};
+  }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {
     return StaticFailure{"the vessel motion cannot be used", "",
