@@ -91,6 +91,7 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   }
   if (!line.bending.empty()) {
     const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");
+    line.bending.resize(bending.size() / kBendingNumbers);  // as many as there are elements
     for (std::size_t i = 0; i < line.bending.size(); ++i) {
       line.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
     }

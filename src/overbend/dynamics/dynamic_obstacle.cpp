@@ -16,11 +16,13 @@ std::optional<StaticFailure> quasi_static_obstacle(const Description& d) {
   const auto refuse = [](const std::string& what) {
     return StaticFailure{"quasi-static mooring lines " + what, "moorings.model", "leave out moorings.model"};
   };
-  if (d.vessel.motion != VesselMotion::coupled)
+  if (d.vessel.motion != VesselMotion::coupled) {
     return refuse("have nothing to pull at where the vessel's motion is told");
+  }
   for (const MooringLineDescription& line : d.moorings->lines) {
-    if (line.fails_at || line.anchor_holding.slides)
+    if (line.fails_at || line.anchor_holding.slides) {
       return refuse("cannot part or drag an anchor: '" + line.name + "'");
+    }
   }
   for (const WinchDescription& winch : d.moorings->winches) {
     if (winch.mode == WinchMode::tension || winch.mode == WinchMode::speed) {
@@ -67,6 +69,10 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
   }
   if (vessel.motion == VesselMotion::coupled) {
     return coupled_obstacle(d);
+  }
+  if (d.operation.type == OperationType::pull_ahead && d.operation.acceleration_time <= 0.0) {
+    return StaticFailure{"the vessel cannot be at its speed at once", "operation.acceleration_time",
+                         "a told motion without time to reach its speed strikes the pipe; give some seconds"};
   }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {

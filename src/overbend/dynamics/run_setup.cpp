@@ -1,12 +1,14 @@
 #include "dynamics/run_setup.h"
 
 #include <cmath>
+#include <limits>
 
 #include "dynamics/pull_ahead.h"
 #include "dynamics/quasi_static_lines.h"
 #include "dynamics/water_field.h"
 
 namespace overbend {
+
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
                     const DynamicOptions& options) {
   RunSetup setup;
@@ -32,6 +34,14 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
     }
   } else {
     setup.motion = make_vessel_motion(model, setup.sea);
+    if (d.vessel.motion == VesselMotion::raos) setup.wave_numbers_ahead = wave_numbers_ahead(setup.motion, setup.sea);
+  }
+  if (d.operation.type == OperationType::pull_ahead) {
+    setup.move = start.winches ? start.winches->profile : move_profile(d.operation, 0.0);
+    const std::optional<JointDescription>& joint = d.pipe.section.joint;
+    setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
+        std::numeric_limits<double>::infinity();  // a track tensioner feeds without end
+    setup.joint = joint ? joint->length : std::abs(d.operation.distance);
   }
   setup.system.build_up = options.build_up;
   setup.interval = water_interval(setup.sea, options.output_step);

@@ -163,7 +163,8 @@ void check_operation(Checker& check, const std::vector<FieldValue>& lines) {
   } else {
     check_anchor_move(check, *operation, lines);
   }
-  if (type && lines.empty() && !check.root().mentions("moorings")) {
+  const bool led = type == OperationType::pull_ahead && check.root().mentions("pipe") && !hull_floats(check.root());
+  if (type && lines.empty() && !check.root().mentions("moorings") && !led) {
     check.missing(check.root(), "moorings", "a group of keys", "the operation is that of a moored vessel");
   }
   check_unique_names(check, Checker::items(*operation, "stages"), "stage");

@@ -75,7 +75,7 @@ void add_tension(Columns& columns) {
                      [](const RowSource& row) { return row.now.tensioner->machine.tension; }});
   columns.push_back(
       {{"tensioner/travel", "m", "Length paid out by the tensioner, negative when hauled in", false, false},
-       [](const RowSource& row) { return row.now.tensioner->travel.q; }});
+       [](const RowSource& row) { return row.now.move.moves ? row.now.move.paid_out : row.now.tensioner->travel.q; }});
   columns.push_back({{"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false},
                      [](const RowSource& row) { return static_cast<double>(row.now.tensioner->machine.state); }});
 }
