@@ -219,10 +219,50 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "moorings.least_tension", "less than the working load"},
       {"distance of a moored vessel", "type: moored", "type: moored\n  distance: 12 m", "operation.distance",
        "pull_ahead"},
+      {"anchor of a moored vessel", "type: moored", "type: moored\n  line: stern", "operation.line", "anchor_move"},
       {"held and floating", "  heading: 90 deg", "  heading: 90 deg\n  motion: fixed", "vessel.hydrostatics",
        "one of them"},
   };
   for (const Slip& slip : slips) expect_told(kMoored, slip);
+}
+
+/// The operation of the text in place of its stages.
+std::string with_operation(const std::string& operation) {
+  return kMoored.substr(0, kMoored.find("operation:")) + "operation: " + operation + "\n";
+}
+
+TEST(moorings, a_pull_ahead_has_a_shape_and_rests_between_its_moves) {
+  const ModelReading reading = read_model_text(
+      with_operation("{type: pull_ahead, distance: 12 m, moves: 3, wait: 4 min, shape: zero_vibration}"), "model.yaml");
+  ASSERT_TRUE(reading.description);
+  EXPECT_EQ(reading.description->operation.wait, 240.0);
+  EXPECT_EQ(reading.description->operation.shape, MoveShape::zero_vibration);
+}
+
+TEST(moorings, an_anchor_is_moved_to_a_place_or_by_a_direction_and_a_distance) {
+  const ModelReading place = read_model_text(
+      with_operation("{type: anchor_move, line: stern, to: {x: -1500 m, y: 30 m}, test_tension: 800 kN}"),
+      "model.yaml");
+  ASSERT_TRUE(place.description);
+  const AnchorMoveDescription& move = place.description->operation.anchor;
+  EXPECT_EQ(move.line, "stern");
+  EXPECT_EQ((*move.to)[0], -1500.0);
+  EXPECT_EQ(move.handling_tension, 50e3);
+  EXPECT_EQ(move.test_tension, 800e3);
+  const struct {
+    const char *operation, *key;
+  } slips[] = {{"{type: anchor_move, line: stren, to: {x: 1 m, y: 2 m}}", "operation.line"},
+               {"{type: anchor_move, to: {x: 1 m, y: 2 m}}", "operation.line"},
+               {"{type: anchor_move, line: stern}", "operation.to"},
+               {"{type: anchor_move, line: stern, bearing: 10 deg}", "operation.anchor_distance"},
+               {"{type: anchor_move, line: stern, to: {x: 1 m, y: 2 m}, bearing: 10 deg}", "operation.to"},
+               {"{type: pull_ahead, handling_tension: 50 kN}", "operation.handling_tension"}};
+  for (const auto& slip : slips) {
+    const ModelReading reading = read_model_text(with_operation(slip.operation), "model.yaml");
+    ASSERT_GE(reading.diagnostics.error_count(), 1) << slip.operation;
+    EXPECT_NE(reading.diagnostics.lines(Severity::error).at(0).find(slip.key), std::string::npos)
+        << reading.diagnostics.lines(Severity::error).at(0);
+  }
 }
 
 // One for each line that has none.

@@ -7,6 +7,7 @@
 
 #include "dynamics/free_start.h"
 #include "dynamics/laid_tail.h"
+#include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
 
 namespace overbend {
@@ -43,16 +44,6 @@ class WallTime {
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
-/// The system with mooring lines that slide on the bed without friction, which is how they find their rest: friction
-/// holds them from there on, whichever way they then move.
-System sliding(const System& system) {
-  System slides = system;
-  for (std::size_t i = 1; i < slides.lines.size(); ++i) {
-    slides.lines[i].environment.bed_friction_axial = slides.lines[i].environment.bed_friction_lateral = 0.0;
-  }
-  return slides;
-}
-
 /// An offset along and about the axes of the hull as drawn, of its coordinates.
 Vec6 in_world(Vec6 offset, const Vec6& drawn) {
   offset.head<3>() = turned_about_z(drawn(5)) * offset.head<3>();
@@ -70,11 +61,13 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     : options_(options),
       setup_(make_setup(model, start, top_tension, options)),
       clock_(make_clock(options, setup_.interval)),
-      shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
+      shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
+      ahead_W_(level_ahead(model.mean_pose)) {
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
   tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
+  if (setup_.move) conveyor_.emplace(model, setup_.system);
   state_ = static_state(setup_.system, start, setup_.moorings, clock_.time());
   for (std::size_t i = 0; i < setup_.system.lines.size(); ++i) {
     water_.emplace_back(setup_.sea, setup_.system.lines[i].mesh, state_.lines[i].q, options.build_up, setup_.interval);
@@ -89,7 +82,8 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
 
 void Simulation::surroundings(double time, Surroundings& now) {
   if (!setup_.hull) {
-    now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+    const MoveAhead ahead{setup_.move ? setup_.move->at(time) : WayPoint{}, setup_.wave_numbers_ahead};
+    now.bodies.front() = vessel_motion(setup_.motion, ahead, time, half_cosine(time, options_.build_up));
   }
   lead_attachments(setup_.system, now);
   for (std::size_t i = 0; i < water_.size(); ++i) {
@@ -109,6 +103,8 @@ bool Simulation::begin() {
   }
   if (setup_.hull) {
     let_hull_go();
+  } else if (!setup_.moorings.empty()) {
+    rest_moorings();
   }
   if (failure_) {
     return false;
@@ -130,8 +126,8 @@ bool Simulation::begin() {
 
 /// Hull, lines and pipe to rest. What the tensioner has paid out for that is where it begins.
 void Simulation::let_hull_go() {
-  const System slides = sliding(setup_.system);
-  Assembly resting(slides);
+  const System pulled = pulled_in(setup_.system, state_);
+  Assembly resting(pulled);
   failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
   if (!failure_ && !options_.release.isZero()) {
     failure_ = displace_hull(resting, in_world(options_.release, setup_.hull->hull.drawn), state_);
@@ -141,12 +137,60 @@ void Simulation::let_hull_go() {
   tensioner(state_).travel = {};
 }
 
+/// On a vessel whose motion is told the lines alone come to rest.
+void Simulation::rest_moorings() {
+  assembly_->set_time(state_.time, state_);
+  failure_ = rest_mooring_lines(setup_.system, assembly_->surroundings().bodies, setup_.mooring_names, state_);
+}
+
+/// Lines whose time has come hang free from here on, with the accelerations that all then have.
+bool Simulation::part_lines() {
+  if (!part_due_lines(setup_.system, state_)) return true;
+  assembly_->set_time(state_.time, state_);
+  assembly_->set_drive(tensioner(state_).machine.drive);
+  stepper_->forget_factors();
+  return begin_motion(*assembly_, state_);
+}
+
 void Simulation::find_elevation() {
-  elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe_.x(), shoe_.y());
+  const Vec3 shoe = shoe_ + (setup_.move ? setup_.move->at(state_.time).way : 0.0) * ahead_W_;
+  elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe.x(), shoe.y());
 }
 
 Instant Simulation::now() const {
-  return {&state_, &*assembly_, &tensioner(state_), state_.last_step, elevation_, energy_.balance().drift()};
+  Instant at{&state_, &*assembly_, &tensioner(state_), state_.last_step, elevation_, energy_.balance().drift(), {}};
+  at.move.paid_out = tensioner(state_).travel.q;
+  if (setup_.move) {
+    at.move.moves = true;
+    at.move.way = setup_.move->at(state_.time);
+    at.move.ahead_W = at.move.way.way * ahead_W_;
+    at.move.paid_out += conveyor_->travelled();
+    at.move.joints = conveyor_->fed() / setup_.joint;
+  }
+  return at;
+}
+
+/// Pipe that was paid out becomes part of the line.
+void Simulation::convey() {
+  if (!conveyor_ || !conveyor_->due(setup_.system, state_)) return;
+  const InstantEnergy before = assembly_->energy(state_);
+  conveyor_->act(setup_.system, state_, assembly_->surroundings().ends[machine()]);
+  if (!water_.front().calm()) {
+    const LineState& pipe = state_.lines.front();
+    water_.front() =
+        WaterField(setup_.sea, setup_.system.lines.front().mesh, pipe.q, options_.build_up, setup_.interval);
+    water_.front().renew(water_memory_.front(), state_.time, pipe.q, pipe.v);
+  }
+  renew_system();
+  energy_.carry(before, assembly_->energy(state_));
+  watch_.last = assembly_->machine_tension();
+}
+
+/// Assembly and stepper of the sizes that the lines have now, at the present state.
+void Simulation::renew_system() {
+  assembly_.emplace(setup_.system);
+  stepper_.emplace(*assembly_, options_.step);
+  evaluate_present();
 }
 
 void Simulation::observe(SimulationObserver& observer) {
@@ -183,13 +227,17 @@ void Simulation::observe_tension(SystemState& state, double h) {
   }
 }
 
-/// Until the tensioner's delay is over [s].
+/// Until the tensioner's delay is over, or a line parts [s].
 double Simulation::to_timed_event() const {
-  const TensionerLaw& law = tensioner_of(setup_.system);
-  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+  if (options_.fixed_step) {
     return kUnlimited;
   }
-  return std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent);
+  const double to_parting = time_to_parting(setup_.system, state_);
+  const TensionerLaw& law = tensioner_of(setup_.system);
+  if (law.mode != TensionerMode::controlled) {
+    return to_parting;
+  }
+  return std::min(to_parting, std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent));
 }
 
 /// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s].
@@ -262,6 +310,7 @@ void Simulation::reach_tick() {
 bool Simulation::step() {
   if (failure_ || finished()) return false;
   const WallTime measured(report_.wall_time);
+  if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
   do {
@@ -270,6 +319,7 @@ bool Simulation::step() {
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
   } while (!attempt(h, target, to_event));
   if (state_.time >= target) reach_tick();
+  convey();
   return true;
 }
 

@@ -8,6 +8,7 @@
 /// of the hydrodynamics act in the horizontal axes H that stand at the slow heading psi_f. Theory: docs/theory/hull.md.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -67,12 +68,22 @@ struct Hull {  // NOLINT(clang-analyzer-optin.performance.Padding): there is one
   bool in_waves() const { return !waves.empty(); }
 };
 
+/// Forces of a quasi-static line on its ends, in its vertical plane: the next ones are sought from them.
+struct LineEndForces {
+  double pull = 0.0, sink = 0.0;                  ///< On the hull: towards the anchor, downwards [N].
+  double anchor_pull = 0.0, anchor_uplift = 0.0;  ///< On the anchor: towards the hull, upwards [N].
+
+  double fairlead_tension() const { return std::hypot(pull, sink); }                ///< [N]
+  double anchor_tension() const { return std::hypot(anchor_pull, anchor_uplift); }  ///< [N]
+};
+
 /// Everything that the hull remembers. Copied it resumes bit for bit.
 struct HullState {
   Vec6 h = Vec6::Zero(), v = Vec6::Zero();      ///< Coordinates and their rates.
   Vec6 acc = Vec6::Zero(), alg = Vec6::Zero();  ///< True and algorithmic acceleration.
   RadiationMemory radiation;
   SlowMotion slow;
+  std::vector<LineEndForces> lines;  ///< Of the quasi-static lines on it.
 };
 
 /// The hull at rest at h in water at rest.

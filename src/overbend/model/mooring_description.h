@@ -30,6 +30,14 @@ struct AnchorDescription {
   bool slides = false;            ///< Above its holding power; else it is fixed and reported.
 };
 
+/// Where a line is of use while the vessel goes on: beyond, its anchor has to be moved.
+struct UsefulRange {
+  std::optional<double> least_length, most_length;  ///< Unstressed, of the whole line [m].
+  std::optional<double> sector;                     ///< Of its direction either way from that as drawn [rad].
+
+  bool given() const { return least_length || most_length || sector; }
+};
+
 struct MooringLineDescription {
   std::string name;
   Vec3 fairlead = Vec3::Zero();                 ///< Frame V [m].
@@ -43,6 +51,7 @@ struct MooringLineDescription {
   std::string winch;                             ///< By name; none: the line's length stands.
   AnchorDescription anchor_holding;
   std::optional<double> fails_at;  ///< Parts at its fairlead at this time [s].
+  UsefulRange useful;
 };
 
 /// A thing on the sea bed that lines should keep clear of.
@@ -62,7 +71,21 @@ struct MooringsDescription {
   std::optional<double> bed_friction;                 ///< Of all lines whose type says nothing [-].
 };
 
-enum class OperationType { none, moored, pull_ahead };
+enum class OperationType { none, moored, pull_ahead, anchor_move, anchor_plan };
+/// How a vessel that is pulled ahead moves: with ramps of its speed; smoothly; with ramps in two parts, half a period
+/// of its surge apart, that leave no surge behind.
+enum class MoveShape { trapezoid, minimum_jerk, zero_vibration };
+
+/// One line's anchor is taken up and laid down elsewhere.
+struct AnchorMoveDescription {
+  std::string line;
+  std::optional<std::array<double, 2>> to;  ///< New place, x, y in W [m].
+  std::optional<double> bearing;  ///< Instead: of the new place from the fairlead, clockwise from the bow [rad].
+  std::optional<double> anchor_distance;  ///< And its horizontal distance from there [m].
+  double handling_tension = 50e3;         ///< While the anchor is taken up and laid down [N].
+  std::optional<double> working_tension;  ///< Afterwards; that of the line before the move where not given [N].
+  std::optional<double> test_tension;     ///< Of the holding test [N].
+};
 
 struct MooredStageDescription {
   std::string name;
@@ -72,13 +95,16 @@ struct MooredStageDescription {
 
 struct OperationDescription {
   OperationType type = OperationType::none;
-  double distance = 12.0;                      ///< Ahead [m].
-  double speed = 0.15;                         ///< [m/s]
-  double acceleration_time = 10.0;             ///< [s]
-  double start = 0.0;                          ///< [s]
-  int moves = 1;                               ///< Joints one after the other.
+  double distance = 12.0;           ///< Ahead [m].
+  double speed = 0.15;              ///< [m/s]
+  double acceleration_time = 10.0;  ///< [s]
+  double start = 0.0;               ///< [s]
+  int moves = 1;                    ///< Joints one after the other.
+  double wait = 300.0;              ///< Between two moves [s].
+  MoveShape shape = MoveShape::trapezoid;
   std::vector<VesselLoadDescription> loads;    ///< Of pull_ahead.
   std::vector<MooredStageDescription> stages;  ///< Of moored.
+  AnchorMoveDescription anchor;                ///< Of anchor_move.
 };
 
 }  // namespace overbend

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "dynamics/mooring_tension.h"
+
 namespace overbend {
 namespace {
 
@@ -23,11 +25,6 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
   return std::nullopt;
 }
 
-double tension_at(const LineAssembly& line, LineEnd end) {
-  const std::array<double, 6>& force = line.end_force(end);
-  return Vec3(force[0], force[1], force[2]).norm();
-}
-
 }  // namespace
 
 MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, const std::vector<std::string>& names) {
@@ -44,11 +41,12 @@ MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, c
   }
 }
 
-void MooringWatch::add(const Assembly& assembly, double time) {
+void MooringWatch::add(const Assembly& assembly, const SystemState& state) {
+  const double time = state.time;
   if (time <= 0.0) return;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const auto keep = [&](LineEnd end, Peak& peak) {
-      const double tension = tension_at(assembly.line(i + 1), end);
+      const double tension = mooring_tension(assembly, state, i, end);
       if (tension > peak.tension) peak = {tension, time};
     };
     keep(LineEnd::last, lines_[i].fairlead);

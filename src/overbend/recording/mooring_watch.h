@@ -16,7 +16,7 @@ class MooringWatch {
   MooringWatch(const std::optional<MooringsDescription>& moorings, const std::vector<std::string>& names);
 
   /// An accepted step.
-  void add(const Assembly& assembly, double time);
+  void add(const Assembly& assembly, const SystemState& state);
   /// Lines beyond their breaking or working load, their winch's brake, their anchor's holding power.
   std::vector<std::string> warnings() const;
 

@@ -46,14 +46,7 @@ Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
 }
 
 VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
-  VesselResult result;
-  const HullOffset& u = rest.offset;
-  result.surge = u[0];
-  result.sway = u[1];
-  result.heave = u[2];
-  result.roll = u[3];
-  result.pitch = u[4];
-  result.yaw = std::remainder(u[5], kWholeTurn);
+  VesselResult result = vessel_offset(rest.offset);
   if (free) {
     const Mat6 stiffness = whole_stiffness(hull, rest);
     result.stiffness = by_rows(stiffness);
@@ -113,6 +106,17 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
 }
 
 }  // namespace
+
+VesselResult vessel_offset(const HullOffset& u) {
+  VesselResult result;
+  result.surge = u[0];
+  result.sway = u[1];
+  result.heave = u[2];
+  result.roll = u[3];
+  result.pitch = u[4];
+  result.yaw = std::remainder(u[5], kWholeTurn);
+  return result;
+}
 
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
                          const HullAtRest& hull, const RestOutcome& rest, bool free) {
