@@ -93,7 +93,7 @@ TEST(pull_ahead, pipe_lies_at_the_end_as_at_the_start) {
   const Instant end = moved.simulation.now();
   EXPECT_NEAR(end.move.paid_out, 4.0, 0.02);
   EXPECT_NEAR(end.move.ahead_W.norm(), 4.0, 1e-12);
-  EXPECT_LT(end.drift, 1e-2);
+  EXPECT_LT(std::abs(end.drift), 1e-3);  // with the energy of what came in booked apart
   EXPECT_EQ(end.assembly->system().lines[0].mesh.s.size() * 6, end.pipe().q.size());
 }
 

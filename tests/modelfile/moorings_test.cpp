@@ -56,6 +56,13 @@ TEST(moorings, what_was_assumed_of_lines_is_said) {
   }
 }
 
+TEST(moorings, a_vessel_whose_motion_is_told_moves_ahead_without_them) {
+  const std::string told = testing::kGoodModel;
+  const Description d = read_good(told + "\noperation: {type: pull_ahead, distance: 12.2 m}\n");
+  EXPECT_EQ(d.operation.type, OperationType::pull_ahead);
+  EXPECT_EQ(d.operation.distance, 12.2);
+}
+
 TEST(moorings, keys_fill_the_description) {
   const Description d = read_good(kMoored);
   ASSERT_TRUE(d.moorings && d.moorings->lines.size() == 3U && d.moorings->winches.size() == 1U);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/description_words.h"
+
 namespace overbend {
 
 void add_move_columns(std::vector<RecordedColumn>& columns) {
@@ -20,7 +22,7 @@ void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& r
         fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
                     results.duration, move.moves, move.end()));
   }
-  if (tensioner.mode == TensionerMode::locked) {
+  if (results.tensioner.mode == word_of(TensionerMode::locked)) {
     results.warnings.emplace_back(
         "the tensioner is locked while the vessel moves: no pipe is paid out, and the tension is that of the pulled "
         "pipe");
