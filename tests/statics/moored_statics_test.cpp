@@ -251,7 +251,8 @@ TEST(moored_statics, current_and_wind_follow_the_heading_of_the_hull) {
 }
 
 TEST(moored_statics, a_hull_as_given_sinks_and_trims_under_lines_and_pipe) {
-  // Eight lines at 300 kN pull down 694 kN: 19 mm on 36.2 MN/m. A pipe of 250 kN at the stern: 0.020 deg on 4.28e10 N m.
+  // Eight lines at 300 kN pull down 694 kN: 19 mm on 36.2 MN/m. A pipe of 250 kN at the stern: 0.020 deg on 4.28e10 N
+  // m.
   Description d = in_waves(90.0, FindMooring::lengths);
   d.statics.mean_drift.reset();
   d.vessel.coupled->ballast = Ballast::as_given;
