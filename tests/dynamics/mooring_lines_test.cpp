@@ -62,6 +62,30 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
 }
 
+TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea) {
+  Description d = moored();
+  d.environment.current.clear();
+  const Moored at(d);
+  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
+  const auto start_of = [&](std::optional<bool> mean_drift) {
+    Model model = at.model;
+    model.description.statics.mean_drift = mean_drift;
+    const Simulation simulation(model, *at.lay.solution, at.tension(), dynamic_options(model));
+    EXPECT_FALSE(simulation.failure());
+    return simulation.now().state->bodies.at(0);
+  };
+  const HullState drifted = start_of(std::nullopt), undrifted = start_of(false);
+  EXPECT_LT(drifted.acc.head<3>().norm(), 1e-6 * kGravity);
+  EXPECT_LT(drifted.acc.tail<3>().norm(), 1e-7);
+  // 217.8 kN from the beam shift the barge on lines that balance the pipe by 1.184 m; these few components have less.
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, d.environment.waves.seed);
+  const CoupledHullDescription& hull = *d.vessel.coupled;
+  const double drift = mean_drift(make_hull_waves(*hull.data, sea, hull.wave_drift, d.vessel.draught, 0.0), 0.0)(1);
+  const double expected = 1.184 * drift / 217.8e3;
+  EXPECT_NEAR(drifted.h(1) - undrifted.h(1), expected, 0.03 * expected);
+  EXPECT_LT(std::abs(undrifted.h(1)), 0.02);
+}
+
 TEST(mooring_lines, go_with_the_barge_through_waves_and_keep_account_of_their_energy) {
   const Moored at(moored());
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;

@@ -208,6 +208,10 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "moorings.lines[1].segments[0].friction", "put the property into the type"},
       {"fairlead in the bed", "fairlead: {x: -57 m, y: 0 m, z: 3 m}", "fairlead: {x: -57 m, y: 0 m, z: -90 m}",
        "moorings.lines[2].fairlead.z", "above the seabed"},
+      {"line too short", "type: given, length: 1000 m", "type: given, length: 900 m", "moorings.lines[2].length",
+       "997.453 m from its fairlead to its anchor"},
+      {"segments too short", "{type: wire64, length: 700 m}", "{type: wire64, length: 600 m}",
+       "moorings.lines[1].segments", "too short to reach"},
       {"fairlead in mm", "fairlead: {x: -57 m,", "fairlead: {x: -57 km,", "moorings.lines[2].fairlead.x",
        "far outside the vessel"},
       {"two of a name", "name: starboard bow", "name: port bow", "moorings.lines[1].name", "already in line"},
@@ -397,6 +401,18 @@ TEST(coupled_hull, current_may_be_left_out_only_in_words) {
   EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::none);
 }
 
+TEST(coupled_hull, current_may_act_by_the_coefficients_of_the_hulls_dimensions) {
+  const Description d = read_good(replaced(kCoupled, "{transverse: 0.9}", "{form: ufc, relative_to: earth}"));
+  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::ufc);
+  EXPECT_EQ(d.vessel.coupled->current.relative_to, CurrentRelativeTo::earth);
+}
+
+TEST(coupled_hull, mean_drift_acts_in_statics_as_asked_for) {
+  EXPECT_FALSE(read_good(kCoupled).statics.mean_drift);
+  EXPECT_TRUE(read_good(kCoupled + "analysis: {static: {mean_drift: yes}}\n").statics.mean_drift.value());
+  EXPECT_FALSE(read_good(kCoupled + "analysis: {static: {mean_drift: no}}\n").statics.mean_drift.value());
+}
+
 TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
   const std::string c = "vessel.motion.coupled.";
   const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
@@ -410,6 +426,8 @@ TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
       {"damping of another dimension", "linear: 100 kN*s/m", "linear: 100 kN*m*s", c + "damping.sway.linear", "kN*s/m"},
       {"areas without a table", "{transverse: 0.9}", "{lateral_area: 600 m^2}", c + "current.lateral_area",
        "the key table"},
+      {"coefficients twice", "{transverse: 0.9}", "{form: ufc, transverse: 0.9}", c + "current.transverse",
+       "one of them"},
       {"wind on nothing",
        ", areas: [{name: deckhouse, area: 200 m^2, centre: {x: -30 m, y: 0 m, z: 10 m}, frontal: yes}]", "",
        c + "wind.areas", "acts on nothing"},

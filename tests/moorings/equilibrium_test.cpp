@@ -142,6 +142,9 @@ TEST(mooring_statics, the_slope_of_the_forces_is_that_of_their_differences) {
   Case c = case_of(d);
   c.hull.loads = {vessel_load("load", {-60, 3, 8}, {-2e5, 3e5, -1e5}, {1e6, 2e6, 3e6})};
   c.hull.restoring_point_V = {2.0, 1.0, 0.8};
+  c.hull.surroundings = [](double yaw) {
+    return Vec6(2e6 * (Vec6() << std::cos(yaw), std::sin(2.0 * yaw), 0.0, 3.0, -2.0, 40.0 * std::cos(yaw)).finished());
+  };
   HullOffset at;
   at << 1.0, -2.0, 0.1, 0.04, -0.03, 0.3;
   std::vector<CatenarySolution> lines;

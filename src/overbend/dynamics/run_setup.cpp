@@ -26,6 +26,7 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   }
   if (d.vessel.motion == VesselMotion::coupled) {
     setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
+    setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
     setup.ballast = d.vessel.coupled->ballast;
     setup.system.bodies.front().free =
         free_hull(setup.hull->hull, setup.system.lines.front().force_scale, d.vessel.length);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dynamics/free_start.h"
+#include "dynamics/hull_limits.h"
 #include "dynamics/laid_tail.h"
 #include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
@@ -271,6 +272,8 @@ bool Simulation::attempt(double h, double target, double& to_event) {
   if (impact.reject && !options_.fixed_step) return reject(impact.step);
   to_event = step_to_tensioner(h);
   if (to_event < h) return reject(chooser_.wanted);
+  failure_ = hull_failure(setup_.system, next_);
+  if (failure_) return false;
   if (target - state_.time - h < 1e-6 * h) next_.time = target;
   accept(h);
   return true;

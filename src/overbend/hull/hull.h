@@ -116,6 +116,18 @@ void balance_hull(const Hull& hull, const HullState& at, const HullState& before
 /// when `at` was copied from `before` once.
 void finish_step(const Hull& hull, const HullState& before, double step, HullState& at);
 
+/// What acts on the hull at rest beside water at rest, lines and loads, about the reference point in H. [N, N m]
+struct SteadyForces {
+  Vec6 current = Vec6::Zero();  ///< With Munk's moment.
+  Vec6 wind = Vec6::Zero();
+  Vec6 drift = Vec6::Zero();  ///< Mean, where `mean_drift_from_start`.
+
+  Vec6 sum() const { return current + wind + drift; }
+};
+
+/// The steady part of what balance_hull lets act before the waves, with the hull heading psi [rad]. Does not allocate.
+SteadyForces steady_forces(const Hull& hull, double psi);
+
 /// Why the state is beyond what the equations are good for, or nullptr: pitch beyond 60 deg, not finite.
 const char* hull_refusal(const HullState& state);
 

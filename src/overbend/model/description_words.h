@@ -143,6 +143,7 @@ inline constexpr std::array kWords<HullCurrentForm> = {
     Word{HullCurrentForm::none, "none"},
     Word{HullCurrentForm::strips, "strips"},
     Word{HullCurrentForm::table, "table"},
+    Word{HullCurrentForm::ufc, "ufc"},
 };
 
 template <>

@@ -26,7 +26,8 @@ struct ModeDampingDescription {
   std::optional<double> quadratic;  ///< [N s2/m2] or [N m s2]
 };
 
-enum class HullCurrentForm { none, strips, table };
+/// `ufc`: coefficients of UFC 4-159-03 by the hull's dimensions.
+enum class HullCurrentForm { none, strips, table, ufc };
 enum class CurrentRelativeTo { water, earth };
 /// Direction convention of a table of current or wind coefficients: where the flow goes to (or comes from), counted
 /// from the bow or the stern.

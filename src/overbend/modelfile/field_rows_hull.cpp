@@ -144,8 +144,8 @@ std::vector<Field> damping() {
 }
 
 /// Keys of a table of coefficients by direction.
+template <class Owner>
 std::vector<Field> coefficient_table(const std::string& p) {
-  using Owner = HullCurrentDescription;
   Field file = otherwise(row_of_kind(FieldKind::text, p + ".table", fills(&Owner::table_file),
                                      "CSV file with the columns angle_deg,cx,cy,cz, in the folder of the model file."),
                          "no table");
@@ -171,7 +171,7 @@ std::vector<Field> current() {
   const std::string c = kHull + ".current";
   const auto open = [](CoupledHullDescription& hull, const FieldValue& group) -> Current& {
     hull.current.stated = true;
-    hull.current.form = group.find("table") != nullptr ? HullCurrentForm::table : HullCurrentForm::strips;
+    if (group.find("table") != nullptr) hull.current.form = HullCurrentForm::table;
     return hull.current;
   };
   const auto take = [](CoupledHullDescription& hull, const FieldValue&) {
@@ -184,9 +184,16 @@ std::vector<Field> current() {
                             "none: the current does not act on the hull; otherwise a group of the keys below."),
                 "strips; must be given where there is a current");
   none.choices = {word_of(HullCurrentForm::none)};
+  Field form = otherwise(row_of_kind(FieldKind::choice, c + ".form", fills(&Current::form),
+                                     "strips: drag coefficients along the length; ufc: coefficients of UFC 4-159-03 by "
+                                     "the hull's dimensions and the depth of water."),
+                         "strips, or the table where there is one");
+  form.choices = {word_of(HullCurrentForm::strips), word_of(HullCurrentForm::ufc)};
   std::vector<Field> rows = {
       none,
-      group_row(c, opened_by<CoupledHullDescription>(open), "Forces of the current on the hull: strips, or a table."),
+      group_row(c, opened_by<CoupledHullDescription>(open),
+                "Forces of the current on the hull: strips, coefficients by its dimensions, or a table."),
+      form,
       row_of_kind(FieldKind::number, c + ".transverse", defaults(&Current::transverse),
                   "Cross-flow drag coefficient of the strips, on length and draught.", coefficient),
       row_of_kind(FieldKind::number, c + ".longitudinal", defaults(&Current::longitudinal),
@@ -194,7 +201,7 @@ std::vector<Field> current() {
       row_of_kind(FieldKind::choice, c + ".relative_to", defaults(&Current::relative_to),
                   "water: the flow includes the orbital velocity of the waves; earth: the current alone."),
   };
-  append(rows, coefficient_table(c));
+  append(rows, coefficient_table<Current>(c));
   return rows;
 }
 

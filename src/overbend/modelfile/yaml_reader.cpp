@@ -11,6 +11,7 @@
 #include "modelfile/field_value.h"
 #include "modelfile/hull_files.h"
 #include "modelfile/model_checks.h"
+#include "modelfile/mooring_reach.h"
 #include "modelfile/motion_files.h"
 #include "seafiles/spectrum_reader.h"
 
@@ -59,6 +60,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   check_model(values, path, reading.diagnostics);
   if (reading.diagnostics.has_errors()) return;
   reading.description = bind_model(values, path);
+  check_reach(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);

@@ -98,11 +98,37 @@ MooringLineResult line_result(const Model& model, const MooredLine& line, const 
   return result;
 }
 
+const char* drift_words(const Description& d) {
+  if (d.statics.mean_drift.value_or(false)) {
+    return "In statics steady current and wind and the mean drift of the waves act on the hull, with the heading it "
+           "has.";
+  }
+  return "In statics steady current and wind act on the hull, with the heading it has, and the mean drift of the waves "
+         "does not act.";
+}
+
 /// Tension at which the brake of a winch renders; none where the line has no winch or the winch no limit.
 std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
   const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
                                   [&](const WinchDescription& one) { return one.name == winch; });
   return named == moorings.winches.end() ? std::nullopt : named->brake;
+}
+
+/// Beyond what the linear restoring of the water holds for.
+void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, std::vector<std::string>& list) {
+  const double degrees = 180.0 / std::numbers::pi, heave = std::abs(state.vessel.heave);
+  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
+    list.push_back(fmt::format(
+        "{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the restoring of the water is not "
+        "linear, as it is taken to be.",
+        state.name, degrees * state.vessel.roll, degrees * state.vessel.pitch));
+  }
+  if (heave > 0.5 * (vessel.depth - vessel.draught)) {
+    list.push_back(fmt::format(
+        "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
+        "linear there, as it is taken to be.",
+        state.name, state.vessel.heave));
+  }
 }
 
 }  // namespace
@@ -179,13 +205,7 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
         fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
                     state.name, effective));
   }
-  const VesselDescription& vessel = model.description.vessel;
-  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle ||
-      std::abs(state.vessel.heave) > 0.5 * (vessel.depth - vessel.draught)) {
-    list.push_back(state.name +
-                   ": heel or trim beyond 10 deg, or heave beyond half the freeboard: the restoring of "
-                   "the water is no longer linear.");
-  }
+  warn_of_large_offset(model.description.vessel, state, list);
   return list;
 }
 
@@ -204,10 +224,7 @@ std::vector<std::string> mooring_assumptions(const Model& model) {
     }
   }
   if (model.description.vessel.coupled) {
-    list.emplace_back(
-        "In statics steady current and wind act on the hull with its heading as drawn, and the mean drift of the waves "
-        "does "
-        "not act.");
+    list.emplace_back(drift_words(model.description));
   }
   return list;
 }

@@ -8,6 +8,7 @@
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
 #include "study/dynamic_finish.h"
+#include "study/run_warnings.h"
 
 namespace overbend {
 namespace {
@@ -87,6 +88,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
   }
   finish_histories(*outcome.results, begun->store);
+  warn_of_large_motion(shared.description.vessel, *outcome.results);
   {
     const std::lock_guard<std::mutex> hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
@@ -99,6 +101,7 @@ void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::
   const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_histories(results, run->store);
+  warn_of_large_motion(shared.description.vessel, results);
   const std::lock_guard<std::mutex> hold(writing);
   write_results(shared, results, run->store, folder);
 }
