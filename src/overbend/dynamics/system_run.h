@@ -66,6 +66,7 @@ class SystemRun {
  private:
   void surroundings(double time, Surroundings& now);
   bool begin();
+  bool part_lines();
   bool attempt(double h, double target);
   void adapt(double h);
   void reach_tick();
