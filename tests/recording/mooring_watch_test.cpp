@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "checks/run_checks.h"
 #include "modelfile/yaml_reader.h"
 #include "recording/run_dynamics.h"
+#include "resultfiles/summary_json.h"
 #include "study/static_run.h"
 #include "support/memory_sink.h"
 
@@ -20,7 +23,7 @@ struct Second {
   testing::MemorySink sink;
 };
 
-Second second_with(double breaking, double brake, double holding) {
+Description moored_bgl1() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
@@ -29,10 +32,12 @@ Second second_with(double breaking, double brake, double holding) {
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 0.5;
   d.dynamics->build_up = 0.5;
-  MooringLineDescription& line = d.moorings->lines.front();
-  line.segments.front().type.breaking_load = breaking;
-  line.anchor_holding.holding = holding;
-  d.moorings->winches.front().brake = brake;
+  return d;
+}
+
+Second second_with(const std::function<void(MooringsDescription&)>& change) {
+  Description d = moored_bgl1();
+  change(*d.moorings);
   Model model = build_model(d);
   const LayOutcome lay = solve_lay(model);
   Second second;
@@ -45,7 +50,7 @@ Second second_with(double breaking, double brake, double holding) {
 
 /// Run once for all that look at it.
 const Second& usual() {
-  static const Second kSecond = second_with(2594e3, 1600e3, 1500e3);
+  static const Second kSecond = second_with([](MooringsDescription&) {});
   return kSecond;
 }
 
@@ -57,9 +62,12 @@ bool says(const std::vector<std::string>& warnings, const std::string& words) {
 
 // The line has some 320 kN.
 TEST(mooring_watch, says_which_line_is_beyond_what_it_bears) {
-  const std::vector<std::string> weak = second_with(250e3, 260e3, 200e3).results.warnings;
+  const std::vector<std::string> weak = second_with([](MooringsDescription& moorings) {
+                                          MooringLineDescription& line = moorings.lines.front();
+                                          line.segments.front().type.breaking_load = 250e3;
+                                          line.anchor_holding.holding = 200e3;
+                                        }).results.warnings;
   EXPECT_TRUE(says(weak, "its breaking load of 250.0 kN"));
-  EXPECT_TRUE(says(weak, "brake"));
   EXPECT_TRUE(says(weak, "holding power"));
 }
 
@@ -117,6 +125,56 @@ TEST(mooring_watch, histories_tell_where_the_vessel_is_from_the_drawn_place) {
   ASSERT_TRUE(second.results.vessel);
   EXPECT_EQ(second.results.vessel->start_sway, shift.front());
   EXPECT_EQ(second.sink.column("vessel/offset").front(), 0.0);
+}
+
+TEST(mooring_watch, tells_when_a_line_parts) {
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.lines[2].fails_at = 0.25; });
+  const MooringLineDynamics &gone = second.results.moorings[2], &there = second.results.moorings[3];
+  ASSERT_TRUE(gone.parted_at);
+  EXPECT_NEAR(*gone.parted_at, 0.25, 0.05);  // the first step that ends without it
+  ASSERT_EQ(gone.events.size(), 1U);
+  EXPECT_EQ(gone.events.front().what, "parted");
+  EXPECT_NEAR(second.sink.column("mooring/" + gone.name + "/fairlead_tension").back(), 0.0, 1.0);
+  EXPECT_FALSE(there.parted_at);
+  EXPECT_TRUE(there.events.empty());
+}
+
+// All lines have more than the brake holds: each pays out until it holds them.
+TEST(mooring_watch, tells_what_a_brake_lets_out) {
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.winches.front().brake = 240e3; });
+  double changed = 0.0;
+  for (const MooringLineDynamics& line : second.results.moorings) {
+    EXPECT_NEAR(line.length.max - line.length.min, line.brake_rendered, 0.5 * line.brake_rendered + 1e-9) << line.name;
+    EXPECT_LT(line.fairlead_tension.whole.max, 250e3) << line.name;
+    changed += line.brake_rendered;
+  }
+  EXPECT_GT(changed, 0.1);
+  EXPECT_TRUE(says(second.results.warnings, "as its brake rendered at 240.0 kN"));
+}
+
+TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
+  Description d = moored_bgl1();
+  d.dynamics->duration = 1.0;
+  d.moorings->lines[0].fails_at = 0.3;
+  Model model = build_model(d);
+  const LayOutcome lay = solve_lay(model);
+  const StaticResults statics = checked_statics(model, lay);
+  const auto run = [&](testing::MemorySink& sink, const DynamicCheckpoint* from, double checkpoint_at) {
+    const auto control = [&](const DynamicProgress& at) {
+      return std::abs(at.time - checkpoint_at) < 1e-6 ? DynamicControl::checkpoint : DynamicControl::go_on;
+    };
+    return run_dynamics(model, *lay.solution, statics, dynamic_options(model), sink, from, control).results.value();
+  };
+  testing::MemorySink whole, rest;
+  const DynamicResults first = run(whole, nullptr, 0.5);
+  ASSERT_EQ(whole.checkpoints.size(), 1U);
+  const DynamicResults second = run(rest, &whole.checkpoints.front(), 99.0);
+  Json wanted, found;
+  add_moored_dynamics(first, wanted);
+  add_moored_dynamics(second, found);
+  EXPECT_TRUE(first.moorings[0].parted_at);
+  EXPECT_EQ(found, wanted);
+  EXPECT_EQ(rest.snapshots.back(), whole.snapshots.back());
 }
 
 }  // namespace

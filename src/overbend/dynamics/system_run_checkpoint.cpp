@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/parting.h"
 #include "dynamics/system_run.h"
 
 namespace overbend {
@@ -41,6 +42,7 @@ void SystemRun::restore(const DynamicCheckpoint& checkpoint) {
     const double* at = &watches.at(kWatchNumbers * i);
     watches_[i] = {at[0], at[1], at[2], at[3]};
   }
+  part_as_in(state_, system_);
   stepper_->forget_factors();
   failure_.reset();
   next_ = state_;

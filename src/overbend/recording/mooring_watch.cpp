@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "statics/lines_recovery.h"
@@ -16,7 +18,8 @@ constexpr double kSlackShare = 0.1;      ///< Of the tension at the start: below
 constexpr double kTautShare = 0.2;       ///< Likewise: above it a slack line is taut again [-].
 constexpr std::size_t kMostEvents = 50;  ///< Kept of a line.
 /// What can happen to a line.
-constexpr std::array<const char*, 2> kHappenings = {"slack", "taut"};
+enum Kind : std::size_t { kSlackens, kTightens, kParts, kRenders, kSlips };
+constexpr std::array<const char*, 5> kHappenings = {"slack", "taut", "parted", "brake renders", "anchor slips"};
 
 /// Least of the segments; none where none says.
 std::optional<double> breaking_load(const MooringLineDescription& line) {
@@ -50,6 +53,19 @@ double bearing_length(const Line& line, const LineState& state) {
   return length > 0.75 * line.mesh.length.front() ? length : 0.0;
 }
 
+/// Where the attachments of the ends of a line stand.
+void find_ends(const std::vector<Attachment>& attachments, int line, std::size_t& fairlead, std::size_t& anchor) {
+  for (std::size_t i = 0; i < attachments.size(); ++i) {
+    if (attachments[i].line == line) (attachments[i].end == LineEnd::last ? fairlead : anchor) = i;
+  }
+}
+
+/// Unstressed, with what a winch has paid out.
+double length_of(const LineMesh& mesh, const AttachmentState& fairlead) {
+  const double paid_out = fairlead.way.last_element > 0.0 ? fairlead.way.last_element - mesh.length.back() : 0.0;
+  return mesh.total_length() + paid_out;
+}
+
 /// Place and tension at a node.
 Eigen::Vector4d node_of(const LineAssembly& line, const std::vector<double>& q, std::size_t node) {
   const Vec3 place = Eigen::Map<const Vec3>(q.data() + 6 * node);
@@ -73,18 +89,14 @@ MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, c
   for (const std::string& name : names) {
     const auto described = std::find_if(moorings->lines.begin(), moorings->lines.end(),
                                         [&](const MooringLineDescription& line) { return line.name == name; });
-    lines_.push_back({name,
-                      breaking_load(*described),
-                      moorings->working_load,
-                      brake_of(*moorings, described->winch),
-                      described->anchor_holding.holding,
-                      {},
-                      {},
-                      {},
-                      0.0,
-                      {},
-                      false,
-                      {}});
+    Watched line;
+    line.name = name;
+    line.breaking = breaking_load(*described);
+    line.working = moorings->working_load;
+    line.brake = brake_of(*moorings, described->winch);
+    line.holding = described->anchor_holding.holding;
+    line.slides = described->anchor_holding.slides;
+    lines_.push_back(std::move(line));
     lines_.back().events.reserve(kMostEvents);
   }
   sample_.resize(kQuantities * lines_.size());
@@ -100,11 +112,14 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
     now[kOnBed] = bearing_length(line.line(), state.lines[i + 1]);
     now[kUplift] = now[kOnBed] > 0.0 ? 0.0 : std::max(0.0, uplift_at(line));
     now[kSlack] = now[kFairlead] < kSlackShare * lines_[i].start ? 1.0 : 0.0;
-    now[kLength] = line.line().mesh.total_length();
+    now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
   }
 }
 
 void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    find_ends(assembly.system().attachments, static_cast<int>(i) + 1, lines_[i].fairlead_end, lines_[i].anchor_end);
+  }
   look(state, assembly);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const LineMesh& mesh = assembly.line(i + 1).line().mesh;
@@ -142,7 +157,8 @@ void MooringWatch::add(const SystemState& state, const Assembly& assembly, doubl
     keep(kFairlead, lines_[i].fairlead);
     keep(kAnchor, lines_[i].anchor);
     keep(kUplift, lines_[i].uplift);
-    watch_slack(i, state.time);
+    watch_ends(i, state);
+    if (!lines_[i].parted_at) watch_slack(i, state.time);
   }
 }
 
@@ -151,15 +167,32 @@ void MooringWatch::note(std::size_t line, const char* what, double time) {
   if (events.size() < kMostEvents) events.push_back({time, what});
 }
 
+void MooringWatch::watch_ends(std::size_t line, const SystemState& state) {
+  Watched& one = lines_[line];
+  const AttachmentState &fairlead = state.attachments[one.fairlead_end], &anchor = state.attachments[one.anchor_end];
+  if (!one.parted_at && (fairlead.parted || anchor.parted)) {
+    one.parted_at = state.time;
+    note(line, kHappenings[kParts], state.time);
+  }
+  const auto gives = [&](const GivenWay& way, bool& now, double& sum, Kind kind) {
+    const bool yields = way.how == Giving::yielding && way.gave_way > sum;
+    if (yields && !now) note(line, kHappenings[kind], state.time);
+    now = yields;
+    sum = way.gave_way;
+  };
+  gives(fairlead.way, one.renders, one.rendered, kRenders);
+  gives(anchor.way, one.slips, one.slipped, kSlips);
+}
+
 void MooringWatch::watch_slack(std::size_t line, double time) {
   Watched& one = lines_[line];
   const double tension = sample(line, kFairlead);
   if (!one.slack && tension < kSlackShare * one.start) {
     one.slack = true;
-    note(line, kHappenings[0], time);
+    note(line, kHappenings[kSlackens], time);
   } else if (one.slack && tension > kTautShare * one.start) {
     one.slack = false;
-    note(line, kHappenings[1], time);
+    note(line, kHappenings[kTightens], time);
   }
 }
 
@@ -175,8 +208,7 @@ std::vector<std::string> MooringWatch::warnings() const {
     if (!warn(line, line.fairlead, line.breaking, "its breaking load")) {
       warn(line, line.fairlead, line.working, "the working load");
     }
-    warn(line, line.fairlead, line.brake, "what its winch's brake holds, which does not render here,");
-    warn(line, line.anchor, line.holding, "its anchor's holding power, which does not drag here,");
+    if (!line.slides) warn(line, line.anchor, line.holding, "its anchor's holding power (anchor_slides: no)");
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) warn_of_shape(i, list);
   return list;
@@ -193,6 +225,13 @@ void MooringWatch::warn_of_shape(std::size_t line, std::vector<std::string>& lis
         one.name, 1e-3 * one.uplift.value, one.uplift.time));
   } else if (statistics_.min()[of(kOnBed)] <= 0.0) {
     list.push_back(fmt::format("mooring line \"{}\" had no length on the bed at times", one.name));
+  }
+  if (one.rendered > 0.0) {
+    list.push_back(fmt::format("the winch of mooring line \"{}\" let out {:.2f} m as its brake rendered at {:.1f} kN",
+                               one.name, one.rendered, 1e-3 * one.brake.value_or(0.0)));
+  }
+  if (one.slipped > 0.0) {
+    list.push_back(fmt::format("the anchor of mooring line \"{}\" slipped by {:.2f} m", one.name, one.slipped));
   }
   const double slack = statistics_.mean()[of(kSlack)] * statistics_.weight();
   if (slack > 0.0) {
@@ -223,6 +262,9 @@ std::vector<MooringLineDynamics> MooringWatch::results() const {
     line.time_slack = spread(kSlack).mean * statistics_.weight();
     line.length = spread(kLength);
     line.points = lines_[i].points;
+    line.parted_at = lines_[i].parted_at;
+    line.brake_rendered = lines_[i].rendered;
+    line.anchor_slip = lines_[i].slipped;
     for (const Happening& event : lines_[i].events) line.events.push_back({event.time, event.what});
     results.push_back(line);
   }
@@ -235,7 +277,9 @@ std::vector<double> MooringWatch::save() const {
   out.insert(out.end(), statistics.begin(), statistics.end());
   for (const Watched& line : lines_) {
     for (const Peak& peak : {line.fairlead, line.anchor, line.uplift}) out.insert(out.end(), {peak.value, peak.time});
-    out.insert(out.end(), {line.slack ? 1.0 : 0.0, static_cast<double>(line.events.size())});
+    const double parted = line.parted_at.value_or(std::numeric_limits<double>::quiet_NaN());
+    out.insert(out.end(), {line.slack ? 1.0 : 0.0, line.renders ? 1.0 : 0.0, line.slips ? 1.0 : 0.0, parted,
+                           line.rendered, line.slipped, static_cast<double>(line.events.size())});
     for (const Happening& event : line.events) {
       const auto kind = std::find(kHappenings.begin(), kHappenings.end(), event.what) - kHappenings.begin();
       out.insert(out.end(), {event.time, static_cast<double>(kind)});
@@ -255,6 +299,12 @@ void MooringWatch::restore(const std::vector<double>& saved) {
       peak->time = next();
     }
     line.slack = next() != 0.0;
+    line.renders = next() != 0.0;
+    line.slips = next() != 0.0;
+    const double parted = next();
+    line.parted_at = std::isnan(parted) ? std::nullopt : std::optional(parted);
+    line.rendered = next();
+    line.slipped = next();
     line.events.clear();
     for (std::size_t left = static_cast<std::size_t>(next()); left > 0; --left) {
       const double time = next();

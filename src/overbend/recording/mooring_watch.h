@@ -49,13 +49,18 @@ class MooringWatch {
     std::string name;
     std::optional<double> breaking, working, brake, holding;  ///< [N]
     Peak fairlead, anchor, uplift;
-    double start = 0.0;          ///< Tension at the fairlead at the start [N].
-    std::vector<double> points;  ///< Shares of the length.
-    bool slack = false;
+    double start = 0.0;                                  ///< Tension at the fairlead at the start [N].
+    std::vector<double> points;                          ///< Shares of the length.
+    std::size_t fairlead_end = 0, anchor_end = 0;        ///< Among the attachments of the system.
+    bool slides = false;                                 ///< The anchor, beyond its holding power.
+    bool slack = false, renders = false, slips = false;  ///< Now.
+    std::optional<double> parted_at;                     ///< [s]
+    double rendered = 0.0, slipped = 0.0;                ///< So far [m].
     std::vector<Happening> events;
   };
   void note(std::size_t line, const char* what, double time);
   void watch_slack(std::size_t line, double time);
+  void watch_ends(std::size_t line, const SystemState& state);
   void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
   void look(const SystemState& state, const Assembly& assembly);
   double sample(std::size_t line, Quantity quantity) const { return sample_[kQuantities * line + quantity]; }
