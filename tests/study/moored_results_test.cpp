@@ -44,7 +44,7 @@ void run(Finished& made) {
                                         [](const DynamicProgress&) { return DynamicControl::go_on; });
   made.results = outcome.results.value();
   fill_checks(model, made.statics, made.results);
-  finish_motions(made.statics, d.environment.waves, made.results, store);
+  finish_motions(made.statics, d, made.results, store);
   finish_histories(made.results, store);
   write_dynamic_files(made.statics, made.results, store, d, made.folder.path());
 }

@@ -61,12 +61,13 @@ bool warned(const DynamicResults& results, const std::string& words) {
                      [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
-WavesDescription waves_of_ten_seconds() {
-  WavesDescription waves;
+Description waves_of_ten_seconds() {
+  Description d;
+  WavesDescription& waves = d.environment.waves;
   waves.type = WaveType::jonswap;
   waves.hs = 2.0;
   waves.tp = 10.0;
-  return waves;
+  return d;
 }
 
 TEST(motion_parts, a_sum_of_two_sines_is_told_as_its_slow_and_its_wave_part) {
@@ -126,11 +127,34 @@ TEST(motion_parts, the_cut_off_lies_beyond_the_waves) {
   swell.height = 1.0;
   swell.period = 16.0;
   EXPECT_DOUBLE_EQ(cut_off_period(swell), 25.6);
-  WavesDescription storm = waves_of_ten_seconds();
+  WavesDescription storm = waves_of_ten_seconds().environment.waves;
   storm.tp = 14.0;
   // A thousandth of a JONSWAP spectrum lies below 0.6 to 0.75 of its peak's frequency.
   EXPECT_GT(cut_off_period(storm), 1.3 * 14.0);
   EXPECT_LT(cut_off_period(storm), 1.9 * 14.0);
+}
+
+// A pipeline on the bed runs north at x = 50 m; the line passes over it, 10 m above in the first picture and 7 m in the
+// second.
+TEST(motion_parts, clearance_is_the_least_of_the_snapshots) {
+  const testing::TemporaryFolder folder;
+  RunStore store = RunStore::create(folder / "run", "model", 1);
+  store.begin(columns(), {0, 2});
+  for (int i = 0; i < 3; ++i) store.row(std::array<double, 4>{kStep * i, 0.0, 0.0, 0.0});
+  for (const double height : {10.0, 7.0}) {
+    std::vector<double> snapshot(12, 0.0);
+    snapshot.insert(snapshot.end(), {0.0, 0.0, height - 89.0, 1e5, 100.0, 0.0, height - 89.0, 1e5});
+    store.snapshot(height, snapshot);
+  }
+  DynamicResults results = results_of(0.0, 1.0);
+  results.moorings.front().points = {0.0, 1.0};
+  Description d = waves_of_ten_seconds();
+  d.moorings.emplace();
+  d.moorings->objects = {{"pipeline", {Vec3(50.0, -100.0, -89.0), Vec3(50.0, 100.0, -89.0)}},
+                         {"far", {Vec3(500.0, 0.0, -89.0)}}};
+  finish_motions({}, d, results, store);
+  EXPECT_DOUBLE_EQ(results.moorings.front().clearance.value(), 7.0);
+  EXPECT_EQ(results.moorings.front().nearest_object, "pipeline");
 }
 
 TEST(motion_parts, nothing_is_told_of_a_vessel_that_does_not_float) {

@@ -89,7 +89,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     begun->store.remove();
     return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
   }
-  finish_motions(shared.statics, shared.description.environment.waves, *outcome.results, begun->store);
+  finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
   {
     const std::lock_guard<std::mutex> hold(writing);
@@ -102,7 +102,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
 void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
-  finish_motions(shared.statics, shared.description.environment.waves, results, run->store);
+  finish_motions(shared.statics, shared.description, results, run->store);
   finish_histories(results, run->store);
   const std::lock_guard<std::mutex> hold(writing);
   write_results(shared, results, run->store, folder);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mechanics/wave_spectrum.h"
+#include "moorings/clearance.h"
 #include "numerics/low_pass.h"
 #include "numerics/record_part.h"
 
@@ -25,6 +26,8 @@ constexpr double kFewCycles = 20.0;       ///< Fewer slow cycles do not tell the
 constexpr double kBuildUpPeriods = 3.0;   ///< Of the slowest mode, for it to settle.
 constexpr double kSlowShare = 0.02;       ///< Of the whole deviation; below it the slow part is not worth a word.
 constexpr double kResolution = 0.125;     ///< Of the cut-off period: slow parts change no faster.
+
+constexpr int kPointNumbers = 4;  ///< Of a point of a line in a snapshot.
 
 using Values = std::vector<double>;
 
@@ -141,6 +144,34 @@ void warn_of_build_up(const StaticResults& statics, DynamicResults& results) {
                   results.build_up, longest->mode, longest->period));
 }
 
+/// Keeps the least distance of the line through `points` to the objects.
+void keep_clearance(const std::vector<SeabedObjectDescription>& objects, const std::vector<Vec3>& points,
+                    MooringLineDynamics& line) {
+  for (const SeabedObjectDescription& object : objects) {
+    const double distance = distance_between(points, object.points);
+    if (line.clearance && *line.clearance <= distance) continue;
+    line.clearance = distance;
+    line.nearest_object = object.name;
+  }
+}
+
+void find_clearances(const std::vector<SeabedObjectDescription>& objects, const RunStore& store,
+                     std::vector<MooringLineDynamics>& lines) {
+  if (objects.empty() || store.line_points() == 0) return;
+  const std::size_t first = static_cast<std::size_t>(store.snapshot_size() - kPointNumbers * store.line_points());
+  std::vector<Vec3> points;
+  for (std::int64_t i = 0; i < store.snapshots(); ++i) {
+    const Values snapshot = store.snapshot_block(i, 1);
+    const double* at = snapshot.data() + first;
+    for (MooringLineDynamics& line : lines) {
+      points.clear();
+      for (std::size_t k = 0; k < line.points.size(); ++k, at += kPointNumbers)
+        points.emplace_back(at[0], at[1], at[2]);
+      keep_clearance(objects, points, line);
+    }
+  }
+}
+
 }  // namespace
 
 double cut_off_period(const WavesDescription& waves) {
@@ -152,11 +183,11 @@ double cut_off_period(const WavesDescription& waves) {
   return std::max(kShortestCutOff, kMargin * 2.0 * std::numbers::pi / slowest);
 }
 
-void finish_motions(const StaticResults& statics, const WavesDescription& waves, DynamicResults& results,
+void finish_motions(const StaticResults& statics, const Description& description, DynamicResults& results,
                     RunStore& store) {
   if (!results.vessel) return;
   VesselDynamics& vessel = *results.vessel;
-  vessel.cut_off = cut_off_period(waves);
+  vessel.cut_off = cut_off_period(description.environment.waves);
   Rows rows(store, results.output_step, vessel.cut_off);
   const std::array<std::pair<const char*, MotionSpread*>, 7> motions = {{{"surge", &vessel.surge},
                                                                          {"sway", &vessel.sway},
@@ -180,6 +211,7 @@ void finish_motions(const StaticResults& statics, const WavesDescription& waves,
       line.most_probable_utilisation = *line.utilisation * line.fairlead_tension.most_probable_max / whole;
     }
   }
+  if (description.moorings) find_clearances(description.moorings->objects, store, results.moorings);
   tell_confidence(results);
   warn_of_build_up(statics, results);
 }

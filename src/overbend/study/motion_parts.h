@@ -12,9 +12,10 @@ namespace overbend {
 double cut_off_period(const WavesDescription& waves);
 
 /// Fills slow and wave parts, most probable extremes and numbers of cycles of `results.vessel` and `results.moorings`
-/// from the columns of the run, and adds the slow parts as columns: `vessel/slow_surge` for `vessel/surge`. Warns of
-/// runs that are too short for the slow motions. Nothing where the vessel does not float.
-void finish_motions(const StaticResults& statics, const WavesDescription& waves, DynamicResults& results,
+/// from the columns of the run, and adds the slow parts as columns: `vessel/slow_surge` for `vessel/surge`. Least
+/// distances of the lines to the objects on the bed are those of the snapshots. Warns of runs that are too short for
+/// the slow motions. Nothing where the vessel does not float.
+void finish_motions(const StaticResults& statics, const Description& description, DynamicResults& results,
                     RunStore& store);
 
 }  // namespace overbend
