@@ -3,18 +3,27 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #include "checks/run_checks.h"
 #include "modelfile/yaml_reader.h"
 #include "recording/run_dynamics.h"
+#include "resultfiles/summary_json.h"
 #include "study/static_run.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
 namespace {
 
-/// Warnings of a second of the BGL-1 on its moorings.
-std::vector<std::string> warnings_with(double breaking, double brake, double holding) {
+/// A second of the BGL-1 on its moorings.
+struct Second {
+  StaticResults statics;
+  DynamicResults results;
+  testing::MemorySink sink;
+};
+
+Description moored_bgl1() {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
   d.environment.waves.components = 40;
   d.mesh.overbend_element = 1.0;
@@ -23,17 +32,26 @@ std::vector<std::string> warnings_with(double breaking, double brake, double hol
   d.dynamics = DynamicSettings{};
   d.dynamics->duration = 0.5;
   d.dynamics->build_up = 0.5;
-  MooringLineDescription& line = d.moorings->lines.front();
-  line.segments.front().type.breaking_load = breaking;
-  line.anchor_holding.holding = holding;
-  d.moorings->winches.front().brake = brake;
+  return d;
+}
+
+Second second_with(const std::function<void(MooringsDescription&)>& change) {
+  Description d = moored_bgl1();
+  change(*d.moorings);
   Model model = build_model(d);
   const LayOutcome lay = solve_lay(model);
-  const StaticResults statics = checked_statics(model, lay);
-  testing::MemorySink sink;
-  const DynamicOutcome outcome = run_dynamics(model, *lay.solution, statics, dynamic_options(model), sink, nullptr,
-                                              [](const DynamicProgress&) { return DynamicControl::go_on; });
-  return outcome.results.value().warnings;
+  Second second;
+  second.statics = checked_statics(model, lay);
+  const DynamicOutcome outcome = run_dynamics(model, *lay.solution, second.statics, dynamic_options(model), second.sink,
+                                              nullptr, [](const DynamicProgress&) { return DynamicControl::go_on; });
+  second.results = outcome.results.value();
+  return second;
+}
+
+/// Run once for all that look at it.
+const Second& usual() {
+  static const Second kSecond = second_with([](MooringsDescription&) {});
+  return kSecond;
 }
 
 bool says(const std::vector<std::string>& warnings, const std::string& words) {
@@ -44,12 +62,119 @@ bool says(const std::vector<std::string>& warnings, const std::string& words) {
 
 // The line has some 320 kN.
 TEST(mooring_watch, says_which_line_is_beyond_what_it_bears) {
-  const std::vector<std::string> weak = warnings_with(250e3, 260e3, 200e3);
+  const std::vector<std::string> weak = second_with([](MooringsDescription& moorings) {
+                                          MooringLineDescription& line = moorings.lines.front();
+                                          line.segments.front().type.breaking_load = 250e3;
+                                          line.anchor_holding.holding = 200e3;
+                                        }).results.warnings;
   EXPECT_TRUE(says(weak, "its breaking load of 250.0 kN"));
-  EXPECT_TRUE(says(weak, "brake"));
   EXPECT_TRUE(says(weak, "holding power"));
-  const std::vector<std::string> strong = warnings_with(2594e3, 1600e3, 1500e3);
-  EXPECT_FALSE(says(strong, "kN"));
+}
+
+TEST(mooring_watch, tells_of_lines_what_statics_tells_while_little_moves) {
+  const Second& second = usual();
+  EXPECT_FALSE(says(second.results.warnings, "kN"));
+  const std::vector<MooringLineResult>& rest = second.statics.moorings->rest.moorings;
+  const std::vector<MooringLineDynamics>& lines = second.results.moorings;
+  ASSERT_EQ(lines.size(), 8U);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].name, rest[i].name);
+    // The run's first row has it from the line itself; statics from a catenary, and its hull lies a little elsewhere.
+    EXPECT_EQ(lines[i].start_fairlead_tension, second.sink.column("mooring/" + lines[i].name + "/fairlead_tension")[0]);
+    EXPECT_NEAR(lines[i].start_fairlead_tension, rest[i].fairlead_tension, 0.05 * rest[i].fairlead_tension);
+    EXPECT_NEAR(lines[i].fairlead_tension.whole.mean, rest[i].fairlead_tension, 0.05 * rest[i].fairlead_tension);
+    EXPECT_NEAR(lines[i].least_on_bed, rest[i].on_bed, 60.0);  // as the nodes stand
+    EXPECT_NEAR(lines[i].length.mean, rest[i].length, 1e-6 * rest[i].length);
+    EXPECT_EQ(lines[i].largest_uplift, 0.0);
+    EXPECT_EQ(lines[i].time_slack, 0.0);
+  }
+  EXPECT_NEAR(*lines[0].utilisation, lines[0].fairlead_tension.whole.max / 2594e3, 1e-12);
+  EXPECT_FALSE(lines[0].parted_at);
+}
+
+TEST(mooring_watch, films_the_lines_from_anchor_to_fairlead) {
+  const Second& second = usual();
+  ASSERT_FALSE(second.sink.snapshots.empty());
+  std::size_t points = 0;
+  for (const MooringLineDynamics& line : second.results.moorings) points += line.points.size();
+  const std::vector<double>& last = second.sink.snapshots.back();
+  ASSERT_EQ(last.size(), 5 * second.results.station_s.size() + 12 + 4 * points);
+  const double* at = last.data() + last.size() - 4 * points;
+  const std::vector<MooringLineResult>& rest = second.statics.moorings->rest.moorings;
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const std::vector<double>& shares = second.results.moorings[i].points;
+    EXPECT_EQ(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
+    EXPECT_NEAR((Vec3(at[0], at[1], at[2]) - rest[i].anchor_W).norm(), 0.0, 1e-6);
+    at += 4 * shares.size();
+    EXPECT_NEAR((Vec3(at[-4], at[-3], at[-2]) - rest[i].fairlead_W).norm(), 0.0, 0.5);  // the hull moves a little
+    EXPECT_NEAR(at[-1], rest[i].fairlead_tension, 0.05 * rest[i].fairlead_tension);
+  }
+}
+
+TEST(mooring_watch, histories_tell_where_the_vessel_is_from_the_drawn_place) {
+  const Second& second = usual();
+  const VesselResult& rest = second.statics.moorings->rest.vessel;
+  const std::vector<double> shift = second.sink.column("vessel/sway"), roll = second.sink.column("vessel/roll"),
+                            from_rest = second.sink.column("sway");
+  ASSERT_FALSE(shift.empty());
+  constexpr double kHeight = 0.818;  // of the centre of gravity, which the other history is of
+  for (std::size_t i = 0; i < shift.size(); ++i) {
+    EXPECT_NEAR(shift[i], rest.sway + from_rest[i] + kHeight * roll[i], 1e-3) << i;
+  }
+  ASSERT_TRUE(second.results.vessel);
+  EXPECT_EQ(second.results.vessel->start_sway, shift.front());
+  EXPECT_EQ(second.sink.column("vessel/offset").front(), 0.0);
+}
+
+TEST(mooring_watch, tells_when_a_line_parts) {
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.lines[2].fails_at = 0.25; });
+  const MooringLineDynamics &gone = second.results.moorings[2], &there = second.results.moorings[3];
+  ASSERT_TRUE(gone.parted_at);
+  EXPECT_NEAR(*gone.parted_at, 0.25, 0.05);  // the first step that ends without it
+  ASSERT_EQ(gone.events.size(), 1U);
+  EXPECT_EQ(gone.events.front().what, "parted");
+  EXPECT_NEAR(second.sink.column("mooring/" + gone.name + "/fairlead_tension").back(), 0.0, 1.0);
+  EXPECT_FALSE(there.parted_at);
+  EXPECT_TRUE(there.events.empty());
+}
+
+// All lines have more than the brake holds: each pays out until it holds them.
+TEST(mooring_watch, tells_what_a_brake_lets_out) {
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.winches.front().brake = 240e3; });
+  double changed = 0.0;
+  for (const MooringLineDynamics& line : second.results.moorings) {
+    EXPECT_NEAR(line.length.max - line.length.min, line.brake_rendered, 0.5 * line.brake_rendered + 1e-9) << line.name;
+    EXPECT_LT(line.fairlead_tension.whole.max, 250e3) << line.name;
+    changed += line.brake_rendered;
+  }
+  EXPECT_GT(changed, 0.1);
+  EXPECT_TRUE(says(second.results.warnings, "as its brake rendered at 240.0 kN"));
+}
+
+TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
+  Description d = moored_bgl1();
+  d.dynamics->duration = 1.0;
+  d.moorings->lines[0].fails_at = 0.3;
+  Model model = build_model(d);
+  const LayOutcome lay = solve_lay(model);
+  const StaticResults statics = checked_statics(model, lay);
+  const auto run = [&](testing::MemorySink& sink, const DynamicCheckpoint* from, double checkpoint_at) {
+    const auto control = [&](const DynamicProgress& at) {
+      return std::abs(at.time - checkpoint_at) < 1e-6 ? DynamicControl::checkpoint : DynamicControl::go_on;
+    };
+    return run_dynamics(model, *lay.solution, statics, dynamic_options(model), sink, from, control).results.value();
+  };
+  testing::MemorySink whole, rest;
+  const DynamicResults first = run(whole, nullptr, 0.5);
+  ASSERT_EQ(whole.checkpoints.size(), 1U);
+  const DynamicResults second = run(rest, &whole.checkpoints.front(), 99.0);
+  Json wanted, found;
+  add_moored_dynamics(first, wanted);
+  add_moored_dynamics(second, found);
+  EXPECT_TRUE(first.moorings[0].parted_at);
+  EXPECT_EQ(found, wanted);
+  EXPECT_EQ(rest.snapshots.back(), whole.snapshots.back());
 }
 
 }  // namespace

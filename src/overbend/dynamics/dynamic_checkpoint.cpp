@@ -159,7 +159,7 @@ std::vector<double> body_numbers(const HullState& body) {
   }
   out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
   for (const LineEndForces& line : body.lines) {
-    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift});
+    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift, line.length, line.on_bed});
   }
   return out;
 }
@@ -175,7 +175,10 @@ void restore_body(const std::vector<double>& in, HullState& body) {
   }
   for (double& value : body.radiation.values) value = in.at(next++);
   for (LineEndForces& line : body.lines) {
-    for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift}) *value = in.at(next++);
+    for (double* value :
+         {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
+      *value = in.at(next++);
+    }
   }
 }
 

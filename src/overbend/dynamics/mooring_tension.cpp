@@ -2,8 +2,12 @@
 
 namespace overbend {
 
+bool moored_quasi_statically(const Assembly& assembly) {
+  return assembly.free_bodies() > 0 && !assembly.free_body(0).springs.empty();
+}
+
 double mooring_tension(const Assembly& assembly, const SystemState& state, std::size_t mooring, LineEnd end) {
-  if (assembly.free_bodies() > 0 && !assembly.free_body(0).springs.empty()) {
+  if (moored_quasi_statically(assembly)) {
     const LineEndForces& line = state.bodies.front().lines[mooring];
     return end == LineEnd::last ? line.fairlead_tension() : line.anchor_tension();
   }

@@ -5,6 +5,9 @@
 
 namespace overbend {
 
+/// Whether mooring lines are quasi-static: springs of the first free body, and no lines of the system.
+bool moored_quasi_statically(const Assembly& assembly);
+
 /// Of the mooring line of that number: at its fairlead (LineEnd::last) or its anchor, in the state evaluated last [N].
 /// Lines of elements follow the pipe among the lines of the system; quasi-static ones are springs of the first free
 /// body.

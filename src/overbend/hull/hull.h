@@ -72,6 +72,7 @@ struct Hull {  // NOLINT(clang-analyzer-optin.performance.Padding): there is one
 struct LineEndForces {
   double pull = 0.0, sink = 0.0;                  ///< On the hull: towards the anchor, downwards [N].
   double anchor_pull = 0.0, anchor_uplift = 0.0;  ///< On the anchor: towards the hull, upwards [N].
+  double length = 0.0, on_bed = 0.0;              ///< Unstressed, of the whole and of what lies on the bed [m].
 
   double fairlead_tension() const { return std::hypot(pull, sink); }                ///< [N]
   double anchor_tension() const { return std::hypot(anchor_pull, anchor_uplift); }  ///< [N]

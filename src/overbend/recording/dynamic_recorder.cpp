@@ -54,6 +54,11 @@ int last_stinger_roller(const Supports& supports) {
   return -1;
 }
 
+/// Whether the vessel floats free or lies on mooring lines.
+bool afloat(const Simulation& simulation) {
+  return simulation.system().bodies.front().free || !simulation.moorings().empty();
+}
+
 /// Rows from one snapshot of a run to the next.
 std::int64_t snapshot_stride(const DynamicOptions& options) {
   const double rows = options.duration / options.output_step;
@@ -77,7 +82,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
       moorings_(model.description.moorings, simulation.moorings()),
-      columns_(recorded_columns(model.supports, simulation.moorings())),
+      floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
+      columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value())),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = places();
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
@@ -93,7 +99,6 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   reaction_quantiles_ = RunningQuantiles(boxes_);
   if (move_ != nullptr) add_move_columns(columns_);
   row_.resize(columns_.size());
-  snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
   left_.resize(boxes_);
   largest_reaction_.assign(boxes_, 0.0);
@@ -119,9 +124,13 @@ void DynamicRecorder::begun(const Instant& at) {
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
   design_.start(design_instant(at));
+  moorings_.start(*at.state, *at.assembly);
+  if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
-  sink_->begin(columns, static_cast<int>(places().size() - first_));
+  const std::size_t recorded = places().size() - first_;
+  snapshot_.resize(5 * recorded + 12 + 4 * static_cast<std::size_t>(moorings_.points()));
+  sink_->begin(columns, {static_cast<int>(recorded), moorings_.points()});
 }
 
 DesignInstant DynamicRecorder::design_instant(const Instant& at) const {
@@ -269,7 +278,8 @@ void DynamicRecorder::find_support_values(const Instant& at) {
 void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.move.paid_out, at.state->time, at.step);
-  moorings_.add(*at.assembly, *at.state);
+  moorings_.add(*at.state, *at.assembly, at.step);
+  if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {
     return;
@@ -288,7 +298,13 @@ void DynamicRecorder::stepped(const Instant& at) {
 }
 
 void DynamicRecorder::row(const Instant& at, std::int64_t number) {
-  const RowSource source{at, key_sample_, largest_key_, least_key_, largest_reaction_, least_separation_};
+  const RowSource source{at,
+                         key_sample_,
+                         largest_key_,
+                         least_key_,
+                         largest_reaction_,
+                         least_separation_,
+                         floating_ ? &*floating_ : nullptr};
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
   forget_interval();
@@ -319,6 +335,7 @@ std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
       *out++ = pose.R_WV(i, j);
     }
   }
+  moorings_.film(*at.state, *at.assembly, out);
   return snapshot_;
 }
 

@@ -4,20 +4,18 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "results/moored_dynamics.h"
+#include "results/spread.h"
 #include "results/static_results.h"
 
 namespace overbend {
 
 inline constexpr std::size_t kSafetyClasses = 3;  ///< Of DNV: low, medium, high, numbered as SafetyClass.
-
-/// A quantity over time.
-struct Spread {
-  double min = 0.0, max = 0.0, mean = 0.0, std = 0.0;
-};
 
 /// The same for every station of the line, arrays of one length.
 struct Envelope {
@@ -184,6 +182,8 @@ struct DynamicResults {
   std::vector<Impact> hardest_impacts;  ///< The 200 with the largest peak force, hardest first.
   std::int64_t impact_count = 0;
   TensionerDynamics tensioner;
+  std::optional<VesselDynamics> vessel;       ///< Of a hull that moves freely.
+  std::vector<MooringLineDynamics> moorings;  ///< In the order of the model; empty without lines in time.
   EnergyBalance energy;
   DynamicRunReport run;
   // From the stored histories, made when the run ends.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "results/hull_results.h"
 
 namespace overbend {
 
@@ -105,6 +106,7 @@ struct MooringResults {
   std::string title, version;
   std::vector<std::string> assumptions, warnings;
   MooredState rest;
+  std::optional<HullResults> hull;  ///< Of a hull with hydrodynamic coefficients; of a lay in StaticResults.
   std::string operation;            ///< moored, pull_ahead, anchor_move, anchor_plan or empty.
   std::vector<MooredState> stages;  ///< Of the operation, in order.
   double distance = 0.0;            ///< Of a pull-ahead [m].

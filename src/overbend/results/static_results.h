@@ -10,6 +10,7 @@
 #include "base/vec.h"
 #include "model/supports.h"
 #include "results/check_results.h"
+#include "results/hull_results.h"
 #include "results/mooring_results.h"
 
 namespace overbend {
@@ -190,6 +191,7 @@ struct StaticResults {
 
   CheckTable checks;  ///< Of the static state.
 
+  std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
 };
 

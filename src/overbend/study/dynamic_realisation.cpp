@@ -8,6 +8,7 @@
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
 #include "study/dynamic_finish.h"
+#include "study/motion_parts.h"
 #include "study/run_warnings.h"
 
 namespace overbend {
@@ -43,7 +44,9 @@ class WatchedStore : public DynamicSink {
  public:
   WatchedStore(RunStore& store, const RowWatch& rows) : store_(store), rows_(rows) {}
 
-  void begin(const std::vector<HistoryColumn>& columns, int stations) override { store_.begin(columns, stations); }
+  void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override {
+    store_.begin(columns, size);
+  }
   void row(std::span<const double> values) override {
     store_.row(values);
     if (rows_) rows_(store_.columns(), values);
@@ -87,6 +90,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     begun->store.remove();
     return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
   }
+  finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
   warn_of_large_motion(shared.description.vessel, *outcome.results);
   {
@@ -98,8 +102,9 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
 }
 
 void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
-  const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
+  std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
+  finish_motions(shared.statics, shared.description, results, run->store);
   finish_histories(results, run->store);
   warn_of_large_motion(shared.description.vessel, results);
   const std::lock_guard<std::mutex> hold(writing);
