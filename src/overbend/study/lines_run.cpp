@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/lines_in_time.h"
+#include "report/report.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/staged_folder.h"
 #include "statics/lines_recovery.h"
@@ -108,6 +109,7 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
 void write_lines_run(const LinesResults& results, const Description& description, const std::filesystem::path& folder) {
   StagedFolder staged(folder);
   write_lines_files(results, description, staged.path());
+  write_report(results, description.source_text, staged.path() / "report.html");
   staged.commit("summary.json");
 }
 
