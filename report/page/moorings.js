@@ -259,6 +259,11 @@
     const room = 0.14 * size;
     const frame = Report.frame(panel, { equal: true, most: 420, x: [x[0] - room, x[1] + room], y: [(y[0] + y[1] - Math.max(y[1] - y[0], 0.4 * size)) / 2 - room, (y[0] + y[1] + Math.max(y[1] - y[0], 0.4 * size)) / 2 + room],
       x_label: 'East of midship as drawn [m]', y_label: 'North [m]', title: run ? 'Offset of midship: ellipses of 1, 2 and 3 standard deviations, dashed: range of the run' : 'Offset of midship' });
+    const [bx, by] = [frame.width - frame.margin.right - 46, frame.margin.top + 28];
+    if (m.length > 0) {
+      arrow(frame.over.append('g'), bx - 30, by, m.heading, '#5d6a76', 'bow');
+      frame.used.push({ x0: bx - 52, x1: bx + 44, y0: by - 22, y1: by + 22 });
+    }
     if (run) ellipse(frame, run);
     const cross = [frame.x(0), frame.y(0)];
     frame.over.append('path').attr('d', `M${cross[0] - 7} ${cross[1]}H${cross[0] + 7}M${cross[0]} ${cross[1] - 7}V${cross[1] + 7}`).attr('stroke', '#1b2733').attr('stroke-width', 1.6);
@@ -266,8 +271,6 @@
     Report.label(frame, ...cross, 'as drawn', { css: 'soft' });
     states.forEach((state, i) => Report.mark(frame, points[i][0], points[i][1], i === 0 ? (run ? 'start of the run' : 'at rest') : state.name, i === 0 ? colours.pipe : colours.second));
     if (run) Report.mark(frame, ...start_frame(run, run.along.mean, run.across.mean), 'mean', colours.dynamic);
-    const [bx, by] = [frame.width - frame.margin.right - 46, frame.margin.top + 40];
-    if (m.length > 0) arrow(frame.over.append('g'), bx - 30, by, m.heading, '#5d6a76', 'bow');
   };
 
   const kPalette = ['#0b5394', '#c77700', '#009e73', '#b3261e', '#6a3d9a', '#56b4e9', '#7b8794', '#8a5a2b', '#d55e00', '#117733', '#882255', '#332288'];
@@ -283,7 +286,9 @@
     const [lo, hi] = d3.extent(all);
     const room = 0.08 * (hi - lo || 1);
     const x = pulled ? d3.extent(d3.range(states.length), at) : [-0.25, states.length - 0.75];
-    const frame = Report.frame(panel, { height: 330, right: 210, x, y: [lo - room, hi + room], bottom: pulled ? 50 : 84, x_tick_values: pulled ? undefined : [],
+    const words = states.map((state, i) => (i === 0 ? 'at rest' : state.name.length > 30 ? `${state.name.slice(0, 29)}\u2026` : state.name));
+    const deep = pulled ? 50 : 36 + Math.sin(24 * Math.PI / 180) * d3.max(words, (text) => Report.measured(text, 14));
+    const frame = Report.frame(panel, { height: 300 + deep - 50, right: 210, x, y: [lo - room, hi + room], bottom: deep, x_tick_values: pulled ? undefined : [],
       x_label: pulled ? 'Advance of the vessel [m]' : '', y_label: part === 'tensions' ? 'Tension at the fairlead [kN]' : 'Length paid out [m]', title: part === 'tensions' ? 'Tension at the fairleads' : 'Length paid out by the winches' });
     const ends = [];
     names.forEach((name, k) => {
@@ -295,8 +300,8 @@
       ends.push({ name, colour, y: frame.y(points[points.length - 1][1]) });
     });
     name_ends(frame, ends);
-    if (!pulled) states.forEach((state, i) => {
-      frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'end').attr('transform', `translate(${frame.x(i) + 4},${frame.height - frame.margin.bottom + 18}) rotate(-24)`).text(i === 0 ? 'at rest' : state.name);
+    if (!pulled) words.forEach((_, i) => {
+      frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'end').attr('transform', `translate(${frame.x(i) + 4},${frame.height - frame.margin.bottom + 18}) rotate(-24)`).text(words[i]);
     });
   };
 

@@ -25,6 +25,19 @@ TEST(report_without_pipe, of_moorings_begins_with_a_verdict_and_has_what_applies
   EXPECT_EQ(page.find("Report.side_view"), std::string::npos);
 }
 
+TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {
+  for (const std::string& page : {report_html(testing::synthetic_stages(), example_text("moored-barge")),
+                                  report_html(synthetic_lines(true), example_text("jumper"))}) {
+    std::size_t at = 0;
+    int number = 0;
+    while ((at = page.find("<figcaption>Figure ", at)) != std::string::npos) {
+      at += std::string("<figcaption>Figure ").size();
+      EXPECT_EQ(std::stoi(page.substr(at)), ++number);
+    }
+    EXPECT_GE(number, 3);
+  }
+}
+
 TEST(report_without_pipe, lists_the_inputs_of_hull_and_moorings) {
   const std::string text = visible(report_html(testing::synthetic_moorings(), example_text("moored-barge")));
   EXPECT_NE(text.find("<td class=\"t\">Mass</td><td>19121.6</td>"), std::string::npos) << text;

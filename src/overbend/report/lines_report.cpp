@@ -92,30 +92,28 @@ std::string end_table(const LinesResults& results) {
          "line below horizontal, positive where it hangs from its end.</p>\n";
 }
 
-std::string caption(int& figure, const std::string& words) {
-  return fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++figure, html::escape(words));
-}
-
-std::string panels(const char* id, std::size_t count) {
+/// A figure with as many panels as there are parts.
+std::string figure_of(const std::string& id, const std::vector<std::string>& parts, int& number,
+                      const std::string& caption) {
   std::string out = "<figure>\n";
-  for (std::size_t i = 0; i < count; ++i) {
-    out += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", id, i);
+  for (const std::string& part : parts) {
+    out += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", id, part);
   }
-  return out;
+  return out + fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++number, html::escape(caption));
 }
 
 std::string figures(const LinesResults& results) {
-  int figure = 0;
-  const std::size_t count = results.lines.size();
-  std::string out = panels("line_shape", count) + caption(figure, "Shape at rest, in the vertical plane of the ends") +
-                    panels("line_tension", count) +
-                    caption(figure, results.moved ? "Tension along the line: at rest, and its range over time (band)"
-                                                  : "Tension along the line at rest");
+  int number = 0;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < results.lines.size(); ++i) lines.push_back(std::to_string(i));
+  std::string out = figure_of("line_shape", lines, number, "Shape at rest, in the vertical plane of the ends");
+  out += figure_of("line_tension", lines, number,
+                   results.moved ? "Tension along the line: at rest, and its range over time (band)"
+                                 : "Tension along the line at rest");
   if (results.moved) {
-    out += "<figure>\n<div class=\"panel\" data-figure=\"history\" data-part=\"ends\"></div>\n" +
-           caption(figure,
-                   "Tension at the ends in time; the build-up is shaded. Values refer to all steps, curves to the "
-                   "output steps");
+    out += figure_of("history", {"ends"}, number,
+                     "Tension at the ends in time; the build-up is shaded. Values refer to all steps, curves to the "
+                     "output steps");
   }
   return out;
 }

@@ -28,7 +28,8 @@ FrontPage moored_front(const MooringResults& results, const std::optional<Descri
 std::string report_html(const MooringResults& results, const std::string& model_text) {
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
-  const std::string rest = moorings_section(results, figure) + operation_section(results, figure) +
+  const std::string moorings = moorings_section(results, figure);  // before the next: figures are numbered on
+  const std::string rest = moorings + operation_section(results, figure) +
                            (results.hull ? hull_section(*results.hull) : "") +
                            (description ? inputs_section(*description) : "") +
                            assumptions_section(results.assumptions) + model_text_section(model_text);

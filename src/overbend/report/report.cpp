@@ -45,9 +45,12 @@ std::string hull_part(const StaticResults& results) {
   return results.hull ? hull_section(*results.hull) : "";
 }
 
+/// Figures are numbered in the order of the page, so that parts with figures are made one after the other.
 std::string moorings_part(const StaticResults& results, int& figure) {
   if (!results.moorings) return "";
-  return moorings_section(*results.moorings, figure) + operation_section(*results.moorings, figure);
+  std::string part = moorings_section(*results.moorings, figure);
+  part += operation_section(*results.moorings, figure);
+  return part;
 }
 
 }  // namespace
@@ -57,12 +60,13 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string checks = checks_section(results, results.checks, figure);
+  const std::string figures = figures_section(results, "figures", "Figures", figure);
+  const std::string moorings = moorings_part(results, figure);
   const std::string rest =
       key_results(results, "results", "Key results") + lay_setting_section(results, description, nullptr) + checks +
-      figures_section(results, "figures", "Figures", figure) + static_tables(results) + moorings_part(results, figure) +
-      hull_part(results) + inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
-      rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
-      model_text_section(model_text);
+      figures + static_tables(results) + moorings + hull_part(results) + inputs_section(results, description, nullptr) +
+      assumptions_section(results.assumptions) + rollers_section(results) + check_inputs_section(results.checks) +
+      balance_section(results) + model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   if (results.moorings) front.more = mooring_bars(*results.moorings, working_load_of(description));
@@ -79,14 +83,16 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string checks = checks_section(statics, results.checks, figure);
-  const std::string dynamic =
-      dynamic_key_results(statics, results) + lay_setting_section(statics, description, &results) + checks +
-      dynamic_figures_section(statics, results, figure) + dynamic_statistics_section(statics, results) +
-      dynamic_supports_section(results) + impacts_section(statics, results) + tensioner_section(statics, results) +
-      moored_dynamics_section(results, figure);
-  const std::string before = key_results(statics, "static-results", "Initial static state") +
-                             figures_section(statics, "figures", "Figures of the static state", figure) +
-                             static_tables(statics) + moorings_part(statics, figure) + hull_part(statics);
+  const std::string figures = dynamic_figures_section(statics, results, figure);
+  const std::string moored = moored_dynamics_section(results, figure);
+  const std::string static_figures = figures_section(statics, "figures", "Figures of the static state", figure);
+  const std::string moorings = moorings_part(statics, figure);
+  const std::string dynamic = dynamic_key_results(statics, results) +
+                              lay_setting_section(statics, description, &results) + checks + figures +
+                              dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
+                              impacts_section(statics, results) + tensioner_section(statics, results) + moored;
+  const std::string before = key_results(statics, "static-results", "Initial static state") + static_figures +
+                             static_tables(statics) + moorings + hull_part(statics);
   const std::string closing = inputs_section(statics, description, &results) +
                               assumptions_section(together(statics.assumptions, results.assumptions)) +
                               dynamic_rollers_section(results) + rollers_section(statics) +
