@@ -80,6 +80,7 @@
     mooring_profile: Report.mooring_profile,
     mooring_offsets: Report.mooring_offsets,
     mooring_stages: Report.mooring_stages,
+    move_pipe: Report.move_pipe,
     line_shape: Report.line_shape,
     line_tension: Report.line_tension,
     compared_tensioner: Report.compared_tensioner,

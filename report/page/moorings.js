@@ -275,34 +275,65 @@
 
   const kPalette = ['#0b5394', '#c77700', '#009e73', '#b3261e', '#6a3d9a', '#56b4e9', '#7b8794', '#8a5a2b', '#d55e00', '#117733', '#882255', '#332288'];
 
-  // A value of every line over the stages: against the advance in a pull-ahead, else stage by stage.
+  // Tension of every line stage by stage, or tension and length over the advance of a pull-ahead.
   Report.mooring_stages = function (panel, part) {
-    const pulled = m.operation === 'pull_ahead';
-    const states = pulled ? m.states.slice(1) : m.states;
-    const names = m.states[0].lines.map((line) => line.name);
-    const at = (i) => (pulled ? states[i].surge : i);
-    const value = (state, k) => (part === 'tensions' ? state.lines[k].tension / 1e3 : state.lines[k].length - states[0].lines[k].length);
-    const all = states.flatMap((state) => names.map((_, k) => (state.lines[k].parted ? NaN : value(state, k)))).filter(Number.isFinite);
-    const [lo, hi] = d3.extent(all);
-    const room = 0.08 * (hi - lo || 1);
-    const x = pulled ? d3.extent(d3.range(states.length), at) : [-0.25, states.length - 0.75];
-    const words = states.map((state, i) => (i === 0 ? 'at rest' : state.name.length > 30 ? `${state.name.slice(0, 29)}\u2026` : state.name));
-    const deep = pulled ? 50 : 36 + Math.sin(24 * Math.PI / 180) * d3.max(words, (text) => Report.measured(text, 14));
-    const frame = Report.frame(panel, { height: 300 + deep - 50, right: 210, x, y: [lo - room, hi + room], bottom: deep, x_tick_values: pulled ? undefined : [],
-      x_label: pulled ? 'Advance of the vessel [m]' : '', y_label: part === 'tensions' ? 'Tension at the fairlead [kN]' : 'Length paid out [m]', title: part === 'tensions' ? 'Tension at the fairleads' : 'Length paid out by the winches' });
+    if (part === 'stages') stage_tensions(panel); else over_advance(panel, part);
+  };
+
+  const names_of = () => rest.lines.map((line) => line.name);
+
+  // curves: a list of points per line; their names stand at the right end.
+  function draw_curves(frame, curves, dots) {
     const ends = [];
-    names.forEach((name, k) => {
-      const points = d3.range(states.length).filter((i) => !states[i].lines[k].parted).map((i) => [at(i), value(states[i], k)]);
+    curves.forEach((points, k) => {
       if (points.length === 0) return;
       const colour = kPalette[k % kPalette.length];
-      stroke(frame, points, colour, 1.8, k >= names.length / 2 ? '7 3' : null);
-      if (states.length < 12) for (const p of points) frame.plot.append('circle').attr('cx', frame.x(p[0])).attr('cy', frame.y(p[1])).attr('r', 3).attr('fill', colour);
-      ends.push({ name, colour, y: frame.y(points[points.length - 1][1]) });
+      stroke(frame, points, colour, 1.8, k >= curves.length / 2 ? '7 3' : null);
+      if (dots) for (const p of points) frame.plot.append('circle').attr('cx', frame.x(p[0])).attr('cy', frame.y(p[1])).attr('r', 3).attr('fill', colour);
+      ends.push({ name: names_of()[k], colour, y: frame.y(points[points.length - 1][1]) });
     });
     name_ends(frame, ends);
-    if (!pulled) words.forEach((_, i) => {
-      frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'end').attr('transform', `translate(${frame.x(i) + 4},${frame.height - frame.margin.bottom + 18}) rotate(-24)`).text(words[i]);
+  }
+
+  function roomy(curves) {
+    const [lo, hi] = d3.extent(curves.flat(), (p) => p[1]);
+    const room = 0.08 * (hi - lo || 1);
+    return [lo - room, hi + room];
+  }
+
+  function stage_tensions(panel) {
+    const words = m.states.map((state, i) => (i === 0 ? 'at rest' : state.name.length > 30 ? `${state.name.slice(0, 29)}\u2026` : state.name));
+    const deep = 36 + Math.sin(24 * Math.PI / 180) * d3.max(words, (text) => Report.measured(text, 14));
+    const curves = names_of().map((_, k) => d3.range(m.states.length).filter((i) => !m.states[i].lines[k].parted).map((i) => [i, m.states[i].lines[k].tension / 1e3]));
+    const frame = Report.frame(panel, { height: 300 + deep - 50, right: 210, x: [-0.25, m.states.length - 0.75], y: roomy(curves), bottom: deep, x_tick_values: [],
+      x_label: '', y_label: 'Tension at the fairlead [kN]', title: 'Tension at the fairleads' });
+    draw_curves(frame, curves, true);
+    words.forEach((text, i) => {
+      frame.over.append('text').attr('class', 'soft name').attr('text-anchor', 'end').attr('transform', `translate(${frame.x(i) + 4},${frame.height - frame.margin.bottom + 18}) rotate(-24)`).text(text);
     });
+  }
+
+  function over_advance(panel, part) {
+    const value = part === 'tensions' ? (step, k) => step.tensions[k] / 1e3 : (step, k) => step.lengths[k] - m.steps[0].lengths[k];
+    const curves = names_of().map((_, k) => m.steps.map((step) => [step.advance, value(step, k)]));
+    const frame = Report.frame(panel, { height: 300, right: 210, x: d3.extent(m.steps, (step) => step.advance), y: roomy(curves), x_label: 'Advance of the vessel [m]',
+      y_label: part === 'tensions' ? 'Tension at the fairlead [kN]' : 'Length paid out [m]', title: part === 'tensions' ? 'Tension at the fairleads' : 'Length paid out by the winches' });
+    draw_curves(frame, curves, m.steps.length < 12);
+  }
+
+  const kOfPipe = {
+    tension: ['Tension at the tensioner [kN]', 1e-3],
+    overbend: ['Overbend, largest bending stress [MPa]', 1e-6],
+    sagbend: ['Sagbend, largest bending stress [MPa]', 1e-6],
+    clearance: ['Clearance at the stinger tip [m]', 1],
+  };
+
+  Report.move_pipe = function (panel, part) {
+    const [title, factor] = kOfPipe[part];
+    const points = m.steps.map((step) => [step.advance, step.pipe[part] * factor]);
+    const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: roomy([points]), x_ticks: 6, x_label: 'Advance of the vessel [m]', y_label: '', title });
+    frame.svg.classed('small', true);
+    stroke(frame, points, colours.pipe, 2);
   };
 
   // Names at the right of their curves, pushed apart; those that end at one height share a line.

@@ -80,6 +80,32 @@ TEST(operation_section, of_a_pull_ahead_tells_what_every_winch_hauls_in_or_pays_
   EXPECT_NE(section.find("<td class=\"t\">port bow</td><td>-10.876</td>"), std::string::npos) << section;
   EXPECT_NE(section.find("<td class=\"t\">port stern</td><td>+10.876</td>"), std::string::npos);
   EXPECT_NE(section.find("data-part=\"lengths\""), std::string::npos);
+  EXPECT_EQ(section.find("data-part=\"stages\""), std::string::npos);
+}
+
+TEST(operation_section, of_a_pull_ahead_with_a_pipe_tells_what_the_pipe_has_place_by_place) {
+  int figure = 0;
+  MooringResults results = synthetic_pull_ahead();
+  const std::string laid = operation_section(results, figure);
+  EXPECT_NE(laid.find("<td>12.00</td><td>259.6</td><td>0.0</td><td>287.6</td><td>0.1400</td><td>145.2</td>"),
+            std::string::npos);
+  EXPECT_NE(laid.find("data-part=\"clearance\""), std::string::npos);
+  EXPECT_NE(laid.find("Lengths and tensions at 25 places"), std::string::npos);
+  for (MoveStep& step : results.steps) step.pipe.reset();
+  const std::string bare = operation_section(results, figure);
+  EXPECT_EQ(bare.find("move_pipe"), std::string::npos);
+  EXPECT_EQ(bare.find("The pipe at the places"), std::string::npos);
+}
+
+TEST(operation_section, lists_the_anchors_that_are_due_though_there_are_no_stages) {
+  int figure = 0;
+  MooringResults results = synthetic_moorings();
+  results.operation = "anchor_plan";
+  results.anchors = {{41, "port stern", "length", {-963.0, 438.0, -89.0}, {-450.0, 438.0, -89.0}, 505.2}};
+  const std::string section = operation_section(results, figure);
+  EXPECT_NE(section.find("<td>41</td><td class=\"t\">port stern</td><td class=\"t\">length</td><td>-963.0</td>"),
+            std::string::npos);
+  EXPECT_EQ(section.find("Offset of the vessel"), std::string::npos);
 }
 
 }  // namespace

@@ -122,10 +122,27 @@ MooringResults synthetic_pull_ahead() {
   results.operation = "pull_ahead";
   results.distance = 12.0;
   for (int i = 0; i <= 24; ++i) {
-    MooredState state = state_of("step " + std::to_string(i), 0.5 * i, 0.0, 200.0);
-    for (std::size_t k = 0; k < 8; ++k)
+    MooredState state = state_of(i == 0 ? "before" : "after", 0.5 * i, 0.0, 200.0);
+    MoveStep step;
+    step.advance = 0.5 * i;
+    step.vessel.surge = 0.5 * i;
+    for (std::size_t k = 0; k < 8; ++k) {
       state.moorings[k].first_segment_length -= 0.5 * i * std::cos(kAngles[k] * kDegree);
-    results.stages.push_back(std::move(state));
+      step.lengths.push_back(state.moorings[k].first_segment_length);
+      step.tensions.push_back(state.moorings[k].fairlead_tension);
+    }
+    PipeAtStep pipe;
+    pipe.top_tension = 250e3 + 400.0 * i;
+    pipe.overbend_bending_stress = 290e6 - 1e5 * i;
+    pipe.overbend_strain = 0.0014;
+    pipe.sagbend_bending_stress = 150e6 - 2e5 * i;
+    pipe.largest_reaction = 60e3;
+    pipe.largest_reaction_support = "ramp 3";
+    pipe.lay_back = 410.0;
+    pipe.stinger_tip_clearance = 0.42;
+    step.pipe = pipe;
+    results.steps.push_back(std::move(step));
+    if (i == 0 || i == 24) results.stages.push_back(std::move(state));
   }
   for (std::size_t k = 0; k < 8; ++k) {
     const MooringLineResult& first = results.stages.front().moorings[k];

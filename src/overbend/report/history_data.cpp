@@ -196,6 +196,9 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   }
   json all = histories.take();
   for (json& history : mooring_history_data(results)) all.push_back(std::move(history));
+  if (statics.moorings && statics.moorings->operation == "pull_ahead") {
+    for (json& history : operation_history_data(results)) all.push_back(std::move(history));
+  }
   return all;
 }
 

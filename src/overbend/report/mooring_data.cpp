@@ -25,7 +25,6 @@ json line_data(const MooringLineResult& line) {
   return {{"name", line.name},
           {"tension", json_number(line.fairlead_tension)},
           {"use", or_null(line.utilisation)},
-          {"length", json_number(line.first_segment_length)},
           {"slack", line.slack},
           {"parted", line.parted},
           {"on_bed", json_number(line.on_bed)},
@@ -52,6 +51,43 @@ json state_data(const MooredState& state) {
           {"lines", std::move(lines)}};
 }
 
+json numbers(const std::vector<double>& values) {
+  json out = json::array();
+  for (const double value : values) out.push_back(json_number(value));
+  return out;
+}
+
+json pipe_data(const PipeAtStep& pipe) {
+  return {{"tension", json_number(pipe.top_tension)},
+          {"overbend", json_number(pipe.overbend_bending_stress)},
+          {"sagbend", json_number(pipe.sagbend_bending_stress)},
+          {"clearance", or_null(pipe.stinger_tip_clearance)}};
+}
+
+json step_data(const MoveStep& step) {
+  return {{"advance", json_number(step.advance)},
+          {"tensions", numbers(step.tensions)},
+          {"lengths", numbers(step.lengths)},
+          {"pipe", step.pipe ? pipe_data(*step.pipe) : json(nullptr)}};
+}
+
+/// The places of a pull-ahead; the stages where only these are known.
+json steps_of(const MooringResults& results) {
+  json out = json::array();
+  for (const MoveStep& step : results.steps) out.push_back(step_data(step));
+  if (!out.empty() || results.operation != "pull_ahead") return out;
+  for (const MooredState& stage : results.stages) {
+    MoveStep step;
+    step.advance = stage.vessel.surge;
+    for (const MooringLineResult& line : stage.moorings) {
+      step.tensions.push_back(line.fairlead_tension);
+      step.lengths.push_back(line.first_segment_length);
+    }
+    out.push_back(step_data(step));
+  }
+  return out;
+}
+
 }  // namespace
 
 json mooring_figure_data(const MooringResults& results, const MooringScene& scene) {
@@ -71,7 +107,7 @@ json mooring_figure_data(const MooringResults& results, const MooringScene& scen
           {"touchdown", scene.pipe_W.empty() ? json(nullptr) : point(scene.touchdown_W)},
           {"objects", std::move(objects)},
           {"operation", results.operation},
-          {"distance", json_number(results.distance)},
+          {"steps", steps_of(results)},
           {"states", std::move(states)}};
 }
 

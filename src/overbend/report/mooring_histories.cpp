@@ -69,6 +69,21 @@ void add_offsets(const DynamicResults& results, json& out) {
 
 }  // namespace
 
+json operation_history_data(const DynamicResults& results) {
+  constexpr std::array<const char*, 6> kNames = {"vessel/surge",       "top_tension",       "tensioner/travel",
+                                                 "overbend_von_mises", "sagbend_von_mises", "stinger_tip_clearance"};
+  json out = json::array();
+  for (const char* name : kNames) {
+    const HistorySummary* history = find(results, name);
+    if (history == nullptr) continue;
+    json trace = entry(*history, "operation", quantity(name, history->units).name, history->over_time, 0.0);
+    if (trace.is_null()) continue;
+    trace["static"] = nullptr;  // the vessel goes on from there
+    out.push_back(std::move(trace));
+  }
+  return out;
+}
+
 json mooring_history_data(const DynamicResults& results) {
   json out = json::array();
   if (results.vessel) add_offsets(results, out);

@@ -7,6 +7,9 @@
 
 namespace overbend {
 
+/// Group "operation": what pipe and vessel have while the vessel is pulled ahead, below each other.
+nlohmann::json operation_history_data(const DynamicResults& results);
+
 /// Groups "offset" (of the vessel, each with its slow part under "slow") and "moorings" (tension at every fairlead).
 nlohmann::json mooring_history_data(const DynamicResults& results);
 

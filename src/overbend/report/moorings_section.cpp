@@ -26,11 +26,6 @@ std::string optional_text(const std::optional<double>& value, int digits) {
   return value ? fixed(*value, digits) : "-";
 }
 
-std::string signed_text(double value, int digits) {
-  const std::string text = fixed(value, digits);
-  return text.front() == '-' || std::stod(text) == 0.0 ? text : "+" + text;
-}
-
 std::string use_note(const MooringLineResult& line) {
   return line.utilisation ? line.name + ", " + fixed(100.0 * *line.utilisation, 1) + " % of its breaking load"
                           : line.name;
@@ -170,57 +165,6 @@ std::string figures(const std::vector<Figure>& all, int& figure) {
       all, [](const Figure&, const std::string&) { return true; }, figure);
 }
 
-std::string stage_table(const MooringResults& results) {
-  std::vector<html::Head> head = {{"Stage", "", true}, {"Surge", "m"}, {"Sway", "m"}, {"Yaw", "deg"}};
-  for (const MooringLineResult& line : results.rest.moorings) head.push_back({line.name, "kN"});
-  html::Table table("Offset of the vessel and tension at the fairleads", head, "dense summary");
-  const auto row = [&](const MooredState& state) {
-    std::vector<std::string> cells = {state.name, fixed(state.vessel.surge, 3), fixed(state.vessel.sway, 3),
-                                      fixed(state.vessel.yaw * kDegrees, 3)};
-    bool over = false;
-    for (const MooringLineResult& line : state.moorings) {
-      cells.push_back(line.parted ? "parted" : kilo(line.fairlead_tension));
-      over = over || line.utilisation.value_or(0.0) > 1.0;
-    }
-    table.row(cells, over ? "over" : "");
-  };
-  row(results.rest);
-  for (const MooredState& stage : results.stages) row(stage);
-  return table.str();
-}
-
-std::string winch_table(const MooringResults& results) {
-  if (results.winches.empty()) return "";
-  html::Table table("Winches, from the first stage to the last",
-                    {{"Line", "", true},
-                     {"Paid out", "m"},
-                     {"before", "m"},
-                     {"after", "m"},
-                     {"before", "kN"},
-                     {"after", "kN"},
-                     {"change", "kN"}},
-                    "plain");
-  table.groups({{"", 2}, {"First segment", 2}, {"Tension at the fairlead", 3}});
-  for (const WinchMove& move : results.winches) {
-    table.row({move.name, signed_text(move.after - move.before, 3), fixed(move.before, 3), fixed(move.after, 3),
-               kilo(move.tension_before), kilo(move.tension_after),
-               signed_text(1e-3 * (move.tension_after - move.tension_before), 1)});
-  }
-  return table.str() + "<p class=\"small\">Paid out: negative where the winch hauls in. The pull-ahead is " +
-         fixed(results.distance, 2) + " m; lengths are unstressed.</p>\n";
-}
-
-const std::vector<Figure>& stage_figures(bool advance) {
-  static const std::vector<Figure> kOfStages = {
-      {"mooring_offsets", "Where midship lies in the stages, north up", {"stages"}},
-      {"mooring_stages", "Tension at the fairleads, stage by stage", {"tensions"}},
-  };
-  static const std::vector<Figure> kOfAdvance = {
-      {"mooring_stages", "Tension at the fairleads and length of the lines over the advance", {"tensions", "lengths"}},
-  };
-  return advance ? kOfAdvance : kOfStages;
-}
-
 }  // namespace
 
 const MooringLineResult* hardest_line(const MooredState& state) {
@@ -235,13 +179,6 @@ std::string moorings_section(const MooringResults& results, int& figure) {
   return html::section("moorings", "Moorings",
                        tiles(results.rest) + figures(rest_figures(), figure) + line_table(results.rest) +
                            vessel_tables(results.rest.vessel));
-}
-
-std::string operation_section(const MooringResults& results, int& figure) {
-  if (results.stages.empty()) return "";
-  const bool advance = !results.winches.empty();
-  return html::section("operation", advance ? "Pull-ahead" : "Stages of the operation",
-                       winch_table(results) + figures(stage_figures(advance), figure) + stage_table(results));
 }
 
 }  // namespace overbend

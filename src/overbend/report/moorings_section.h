@@ -10,7 +10,8 @@ namespace overbend {
 /// Tiles, plan, table of lines, profiles and where the hull lies. `figure` is counted on.
 std::string moorings_section(const MooringResults& results, int& figure);
 
-/// The stages of the operation, and what the winches do in a pull-ahead.
+/// The stages of the operation; what winches do and the pipe has in a pull-ahead; where anchors go
+/// (operation_section.cpp).
 std::string operation_section(const MooringResults& results, int& figure);
 
 /// "port bow 346.6 kN": the line that pulls hardest; empty without a line that pulls.
