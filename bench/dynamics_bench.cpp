@@ -12,9 +12,9 @@ namespace {
 /// Takes everything and keeps nothing.
 class NoSink : public DynamicSink {
  public:
-  void begin(const std::vector<HistoryColumn>& columns, int stations) override {
+  void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override {
     benchmark::DoNotOptimize(columns.size());
-    benchmark::DoNotOptimize(stations);
+    benchmark::DoNotOptimize(size.stations);
   }
   void row(std::span<const double> values) override { benchmark::DoNotOptimize(values.data()); }
   void snapshot(double time, std::span<const double> values) override {

@@ -124,7 +124,7 @@ TEST(dynamic_reader, gives_back_a_run_without_histories_spectra_and_impacts) {
   results.extremes.clear();
   results.hardest_impacts.clear();
   RunStore store = RunStore::create(folder.path(), "", 1);
-  store.begin({{"time", "s", "Time", false, false}}, 40);
+  store.begin({{"time", "s", "Time", false, false}}, {40, 0});
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
   EXPECT_EQ(bits_of(read_dynamic_results(folder / "results.h5").results), bits_of(results));
 }

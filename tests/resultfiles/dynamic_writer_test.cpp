@@ -106,7 +106,7 @@ TEST(dynamic_writer, marks_where_a_history_is_absent) {
   const auto& [description, statics] = solved_case("J12-D400-T560");
   const TemporaryFolder folder;
   RunStore store = RunStore::create(folder.path(), "", 0);
-  store.begin({{"time", "s", "Time", false, false}, {"support/a/separation", "m", "Separation", false, false}}, 0);
+  store.begin({{"time", "s", "Time", false, false}, {"support/a/separation", "m", "Separation", false, false}}, {0, 0});
   for (const double value : {0.5, std::numeric_limits<double>::quiet_NaN(), 0.25}) store.row(std::array{0.0, value});
   write_dynamic_hdf5(statics, filled_dynamics(statics), store, description, folder / "results.h5");
   const std::string command =
@@ -122,7 +122,7 @@ TEST(dynamic_writer, refuses_stored_numbers_that_are_none_and_names_them) {
   const auto fault_with = [&](auto spoil) -> std::string {
     const TemporaryFolder folder;
     RunStore store = RunStore::create(folder.path(), "", 0);
-    store.begin({{"time", "s", "Time", false, false}, {"heave", "m", "Heave", false, false}}, 0);
+    store.begin({{"time", "s", "Time", false, false}, {"heave", "m", "Heave", false, false}}, {0, 0});
     spoil(store);
     try {
       write_dynamic_hdf5(statics, dynamics, store, description, folder / "results.h5");

@@ -5,6 +5,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "resultfiles/moored_dynamics_hdf5.h"
+#include "resultfiles/results_reader.h"
+#include "resultfiles/summary_json.h"
+#include "support/solved_case.h"
+
 namespace overbend {
 namespace {
 
@@ -74,6 +79,102 @@ TEST(mooring_writer, refuses_what_is_no_number) {
     EXPECT_NE(std::string(fault.what()).find("static.moorings.bow, port.horizontal"), std::string::npos)
         << fault.what();
   }
+}
+
+HullResults hull() {
+  HullResults hull;
+  hull.entries = {{"surge", "pitch", 3.25, 1e6, 1.01e6, 0.004, 0.0075}};
+  hull.groups = {{"surge, pitch", "state space", 12, -1e-6, 0.02, 0.0}};
+  hull.states = 88;
+  hull.damping = {{"sway", 77.1, 4.54e6, 0.0002, 0.032, 0.06, 0.0, 0.0, 0.0922, 0.0001}};
+  hull.drift = {-45.4e3, 217.8e3, 1.2e6};
+  hull.current = {1e3, 265.3e3, 0.0};
+  hull.current_least = 146e3;
+  hull.current_most = 398e3;
+  return hull;
+}
+
+TEST(mooring_writer, results_h5_gives_back_what_was_written) {
+  const testing::TemporaryFolder folder;
+  MooringResults results = two_states();
+  results.hull = hull();
+  results.warnings = {"look at this"};
+  results.rest.moorings[0].clearance = 12.5;
+  results.rest.moorings[0].nearest_object = "pipeline";
+  results.rest.moorings[0].shape_W = {Vec3(57.0, 15.0, 3.0), Vec3(500.0, 200.0, -80.0), Vec3(963.0, 438.0, -89.0)};
+  results.stages[0].mooring_stiffness.clear();  // of a hull that is held
+  Description description;
+  description.source_text = "title: barge\n";
+  write_mooring_files(results, description, folder.path());
+  const StoredMoorings stored = read_mooring_results(folder.path() / "results.h5");
+  EXPECT_EQ(stored.model_text, "title: barge\n");
+  EXPECT_EQ(mooring_summary(stored.results), mooring_summary(results));
+  EXPECT_EQ(moorings_table(stored.results), moorings_table(results));
+  EXPECT_EQ(stored.results.rest.moorings[0].shape_W, results.rest.moorings[0].shape_W);
+  EXPECT_TRUE(stored.results.stages[0].mooring_stiffness.empty());
+  EXPECT_EQ(stored.results.stages[0].mooring_force, results.stages[0].mooring_force);
+}
+
+TEST(mooring_writer, the_summary_tells_what_damps_the_hull) {
+  MooringResults results = two_states();
+  results.hull = hull();
+  const nlohmann::json told = nlohmann::json::parse(mooring_summary(results))["static"]["hull"];
+  EXPECT_EQ(told["damping"][0]["mode"], "sway");
+  EXPECT_EQ(told["damping"][0]["drift"], 0.032);
+  EXPECT_EQ(told["radiation"][0]["added_mass_error"], 0.0075);
+  EXPECT_EQ(told["fit"][0]["order"], 12);
+  EXPECT_EQ(told["drift"]["sway"], 217.8e3);
+  EXPECT_EQ(told["current_range"]["most"], 398e3);
+}
+
+TEST(mooring_writer, the_table_of_a_dynamic_analysis_has_its_tensions_beside_the_rest) {
+  MooringLineDynamics line;
+  line.name = "bow, port";
+  line.fairlead_tension.whole = {2e5, 5e5, 3.1e5, 4e4};
+  line.fairlead_tension.most_probable_max = 6e5;
+  const std::string table = moorings_table(two_states(), {line});
+  EXPECT_NE(table.find("most probable largest fairlead tension [kN]"), std::string::npos) << table;
+  EXPECT_NE(table.find(",310,40,200,500,600,"), std::string::npos) << table;
+  EXPECT_NE(table.find("pulled ahead"), std::string::npos);
+}
+
+TEST(mooring_writer, moored_dynamics_come_back_from_results_h5) {
+  const testing::TemporaryFolder folder;
+  DynamicResults results;
+  results.vessel.emplace();
+  results.vessel->sway.whole = {-1.0, 2.0, 0.5, 0.75};
+  results.vessel->sway.slow.std = 0.6;
+  results.vessel->covariance = -0.125;
+  results.vessel->confidence = "few cycles";
+  MooringLineDynamics line;
+  line.name = "bow, port";
+  line.fairlead_tension.most_probable_max = 6e5;
+  line.utilisation = 0.25;
+  line.points = {0.0, 0.5, 1.0};
+  line.events = {{12.5, "parted"}};
+  line.parted_at = 12.5;
+  MooringLineDynamics other;
+  other.name = "stern";
+  other.points = {0.0, 1.0};
+  results.moorings = {line, other};
+  {
+    Hdf5Writer file(folder.path() / "results.h5");
+    file.group("/dynamic", "A run");
+    write_moored_dynamics(file, results);
+    file.close();
+  }
+  DynamicResults read;
+  read_moored_dynamics(Hdf5Reader(folder.path() / "results.h5"), read);
+  Json wanted, found;
+  add_moored_dynamics(results, wanted);
+  add_moored_dynamics(read, found);
+  EXPECT_EQ(found, wanted);
+  EXPECT_EQ(read.moorings[0].points, line.points);
+  EXPECT_EQ(read.moorings[1].points, other.points);
+  EXPECT_FALSE(read.moorings[1].parted_at);
+  EXPECT_EQ(wanted["dynamic"]["vessel"]["sway"]["slow"]["std"], 0.6);
+  EXPECT_EQ(wanted["dynamic"]["moorings"][0]["fairlead_tension"]["most_probable_max"], 6e5);
+  EXPECT_EQ(wanted["dynamic"]["moorings"][0]["events"][0]["what"], "parted");
 }
 
 }  // namespace

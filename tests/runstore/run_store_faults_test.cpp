@@ -35,7 +35,7 @@ TEST(run_store, outlives_a_process_that_dies_without_a_word) {
   ASSERT_GE(child, 0);
   if (child == 0) {
     RunStore store = RunStore::create(folder.path(), kModel, kSeed);
-    store.begin(columns(), kStations);
+    store.begin(columns(), {kStations, 0});
     give(store, 0, 100);
     store.checkpoint(state(100));
     give(store, 100, 100'000);  // past the buffers
@@ -54,7 +54,7 @@ TEST(run_store, outlives_a_process_that_dies_without_a_word) {
 [[noreturn]] void run_on(const fs::path& folder) {
   std::optional<ResumedRun> run = RunStore::resume(folder, kModel, kSeed);
   RunStore store = run ? std::move(run->store) : RunStore::create(folder, kModel, kSeed);
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   for (int i = static_cast<int>(store.rows());; i += 20) {
     give(store, i, i + 20);
     store.checkpoint(state(i + 20));

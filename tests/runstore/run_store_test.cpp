@@ -13,7 +13,7 @@ using testing::TemporaryFolder;
 TEST(run_store, gives_back_what_it_was_given) {
   const TemporaryFolder folder;
   RunStore store = RunStore::create(folder / "a/b", kModel, kSeed);
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   give(store, 0, 57);
   expect_run(store, 57);
   give(store, 57, 83);
@@ -34,7 +34,7 @@ TEST(run_store, takes_up_at_the_checkpoint_and_drops_what_came_after) {
   EXPECT_EQ(run->state.arrays[0].values, state(100).arrays[0].values);
   EXPECT_TRUE(std::signbit(run->state.arrays[0].values[1]));
   EXPECT_TRUE(run->state.arrays[1].values.empty());
-  run->store.begin(columns(), kStations);
+  run->store.begin(columns(), {kStations, 0});
   give(run->store, 100, 200);
   expect_run(run->store, 200);
 }
@@ -45,7 +45,7 @@ TEST(run_store, has_nothing_to_take_up_before_the_first_checkpoint) {
   EXPECT_FALSE(RunStore::resume(folder.path(), kModel, kSeed));
   {
     RunStore store = RunStore::create(folder.path(), kModel, kSeed);
-    store.begin(columns(), kStations);
+    store.begin(columns(), {kStations, 0});
     give(store, 0, 10);
   }
   EXPECT_FALSE(RunStore::find(folder.path()));
@@ -56,9 +56,9 @@ TEST(run_store, refuses_other_histories_than_it_holds) {
   const TemporaryFolder folder;
   stop_a_run(folder.path());
   RunStore store = std::move(RunStore::resume(folder.path(), kModel, kSeed).value().store);
-  EXPECT_THROW(store.begin({columns()[0], columns()[1]}, kStations), std::runtime_error);
-  EXPECT_THROW(store.begin(columns(), kStations + 1), std::runtime_error);
-  EXPECT_NO_THROW(store.begin(columns(), kStations));
+  EXPECT_THROW(store.begin({columns()[0], columns()[1]}, {kStations, 0}), std::runtime_error);
+  EXPECT_THROW(store.begin(columns(), {kStations + 1, 0}), std::runtime_error);
+  EXPECT_NO_THROW(store.begin(columns(), {kStations, 0}));
 }
 
 TEST(run_store, is_held_by_one_at_a_time) {
@@ -76,7 +76,7 @@ TEST(run_store, begins_anew_over_an_older_run) {
   stop_a_run(folder.path());
   RunStore store = RunStore::create(folder.path(), kModel, kSeed);
   EXPECT_FALSE(RunStore::find(folder.path()));
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   EXPECT_EQ(store.rows() + store.snapshots() + store.impacts(), 0);
   EXPECT_TRUE(store.column(1).empty());
 }
@@ -111,7 +111,7 @@ TEST(run_store, takes_nothing_in_before_it_has_begun_and_no_row_of_another_size)
   EXPECT_THROW(store.row(two), std::logic_error);
   EXPECT_THROW(store.impact(impact(0)), std::logic_error);
   EXPECT_THROW(store.checkpoint(state(0)), std::logic_error);
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   EXPECT_THROW(store.row(two), std::logic_error);
   EXPECT_THROW(store.snapshot(0.0, two), std::logic_error);
 }
@@ -121,7 +121,7 @@ TEST(run_store, reads_columns_alike_however_many_fit_its_memory) {
   RunStore store = RunStore::create(folder.path(), kModel, kSeed);
   const std::size_t width = 40, length = 300'000;  // 12 million numbers: three times what is kept
   std::vector<HistoryColumn> many(width, columns()[1]);
-  store.begin(many, 0);
+  store.begin(many, {0, 0});
   std::vector<double> values(width);
   for (std::size_t i = 0; i < length; ++i) {
     for (std::size_t c = 0; c < width; ++c) values[c] = static_cast<double>(c * length + i);
@@ -145,13 +145,41 @@ std::size_t pages() {
 TEST(run_store, does_not_grow_in_memory_with_a_million_rows) {
   const TemporaryFolder folder;
   RunStore store = RunStore::create(folder.path(), kModel, kSeed);
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   give(store, 0, 1000);
   const std::size_t before = pages();
   give(store, 1000, 1'001'000);
   EXPECT_EQ(store.rows(), 1'001'000);
   // 60 MB have been handed over; the 1 MB (256 pages) is for what the test and its libraries need themselves.
   EXPECT_LE(pages(), before + 256);
+}
+
+TEST(run_store, derived_columns_follow_the_recorded_ones) {
+  const TemporaryFolder folder;
+  RunStore store = RunStore::create(folder.path(), kModel, kSeed);
+  store.begin(columns(), {kStations, 0});
+  give(store, 0, 40);
+  std::vector<double> halves = store.column(1);
+  for (double& value : halves) value *= 0.5;
+  store.derive({"half", "N", "Half the tension"}, halves);
+  ASSERT_EQ(store.columns().size(), columns().size() + 1);
+  EXPECT_EQ(store.columns().back().name, "half");
+  EXPECT_EQ(store.column(columns().size()), halves);
+  expect_rows(store, 40);
+  EXPECT_THROW(store.column(columns().size() + 1), std::out_of_range);
+}
+
+TEST(run_store, points_of_mooring_lines_belong_to_a_snapshot) {
+  const TemporaryFolder folder;
+  RunStore store = RunStore::create(folder.path(), kModel, kSeed);
+  store.begin(columns(), {kStations, 2});
+  EXPECT_EQ(store.snapshot_size(), 1 + 5 * kStations + 12 + 4 * 2);
+  const std::vector<double> values(5 * kStations + 12 + 4 * 2, 7.0);
+  store.snapshot(1.0, values);
+  store.checkpoint(state(0));
+  EXPECT_EQ(store.snapshots(), 1);
+  EXPECT_EQ(store.snapshot_block(0, 1).back(), 7.0);
+  EXPECT_THROW(store.begin(columns(), {kStations, 0}), std::runtime_error);
 }
 
 }  // namespace

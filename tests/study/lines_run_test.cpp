@@ -9,7 +9,9 @@
 
 #include "resultfiles/hdf5_file.h"
 #include "resultfiles/lines_writer.h"
+#include "runstore/run_store.h"
 #include "support/line_cases.h"
+#include "support/solved_case.h"
 
 namespace overbend {
 namespace {
@@ -93,6 +95,80 @@ TEST(lines_run, says_which_line_pulls_its_end_off_the_bed) {
   ASSERT_TRUE(outcome.results);
   ASSERT_EQ(outcome.results->warnings.size(), 1u);
   EXPECT_NE(outcome.results->warnings[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
+}
+
+/// Two chains in a sea, with a run of ten seconds.
+Description chains_in_waves() {
+  Description d = two_chains();
+  d.environment.waves.type = WaveType::jonswap;
+  d.environment.waves.hs = 2.0;
+  d.environment.waves.tp = 8.0;
+  d.environment.waves.components = 20;
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 4.0;
+  d.dynamics->build_up = 2.0;
+  return d;
+}
+
+DynamicControl go_on(const DynamicProgress&) {
+  return DynamicControl::go_on;
+}
+
+TEST(lines_run, stopped_and_taken_up_again_gives_the_same_bits) {
+  const Model model = build_model(chains_in_waves());
+  const DynamicOptions options = dynamic_options(model);
+  const testing::TemporaryFolder folder;
+  const LinesOutcome whole = run_lines_in(folder / "whole", model, options, false, go_on);
+  ASSERT_TRUE(whole.results);
+  const auto stop = [](const DynamicProgress& at) {
+    return at.time >= 1.0 ? DynamicControl::stop : DynamicControl::go_on;
+  };
+  EXPECT_TRUE(run_lines_in(folder / "parts", model, options, false, stop).stopped);
+  EXPECT_TRUE(RunStore::find(folder / "parts"));
+  double first = 1e9;
+  const LinesOutcome rest = run_lines_in(folder / "parts", model, options, true, [&](const DynamicProgress& at) {
+    first = std::min(first, at.time);
+    return DynamicControl::go_on;
+  });
+  ASSERT_TRUE(rest.results);
+  EXPECT_GT(first, 1.0);
+  EXPECT_EQ(lines_values(*rest.results), lines_values(*whole.results));
+  EXPECT_EQ(rest.results->time, whole.results->time);
+  EXPECT_EQ(rest.results->lines[0].second_history, whole.results->lines[0].second_history);
+  EXPECT_EQ(rest.results->energy_drift, whole.results->energy_drift);
+  EXPECT_EQ(rest.results->steps, whole.results->steps);
+  EXPECT_FALSE(RunStore::find(folder / "parts"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "parts" / "summary.json"));
+}
+
+TEST(lines_run, a_run_of_another_model_is_not_taken_up) {
+  Description d = chains_in_waves();
+  const testing::TemporaryFolder folder;
+  const Model model = build_model(d);
+  const auto stop = [](const DynamicProgress&) { return DynamicControl::stop; };
+  EXPECT_TRUE(run_lines_in(folder.path(), model, dynamic_options(model), false, stop).stopped);
+  d.source_text = "another";
+  const Model other = build_model(d);
+  EXPECT_THROW(run_lines_in(folder.path(), other, dynamic_options(other), true, go_on), std::runtime_error);
+}
+
+TEST(lines_run, seeds_are_told_together) {
+  const Description d = chains_in_waves();
+  const std::vector<SeedRun> runs = {{1, "seed-1", {9e5, 8e5, 1.1e6, 0.9e6, 8e5, 0, 0, 0, 0, 0}, {}},
+                                     {2, "seed-2", {9.5e5, 7e5, 1.3e6, 0.8e6, 7e5, 0, 0, 0, 0, 0}, {}}};
+  const SeedsResults seeds = gather_lines(d, runs);
+  ASSERT_EQ(seeds.quantities.size(), 10U);
+  EXPECT_EQ(seeds.quantities[2].name, "west/second_tension_max");
+  EXPECT_EQ(seeds.statistics[2].max, 1.3e6);
+  EXPECT_EQ(seeds.statistics[3].min, 0.8e6);
+  const testing::TemporaryFolder folder;
+  LinesResults one;
+  one.title = "two chains";
+  write_lines_seeds(one, seeds, folder.path());
+  std::ifstream file(folder / "summary.json");
+  const nlohmann::json summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["seeds"]["statistics"]["west/second_tension_max"]["mean"], 1.2e6);
+  EXPECT_TRUE(std::filesystem::exists(folder / "seeds.csv"));
 }
 
 }  // namespace

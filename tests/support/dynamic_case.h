@@ -126,7 +126,7 @@ inline const std::vector<HistoryColumn>& stored_columns() {
 /// `i` of 20,000 hits roller i mod 7 at i / 8.
 inline RunStore filled_run(const std::filesystem::path& folder, int rows = 50'000) {
   RunStore store = RunStore::create(folder, "title: x\n", 7);
-  store.begin(stored_columns(), 40);
+  store.begin(stored_columns(), {40, 0});
   std::vector<double> values(stored_columns().size());
   for (int i = 0; i < rows; ++i) {
     values[0] = 0.25 * (i - 40);

@@ -12,7 +12,7 @@ class MemorySink : public DynamicSink {
   std::vector<Impact> impacts;
   std::vector<DynamicCheckpoint> checkpoints;
 
-  void begin(const std::vector<HistoryColumn>& wanted, int) override { columns = wanted; }
+  void begin(const std::vector<HistoryColumn>& wanted, const SnapshotSize&) override { columns = wanted; }
   void row(std::span<const double> values) override { rows.emplace_back(values.begin(), values.end()); }
   void snapshot(double, std::span<const double> values) override {
     snapshots.emplace_back(values.begin(), values.end());
@@ -37,7 +37,7 @@ class MemorySink : public DynamicSink {
 /// A sink that keeps nothing and allocates nothing.
 class EmptySink : public DynamicSink {
  public:
-  void begin(const std::vector<HistoryColumn>&, int) override {}
+  void begin(const std::vector<HistoryColumn>&, const SnapshotSize&) override {}
   void row(std::span<const double>) override {}
   void snapshot(double, std::span<const double>) override {}
   void impact(const Impact&) override {}

@@ -57,7 +57,7 @@ inline void give(RunStore& store, int from, int to) {
 /// A run that has come to row 100 and was stopped at 130.
 inline void stop_a_run(const fs::path& folder) {
   RunStore store = RunStore::create(folder, kModel, kSeed);
-  store.begin(columns(), kStations);
+  store.begin(columns(), {kStations, 0});
   give(store, 0, 100);
   store.checkpoint(state(100));
   give(store, 100, 130);

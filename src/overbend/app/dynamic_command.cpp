@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/follow_study.h"
 #include "app/lines_command.h"
+#include "app/mooring_lines.h"
 #include "app/seeds_lines.h"
 #include "app/warning_lines.h"
 #include "resultfiles/dynamic_reader.h"
@@ -45,6 +46,8 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
                       ? std::string("\n")
                       : fmt::format(", the hardest {:.1f} kN\n", r.hardest_impacts.front().peak_force / 1e3));
   }
+  std::cout << moored_dynamics_lines(r);
+  if (statics.hull) std::cout << hull_lines(*statics.hull);
   std::cout << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
@@ -100,7 +103,8 @@ int run_dynamic(const DynamicArguments& arguments) {
   StudyPlan plan;
   try {
     if (is_lines_alone(*description)) {
-      return run_dynamic_lines(*description, duration_of(arguments.duration), folder);
+      return run_dynamic_lines(*description, duration_of(arguments.duration), folder, arguments.take_up,
+                               arguments.checkpoint_every);
     }
     plan = plan_of(*description, arguments);
   } catch (const std::invalid_argument& fault) {

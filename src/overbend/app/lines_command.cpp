@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <iostream>
 #include <stdexcept>
 
 #include "app/exit_code.h"
+#include "app/interruption.h"
+#include "app/progress.h"
 #include "app/warning_lines.h"
+#include "resultfiles/lines_writer.h"
 #include "runstore/staged_folder.h"
 #include "study/lines_run.h"
 #include "study/prepared_case.h"
@@ -27,36 +31,99 @@ void print_line(const LineResult& line, bool moved) {
   if (line.utilisation) std::cout << fmt::format("    {:<26}{:>12.3f}\n", "of the breaking load", *line.utilisation);
 }
 
-int finish(const LinesOutcome& outcome, const Description& description, const fs::path& folder) {
-  if (outcome.failure) return tell(failed_end(*outcome.failure));
-  const LinesResults& results = *outcome.results;
-  try {
-    write_lines_run(results, description, folder);
-  } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
-    return tell({RunEnding::wrong_input, fault.what()});
-  }
+void print(const LinesResults& results) {
   std::cout << results.title << "\n";
   for (const LineResult& line : results.lines) print_line(line, results.moved);
-  std::cout << warning_lines(results.warnings) << "Results are in " << folder.string() << "\n";
+  std::cout << warning_lines(results.warnings);
+}
+
+int told_folder(const fs::path& folder) {
+  std::cout << "Results are in " << folder.string() << "\n";
   return kDone;
+}
+
+/// Runs one seed in its folder, with progress; stops when interrupted.
+LinesOutcome run_seed(const Model& model, std::uint64_t seed, const fs::path& folder, bool resume,
+                      double checkpoint_every) {
+  using Clock = std::chrono::steady_clock;
+  DynamicOptions options = dynamic_options(model);
+  options.seed = seed;
+  Progress progress(-options.build_up, options.duration);
+  Clock::time_point last = Clock::now();
+  return run_lines_in(folder, model, options, resume, [&](const DynamicProgress& at) {
+    progress.show(at.time, fmt::format("t = {:.1f} s  tension {:.1f} kN", at.time, at.top_tension / 1e3));
+    if (Interruption::wanted()) return DynamicControl::stop;
+    if (std::chrono::duration<double>(Clock::now() - last).count() < checkpoint_every) return DynamicControl::go_on;
+    last = Clock::now();
+    return DynamicControl::checkpoint;
+  });
+}
+
+/// Several seeds, one after the other: a folder each, and what they give together. When one goes on, those that were
+/// done before are run again.
+int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const fs::path& folder, bool resume,
+              double checkpoint_every) {
+  std::vector<SeedRun> runs;
+  LinesResults last;
+  for (const std::uint64_t seed : seeds) {
+    const std::string name = "seed-" + std::to_string(seed);
+    LinesOutcome outcome = run_seed(model, seed, folder / name, resume, checkpoint_every);
+    if (outcome.stopped) return kInterrupted;
+    if (outcome.failure) return tell(failed_end(*outcome.failure));
+    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->warnings});
+    last = std::move(*outcome.results);
+  }
+  const SeedsResults gathered = gather_lines(model.description, runs);
+  write_lines_seeds(last, gathered, folder);
+  std::cout << last.title << "\n";
+  for (std::size_t i = 0; i < gathered.quantities.size(); ++i) {
+    std::cout << fmt::format("  {:<36}{:>10.2f} to {:.2f} kN over {} seeds\n", gathered.quantities[i].name,
+                             gathered.statistics[i].min / 1e3, gathered.statistics[i].max / 1e3, runs.size());
+  }
+  return told_folder(folder);
 }
 
 }  // namespace
 
 int run_static_lines(const Description& description, const fs::path& folder) {
-  return finish(solve_lines(build_model(description)), description, folder);
+  const LinesOutcome outcome = solve_lines(build_model(description));
+  if (outcome.failure) return tell(failed_end(*outcome.failure));
+  try {
+    write_lines_run(*outcome.results, description, folder);
+  } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
+    return tell({RunEnding::wrong_input, fault.what()});
+  }
+  print(*outcome.results);
+  return told_folder(folder);
 }
 
-int run_dynamic_lines(const Description& description, std::optional<double> duration, const fs::path& folder) {
-  if (!description.dynamics) {
+int run_dynamic_lines(const Description& described, std::optional<double> duration, const fs::path& folder,
+                      const TakeUp& take_up, double checkpoint_every) {
+  if (!described.dynamics) {
     return tell({RunEnding::wrong_input, "the model has no analysis.dynamic, which says for how long it is to run"});
   }
+  Description description = described;
+  description.dynamics->duration = duration.value_or(description.dynamics->duration);
   const Model model = build_model(description);
-  DynamicOptions options = dynamic_options(model);
-  options.duration = duration.value_or(options.duration);
+  const std::vector<std::uint64_t>& seeds = description.dynamics->seeds;
+  std::vector<fs::path> folders = {folder};
+  if (seeds.size() > 1) {
+    folders.clear();
+    for (const std::uint64_t seed : seeds) folders.push_back(folder / ("seed-" + std::to_string(seed)));
+  }
+  const std::optional<bool> resume = goes_on(folders, take_up);
+  if (!resume) return kWrongInput;
+  const Interruption interruption;
   try {
-    return finish(run_lines(model, options), description, folder);
+    if (seeds.size() > 1) return run_seeds(model, seeds, folder, *resume, checkpoint_every);
+    const LinesOutcome outcome = run_seed(model, dynamic_options(model).seed, folder, *resume, checkpoint_every);
+    if (outcome.stopped) return kInterrupted;
+    if (outcome.failure) return tell(failed_end(*outcome.failure));
+    print(*outcome.results);
+    return told_folder(folder);
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
+    return tell({RunEnding::wrong_input, fault.what()});
+  } catch (const std::runtime_error& fault) {  // a folder that cannot be, or a run of something else in it
     return tell({RunEnding::wrong_input, fault.what()});
   }
 }

@@ -4,13 +4,15 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/unfinished_run.h"
 #include "model/description.h"
 
 namespace overbend {
 
 int run_static_lines(const Description& description, const std::filesystem::path& folder);
-/// One run of the model's first seed; `duration` in place of the model's [s]. It is not gone on from when interrupted.
-int run_dynamic_lines(const Description& description, std::optional<double> duration,
-                      const std::filesystem::path& folder);
+/// A run for every seed of the model; `duration` in place of the model's [s]. Interrupted, it leaves a checkpoint and
+/// returns kInterrupted. `checkpoint_every` [s].
+int run_dynamic_lines(const Description& described, std::optional<double> duration, const std::filesystem::path& folder,
+                      const TakeUp& take_up, double checkpoint_every);
 
 }  // namespace overbend

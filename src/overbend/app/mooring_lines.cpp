@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -50,8 +51,63 @@ std::string moored_state_lines(const MooringResults& results) {
   return text;
 }
 
+std::string hull_lines(const HullResults& hull) {
+  double damping = 0.0, mass = 0.0, least = 0.0;
+  for (const RadiationEntryResult& entry : hull.entries) {
+    damping = std::max(damping, entry.damping_error);
+    mass = std::max(mass, entry.mass_error);
+  }
+  for (const RadiationGroupResult& group : hull.groups) least = std::min(least, group.least_damping);
+  std::string text = fmt::format(
+      "  radiation: {} numbers of memory, largest errors {:.2f} % (damping) and {:.2f} % (added mass), least "
+      "eigenvalue "
+      "{:.1e}\n",
+      hull.states, 100.0 * damping, 100.0 * mass, least);
+  for (const ModeDampingResult& mode : hull.damping) {
+    text += fmt::format(
+        "  slow {:<6} {:>9.1f} s alone, damping {:.2f} % of critical: radiation {:.2f}, drift {:.2f}, current {:.2f}, "
+        "viscous {:.2f}\n",
+        mode.mode, mode.period, 100.0 * mode.total, 100.0 * mode.radiation, 100.0 * mode.drift, 100.0 * mode.current,
+        100.0 * mode.viscous);
+  }
+  return text;
+}
+
+std::string moored_dynamics_lines(const DynamicResults& results) {
+  std::string text;
+  if (results.vessel) {
+    const VesselDynamics& v = *results.vessel;
+    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "vessel", "mean", "slow std", "wave std",
+                        "min", "max", "in 3 h");
+    const auto row = [&](const char* name, const MotionSpread& m, double factor) {
+      text += fmt::format("  {:<16}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}{:>12.3f}\n", name,
+                          shown(m.whole.mean * factor), m.slow.std * factor, m.wave.std * factor, m.whole.min * factor,
+                          m.whole.max * factor, m.most_probable_max * factor);
+    };
+    row("surge m", v.surge, 1.0);
+    row("sway m", v.sway, 1.0);
+    row("heave m", v.heave, 1.0);
+    row("roll deg", v.roll, kDegrees);
+    row("pitch deg", v.pitch, kDegrees);
+    row("yaw deg", v.yaw, kDegrees);
+    row("offset m", v.offset, 1.0);
+    text += "  " + v.confidence + "\n";
+  }
+  if (results.moorings.empty()) return text;
+  text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line tension kN", "mean", "slow std",
+                      "wave std", "min", "max", "in 3 h");
+  for (const MooringLineDynamics& line : results.moorings) {
+    const MotionSpread& t = line.fairlead_tension;
+    text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}\n", line.name,
+                        1e-3 * t.whole.mean, 1e-3 * t.slow.std, 1e-3 * t.wave.std, 1e-3 * t.whole.min,
+                        1e-3 * t.whole.max, 1e-3 * t.most_probable_max);
+  }
+  return text;
+}
+
 std::string mooring_lines(const MooringResults& results) {
-  return results.title + "\n" + moored_state_lines(results) + warning_lines(results.warnings);
+  return results.title + "\n" + moored_state_lines(results) + (results.hull ? hull_lines(*results.hull) : "") +
+         warning_lines(results.warnings);
 }
 
 }  // namespace overbend

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "results/mooring_results.h"
+#include "results/dynamic_results.h"
 
 namespace overbend {
 
@@ -11,5 +11,11 @@ std::string mooring_lines(const MooringResults& results);
 
 /// The same without title and warnings.
 std::string moored_state_lines(const MooringResults& results);
+
+/// Damping ratios of the slow motions and how well the fit represents the radiation.
+std::string hull_lines(const HullResults& hull);
+
+/// Where the vessel was and what its lines had; empty where it does not float.
+std::string moored_dynamics_lines(const DynamicResults& results);
 
 }  // namespace overbend

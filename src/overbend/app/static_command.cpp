@@ -58,6 +58,7 @@ void print_results(const StaticResults& r) {
          fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
   }
   if (r.moorings) std::cout << moored_state_lines(*r.moorings);
+  if (r.hull) std::cout << hull_lines(*r.hull);
   std::cout << check_lines(r.checks);
   line("balance of forces",
        fmt::format("{:>12.1e} of the weight at a node, {:.1e} as a whole", r.force_residual, r.global_residual));
@@ -73,7 +74,8 @@ fs::path default_folder(const std::string& model_file) {
 int run_static_moorings(const Description& description, const Model& model, const fs::path& folder) {
   const std::variant<MooringResults, StaticFailure> outcome = solve_moored_hull(model);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) return tell(failed_end(*failure));
-  const MooringResults& results = std::get<MooringResults>(outcome);
+  MooringResults results = std::get<MooringResults>(outcome);
+  tell_hull(model, results);
   try {
     write_mooring_run(results, description, folder);
   } catch (const UnusableFolder& fault) {
@@ -94,7 +96,8 @@ int run_static(const std::string& model_file, const std::string& output, bool st
   if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
   const LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
-  const StaticResults results = checked_statics(model, outcome);
+  StaticResults results = checked_statics(model, outcome);
+  tell_hull(model, results);
   try {
     write_static_run(results, *description, folder);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend

@@ -112,7 +112,21 @@ std::vector<double> attachment_numbers(const AttachmentState& at) {
           static_cast<double>(m.drive),
           static_cast<double>(m.side),
           m.timer,
-          m.tension};
+          m.tension,
+          at.parted ? 1.0 : 0.0,
+          at.way.moved,
+          at.way.rate,
+          at.way.last_element,
+          at.way.dragged.x(),
+          at.way.dragged.y(),
+          at.way.dragged.z(),
+          at.way.drag_rate.x(),
+          at.way.drag_rate.y(),
+          at.way.drag_rate.z(),
+          static_cast<double>(at.way.how),
+          at.way.stiffness,
+          at.way.gave_way,
+          at.way.held_up_for};
 }
 
 AttachmentState attachment_of(const std::vector<double>& v) {
@@ -121,6 +135,16 @@ AttachmentState attachment_of(const std::vector<double>& v) {
   at.travel = {v.at(4), v.at(5), v.at(6), v.at(7)};
   at.machine = {static_cast<TensionerState>(std::lround(v.at(8))), static_cast<TensionerDrive>(std::lround(v.at(9))),
                 static_cast<int>(std::lround(v.at(10))), v.at(11), v.at(12)};
+  at.parted = v.at(13) != 0.0;
+  at.way.moved = v.at(14);
+  at.way.rate = v.at(15);
+  at.way.last_element = v.at(16);
+  at.way.dragged = Vec3(v.at(17), v.at(18), v.at(19));
+  at.way.drag_rate = Vec3(v.at(20), v.at(21), v.at(22));
+  at.way.how = static_cast<Giving>(std::lround(v.at(23)));
+  at.way.stiffness = v.at(24);
+  at.way.gave_way = v.at(25);
+  at.way.held_up_for = v.at(26);
   return at;
 }
 

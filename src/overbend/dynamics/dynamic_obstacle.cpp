@@ -14,26 +14,11 @@ bool is_moored(const Description& d) {
 /// What is asked of mooring lines that a dynamic analysis does not do.
 std::optional<StaticFailure> mooring_obstacle(const Description& d) {
   const MooringsDescription& moorings = *d.moorings;
-  if (d.vessel.motion != VesselMotion::coupled) {
-    return StaticFailure{"mooring lines cannot be run in time yet on a vessel whose motion is told", "",
-                         "give vessel.motion.coupled, or leave out moorings"};
-  }
   if (moorings.model == MooringModel::quasi_static) {
     return StaticFailure{"quasi-static mooring lines cannot be run in time yet", "", "leave out moorings.model"};
   }
   if (d.operation.type == OperationType::pull_ahead) {
     return StaticFailure{"a pull-ahead cannot be run in time yet", "", "overbend static has its table"};
-  }
-  for (const MooringLineDescription& line : moorings.lines) {
-    if (line.fails_at || line.anchor_holding.slides) {
-      return StaticFailure{"mooring line '" + line.name + "' cannot part or drag its anchor in time yet", "",
-                           "leave out fails_at and anchor_slides"};
-    }
-  }
-  for (const WinchDescription& winch : moorings.winches) {
-    if (winch.mode != WinchMode::hold) {
-      return StaticFailure{"winch '" + winch.name + "' can only hold in time yet", "", "leave out its mode"};
-    }
   }
   return std::nullopt;
 }

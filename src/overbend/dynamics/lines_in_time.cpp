@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "dynamics/bed_stretch.h"
+#include "dynamics/dynamic_checkpoint.h"
 #include "system/cut_forces.h"
 
 namespace overbend {
@@ -78,6 +79,42 @@ void LineRecorder::stepped(const SystemRun& run) {
     line.most_first = std::max(line.most_first, first);
     line.least_last = std::min(line.least_last, last);
     line.most_last = std::max(line.most_last, last);
+  }
+}
+
+void LineRecorder::save(DynamicCheckpoint& checkpoint) const {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const LineHistory& line = lines_[i];
+    const std::string name = "history/" + std::to_string(i) + "/";
+    const auto put = [&](const char* part, std::vector<double> values) {
+      checkpoint.arrays.push_back({name + part, std::move(values)});
+    };
+    put("time", line.time);
+    put("first", line.first);
+    put("last", line.last);
+    put("ends", {line.least_first, line.most_first, line.least_last, line.most_last});
+    put("least", line.least_tension);
+    put("most", line.most_tension);
+  }
+}
+
+void LineRecorder::restore(const DynamicCheckpoint& checkpoint) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    LineHistory& line = lines_[i];
+    const std::string name = "history/" + std::to_string(i) + "/";
+    const auto get = [&](const char* part) -> const std::vector<double>& {
+      return checkpoint_array(checkpoint, name + part);
+    };
+    line.time = get("time");
+    line.first = get("first");
+    line.last = get("last");
+    const std::vector<double>& ends = get("ends");
+    line.least_first = ends.at(0);
+    line.most_first = ends.at(1);
+    line.least_last = ends.at(2);
+    line.most_last = ends.at(3);
+    line.least_tension = get("least");
+    line.most_tension = get("most");
   }
 }
 

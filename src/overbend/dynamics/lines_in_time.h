@@ -30,6 +30,8 @@ class LineRecorder : public SystemObserver {
   const std::vector<LineHistory>& histories() const { return lines_; }
   void stepped(const SystemRun& run) override;
   void row(const SystemRun& run) override;
+  void save(DynamicCheckpoint& checkpoint) const override;
+  void restore(const DynamicCheckpoint& checkpoint) override;
 
  private:
   std::vector<LineHistory> lines_;

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "dynamics/mooring_winch.h"
+#include "mechanics/ground.h"
+#include "mechanics/quadrature.h"
+#include "mechanics/rod_element.h"
 #include "statics/cable_start.h"
+#include "statics/rest_together.h"
 
 namespace overbend {
 namespace {
@@ -26,23 +31,58 @@ CableParts from_the_anchor(const MooringsDescription& moorings, const MooringLin
   return parts;
 }
 
-Attachment anchor(int line, const Vec3& place_W) {
+Attachment anchor(int line, const Vec3& place_W, const AnchorDescription& described) {
   Attachment held;
   held.line = line;
   held.end = LineEnd::first;
   held.hold_place = true;
   held.place = place_W;
+  if (described.slides && described.holding) {
+    held.holding = *described.holding;
+  }
   return held;
 }
 
-Attachment fairlead(int line, const Vec3& place_V) {
+Attachment fairlead(int line, const Vec3& place_V, const MooringsDescription& moorings,
+                    const MooringLineDescription& described) {
   Attachment held;
   held.line = line;
   held.end = LineEnd::last;
   held.hold_place = true;
   held.body = 0;
   held.place = place_V;
+  held.winch = winch_of(moorings, described);
+  if (described.fails_at) {
+    held.parts_at = *described.fails_at;
+  }
   return held;
+}
+
+/// Far more than friction bears: a line with it slides, whichever small way it goes [m].
+constexpr double kPulledFar = 1.0;
+
+/// Stretches the bed's friction along a line of which all that bears tension has been pulled in over the bed: the
+/// tension falls from touchdown towards the anchor by the friction, until none is left.
+void stretch_as_pulled_in(const Line& line, LineState& state) {
+  const std::size_t padded = line.elements.padded();
+  const LineEnvironment& env = line.environment;
+  double tension = 0.0;
+  for (int e = line.elements.count - 1; e >= 0; --e) {
+    const std::size_t i = static_cast<std::size_t>(e);
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    const double length = line.mesh.length[i];
+    for (int point = kGaussPoints - 1; point >= 0; --point) {
+      const CentrelinePoint at = centreline(q, kGaussXi[point], length);
+      if (ground_at(env, at.r).clearance > 2.0 * line.elements.radius[i]) {  // what lies lies on the bed's surface
+        tension = line.elements.EA[i] * (at.a.norm() - 1.0);
+        continue;
+      }
+      const double weight = std::max(0.0, line.elements.weight[i] - line.elements.buoyancy[i]);
+      tension -= env.bed_friction_axial * weight * kGaussWeight[point] * length;
+      const std::size_t slip = static_cast<std::size_t>(point * kBedDirections + 1) * padded + i;
+      state.bed_slip[slip] = tension > 0.0 ? kPulledFar : 0.0;
+    }
+  }
 }
 
 }  // namespace
@@ -58,11 +98,51 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     const CableStart start = cable_start(model, parts, moored.anchor_W, fairlead_W);
     const int line = static_cast<int>(system.lines.size());
     system.lines.push_back(cable_line(model, parts, {start.touchdown(), std::nullopt}, moored.anchor_W, fairlead_W));
-    system.attachments.push_back(anchor(line, moored.anchor_W));
-    system.attachments.push_back(fairlead(line, moored.fairlead_V));
+    system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
+    system.attachments.push_back(fairlead(line, moored.fairlead_V, moorings, moorings.lines[i]));
     shapes.push_back(start.shape(system.lines.back().mesh));
   }
   return shapes;
+}
+
+System pulled_in(const System& system, SystemState& state) {
+  System pulled = system;
+  for (std::size_t i = 1; i < pulled.lines.size(); ++i) {
+    stretch_as_pulled_in(system.lines[i], state.lines[i]);
+    pulled.lines[i].environment.bed_friction_lateral = 0.0;
+  }
+  return pulled;
+}
+
+std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
+                                                const std::vector<std::string>& names, SystemState& state) {
+  System alone = pulled_in(system, state);
+  alone.lines.erase(alone.lines.begin());
+  alone.bodies.assign(bodies.size(), Body{});
+  alone.attachments.clear();
+  alone.machine = -1;
+  SystemState at;
+  at.time = state.time;
+  at.lines.assign(state.lines.begin() + 1, state.lines.end());
+  for (std::size_t i = 0; i < system.attachments.size(); ++i) {
+    if (system.attachments[i].line == 0) continue;
+    alone.attachments.push_back(system.attachments[i]);
+    --alone.attachments.back().line;
+    at.attachments.push_back(state.attachments[i]);
+  }
+  alone.surroundings = [&](double, Surroundings& now) {
+    now.bodies = bodies;
+    lead_attachments(alone.attachments, now);
+  };
+  Assembly assembly(alone);
+  const RestReport report = rest_together(assembly, at);
+  std::copy(at.lines.begin(), at.lines.end(), state.lines.begin() + 1);
+  if (report.converged) {
+    return std::nullopt;
+  }
+  return StaticFailure{"a mooring line does not come to rest",
+                       "'" + names[static_cast<std::size_t>(report.worst_place.first)] + "'",
+                       "look at its length and at the place of its anchor"};
 }
 
 std::vector<std::string> mooring_names(const MooringSpread& spread) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "moorings/spread.h"
-#include "system/system.h"
+#include "statics/statics.h"
+#include "system/assembly.h"
 
 namespace overbend {
 
@@ -13,6 +14,15 @@ using LineShapes = std::vector<std::vector<double>>;
 /// bed to their fairleads on body 0, which lies in the model's mean pose. Parted ones are left out. Returns elastic
 /// catenaries for first shapes. Lines point into `model`, which must outlive them.
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system);
+
+/// The system in which its mooring lines, all behind the first line, come to rest as what has been pulled in over a bed
+/// that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the friction
+/// of `state` so that it slides that way; across their course nothing holds them until they rest.
+System pulled_in(const System& system, SystemState& state);
+
+/// Brings the mooring lines of a state to rest, pulled in, on bodies that stay where they are; or says which does not.
+std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
+                                                const std::vector<std::string>& names, SystemState& state);
 
 /// Names of the lines that are there, in the order of the system.
 std::vector<std::string> mooring_names(const MooringSpread& spread);

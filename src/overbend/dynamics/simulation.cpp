@@ -7,6 +7,7 @@
 
 #include "dynamics/free_start.h"
 #include "dynamics/laid_tail.h"
+#include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
 
 namespace overbend {
@@ -42,16 +43,6 @@ class WallTime {
   double& sum_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
-
-/// The system with mooring lines that slide on the bed without friction, which is how they find their rest: friction
-/// holds them from there on, whichever way they then move.
-System sliding(const System& system) {
-  System slides = system;
-  for (std::size_t i = 1; i < slides.lines.size(); ++i) {
-    slides.lines[i].environment.bed_friction_axial = slides.lines[i].environment.bed_friction_lateral = 0.0;
-  }
-  return slides;
-}
 
 }  // namespace
 
@@ -103,6 +94,8 @@ bool Simulation::begin() {
   }
   if (setup_.hull) {
     let_hull_go();
+  } else if (!setup_.moorings.empty()) {
+    rest_moorings();
   }
   if (failure_) {
     return false;
@@ -124,12 +117,27 @@ bool Simulation::begin() {
 
 /// Hull, lines and pipe to rest. What the tensioner has paid out for that is where it begins.
 void Simulation::let_hull_go() {
-  const System slides = sliding(setup_.system);
-  Assembly resting(slides);
+  const System pulled = pulled_in(setup_.system, state_);
+  Assembly resting(pulled);
   failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
   Attachment& top = setup_.system.attachments[machine()];
   top.place -= tensioner(state_).travel.q * top.direction;
   tensioner(state_).travel = {};
+}
+
+/// On a vessel whose motion is told the lines alone come to rest.
+void Simulation::rest_moorings() {
+  assembly_->set_time(state_.time, state_);
+  failure_ = rest_mooring_lines(setup_.system, assembly_->surroundings().bodies, setup_.mooring_names, state_);
+}
+
+/// Lines whose time has come hang free from here on, with the accelerations that all then have.
+bool Simulation::part_lines() {
+  if (!part_due_lines(setup_.system, state_)) return true;
+  assembly_->set_time(state_.time, state_);
+  assembly_->set_drive(tensioner(state_).machine.drive);
+  stepper_->forget_factors();
+  return begin_motion(*assembly_, state_);
 }
 
 void Simulation::find_elevation() {
@@ -174,13 +182,17 @@ void Simulation::observe_tension(SystemState& state, double h) {
   }
 }
 
-/// Until the tensioner's delay is over [s].
+/// Until the tensioner's delay is over, or a line parts [s].
 double Simulation::to_timed_event() const {
-  const TensionerLaw& law = tensioner_of(setup_.system);
-  if (law.mode != TensionerMode::controlled || options_.fixed_step) {
+  if (options_.fixed_step) {
     return kUnlimited;
   }
-  return std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent);
+  const double to_parting = time_to_parting(setup_.system, state_);
+  const TensionerLaw& law = tensioner_of(setup_.system);
+  if (law.mode != TensionerMode::controlled) {
+    return to_parting;
+  }
+  return std::min(to_parting, std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent));
 }
 
 /// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s].
@@ -253,6 +265,7 @@ void Simulation::reach_tick() {
 bool Simulation::step() {
   if (failure_ || finished()) return false;
   const WallTime measured(report_.wall_time);
+  if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
   do {

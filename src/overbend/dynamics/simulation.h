@@ -78,6 +78,8 @@ class Simulation {
   void surroundings(double time, Surroundings& now);
   bool begin();
   void let_hull_go();
+  void rest_moorings();
+  bool part_lines();
   bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/parting.h"
 #include "dynamics/simulation.h"
 
 namespace overbend {
@@ -38,6 +39,7 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   law.low = set_point.at(1);
   law.high = set_point.at(2);
   restore_report(checkpoint, report_);
+  part_as_in(state_, setup_.system);
   stepper_->forget_factors();
   failure_.reset();
   evaluate_restored();

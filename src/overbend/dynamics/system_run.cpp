@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
 
 namespace overbend {
@@ -78,6 +79,14 @@ void SystemRun::adapt(double h) {
   chooser_.wanted = step_by_error(h, error, options_.error_tolerance, longest);
 }
 
+/// Lines whose time has come hang free from here on, with the accelerations that they then have.
+bool SystemRun::part_lines() {
+  if (!part_due_lines(system_, state_)) return true;
+  assembly_->set_time(state_.time, state_);
+  stepper_->forget_factors();
+  return begin_motion(*assembly_, state_);
+}
+
 bool SystemRun::attempt(double h, double target) {
   const StepReport step = stepper_->step(state_, h, next_);
   if (!step.converged()) {
@@ -110,10 +119,12 @@ void SystemRun::reach_tick() {
 
 bool SystemRun::step() {
   if (failure_ || finished()) return false;
+  if (!part_lines()) failure_ = "the masses of a line that parts are singular";
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  const double to_parting = options_.fixed_step ? kUnlimited : time_to_parting(system_, state_);
   do {
     if (failure_) return false;
-  } while (!attempt(chooser_.choose(target - state_.time, kUnlimited), target));
+  } while (!attempt(std::min(chooser_.choose(target - state_.time, kUnlimited), to_parting), target));
   if (state_.time >= target) reach_tick();
   return true;
 }

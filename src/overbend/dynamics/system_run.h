@@ -11,6 +11,7 @@
 #include "dynamics/energy_account.h"
 #include "dynamics/time_step.h"
 #include "dynamics/water_field.h"
+#include "results/dynamic_sink.h"
 
 namespace overbend {
 
@@ -25,6 +26,8 @@ class SystemObserver {
   virtual ~SystemObserver() = default;
   virtual void stepped(const SystemRun& /*run*/) {}
   virtual void row(const SystemRun& /*run*/) {}
+  virtual void save(DynamicCheckpoint& /*checkpoint*/) const {}
+  virtual void restore(const DynamicCheckpoint& /*checkpoint*/) {}
 };
 
 class SystemRun {
@@ -42,8 +45,9 @@ class SystemRun {
   /// Steps up to the first instant at or after `until` [s]. False where a step failed.
   bool advance(double until);
 
-  double time() const { return state_.time; }                                             ///< [s]
-  double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }  ///< [s]
+  double time() const { return state_.time; }                                                   ///< [s]
+  double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }        ///< [s]
+  double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
   bool finished() const { return clock_.tick >= clock_.last_tick; }
   const std::optional<std::string>& failure() const { return failure_; }
   const System& system() const { return system_; }
@@ -52,12 +56,17 @@ class SystemRun {
   const Assembly& assembly() const { return *assembly_; }
   const EnergyBalance& energy() const { return energy_.balance(); }
   int steps() const { return steps_; }
+  /// Everything that a run of the same arguments and observers needs to go on from here, bit for bit; at a row of
+  /// output.
+  DynamicCheckpoint checkpoint() const;
+  void restore(const DynamicCheckpoint& checkpoint);
   /// Force on a line by what holds its end, W [N].
   Vec3 end_force(std::size_t line, LineEnd end) const;
 
  private:
   void surroundings(double time, Surroundings& now);
   bool begin();
+  bool part_lines();
   bool attempt(double h, double target);
   void adapt(double h);
   void reach_tick();

@@ -10,6 +10,7 @@ namespace {
 constexpr double kPoorContraction = 0.3;  ///< Old factors that leave more of the residual than this are renewed.
 constexpr int kOldestFactors = 20;        ///< Steps that factors may serve.
 constexpr int kSlowStep = 5;              ///< Iterations after which old factors no longer serve.
+constexpr int kMostRounds = 30;           ///< In which ends that give way find by how much.
 
 /// Diagonal mass for the error estimate: half of each element's to its nodes, and what the cubic gives the tangents.
 std::vector<double> lumped_mass(const Line& line) {
@@ -35,7 +36,11 @@ MotionValues corrected_for_step(MotionValues guide, double ratio) {
 }  // namespace
 
 TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
-    : assembly_(&assembly), settings_(settings), scheme_(settings.spectral_radius), dq_(assembly.increments()) {
+    : assembly_(&assembly),
+      settings_(settings),
+      scheme_(settings.spectral_radius),
+      giving_(assembly.system()),
+      dq_(assembly.increments()) {
   for (const Line& line : assembly.system().lines) {
     lumped_mass_.push_back(lumped_mass(line));
   }
@@ -202,6 +207,8 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
   factored_ = factored_ && governed == factored_governed_;
   factored_governed_ = governed;
   predict(now, h, drive, bounds, next);
+  giving_.begin(now, h, next);
+  int rounds = 0, earlier = 0;
   assembly_->set_time(next.time, next);
   assembly_->set_drive(drive);
   assembly_->impose_ends(next);
@@ -219,7 +226,15 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
       break;
     }
     if (report.residual < settings_.tolerance && assembly_->contacts_settled()) {
-      report.end = StepEnd::converged;
+      if (!giving_.empty() && rounds < kMostRounds && !giving_.settle(*assembly_, now, h, next)) {
+        ++rounds;
+        earlier += report.iterations;
+        report.iterations = 0;
+        before = std::numeric_limits<double>::infinity();
+        assembly_->impose_ends(next);
+        continue;
+      }
+      report.end = rounds < kMostRounds ? StepEnd::converged : StepEnd::too_many_iterations;
       assembly_->finish_step(now, h, next);
       break;
     }
@@ -251,6 +266,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
   if (!report.converged() || report.iterations > kSlowStep) {
     factored_ = false;
   }
+  report.iterations += earlier;
   return report;
 }
 

@@ -1,6 +1,7 @@
 /// One step of a system in time: generalized-alpha with Newton's method.
 #pragma once
 
+#include "dynamics/giving_ends.h"
 #include "system/assembly.h"
 
 namespace overbend {
@@ -55,6 +56,7 @@ class TimeStepper {
   Assembly* assembly_;
   StepSettings settings_;
   GeneralizedAlpha scheme_;
+  GivingEnds giving_;
   bool factored_ = false;
   bool factored_governed_ = false;  ///< With the top free along its guide.
   double factored_step_ = 0.0;

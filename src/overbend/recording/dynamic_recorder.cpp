@@ -53,6 +53,11 @@ int last_stinger_roller(const Supports& supports) {
   return -1;
 }
 
+/// Whether the vessel floats free or lies on mooring lines.
+bool afloat(const Simulation& simulation) {
+  return simulation.system().bodies.front().free || !simulation.moorings().empty();
+}
+
 /// Rows from one snapshot of a run to the next.
 std::int64_t snapshot_stride(const DynamicOptions& options) {
   const double rows = options.duration / options.output_step;
@@ -75,7 +80,8 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
       moorings_(model.description.moorings, simulation.moorings()),
-      columns_(recorded_columns(model.supports, simulation.moorings())),
+      floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
+      columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value())),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = line_->mesh.s;
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
@@ -90,7 +96,6 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
   row_.resize(columns_.size());
-  snapshot_.resize(5 * n + 12);
   impacts_.resize(rollers_);
   left_.resize(boxes_);
   largest_reaction_.assign(boxes_, 0.0);
@@ -116,9 +121,12 @@ void DynamicRecorder::begun(const Instant& at) {
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
   design_.start(design_instant(at));
+  moorings_.start(*at.state, *at.assembly);
+  if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
-  sink_->begin(columns, line_->mesh.nodes() - static_cast<int>(first_));
+  snapshot_.resize(5 * (nodes_.x.size() - first_) + 12 + 4 * static_cast<std::size_t>(moorings_.points()));
+  sink_->begin(columns, {line_->mesh.nodes() - static_cast<int>(first_), moorings_.points()});
 }
 
 DesignInstant DynamicRecorder::design_instant(const Instant& at) const {
@@ -265,7 +273,8 @@ void DynamicRecorder::find_support_values(const Instant& at) {
 void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.state->time, at.step);
-  moorings_.add(*at.assembly, at.state->time);
+  moorings_.add(*at.state, *at.assembly, at.step);
+  if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;
@@ -283,7 +292,13 @@ void DynamicRecorder::stepped(const Instant& at) {
 }
 
 void DynamicRecorder::row(const Instant& at, std::int64_t number) {
-  const RowSource source{at, key_sample_, largest_key_, least_key_, largest_reaction_, least_separation_};
+  const RowSource source{at,
+                         key_sample_,
+                         largest_key_,
+                         least_key_,
+                         largest_reaction_,
+                         least_separation_,
+                         floating_ ? &*floating_ : nullptr};
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
   forget_interval();
@@ -314,6 +329,7 @@ std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
       *out++ = pose.R_WV(i, j);
     }
   }
+  moorings_.film(*at.state, *at.assembly, out);
   return snapshot_;
 }
 

@@ -13,6 +13,7 @@
 #include "recording/mooring_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
+#include "recording/vessel_watch.h"
 #include "system/find_regions.h"
 
 namespace overbend {
@@ -97,6 +98,7 @@ class DynamicRecorder : public SimulationObserver {
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
   MooringWatch moorings_;
+  std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   SurfaceCrossing crossing_;
   std::vector<RecordedColumn> columns_;
   std::int64_t snapshot_stride_ = 1;  ///< Rows from one to the next.

@@ -22,6 +22,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
   put("record/moorings", moorings_.save());
+  if (floating_) put("record/vessel", floating_->save());
   put("record/design", design_.save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
   const auto put_peak = [&](const RegionPeak& peak) { peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time}); };
@@ -56,6 +57,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
   moorings_.restore(get("record/moorings"));
+  if (floating_) floating_->restore(get("record/vessel"));
   crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));
   std::size_t i = 0;

@@ -211,6 +211,8 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.hardest_impacts = hardest_;
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
+  results.moorings = moorings_.results();
+  if (floating_) results.vessel = floating_->results();
   fill_assumptions(results);
   fill_slamming(results);
   fill_warnings(results);

@@ -87,6 +87,21 @@ void add_box(Columns& columns, const std::string& name, std::size_t box) {
        [box](const RowSource& row) { return or_absent(row.least_separation[box]); }});
 }
 
+void add_floating(Columns& columns) {
+  const auto shift = [&](const char* name, const char* units, const char* description, std::size_t freedom) {
+    columns.push_back({{std::string("vessel/") + name, units, description, false, false},
+                       [freedom](const RowSource& row) { return row.floating->shift(freedom); }});
+  };
+  shift("surge", "m", "Shift of midship forward from the drawn place", 0);
+  shift("sway", "m", "Shift of midship to port from the drawn place", 1);
+  shift("heave", "m", "Shift of midship upwards from the drawn place", 2);
+  shift("roll", "rad", "Starboard down, from as drawn", 3);
+  shift("pitch", "rad", "Bow down, from as drawn", 4);
+  shift("yaw", "rad", "Bow to port, from as drawn", 5);
+  columns.push_back({{"vessel/offset", "m", "Horizontal distance of midship from its place at the start", true, false},
+                     [](const RowSource& row) { return row.floating->offset(); }});
+}
+
 /// Lines follow the pipe in the system: anchor first, fairlead last.
 void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
   const auto tension = [line](LineEnd end) {
@@ -103,7 +118,8 @@ void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
 
 }  // namespace
 
-std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings) {
+std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings,
+                                             bool floating) {
   Columns columns;
   columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
                      [](const RowSource& row) { return row.now.state->time; }});
@@ -120,6 +136,7 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
       {{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", false, false},
        [](const RowSource& row) { return row.now.drift; }});
   for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
+  if (floating) add_floating(columns);
   for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i + 1);
   return columns;
 }

@@ -7,6 +7,7 @@
 
 #include "dynamics/simulation_observer.h"
 #include "model/supports.h"
+#include "recording/vessel_watch.h"
 
 namespace overbend {
 
@@ -17,6 +18,7 @@ struct RowSource {
   std::span<const double> largest_key, least_key;  ///< Since the row before.
   std::span<const double> largest_reaction;        ///< Of every box since the previous row [N].
   std::span<const double> least_separation;        ///< Likewise; infinite where the pipe passed none of it [m].
+  const VesselWatch* floating = nullptr;           ///< Where there are columns of a vessel that floats.
 };
 
 struct RecordedColumn {
@@ -25,7 +27,8 @@ struct RecordedColumn {
 };
 
 /// The columns of a run over these supports; the first is time.
-/// `moorings`: names of the mooring lines of the run.
-std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {});
+/// `moorings`: names of the mooring lines of the run; `floating`: whether the vessel floats free or lies on lines.
+std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {},
+                                             bool floating = false);
 
 }  // namespace overbend

@@ -1,10 +1,12 @@
-/// The largest tensions of mooring lines over a run, and what they are too much for.
+/// What mooring lines saw over a run, and what it was too much for.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "model/mooring_description.h"
+#include "numerics/running_statistics.h"
+#include "results/moored_dynamics.h"
 #include "system/assembly.h"
 
 namespace overbend {
@@ -15,24 +17,52 @@ class MooringWatch {
   /// `names`: of the lines of the run, which `moorings` describes; none without moorings.
   MooringWatch(const std::optional<MooringsDescription>& moorings, const std::vector<std::string>& names);
 
-  /// An accepted step.
-  void add(const Assembly& assembly, double time);
-  /// Lines beyond their breaking or working load, their winch's brake, their anchor's holding power.
+  /// The state at the start of the run.
+  void start(const SystemState& state, const Assembly& assembly);
+  /// An accepted step of `step` [s]. Nothing is allocated.
+  void add(const SystemState& state, const Assembly& assembly, double step);
+  /// Points of the lines in a snapshot, all together.
+  int points() const;
+  /// Puts x, y, z [m] and effective tension [N] of every point to `out`, line by line from anchor to fairlead; returns
+  /// where it ends. The points stand at fixed shares of the length: the nodes at the start of the run.
+  double* film(const SystemState& state, const Assembly& assembly, double* out) const;
+  /// Lines beyond their breaking or working load, their winch's brake, their anchor's holding power; lines that lift
+  /// their anchor or hang slack.
   std::vector<std::string> warnings() const;
+  /// All but slow and wave parts, and clearances.
+  std::vector<MooringLineDynamics> results() const;
 
   std::vector<double> save() const;
   void restore(const std::vector<double>& saved);
 
  private:
   struct Peak {
-    double tension = 0.0, time = 0.0;  ///< [N, s]
+    double value = 0.0, time = 0.0;  ///< [N, s]
+  };
+  /// What is counted of a line.
+  enum Quantity : std::size_t { kFairlead, kAnchor, kOnBed, kUplift, kSlack, kLength, kQuantities };
+  struct Happening {
+    double time = 0.0;           ///< [s]
+    const char* what = nullptr;  ///< One of kHappenings.
   };
   struct Watched {
     std::string name;
     std::optional<double> breaking, working, brake, holding;  ///< [N]
-    Peak fairlead, anchor;
+    Peak fairlead, anchor, uplift;
+    double start = 0.0;          ///< Tension at the fairlead at the start [N].
+    std::vector<double> points;  ///< Shares of the length.
+    bool slack = false;
+    std::vector<Happening> events;
   };
+  void note(std::size_t line, const char* what, double time);
+  void watch_slack(std::size_t line, double time);
+  void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
+  void look(const SystemState& state, const Assembly& assembly);
+  double sample(std::size_t line, Quantity quantity) const { return sample_[kQuantities * line + quantity]; }
+
   std::vector<Watched> lines_;
+  std::vector<double> sample_;
+  RunningStatistics statistics_;
 };
 
 }  // namespace overbend

@@ -116,12 +116,21 @@ const std::array<ResultField, 5>& station_fields() {
   return fields;
 }
 
+const std::array<ResultField, 4>& line_fields() {
+  static const std::array<ResultField, 4> fields = {
+      ResultField{"line_x", "m", "Place on a mooring line", kWorldFrame},
+      ResultField{"line_y", "m", "Place on a mooring line", kWorldFrame},
+      ResultField{"line_z", "m", "Place on a mooring line", kWorldFrame},
+      ResultField{"line_tension", "N", "Effective tension of a mooring line"}};
+  return fields;
+}
+
 /// A dataset of the snapshots: of each, `width` numbers from `offset` on, `stride` apart.
 struct SnapshotPart {
   ResultField field;
   std::vector<hsize_t> shape;
   std::size_t offset = 0, width = 1, stride = 1;
-  bool over_stations = false;
+  const char* over = nullptr;  ///< Scale of the second dimension.
 
   std::string path() const { return "/dynamic/snapshots/" + field.name; }
 };
@@ -132,7 +141,7 @@ std::vector<SnapshotPart> snapshot_parts(const RunStore& store) {
   std::vector<SnapshotPart> parts = {{ResultField{"time", "s", "Time; 0 is the end of the build-up"}, {count}}};
   const std::size_t stride = station_fields().size();  // the values of a station lie together
   for (std::size_t i = 0; i < stride && stations > 0; ++i) {
-    parts.push_back({station_fields()[i], {count, stations}, 1 + i, stations, stride, true});
+    parts.push_back({station_fields()[i], {count, stations}, 1 + i, stations, stride, "/dynamic/stations/s"});
   }
   const std::size_t pose = 1 + stride * stations;
   parts.push_back({ResultField{"vessel_position", "m", "Origin of the vessel", kWorldFrame}, {count, 3}, pose, 3});
@@ -140,6 +149,11 @@ std::vector<SnapshotPart> snapshot_parts(const RunStore& store) {
                    {count, 3, 3},
                    pose + 3,
                    9});
+  const auto points = static_cast<std::size_t>(store.line_points());
+  const std::size_t first = pose + 12, each = line_fields().size();
+  for (std::size_t i = 0; i < each && points > 0; ++i) {
+    parts.push_back({line_fields()[i], {count, points}, first + i, points, each, "/dynamic/moorings/points/index"});
+  }
   return parts;
 }
 
@@ -168,7 +182,7 @@ void write_snapshots(Hdf5Writer& file, const RunStore& store) {
   file.make_scale(parts.front().path(), "time");
   for (const SnapshotPart& part : parts) {
     if (&part != &parts.front()) file.attach_scale(part.path(), parts.front().path());
-    if (part.over_stations) file.attach_scale(part.path(), "/dynamic/stations/s", 1);
+    if (part.over != nullptr && file.has(part.over)) file.attach_scale(part.path(), part.over, 1);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "resultfiles/finite_visitor.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/moored_fields.h"
 
 namespace overbend {
 namespace {
@@ -84,6 +85,11 @@ void require_finite(const DynamicResults& results) {
   check_rows("dynamic.hardest_impacts", results.hardest_impacts,
              [](const auto& row, auto& v) { visit_impact(row, v); });
   check_rows("dynamic.extremes", results.extremes, [](const auto& row, auto& v) { visit_estimate(row, v); });
+  if (results.vessel) {
+    visit.place = "dynamic.vessel.";
+    visit_vessel_dynamics(*results.vessel, visit);
+  }
+  check_rows("dynamic.moorings", results.moorings, [](const auto& row, auto& v) { visit_mooring_dynamics(row, v); });
   check_histories(results);
   const FiniteColumns design{"dynamic.design"};
   visit_station_design(results.design, design);

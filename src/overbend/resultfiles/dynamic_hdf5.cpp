@@ -2,6 +2,7 @@
 #include "resultfiles/dynamic_blocks.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/hdf5_visitors.h"
+#include "resultfiles/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/static_values.h"
 
@@ -154,6 +155,7 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
              dynamics.hardest_impacts, impacts);
   write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
              extremes);
+  write_moored_dynamics(file, dynamics);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);

@@ -3,6 +3,7 @@
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/hdf5_readers.h"
+#include "resultfiles/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
 
 namespace overbend {
@@ -105,6 +106,7 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   read_rows(file, "/dynamic/hardest_impacts", results.hardest_impacts,
             [](auto& row, auto& t) { visit_impact(row, t); });
   read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
+  read_moored_dynamics(file, results);
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);
   results.design = read_design(file);

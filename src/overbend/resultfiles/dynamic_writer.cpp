@@ -2,6 +2,7 @@
 
 #include "resultfiles/check_tables.h"
 #include "resultfiles/finite_check.h"
+#include "resultfiles/mooring_writer.h"
 #include "resultfiles/rechecked_hdf5.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/append_file.h"
@@ -14,6 +15,7 @@ void write_tables(const StaticResults& statics, const DynamicResults& dynamics, 
   write_text(folder / "pipe.csv", dynamic_pipe_table(statics, dynamics));
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
+  if (statics.moorings) write_text(folder / "moorings.csv", moorings_table(*statics.moorings, dynamics.moorings));
   write_text(folder / "checks.csv", checks_table(dynamics.checks));
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));
 }

@@ -1,6 +1,7 @@
 #include "resultfiles/finite_check.h"
 
 #include "resultfiles/finite_visitor.h"
+#include "resultfiles/mooring_writer.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
@@ -68,6 +69,8 @@ void require_finite(const StaticResults& results) {
     check_support(results.supports[i], indexed("supports", i));
   }
   require_finite(results.checks, "checks.");
+  if (results.moorings) require_finite(*results.moorings);
+  if (results.hull) require_finite(*results.hull);
 }
 
 }  // namespace overbend

@@ -161,7 +161,7 @@ void Hdf5Writer::describe(const std::string& path, const ResultField& field) {
   attribute(path, "frame", field.frame);
   attribute(path, "description", std::string(field.description).append(field.aspect));
   require_disk();
-  if (may_be_absent(path)) mark_absent(file_, path);
+  if (may_be_absent_in_file(path)) mark_absent(file_, path);
 }
 
 template <class Number>

@@ -2,6 +2,7 @@
 /// throws std::runtime_error with its path.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -54,6 +55,10 @@ class TableReader {
   void start_row(std::size_t row) { row_ = row; }
 
   void operator()(const ResultField& f, double& value) { value = number(f.name); }
+  void operator()(const ResultField& f, std::optional<double>& value) {
+    const double found = number(f.name);
+    value = std::isnan(found) ? std::nullopt : std::optional(found);
+  }
   void operator()(const ResultField& f, bool& value) { value = integer(f.name) != 0; }
   void operator()(const ResultField& f, int& value) { value = integer(f.name); }
   void operator()(const ResultField& f, std::int64_t& value) {

@@ -1,5 +1,6 @@
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_visitors.h"
+#include "resultfiles/mooring_hdf5.h"
 #include "resultfiles/results_writer.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
@@ -57,16 +58,6 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
   sections.write(file, group + "/sections", "Properties of the sections");
 }
 
-void write_model(Hdf5Writer& file, const Description& description) {
-  file.group("/model", "Model and program version");
-  ValueWriter visit{file, "/model"};
-  write_model_text(file, description.source_text);
-  visit(ResultField{"file", "1", "Path of the model file as given"}, description.source_file);
-  visit(ResultField{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
-  visit(ResultField{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
-  visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
-}
-
 template <class Function, class Part>
 void write_part(Hdf5Writer& file, const std::string& group, const std::string& description, Function visit_part,
                 const Part& part) {
@@ -76,6 +67,16 @@ void write_part(Hdf5Writer& file, const std::string& group, const std::string& d
 }
 
 }  // namespace
+
+void write_model_group(Hdf5Writer& file, const Description& description) {
+  file.group("/model", "Model and program version");
+  ValueWriter visit{file, "/model"};
+  write_model_text(file, description.source_text);
+  visit(ResultField{"file", "1", "Path of the model file as given"}, description.source_file);
+  visit(ResultField{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
+  visit(ResultField{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
+  visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
+}
 
 void write_model_text(Hdf5Writer& file, const std::string& text) {
   ValueWriter visit{file, "/model"};
@@ -87,7 +88,7 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
   file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
   file.attribute("/", "title", results.title);
   file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  write_model(file, description);
+  write_model_group(file, description);
   const auto keys = [](const auto& part, auto& visit) { visit_key_results(part, visit); };
   const auto touchdown = [](const auto& part, auto& visit) { visit_touchdown(part, visit); };
   const auto sums = [](const auto& part, auto& visit) { visit_sums(part, visit); };
@@ -112,6 +113,8 @@ void write_static_groups(Hdf5Writer& file, const StaticResults& results, const D
   write_tables(file, "/static", results);
   write_supports(file, "/static", results);
   write_checks(file, "/static/checks", results.checks);
+  if (results.moorings) write_moorings(file, *results.moorings);
+  if (results.hull) write_hull(file, *results.hull);
 }
 
 void write_static_hdf5(const StaticResults& results, const Description& description,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "model/description.h"
@@ -46,6 +47,9 @@ struct ValueWriter {
 class TableWriter {
  public:
   void operator()(const ResultField& field, double value) { column(field).numbers.push_back(value); }
+  void operator()(const ResultField& field, const std::optional<double>& value) {
+    (*this)(field, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
   void operator()(const ResultField& field, int value) { column(field).integers.push_back(value); }
   void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
   void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
@@ -72,17 +76,19 @@ class TableWriter {
     const std::string scale = group + "/" + columns_.front().field.name;
     for (const Column& c : columns_) {
       const std::string path = group + "/" + c.field.name;
+      ResultField field = c.field;
+      field.description = c.description;
       if (!c.numbers.empty()) {
-        file.write(path, c.field, c.numbers, {rows_});
+        file.write(path, field, c.numbers, {rows_});
       } else if (!c.counts.empty()) {
-        file.write(path, c.field, c.counts, {rows_});
+        file.write(path, field, c.counts, {rows_});
       } else if (!c.integers.empty()) {
-        file.write(path, c.field, c.integers, {rows_});
+        file.write(path, field, c.integers, {rows_});
       } else {
-        file.write(path, c.field, c.texts, {rows_});
+        file.write(path, field, c.texts, {rows_});
       }
       if (path == scale) {
-        file.make_scale(path, c.field.name);
+        file.make_scale(path, field.name);
       } else {
         file.attach_scale(path, scale);
       }
@@ -92,13 +98,14 @@ class TableWriter {
  private:
   struct Column {
     ResultField field;
+    std::string description;  ///< Of the field, whose own may be gone when the table is written.
     std::vector<double> numbers;
     std::vector<int> integers;
     std::vector<std::int64_t> counts;
     std::vector<std::string> texts;
   };
   Column& column(const ResultField& field) {
-    if (rows_ == 0) columns_.push_back({field, {}, {}, {}, {}});
+    if (rows_ == 0) columns_.push_back({field, std::string(field.description), {}, {}, {}, {}});
     return columns_.at(next_++);
   }
   std::vector<Column> columns_;
@@ -109,6 +116,9 @@ class TableWriter {
 inline ResultField index_field(const char* description) {
   return {"index", "1", description, kNoFrame};
 }
+
+/// The group model: text, file, version, machine.
+void write_model_group(Hdf5Writer& file, const Description& description);
 
 /// The model's text and its hash in the group model.
 void write_model_text(Hdf5Writer& file, const std::string& text);

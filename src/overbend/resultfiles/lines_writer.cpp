@@ -3,6 +3,7 @@
 #include "resultfiles/csv_fields.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/json_fields.h"
+#include "resultfiles/seeds_writer.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
 #include "results/fields/line_values.h"
@@ -61,7 +62,10 @@ void write_lines_hdf5(const LinesResults& results, const Description& descriptio
 
 }  // namespace
 
-std::string lines_summary(const LinesResults& results) {
+namespace {
+
+/// All but what is over time.
+JsonWriter<SummaryStyle> rest_json(const LinesResults& results) {
   const SummaryStyle style;
   JsonWriter json(style);
   json["status"] = "converged";
@@ -70,6 +74,14 @@ std::string lines_summary(const LinesResults& results) {
   json["frame"] = kWorldFrame;
   json["static"] =
       Json{{"lines", style.rows(results.lines, [&](const LineResult& line) { return line_json(style, line); })}};
+  return json;
+}
+
+}  // namespace
+
+std::string lines_summary(const LinesResults& results) {
+  const SummaryStyle style;
+  JsonWriter json = rest_json(results);
   if (results.moved) {
     json["dynamic"] =
         Json{{"lines", style.rows(results.lines,
@@ -98,6 +110,14 @@ std::string lines_table(const LinesResults& results) {
     }
   }
   return table.text();
+}
+
+void write_lines_seeds(const LinesResults& one, const SeedsResults& seeds, const std::filesystem::path& folder) {
+  require_finite(seeds);
+  JsonWriter json = rest_json(one);
+  json["seeds"] = seeds_json(seeds);
+  write_text(folder / "seeds.csv", seeds_table(seeds));
+  write_text(folder / "summary.json", summary_text(json.take()));
 }
 
 void write_lines_files(const LinesResults& results, const Description& description,

@@ -6,6 +6,7 @@
 
 #include "model/description.h"
 #include "results/line_results.h"
+#include "results/seeds_results.h"
 
 namespace overbend {
 
@@ -18,5 +19,9 @@ std::string lines_table(const LinesResults& results);
 /// All files straight into an existing folder. Throws std::runtime_error when one cannot be written.
 void write_lines_files(const LinesResults& results, const Description& description,
                        const std::filesystem::path& folder);
+
+/// Of several seeds: summary.json with static.lines and `seeds`, and seeds.csv, straight into an existing folder.
+/// `one`: the results of one of them. Throws std::runtime_error when a value is not finite or a file cannot be written.
+void write_lines_seeds(const LinesResults& one, const SeedsResults& seeds, const std::filesystem::path& folder);
 
 }  // namespace overbend

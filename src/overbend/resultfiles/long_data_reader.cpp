@@ -44,6 +44,12 @@ SnapshotBlock read_snapshots(const std::filesystem::path& h5, std::int64_t first
   block.von_mises = read("von_mises");
   block.vessel_position = read("vessel_position");
   block.vessel_axes = read("vessel_axes");
+  if (!file.has("/dynamic/snapshots/line_x")) return block;
+  block.line_points = static_cast<std::int64_t>(file.lines("/dynamic/moorings/points/index"));
+  block.line_x = read("line_x");
+  block.line_y = read("line_y");
+  block.line_z = read("line_z");
+  block.line_tension = read("line_tension");
   return block;
 }
 

@@ -24,6 +24,9 @@ struct SnapshotBlock {
   std::vector<double> time;                                   ///< [s]
   std::vector<double> x, y, z, effective_tension, von_mises;  ///< W [m], [N], [Pa].
   std::vector<double> vessel_position, vessel_axes;           ///< 3 and 9 of each: p_WV, R_WV by rows.
+  /// Points of the mooring lines, line by line from anchor to fairlead; see MooringLineDynamics::points.
+  std::int64_t line_points = 0;                              ///< Of a frame; 0 without lines.
+  std::vector<double> line_x, line_y, line_z, line_tension;  ///< W [m], [N].
 };
 
 /// Snapshots from `first` on, at most `count`; fewer at the end of the run.

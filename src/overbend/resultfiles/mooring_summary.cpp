@@ -1,6 +1,7 @@
 #include "resultfiles/mooring_writer.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
+#include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 #include "results/fields/static_values.h"
 
@@ -78,6 +79,31 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
   if (!results.winches.empty()) json["operation"]["pull_ahead"] = pull_ahead_json(style, results);
 }
 
+Json hull_json(const SummaryStyle& style, const HullResults& hull) {
+  JsonWriter json(style);
+  visit_hull(hull, json);
+  visit_steady_loads(hull, json);
+  json["radiation"] = style.rows(hull.entries, [&](const RadiationEntryResult& entry) {
+    return object_of(style, [&](auto& one) { visit_radiation_entry(entry, one); });
+  });
+  json["fit"] = style.rows(hull.groups, [&](const RadiationGroupResult& group) {
+    return object_of(style, [&](auto& one) { visit_radiation_group(group, one); });
+  });
+  json["damping"] = style.rows(hull.damping, [&](const ModeDampingResult& mode) {
+    return object_of(style, [&](auto& one) { visit_mode_damping(mode, one); });
+  });
+  return json.take();
+}
+
+Json line_in_time(const SummaryStyle& style, const MooringLineDynamics& line) {
+  JsonWriter json(style);
+  visit_mooring_dynamics(line, json);
+  json["events"] = style.rows(line.events, [&](const MooringEvent& event) {
+    return object_of(style, [&](auto& one) { visit_mooring_event(event, one); });
+  });
+  return json.take();
+}
+
 }  // namespace
 
 std::string mooring_summary(const MooringResults& results) {
@@ -89,8 +115,24 @@ std::string mooring_summary(const MooringResults& results) {
   json["frame"] = kWorldFrame;
   json["static"] = state_json(style, results.rest);
   Json summary = json.take();
+  if (results.hull) add_hull(*results.hull, summary);
   add_operation(style, results, summary);
   return summary_text(summary);
+}
+
+void add_hull(const HullResults& hull, Json& summary) {
+  summary["static"]["hull"] = hull_json(SummaryStyle{}, hull);
+}
+
+void add_moored_dynamics(const DynamicResults& results, Json& summary) {
+  const SummaryStyle style;
+  Json& dynamic = summary["dynamic"];
+  if (results.vessel) {
+    dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(*results.vessel, one); });
+  }
+  if (results.moorings.empty()) return;
+  dynamic["moorings"] =
+      style.rows(results.moorings, [&](const MooringLineDynamics& line) { return line_in_time(style, line); });
 }
 
 void add_moorings(const MooringResults& results, Json& summary) {

@@ -1,10 +1,13 @@
 #include "resultfiles/mooring_writer.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "resultfiles/csv_fields.h"
 #include "resultfiles/finite_visitor.h"
 #include "resultfiles/hdf5_visitors.h"
+#include "resultfiles/mooring_hdf5.h"
+#include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 #include "runstore/append_file.h"
 
@@ -33,59 +36,83 @@ void visit_table_row(const std::string& state, const MooringLineResult& line, Vi
         line.clearance.value_or(kNone));
 }
 
+void write_hdf5(const MooringResults& results, const Description& description, const std::filesystem::path& path) {
+  Hdf5Writer file(path);
+  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
+  file.attribute("/", "title", results.title);
+  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
+  write_model_group(file, description);
+  write_moorings(file, results);
+  if (results.hull) write_hull(file, *results.hull);
+  file.close();
+}
+
+/// Of a dynamic analysis.
+template <class Visit>
+void visit_in_time(const MooringLineDynamics& line, Visit& visit) {
+  const auto tension = [&](const char* name, const char* heading, double value) {
+    visit(ResultField{name, "N", "Tension over time"}.csv(heading), value);
+  };
+  tension("fairlead_tension_mean", "mean fairlead tension", line.fairlead_tension.whole.mean);
+  tension("fairlead_tension_std", "std fairlead tension", line.fairlead_tension.whole.std);
+  tension("fairlead_tension_min", "least fairlead tension", line.fairlead_tension.whole.min);
+  tension("fairlead_tension_max", "largest fairlead tension", line.fairlead_tension.whole.max);
+  tension("fairlead_tension_most_probable_max", "most probable largest fairlead tension",
+          line.fairlead_tension.most_probable_max);
+  tension("anchor_tension_max", "largest anchor tension", line.anchor_tension.whole.max);
+  visit(ResultField{"utilisation_max", "1", "Largest tension over the least breaking load"}.csv("largest utilisation"),
+        line.utilisation.value_or(kNone));
+  visit(ResultField{"least_on_bed", "m", "Least unstressed length on the bed"}.csv("least on bed"), line.least_on_bed);
+}
+
+/// Of a stage that no dynamic analysis began at, or a line that was not there: empty cells.
+MooringLineDynamics no_line_in_time() {
+  MooringLineDynamics line;
+  line.fairlead_tension.whole = {kNone, kNone, kNone, kNone};
+  line.fairlead_tension.most_probable_max = line.anchor_tension.whole.max = line.least_on_bed = kNone;
+  return line;
+}
+
+}  // namespace
+
+void require_finite(const HullResults& hull) {
+  FiniteVisitor visit{"hull."};
+  visit_hull(hull, visit);
+  visit_steady_loads(hull, visit);
+  for (const RadiationEntryResult& entry : hull.entries) visit_radiation_entry(entry, visit);
+  for (const RadiationGroupResult& group : hull.groups) visit_radiation_group(group, visit);
+  for (const ModeDampingResult& mode : hull.damping) visit_mode_damping(mode, visit);
+}
+
 void require_finite(const MooringResults& results) {
+  if (results.hull) require_finite(*results.hull);
   for (const MooredState* state : states_of(results)) {
     FiniteVisitor visit{state->name + ".vessel."};
     visit_vessel_offset(state->vessel, visit);
     for (const MooringLineResult& line : state->moorings) {
       visit.place = state->name + ".moorings." + line.name + ".";
       visit_mooring_line(line, visit);
+      visit_mooring_use(line, visit);
     }
   }
 }
 
-void write_hdf5(const MooringResults& results, const Description& description, const std::filesystem::path& path) {
-  Hdf5Writer file(path);
-  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
-  file.attribute("/", "title", results.title);
-  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  file.group("/model", "Model and program version");
-  write_model_text(file, description.source_text);
-  file.group("/moorings", "Hull and mooring lines at rest");
-  TableWriter vessels, lines, shapes;
-  for (const MooredState* state : states_of(results)) {
-    for (const MooringLineResult& line : state->moorings) {
-      for (const Vec3& point : line.shape_W) {
-        shapes(index_field("Number of the point, from 0"), shapes.rows());
-        shapes(ResultField{"line", "1", "Index of its line in the table of lines"}, lines.rows());
-        shapes(ResultField{"", "m", "Point of the line, fairlead to anchor", kWorldFrame}, point);
-        shapes.end_row();
-      }
-      lines(index_field("Number of state and line, from 0"), lines.rows());
-      visit_table_row(state->name, line, lines);
-      lines.end_row();
-    }
-    vessels(index_field("Number of the state, from 0"), vessels.rows());
-    vessels(ResultField{"state", "1", "Static or the stage of the operation"}, state->name);
-    visit_vessel_offset(state->vessel, vessels);
-    vessels.end_row();
-  }
-  vessels.write(file, "/moorings/vessel", "Where the hull lies");
-  lines.write(file, "/moorings/lines", "Mooring lines, state by state");
-  shapes.write(file, "/moorings/shapes", "Shapes of the lines");
-  file.close();
-}
-
-}  // namespace
-
-std::string moorings_table(const MooringResults& results) {
+std::string moorings_table(const MooringResults& results, const std::vector<MooringLineDynamics>& in_time) {
   CsvHead head;
   visit_table_row("", MooringLineResult{}, head);
+  if (!in_time.empty()) visit_in_time(MooringLineDynamics{}, head);
   CsvTable table(head.names);
+  const MooringLineDynamics absent = no_line_in_time();
   for (const MooredState* state : states_of(results)) {
     for (const MooringLineResult& line : state->moorings) {
       CsvCells cells{table};
       visit_table_row(state->name, line, cells);
+      if (!in_time.empty()) {
+        const auto found = std::find_if(in_time.begin(), in_time.end(), [&](const auto& one) {
+          return state == &results.rest && one.name == line.name;
+        });
+        visit_in_time(found == in_time.end() ? absent : *found, cells);
+      }
       table.end_row();
     }
   }

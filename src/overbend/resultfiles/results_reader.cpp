@@ -2,6 +2,7 @@
 
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/hdf5_readers.h"
+#include "resultfiles/mooring_hdf5.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
 
@@ -83,6 +84,21 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   read_tables(file, results);
   read_supports(file, results);
   results.checks = read_checks(file, "/static/checks");
+  results.moorings = read_moorings(file);
+  results.hull = read_hull(file);
+  return stored;
+}
+
+StoredMoorings read_mooring_results(const std::filesystem::path& h5) {
+  const Hdf5Reader file(h5);
+  StoredMoorings stored;
+  std::optional<MooringResults> found = read_moorings(file);
+  if (!found) throw std::runtime_error("the file '" + h5.string() + "' holds no moorings");
+  stored.results = std::move(*found);
+  stored.results.hull = read_hull(file);
+  ValueReader visit{file, "/model"};
+  visit(ResultField{"text"}, stored.model_text);
+  visit(ResultField{"file"}, stored.model_file);
   return stored;
 }
 

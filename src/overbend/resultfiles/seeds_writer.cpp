@@ -12,17 +12,6 @@
 namespace overbend {
 namespace {
 
-void require_finite_values(const SeedsResults& results) {
-  for (const SeedRun& run : results.runs) {
-    for (std::size_t i = 0; i < results.quantities.size(); ++i) {
-      if (std::isnan(run.values.at(i)) && may_be_absent(results.quantities[i].name)) continue;
-      if (!std::isfinite(run.values.at(i))) {
-        throw std::runtime_error(run.folder + ": " + results.quantities[i].name + " is not finite");
-      }
-    }
-  }
-}
-
 Json statistics_json(const SeedQuantity& quantity, const SeedStatistics& s) {
   Json json = {{"units", quantity.units},
                {"description", quantity.description},
@@ -47,23 +36,37 @@ Json run_json(const SeedRun& run, const std::vector<SeedQuantity>& quantities) {
 
 }  // namespace
 
+void require_finite(const SeedsResults& results) {
+  for (const SeedRun& run : results.runs) {
+    for (std::size_t i = 0; i < results.quantities.size(); ++i) {
+      if (std::isnan(run.values.at(i)) && may_be_absent(results.quantities[i].name)) continue;
+      if (!std::isfinite(run.values.at(i))) {
+        throw std::runtime_error(run.folder + ": " + results.quantities[i].name + " is not finite");
+      }
+    }
+  }
+}
+
 ShownUnit table_unit(const SeedQuantity& quantity) {
   ShownUnit unit = shown_unit(quantity.name, quantity.units);
   if (unit.name.empty()) unit.name = "-";
   return unit;
 }
 
-std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {
+Json seeds_json(const SeedsResults& results) {
   Json runs = Json::array(), failed = Json::array(), over_seeds = Json::object();
   for (const SeedRun& run : results.runs) runs.push_back(run_json(run, results.quantities));
   for (const FailedSeed& seed : results.failed) failed.push_back({{"seed", seed.seed}, {"why", seed.why}});
   for (std::size_t i = 0; i < results.statistics.size(); ++i) {
     over_seeds[results.quantities.at(i).name] = statistics_json(results.quantities[i], results.statistics[i]);
   }
+  return {{"duration", results.duration}, {"build_up", results.build_up}, {"runs", runs}, {"failed", failed},
+          {"statistics", over_seeds},     {"warnings", results.warnings}};
+}
+
+std::string seeds_summary(const StaticResults& statics, const SeedsResults& results) {
   Json summary = static_summary_json(statics);
-  summary["seeds"] = {
-      {"duration", results.duration}, {"build_up", results.build_up}, {"runs", runs}, {"failed", failed},
-      {"statistics", over_seeds},     {"warnings", results.warnings}};
+  summary["seeds"] = seeds_json(results);
   return summary_text(summary);
 }
 
@@ -90,7 +93,7 @@ std::string seeds_table(const SeedsResults& results) {
 }
 
 void write_seeds_files(const StaticResults& statics, const SeedsResults& results, const std::filesystem::path& folder) {
-  require_finite_values(results);
+  require_finite(results);
   write_text(folder / "seeds.csv", seeds_table(results));
   write_text(folder / "summary.json", seeds_summary(statics, results));
 }

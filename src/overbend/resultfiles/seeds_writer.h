@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "results/fields/shown_unit.h"
@@ -17,8 +18,14 @@ void write_seeds_files(const StaticResults& statics, const SeedsResults& results
 /// What people read a quantity in; plain numbers have a dash.
 ShownUnit table_unit(const SeedQuantity& quantity);
 
+/// What the key `seeds` of summary.json holds.
+nlohmann::ordered_json seeds_json(const SeedsResults& results);
+
 /// The text of summary.json: what statics writes, and the key `seeds`.
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);
+
+/// Throws std::runtime_error when a value is not finite, and names it.
+void require_finite(const SeedsResults& results);
 
 /// The text of seeds.csv: a row per seed, engineering units; values of a failed one stay empty.
 std::string seeds_table(const SeedsResults& results);

@@ -22,6 +22,7 @@ Json static_summary_json(const StaticResults& r) {
   json["static"] = static_part(style, r);
   Json summary = json.take();
   if (r.moorings) add_moorings(*r.moorings, summary);
+  if (r.hull) add_hull(*r.hull, summary);
   return summary;
 }
 

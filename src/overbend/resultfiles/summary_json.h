@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "results/static_results.h"
+#include "results/dynamic_results.h"
 
 namespace overbend {
 
@@ -15,6 +15,10 @@ Json static_summary_json(const StaticResults& results);
 
 /// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation beside it.
 void add_moorings(const MooringResults& results, Json& summary);
+/// static.hull.
+void add_hull(const HullResults& hull, Json& summary);
+/// dynamic.vessel and dynamic.moorings, where the vessel floats.
+void add_moored_dynamics(const DynamicResults& results, Json& summary);
 
 std::string summary_text(const Json& summary);
 

@@ -28,12 +28,21 @@ struct DynamicCheckpoint {
   std::vector<Array> arrays;
 };
 
+/// What a snapshot shows.
+struct SnapshotSize {
+  int stations = 0;     ///< Of the pipe.
+  int line_points = 0;  ///< Of all mooring lines together.
+
+  bool operator==(const SnapshotSize&) const = default;
+};
+
 class DynamicSink {
  public:
   virtual ~DynamicSink() = default;
   /// Once, before anything else. A snapshot holds, for each station, x, y, z [m], effective tension [N] and von Mises
-  /// stress [Pa], and then the twelve numbers of the vessel's pose: p_WV and R_WV by rows.
-  virtual void begin(const std::vector<HistoryColumn>& columns, int stations) = 0;
+  /// stress [Pa], then the twelve numbers of the vessel's pose: p_WV and R_WV by rows, and then, for each point of the
+  /// mooring lines, x, y, z [m] and effective tension [N].
+  virtual void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) = 0;
   /// A row of the table, as many values as columns.
   virtual void row(std::span<const double> values) = 0;
   virtual void snapshot(double time, std::span<const double> values) = 0;

@@ -23,7 +23,8 @@ struct MotionSpread {
 };
 
 /// Where the hull was. Surge to yaw from the drawn place as in VesselResult; along and across: horizontal shift of
-/// midship from where it lay at the start of the run, towards the bow (along the route, ahead) and to port (across it).
+/// midship from where it lay at the start of the run, along the axes of the hull as drawn: ahead on the route, and to
+/// port of it.
 struct VesselDynamics {
   MotionSpread surge, sway, heave;  ///< Forward, to port, up [m].
   MotionSpread roll, pitch, yaw;    ///< Starboard down, bow down, bow to port [rad].
@@ -51,14 +52,16 @@ struct MooringLineDynamics {
   std::optional<double> anchor_utilisation;         ///< Largest tension at the anchor over its holding power [-].
   double least_on_bed = 0.0;                        ///< Least unstressed length that the bed bears [m].
   double largest_uplift = 0.0;                      ///< Vertical force on the anchor, upwards [N].
-  double time_slack = 0.0;                          ///< With next to no tension at the fairlead [s].
+  double time_slack = 0.0;                          ///< Less than a tenth of the tension at the start [s].
   std::optional<double> clearance;                  ///< Least distance to the objects on the bed, of snapshots [m].
   std::string nearest_object;                       ///< Which one it is of.
-  Spread length;                                    ///< Unstressed, that the winch has out [m].
-  std::optional<double> parted_at;                  ///< [s]
-  double anchor_slip = 0.0;                         ///< How far the anchor slipped in all [m].
-  double brake_rendered = 0.0;                      ///< What the brake let out in all [m].
-  std::vector<MooringEvent> events;                 ///< The first fifty, by time.
+  /// Where on the line its points in the snapshots are: shares of the length, from the anchor [-].
+  std::vector<double> points;
+  Spread length;                     ///< Unstressed, that the winch has out [m].
+  std::optional<double> parted_at;   ///< [s]
+  double anchor_slip = 0.0;          ///< How far the anchor slipped in all [m].
+  double brake_rendered = 0.0;       ///< What the brake let out in all [m].
+  std::vector<MooringEvent> events;  ///< The first fifty, by time.
 };
 
 }  // namespace overbend

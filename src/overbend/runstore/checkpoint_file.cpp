@@ -93,7 +93,8 @@ void encode(const RunCheckpoint& c, Encoder& out) {
     out.number(std::uint64_t{column.spectrum});
     out.number(std::uint64_t{column.smallest});
   }
-  out.number(static_cast<std::uint64_t>(c.stations));
+  out.number(static_cast<std::uint64_t>(c.snapshot.stations));
+  out.number(static_cast<std::uint64_t>(c.snapshot.line_points));
   for (const std::uint64_t bytes : {c.row_bytes, c.snapshot_bytes, c.impact_bytes}) out.number(bytes);
   for (const auto* sums : {&c.row_sums, &c.snapshot_sums, &c.impact_sums}) out.sums(*sums);
   out.number(c.state.time);
@@ -119,13 +120,14 @@ void decode_column(Decoder& in, HistoryColumn& column) {
 
 /// All after the version.
 void decode(Decoder& in, RunCheckpoint& c) {
-  std::uint64_t stations = 0;
+  std::uint64_t stations = 0, line_points = 0;
   in.text(c.model_hash);
   in.number(c.seed);
   c.columns.resize(in.count(1));
   for (HistoryColumn& column : c.columns) decode_column(in, column);
   in.number(stations);
-  c.stations = static_cast<int>(stations);
+  in.number(line_points);
+  c.snapshot = {static_cast<int>(stations), static_cast<int>(line_points)};
   for (std::uint64_t* bytes : {&c.row_bytes, &c.snapshot_bytes, &c.impact_bytes}) in.number(*bytes);
   for (auto* sums : {&c.row_sums, &c.snapshot_sums, &c.impact_sums}) in.numbers(*sums);
   in.number(c.state.time);

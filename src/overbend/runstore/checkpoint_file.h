@@ -16,7 +16,7 @@ struct RunCheckpoint {
   std::string model_hash;  ///< See text_hash().
   std::uint64_t seed = 0;
   std::vector<HistoryColumn> columns;
-  int stations = 0;
+  SnapshotSize snapshot;
   std::uint64_t row_bytes = 0, snapshot_bytes = 0, impact_bytes = 0;  ///< Lengths of the data files.
   std::vector<std::uint64_t> row_sums, snapshot_sums, impact_sums;    ///< Their checksums; see BlockSums.
   DynamicCheckpoint state;

@@ -23,6 +23,7 @@ constexpr std::size_t kCacheNumbers = std::size_t{4} << 20;  // 32 MB
 constexpr std::size_t kImpactNumbers = 8;
 constexpr std::size_t kPoseNumbers = 12;
 constexpr std::size_t kStationNumbers = 5;
+constexpr std::size_t kPointNumbers = 4;  ///< Of a mooring line.
 
 /// Held until the descriptor closes, also when the process is killed.
 FileDescriptor lock(const fs::path& folder) {
@@ -77,13 +78,16 @@ struct RunStore::Files {
   AppendFile rows, snapshots, impacts;
   std::vector<double> cache;  ///< Columns `cached` and following, column after column.
   std::size_t cached = 0, cached_rows = 0;
+  std::vector<HistoryColumn> all;            ///< Recorded and derived; empty while none is derived.
+  std::vector<std::vector<double>> derived;  ///< Their values.
 
   fs::path checkpoint() const { return folder / "checkpoint"; }
   void open();
   void require_begun() const { require(begun, "a run takes in nothing before it has begun"); }
   std::size_t columns() const { return record.columns.size(); }
   std::size_t snapshot_numbers() const {
-    return 1 + kStationNumbers * static_cast<std::size_t>(record.stations) + kPoseNumbers;
+    return 1 + kStationNumbers * static_cast<std::size_t>(record.snapshot.stations) + kPoseNumbers +
+           kPointNumbers * static_cast<std::size_t>(record.snapshot.line_points);
   }
   std::size_t row_count() const { return columns() == 0 ? 0 : rows.size() / (columns() * sizeof(double)); }
   void fill_cache(std::size_t first);
@@ -175,19 +179,20 @@ std::optional<ResumedRun> RunStore::resume(const fs::path& output_dir, const std
   return ResumedRun{RunStore(std::move(files)), std::move(state)};
 }
 
-void RunStore::begin(const std::vector<HistoryColumn>& columns, int stations) {
+void RunStore::begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) {
   if (files_->begun) {
-    if (same_columns(columns, files_->record.columns) && stations == files_->record.stations) return;
+    if (same_columns(columns, files_->record.columns) && size == files_->record.snapshot) return;
     throw std::runtime_error("the stored run has other histories or stations; start again with --restart");
   }
-  require(!columns.empty() && stations >= 0, "a run has at least one column");
+  require(!columns.empty() && size.stations >= 0 && size.line_points >= 0, "a run has at least one column");
   files_->record.columns = columns;
-  files_->record.stations = stations;
+  files_->record.snapshot = size;
   files_->open();
 }
 
 void RunStore::row(std::span<const double> values) {
   files_->require_begun();
+  require(files_->derived.empty(), "rows come before what is derived from them");
   require(values.size() == files_->columns(), "a row has as many values as there are columns");
   files_->rows.append(values);
 }
@@ -219,12 +224,24 @@ void RunStore::checkpoint(const DynamicCheckpoint& state) {
   write_checkpoint(record, f.checkpoint());
 }
 
+void RunStore::derive(const HistoryColumn& column, std::vector<double> values) {
+  Files& f = *files_;
+  require(values.size() == f.row_count(), "a derived column has a value for each row");
+  if (f.all.empty()) f.all = f.record.columns;
+  f.all.push_back(column);
+  f.derived.push_back(std::move(values));
+}
+
 const std::vector<HistoryColumn>& RunStore::columns() const {
-  return files_->record.columns;
+  return files_->all.empty() ? files_->record.columns : files_->all;
 }
 
 int RunStore::stations() const {
-  return files_->record.stations;
+  return files_->record.snapshot.stations;
+}
+
+int RunStore::line_points() const {
+  return files_->record.snapshot.line_points;
 }
 
 std::int64_t RunStore::rows() const {
@@ -241,7 +258,8 @@ std::int64_t RunStore::impacts() const {
 
 std::vector<double> RunStore::column(std::size_t index) const {
   Files& f = *files_;
-  if (index >= f.columns()) throw std::out_of_range("no such column");
+  if (index >= columns().size()) throw std::out_of_range("no such column");
+  if (index >= f.columns()) return f.derived[index - f.columns()];
   const std::size_t count = f.row_count();
   if (count == 0) return {};
   if (f.cached_rows != count || index < f.cached || index >= f.cached + f.cache.size() / count) f.fill_cache(index);

@@ -45,15 +45,20 @@ class RunStore : public DynamicSink {
   RunStore& operator=(const RunStore&) = delete;
   ~RunStore() override;
 
-  /// After resume() it may be called again, with the same columns and stations; else std::runtime_error.
-  void begin(const std::vector<HistoryColumn>& columns, int stations) override;
+  /// After resume() it may be called again, with the same columns and size; else std::runtime_error.
+  void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override;
   void row(std::span<const double> values) override;  ///< Allocates nothing.
   void snapshot(double time, std::span<const double> values) override;
   void impact(const Impact& impact) override;
   void checkpoint(const DynamicCheckpoint& state) override;
 
-  const std::vector<HistoryColumn>& columns() const;
+  /// Adds a column that is made from the others when the run has ended; it has a value for each row, follows the
+  /// recorded ones and is not on disk: a resumed run makes it anew. No row may be handed over afterwards.
+  void derive(const HistoryColumn& column, std::vector<double> values);
+
+  const std::vector<HistoryColumn>& columns() const;  ///< Recorded, then derived.
   int stations() const;
+  int line_points() const;  ///< Of mooring lines, in a snapshot.
   std::int64_t rows() const;
   std::int64_t snapshots() const;
   std::int64_t impacts() const;

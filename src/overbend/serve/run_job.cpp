@@ -182,9 +182,11 @@ void RunQueue::run_static(const Job& job) {
   const LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return end(id, RunState::failed, failure_line(*outcome.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
+  StaticResults results = checked_statics(model, outcome);
+  tell_hull(model, results);
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(checked_statics(model, outcome), description, folder(job.run));
+    write_static_run(results, description, folder(job.run));
   }
   end(id, RunState::done, "");
 }

@@ -23,18 +23,6 @@ double submerged_weight(const Line& line) {
   return sum;
 }
 
-/// Half of an element lies for each of its nodes that touches the bed.
-double length_on_bed(const Line& line, const std::vector<double>& q) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
-    for (const std::size_t node : {e, e + 1}) {
-      const GroundPoint ground = ground_at(line.environment, Vec3Map(q.data() + 6 * node));
-      if (ground.clearance < line.elements.radius[e]) sum += 0.5 * line.mesh.length[e];
-    }
-  }
-  return sum;
-}
-
 LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, LineEnd which) {
   const std::array<double, 6>& force = line.end_force(which);
   const Vec3 tangent = Vec3Map(q.data() + 6 * static_cast<std::size_t>(line.end_node(which)) + 3).normalized();
@@ -90,6 +78,17 @@ void warn(const FreeLineDescription& description, const LineResult& line, bool i
 }
 
 }  // namespace
+
+double length_on_bed(const Line& line, const std::vector<double>& q) {
+  double sum = 0.0;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    for (const std::size_t node : {e, e + 1}) {
+      const GroundPoint ground = ground_at(line.environment, Vec3Map(q.data() + 6 * node));
+      if (ground.clearance < line.elements.radius[e]) sum += 0.5 * line.mesh.length[e];
+    }
+  }
+  return sum;
+}
 
 std::vector<std::string> line_assumptions(const Model& model) {
   std::vector<std::string> told = {

@@ -11,6 +11,9 @@ namespace overbend {
 LinesResults recover_lines(const Model& model, const Assembly& assembly, const SystemState& state,
                            const LinesRest& rest);
 
+/// Length that the bed bears: half of an element for each of its nodes that touches it [m]. `q` as LineState::q.
+double length_on_bed(const Line& line, const std::vector<double>& q);
+
 /// What had to be assumed of the lines: sentences for the report.
 std::vector<std::string> line_assumptions(const Model& model);
 

@@ -8,6 +8,7 @@
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
 #include "study/dynamic_finish.h"
+#include "study/motion_parts.h"
 
 namespace overbend {
 namespace {
@@ -42,7 +43,9 @@ class WatchedStore : public DynamicSink {
  public:
   WatchedStore(RunStore& store, const RowWatch& rows) : store_(store), rows_(rows) {}
 
-  void begin(const std::vector<HistoryColumn>& columns, int stations) override { store_.begin(columns, stations); }
+  void begin(const std::vector<HistoryColumn>& columns, const SnapshotSize& size) override {
+    store_.begin(columns, size);
+  }
   void row(std::span<const double> values) override {
     store_.row(values);
     if (rows_) rows_(store_.columns(), values);
@@ -86,6 +89,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     begun->store.remove();
     return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
   }
+  finish_motions(shared.statics, shared.description.environment.waves, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
   {
     const std::lock_guard<std::mutex> hold(writing);
@@ -96,8 +100,9 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
 }
 
 void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
-  const std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
+  std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
+  finish_motions(shared.statics, shared.description.environment.waves, results, run->store);
   finish_histories(results, run->store);
   const std::lock_guard<std::mutex> hold(writing);
   write_results(shared, results, run->store, folder);

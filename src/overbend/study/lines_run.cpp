@@ -6,8 +6,11 @@
 #include "dynamics/lines_in_time.h"
 #include "report/report.h"
 #include "resultfiles/lines_writer.h"
+#include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
 #include "statics/lines_recovery.h"
+#include "study/prepared_case.h"
+#include "study/seeds_gather.h"
 
 namespace overbend {
 namespace {
@@ -82,7 +85,7 @@ LinesOutcome solve_lines(const Model& model) {
   return rest_of(model).outcome;
 }
 
-LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
+LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const LinesSitting& sitting) {
   if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
   RestOfModel found = rest_of(model);
   if (found.outcome.failure) return found.outcome;
@@ -94,8 +97,16 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
   SystemState start = resting_lines(system, found.state, found.rest, -options.build_up);
   SystemRun run(std::move(system), sea, std::move(start), options);
   run.observe(recorder);
-  if (!run.advance(run.end())) {
-    return {std::nullopt, StaticFailure{*run.failure(), "", "the forces do not balance even with the shortest step"}};
+  if (sitting.from != nullptr) run.restore(*sitting.from);
+  while (!run.finished()) {
+    if (!run.advance(run.next_row())) {
+      return {std::nullopt, StaticFailure{*run.failure(), "", "the forces do not balance even with the shortest step"}};
+    }
+    if (!sitting.control) continue;
+    const DynamicControl wanted =
+        sitting.control({run.time(), run.end(), run.steps(), run.end_force(0, LineEnd::last).norm()});
+    if (wanted != DynamicControl::go_on) sitting.keep(run.checkpoint());
+    if (wanted == DynamicControl::stop && !run.finished()) return {std::nullopt, std::nullopt, true};
   }
   LinesResults& results = *found.outcome.results;
   results.moved = true;
@@ -104,6 +115,51 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options) {
   results.time = recorder.histories().front().time;
   for (std::size_t i = 0; i < results.lines.size(); ++i) add_history(recorder.histories()[i], results.lines[i]);
   return found.outcome;
+}
+
+LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& model, const DynamicOptions& options,
+                          bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  const std::string input = input_text(model.description);
+  std::optional<ResumedRun> resumed = resume ? RunStore::resume(folder, input, options.seed) : std::nullopt;
+  RunStore store = resumed ? std::move(resumed->store) : RunStore::create(folder, input, options.seed);
+  store.begin({{"time", "s", "Time; the histories are in the checkpoint"}}, {});
+  const LinesSitting sitting{resumed ? &resumed->state : nullptr, control,
+                             [&](const DynamicCheckpoint& state) { store.checkpoint(state); }};
+  LinesOutcome outcome = run_lines(model, options, sitting);
+  if (outcome.stopped) return outcome;
+  if (outcome.results) write_lines_run(*outcome.results, model.description, folder);
+  store.remove();
+  return outcome;
+}
+
+std::vector<double> lines_values(const LinesResults& results) {
+  std::vector<double> values;
+  for (const LineResult& line : results.lines) {
+    for (const LineEndResult* end : {&line.first, &line.second}) {
+      values.insert(values.end(), {end->in_time.max, end->in_time.min});
+    }
+    values.push_back(line.least_in_time);
+  }
+  return values;
+}
+
+SeedsResults gather_lines(const Description& description, const std::vector<SeedRun>& runs) {
+  SeedsResults gathered;
+  gathered.duration = description.dynamics->duration;
+  gathered.build_up = description.dynamics->build_up;
+  for (const FreeLineDescription& line : description.lines) {
+    const auto add = [&](const char* what, const char* meaning, SeedExtreme extreme) {
+      gathered.quantities.push_back({line.name + "/" + what, "N", meaning + (" of line " + line.name), extreme});
+    };
+    add("first_tension_max", "Largest tension at the first end", SeedExtreme::largest);
+    add("first_tension_min", "Smallest tension at the first end", SeedExtreme::smallest);
+    add("second_tension_max", "Largest tension at the second end", SeedExtreme::largest);
+    add("second_tension_min", "Smallest tension at the second end", SeedExtreme::smallest);
+    add("least_tension", "Smallest tension along the line", SeedExtreme::smallest);
+  }
+  gathered.runs = runs;
+  fill_statistics(gathered);
+  return gathered;
 }
 
 void write_lines_run(const LinesResults& results, const Description& description, const std::filesystem::path& folder) {

@@ -61,6 +61,7 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return failed_end(*outcome.failure);
   StaticResults statics = checked_statics(model, outcome);
+  tell_hull(model, statics);
   return std::make_shared<const PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
                                                            std::move(statics), input_text(description)});
 }

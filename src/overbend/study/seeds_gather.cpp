@@ -22,6 +22,27 @@ double largest_reaction(const DynamicResults& r) {
   return largest;
 }
 
+double largest_mooring_tension(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const MooringLineDynamics& line : r.moorings) largest = std::max(largest, line.fairlead_tension.whole.max);
+  return largest;
+}
+
+/// Of lines that do not part.
+double smallest_mooring_tension(const DynamicResults& r) {
+  double smallest = largest_mooring_tension(r);
+  for (const MooringLineDynamics& line : r.moorings) {
+    if (!line.parted_at) smallest = std::min(smallest, line.fairlead_tension.whole.min);
+  }
+  return smallest;
+}
+
+double largest_mooring_utilisation(const DynamicResults& r) {
+  double largest = 0.0;
+  for (const MooringLineDynamics& line : r.moorings) largest = std::max(largest, line.utilisation.value_or(0.0));
+  return largest;
+}
+
 double worst_utilisation(const DynamicResults& r) {
   const CheckRow* worst = worst_check(r.checks);
   return worst == nullptr ? 0.0 : worst->utilisation;
@@ -59,6 +80,24 @@ std::vector<Rule> rules(const StaticResults& statics) {
     add({"largest_reaction", "N", "Largest reaction of a support", kLargest}, largest_reaction);
     add({"impact_count", "1", "Number of impacts", kNone},
         [](const Results& r) { return static_cast<double>(r.impact_count); });
+  }
+  if (statics.moorings || statics.hull) {
+    add({"largest_offset", "m", "Largest horizontal offset of the vessel from its place at the start", kLargest},
+        [](const Results& r) { return r.vessel ? r.vessel->offset.whole.max : 0.0; });
+    add({"mean_surge", "m", "Mean surge of the vessel", kNone},
+        [](const Results& r) { return r.vessel ? r.vessel->surge.whole.mean : 0.0; });
+    add({"mean_sway", "m", "Mean sway of the vessel", kNone},
+        [](const Results& r) { return r.vessel ? r.vessel->sway.whole.mean : 0.0; });
+    add({"slow_surge_std", "m", "Standard deviation of the slow surge", kNone},
+        [](const Results& r) { return r.vessel ? r.vessel->surge.slow.std : 0.0; });
+    add({"slow_sway_std", "m", "Standard deviation of the slow sway", kNone},
+        [](const Results& r) { return r.vessel ? r.vessel->sway.slow.std : 0.0; });
+  }
+  if (statics.moorings) {
+    add({"largest_mooring_tension", "N", "Largest tension of a mooring line", kLargest}, largest_mooring_tension);
+    add({"smallest_mooring_tension", "N", "Smallest tension of a mooring line", kSmallest}, smallest_mooring_tension);
+    add({"largest_mooring_utilisation", "1", "Largest tension of a mooring line over its breaking load", kLargest},
+        largest_mooring_utilisation);
   }
   add({"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest}, worst_utilisation);
   add({"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/staged_folder.h"
+#include "statics/hull_account.h"
 #include "statics/recovery.h"
 
 namespace overbend {
@@ -29,6 +31,33 @@ StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
   }
   fill_checks(model, results);
   return results;
+}
+
+namespace {
+
+/// Its results, where the hull has any; what it warns of and assumes goes to `into`.
+template <class Results>
+std::optional<HullResults> told_hull(const Model& model, const MooredState* rest, Results& into) {
+  try {
+    std::optional<HullAccount> account = hull_account(model, rest);
+    if (!account) return std::nullopt;
+    add_missing(account->warnings, into.warnings);
+    add_missing(account->assumptions, into.assumptions);
+    return std::move(account->results);
+  } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
+    into.warnings.push_back(std::string("nothing is told of the hull's radiation and damping: ") + fault.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+void tell_hull(const Model& model, StaticResults& results) {
+  results.hull = told_hull(model, results.moorings ? &results.moorings->rest : nullptr, results);
+}
+
+void tell_hull(const Model& model, MooringResults& results) {
+  results.hull = told_hull(model, &results.rest, results);
 }
 
 void write_static_run(const StaticResults& results, const Description& description,

@@ -12,6 +12,11 @@ namespace overbend {
 /// Results of an equilibrium with the table of code checks.
 StaticResults checked_statics(const Model& model, const LayOutcome& lay);
 
+/// Adds what is told of a floating hull: radiation, damping, steady loads; with its warnings and assumptions. Takes a
+/// part of a second for a hull with hydrodynamic coefficients.
+void tell_hull(const Model& model, StaticResults& results);
+void tell_hull(const Model& model, MooringResults& results);
+
 /// Writes the files of a static analysis and its report, whole or not at all. Throws UnusableFolder
 /// (runstore/staged_folder.h) when the folder cannot be.
 void write_static_run(const StaticResults& results, const Description& description,

@@ -38,6 +38,13 @@ EndMotion paid_out(EndMotion motion, const MotionValues& travel) {
   return motion;
 }
 
+/// The motion of a place that has been dragged along.
+EndMotion dragged(EndMotion motion, const GivenWay& way) {
+  motion.place += way.dragged;
+  motion.velocity += way.drag_rate;
+  return motion;
+}
+
 /// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
 double normal_loss(const ContactLaw& law, const RollerContact& contact) {
   if (contact.penetration <= 0.0) {
@@ -202,7 +209,8 @@ void Assembly::impose_ends(SystemState& state) {
     const Attachment& held = system_->attachments[i];
     const std::size_t line = static_cast<std::size_t>(held.line);
     impose(state.lines[line], lines_[line].end_node(held.end), held,
-           paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].guide);
+           dragged(paid_out(surroundings_.ends[i], state.attachments[i].travel), state.attachments[i].way),
+           state.attachments[i].guide);
   }
 }
 
@@ -218,8 +226,19 @@ void Assembly::find_machine_axis(const SystemState& state) {
       held.hold_direction ? surroundings_.ends[machine].direction : Vec3(Eigen::Map<const Vec3>(t)).normalized();
 }
 
+/// Lines of winches are as long as the state has them.
+void Assembly::pay_out(const SystemState& state) {
+  for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
+    const Attachment& held = system_->attachments[i];
+    if (held.winch) {
+      lines_[static_cast<std::size_t>(held.line)].set_last_element(state.attachments[i].way.last_element);
+    }
+  }
+}
+
 void Assembly::evaluate(SystemState& state, const SystemState& before, const Weights& weights, bool with_tangent,
                         ContactMode contacts) {
+  pay_out(state);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
   }
@@ -375,7 +394,7 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     const LineAssembly& line = lines_[i];
     const LineState& at = state.lines[i];
     const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
-    add(now.line, line_energy(line.line().elements, line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
+    add(now.line, line_energy(line.elements(), line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
     add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
     if (line.line().yielding.any) {
       now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);
@@ -385,8 +404,23 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     now.anchor_power += end_power(line, at, LineEnd::first);
     now.top_power += end_power(line, at, LineEnd::last);
   }
+  add_winch_power(state, now);
   add_body_energy(state, now);
   return now;
+}
+
+/// A winch works on the line with what it holds the end by.
+void Assembly::add_winch_power(const SystemState& state, InstantEnergy& now) const {
+  for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
+    const Attachment& held = system_->attachments[i];
+    const double rate = state.attachments[i].way.rate;
+    if (held.winch && rate != 0.0) {
+      const std::size_t index = static_cast<std::size_t>(held.line);
+      const LineState& at = state.lines[index];
+      const LineMotion motion = lines_[index].motion_of(at, at, {}, surroundings_.water[index], nullptr);
+      now.top_power += rate * lines_[index].energy_by_length({at.q.data(), nullptr}, motion);
+    }
+  }
 }
 
 /// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.

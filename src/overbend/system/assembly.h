@@ -100,6 +100,8 @@ class Assembly {
   void lead_bodies(const SystemState& state);
   void put_border(const SystemState& state, const Weights& weights);
   void add_body_energy(const SystemState& state, InstantEnergy& now) const;
+  void add_winch_power(const SystemState& state, InstantEnergy& now) const;
+  void pay_out(const SystemState& state);
   void find_held();
   void add_governor(const SystemState& state);
   void add_governor_tangent(const SystemState& state, const Weights& weights);

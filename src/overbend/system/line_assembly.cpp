@@ -27,6 +27,34 @@ void LineAssembly::ease(const Easing& easing) {
   environment_.current_scale = easing.current * line_->environment.current_scale;
 }
 
+void LineAssembly::set_last_element(double length) {
+  if (length <= 0.0) {
+    paid_.reset();
+    return;
+  }
+  if (!paid_ || paid_->count != line_->elements.count) {
+    paid_ = line_->elements;
+  }
+  paid_->length[static_cast<std::size_t>(paid_->count) - 1] = length;
+}
+
+double LineAssembly::energy_by_length(const LineShape& shape, const LineMotion& motion) const {
+  constexpr double kShare = 1e-4;  // of the element; the difference is central
+  if (!paid_) {
+    return 0.0;
+  }
+  double& length = paid_->length[static_cast<std::size_t>(paid_->count) - 1];
+  const double now = length, part = kShare * now;
+  const auto energy = [&](double longer) {
+    length = now + longer;
+    const LineEnergy e = line_energy(*paid_, environment_, shape, motion, best_isa());
+    return e.kinetic + e.strain + e.gravity + e.seabed;
+  };
+  const double more = energy(part), less = energy(-part);
+  length = now;
+  return (more - less) / (2.0 * part);
+}
+
 LineTarget LineAssembly::clear(bool with_tangent) {
   std::fill(residual_.begin(), residual_.end(), 0.0);
   if (!with_tangent) {
@@ -44,7 +72,7 @@ void LineAssembly::keep_ends() {
 void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                                     bool with_tangent, bool keep_memory) {
   const LineTarget target = clear(with_tangent);
-  add_line_forces(line_->elements, environment_, state.shape(), target, best_isa());
+  add_line_forces(elements(), environment_, state.shape(), target, best_isa());
   if (remembers()) {
     choose_levels(yielding_, state.q.data());
     add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
@@ -78,7 +106,7 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
                             const std::vector<double>& water, bool with_tangent, ContactMode contacts) {
   const LineTarget target = clear(with_tangent);
   const LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
-  add_line_forces(line_->elements, environment_, {state.q.data(), nullptr}, motion, target, best_isa());
+  add_line_forces(elements(), environment_, {state.q.data(), nullptr}, motion, target, best_isa());
   if (yielding_.any) {
     state.bending_heat = before.bending_heat +
                          add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "system/held_directions.h"
@@ -34,6 +35,13 @@ class LineAssembly {
   RollerContacts& contacts() { return contacts_; }
   const LineEnvironment& environment() const { return environment_; }
   const StaticYielding& yielding_at_rest() const { return resting_; }
+  /// With the last element as long as it is now.
+  const LineElements& elements() const { return paid_ ? *paid_ : line_->elements; }
+  /// Unstressed length of the last element, where a winch gives it [m]; 0: that of the mesh.
+  void set_last_element(double length);
+  /// How the energy of the line grows with that length while its unknowns stand [N]: minus the tension, but for what
+  /// the new length brings with it.
+  double energy_by_length(const LineShape& shape, const LineMotion& motion) const;
 
   /// Six per node: internal minus external forces, inertia included.
   const std::vector<double>& residual() const { return residual_; }
@@ -79,8 +87,9 @@ class LineAssembly {
   void keep_ends();
 
   const Line* line_;
-  LineEnvironment environment_;  ///< Eased.
-  YieldingElements yielding_;    ///< With its levels.
+  LineEnvironment environment_;               ///< Eased.
+  mutable std::optional<LineElements> paid_;  ///< Where a winch gives the last element its length.
+  YieldingElements yielding_;                 ///< With its levels.
   Easing easing_;
   RollerContacts contacts_;
   StaticYielding resting_;

@@ -26,11 +26,33 @@ struct LineState {
   LineShape shape() const { return {q.data(), low.empty() ? nullptr : low.data()}; }
 };
 
+/// How an end gives way: a winch pays out, an anchor drags. In the order of the tension that it takes.
+enum class Giving {
+  steady,   ///< Follows its program, or stays; of a winch that keeps a tension: its least speed.
+  held_up,  ///< Slower than its program, at the tension at which it stalls; of the other: by its governor.
+  stopped,  ///< Does not haul in against more than that; of the other: its greatest speed.
+  yielding  ///< Renders or drags: as fast as keeps the tension at what it bears.
+};
+
+struct GivenWay {
+  double moved = 0.0;             ///< Paid out, or dragged, since the start [m].
+  double rate = 0.0;              ///< [m/s]
+  double last_element = 0.0;      ///< Unstressed length that a winch gives it; 0: that of the mesh [m].
+  Vec3 dragged = Vec3::Zero();    ///< Place of an anchor from where it was, W [m].
+  Vec3 drag_rate = Vec3::Zero();  ///< [m/s]
+  Giving how = Giving::steady;    ///< Over the last step.
+  double stiffness = 0.0;         ///< Fall of the tension with what gave way in a step, as found last [N/m].
+  double gave_way = 0.0;          ///< So far by yielding [m].
+  double held_up_for = 0.0;       ///< Time in which it could not haul in [s].
+};
+
 /// Of what holds an end of a line.
 struct AttachmentState {
   MotionValues guide{};  ///< Length of the tangent in a guide, the one unknown left there.
   TensionerMachine machine;
   MotionValues travel{};  ///< Of the tensioner, what was paid out [m].
+  GivenWay way;
+  bool parted = false;  ///< It has let the line go.
 };
 
 struct SystemState {

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "mechanics/tensioner.h"
 #include "mechanics/vessel_motion.h"
+#include "mechanics/winch.h"
 #include "system/body.h"
 #include "system/line.h"
 
@@ -22,7 +25,11 @@ struct Attachment {
   bool hold_direction = false;  ///< The tangent keeps the guide's direction; its length stays free.
   int body = kGround;
   Vec3 place = Vec3::Zero(), direction = Vec3::UnitX();  ///< In the body's frame; W on the ground [m].
-  TensionerLaw tensioner;  ///< Moves the end along the guide, where it is held; the default is a locked brake.
+  TensionerLaw tensioner;         ///< Moves the end along the guide, where it is held; the default is a locked brake.
+  std::optional<WinchLaw> winch;  ///< Where the end leaves a winch, which changes the length of its last element.
+  /// Of an anchor on the ground: more than this drags it along the line [N].
+  double holding = std::numeric_limits<double>::infinity();
+  double parts_at = std::numeric_limits<double>::infinity();  ///< Lets the line go then [s].
 };
 
 /// Motion of an attachment: place and direction of the guide with their rates, W.
