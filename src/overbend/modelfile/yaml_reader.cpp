@@ -99,6 +99,18 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
   return reading;
 }
 
+ModelReading read_stored_model(const std::string& text, const std::string& path) {
+  ModelReading reading;
+  if (first_garbage(text) != std::string::npos) return reading;
+  const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
+  if (!root || root->kind != YamlNode::Kind::map) return reading;
+  const FieldValue values = read_fields(*root, field_tree(), path, reading.diagnostics);
+  if (reading.diagnostics.has_errors()) return reading;
+  reading.description = bind_model(values, path);
+  reading.description->source_text = text;
+  return reading;
+}
+
 ModelReading read_still_model(const YamlNode& root, const std::string& path) {
   ModelReading reading;
   read_tree(root, path, Files::none, reading);
