@@ -13,8 +13,8 @@
 
 namespace overbend {
 
-/// `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `warnings` of POST /api/static. Lists run from the tensioner
-/// to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
+/// `key`, `pipe`, `touchdown`, `supports`, `tensioner`, `moorings`, `lines` and `warnings` of POST /api/static. Lists
+/// run from the tensioner to the anchor. `lists`: which of `pipe` are wanted beside s, x, y and z; all when null.
 Json static_json(const StaticResults& results, const std::vector<std::string>* lists = nullptr);
 
 /// The same of a hull on its mooring lines, and of lines by themselves: what is told of a pipe is null.
