@@ -265,7 +265,7 @@ void DynamicRecorder::find_support_values(const Instant& at) {
 void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.state->time, at.step);
-  moorings_.add(*at.assembly, at.state->time);
+  moorings_.add(*at.assembly, *at.state);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
   if (at.state->time <= 0.0) {
     return;

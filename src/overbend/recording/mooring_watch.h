@@ -16,8 +16,9 @@ class MooringWatch {
   MooringWatch(const std::optional<MooringsDescription>& moorings, const std::vector<std::string>& names);
 
   /// An accepted step.
-  void add(const Assembly& assembly, double time);
-  /// Lines beyond their breaking or working load, their winch's brake, their anchor's holding power.
+  void add(const Assembly& assembly, const SystemState& state);
+  /// Lines beyond their breaking or working load or their anchor's holding power; what rendered, dragged, could not
+  /// haul in or parted.
   std::vector<std::string> warnings() const;
 
   std::vector<double> save() const;
@@ -27,11 +28,22 @@ class MooringWatch {
   struct Peak {
     double tension = 0.0, time = 0.0;  ///< [N, s]
   };
+  struct Given {
+    double rendered = 0.0, dragged = 0.0;  ///< [m]
+    double held_up_for = 0.0;              ///< [s]
+    bool parted = false;
+    double least_element = 1.0, most_element = 1.0;  ///< Length of the last element, of its own.
+  };
   struct Watched {
     std::string name;
-    std::optional<double> breaking, working, brake, holding;  ///< [N]
+    std::optional<double> breaking, working, holding;  ///< [N]
+    bool drags = false;                                ///< Its anchor, above the holding power.
+    std::optional<double> brake, stall, parts_at;      ///< [N], [s]
     Peak fairlead, anchor;
+    Given given;
   };
+  void add_given(const System& system, const SystemState& state);
+  static void warn_of_given(const Watched& line, std::vector<std::string>& list);
   std::vector<Watched> lines_;
 };
 
