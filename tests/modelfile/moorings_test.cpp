@@ -435,5 +435,29 @@ TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
   for (const Slip& slip : slips) expect_told(good, slip);
 }
 
+TEST(moorings, programs_of_winches_are_read_and_looked_at) {
+  const std::string main = "main: {speed: 0.2 m/s, haul: 700 kN, stall: 900 kN, brake: 1600 kN, drum: 1500 m}";
+  const auto with = [&](const std::string& keys) { return replaced(kMoored, main, "main: {" + keys + "}"); };
+  const Description d = read_good(
+      with("mode: speed, speed: 0.1 m/s, acceleration_time: 5 s, program: [{time: 60 s, paid_out: 5 m}, {time: 300 s, "
+           "paid_out: -1 m}]"));
+  const WinchDescription& winch = d.moorings.value().winches.at(0);
+  EXPECT_EQ(winch.mode, WinchMode::speed);
+  EXPECT_EQ(winch.acceleration_time, 5.0);
+  ASSERT_EQ(winch.program.size(), 2u);
+  EXPECT_EQ(winch.program[1].time, 300.0);
+  EXPECT_EQ(winch.program[1].paid_out, -1.0);
+  EXPECT_EQ(read_good(with("mode: tension, tension: 300 kN, band: 20 kN")).moorings.value().winches.at(0).band, 20e3);
+  const auto refused = [&](const std::string& keys) {
+    return !read_model_text(with(keys), std::string(OVERBEND_SOURCE_DIR) + "/examples/bad.yaml")
+                .diagnostics.lines(Severity::error)
+                .empty();
+  };
+  EXPECT_TRUE(refused("mode: speed"));
+  EXPECT_TRUE(refused("program: [{time: 60 s, paid_out: 5 m}]"));  // a winch that holds
+  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s, paid_out: 5 m}, {time: 60 s, paid_out: 6 m}]"));
+  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s}]"));
+}
+
 }  // namespace
 }  // namespace overbend

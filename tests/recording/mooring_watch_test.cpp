@@ -149,7 +149,7 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
     changed += line.brake_rendered;
   }
   EXPECT_GT(changed, 0.1);
-  EXPECT_TRUE(says(second.results.warnings, "as its brake rendered at 240.0 kN"));
+  EXPECT_TRUE(says(second.results.warnings, "its brake, set to 240.0 kN, paid out"));
 }
 
 TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {

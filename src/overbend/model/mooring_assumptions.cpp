@@ -75,9 +75,9 @@ void assume_moorings(Sentences& list, const MooringsDescription& moorings, std::
       "out.");
   const bool slides = std::any_of(moorings.lines.begin(), moorings.lines.end(),
                                   [](const MooringLineDescription& line) { return line.anchor_holding.slides; });
-  list.push_back(slides
-                     ? "Anchors that may slide do so along their line, above their holding power; the others are fixed."
-                     : "Anchors are fixed points; where their holding power is given, its use is reported.");
+  list.push_back(slides ? "Anchors that may slide do so along their line, above their holding power less the uplift; "
+                          "the others are fixed."
+                        : "Anchors are fixed points; where their holding power is given, its use is reported.");
   if (moorings.model == MooringModel::quasi_static) {
     list.push_back(
         "In time the mooring lines are elastic catenaries that follow the hull at once: without mass, drag and waves "

@@ -15,14 +15,23 @@ enum class MooringModel { elements, quasi_static };
 enum class WinchMode { hold, speed, length, tension };
 enum class FindMooring { pose, lengths };
 
+/// What a winch has paid out by a time, hauled in negative.
+struct WinchStepDescription {
+  double time = 0.0;      ///< [s]
+  double paid_out = 0.0;  ///< [m]
+};
+
 struct WinchDescription {
   std::string name;
   WinchMode mode = WinchMode::hold;
-  double speed = 0.2;                        ///< Hauling at most [m/s].
-  std::optional<double> haul, stall, brake;  ///< [N]
-  std::optional<double> tension;             ///< Wanted, in mode tension [N].
-  double delay = 0.0;                        ///< [s]
-  std::optional<double> drum;                ///< Length it holds [m].
+  double speed = 0.2;                         ///< Hauling at most [m/s].
+  std::optional<double> haul, stall, brake;   ///< [N]
+  std::optional<double> tension;              ///< Wanted, in mode tension [N].
+  std::optional<double> band;                 ///< Either way of it, within which the winch stays [N].
+  double delay = 0.0;                         ///< [s]
+  double acceleration_time = 2.0;             ///< Up to its speed [s].
+  std::vector<WinchStepDescription> program;  ///< In mode speed when it starts, in mode length when it is there.
+  std::optional<double> drum;                 ///< Length it holds [m].
 };
 
 struct AnchorDescription {

@@ -71,11 +71,30 @@ void check_winch(Checker& check, const FieldValue& winch) {
   }
 }
 
+/// Steps of a program: in order, and of a mode that follows them.
+void check_program(Checker& check, const FieldValue& winch) {
+  const std::vector<FieldValue>& steps = Checker::items(winch, "program");
+  const WinchMode mode = winch.get_word<WinchMode>("mode").value_or(WinchMode::hold);
+  if (!steps.empty() && mode != WinchMode::speed && mode != WinchMode::length) {
+    check.error(*winch.find("program"), std::string("a program in mode ") + word_of(mode), "mode speed or length");
+  }
+  if (steps.empty() && mode == WinchMode::speed) {
+    check.missing(winch, "program", "a list of time and paid_out", "mode speed needs it");
+  }
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    const FieldValue *before = steps[i - 1].find("time"), *time = steps[i].find("time");
+    if (before != nullptr && time != nullptr && time->number <= before->number) {
+      check.error(*time, time->shown, "later than the step before, " + before->shown);
+    }
+  }
+}
+
 void check_winches(Checker& check, const std::set<std::string>& used) {
   const FieldValue* winches = check.root().find("moorings.winches");
   if (winches == nullptr) return;
   for (const FieldValue& winch : winches->children) {
     check_winch(check, winch);
+    check_program(check, winch);
     if (used.count(winch.key) == 0) check.warn(winch, "no line uses this winch");
   }
 }

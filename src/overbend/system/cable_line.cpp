@@ -71,6 +71,11 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   plan.fixed = fixed_places(parts);
   LineMesh mesh;
   mesh.s = graded_nodes(plan);
+  const double before_end = plan.fixed.size() > 1 ? plan.fixed[plan.fixed.size() - 2] : 0.0;
+  while (mesh.s.size() > 2 && length - mesh.s[mesh.s.size() - 2] < wanted.last &&
+         mesh.s[mesh.s.size() - 2] > before_end * (1.0 + 1e-9)) {
+    mesh.s.erase(mesh.s.end() - 2);
+  }
   for (std::size_t i = 0; i + 1 < mesh.s.size(); ++i) {
     mesh.length.push_back(mesh.s[i + 1] - mesh.s[i]);
     mesh.section.push_back(segment_at(parts, 0.5 * (mesh.s[i] + mesh.s[i + 1])));
