@@ -38,6 +38,8 @@ std::string current_words(const HullCurrentDescription& current) {
       return "none";
     case HullCurrentForm::table:
       return "table " + std::filesystem::path(current.table_file).filename().string();
+    case HullCurrentForm::ufc:
+      return "coefficients of UFC 4-159-03";
     case HullCurrentForm::strips:
       break;
   }
