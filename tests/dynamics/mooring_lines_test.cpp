@@ -97,7 +97,7 @@ Description busy() {
   moorings.lines[0].winch = "mover";
   moorings.lines[1].winch = "keeper";
   moorings.lines[2].fails_at = 0.1;
-  moorings.lines[3].anchor_holding = {150e3, true};
+  moorings.lines[3].anchor_holding = {180e3, true};
   return d;
 }
 
