@@ -183,7 +183,8 @@ TEST(anchor, drags_at_its_holding_power_and_stays_where_it_was_dragged_to) {
     most = std::max(most, tension_to_take(at.system().attachments[0], at.assembly().line(0)));
   };
   ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
-  EXPECT_LT(most, 1.0001 * holding);
+  EXPECT_LT(most, 1.01 * holding);  // half a percent for every 0.1 m/s
+  EXPECT_GT(most, holding);
   const Vec3 dragged = one.way(0).dragged;
   EXPECT_GT(dragged.x(), 0.2);
   EXPECT_EQ(one.way(0).gave_way, dragged.x());

@@ -48,19 +48,20 @@ Pull exact(double across, bool bed) {
   return {at.pull, at.sink};
 }
 
-// 10 elements miss the touchdown by some of their length; from 20 on the bed's stiffness alone is left.
+// Over half a metre either way: by less the stiffness of equal elements swings by a percent, as touchdown goes from one
+// of their integration points to the next. From 40 elements on the bed's stiffness alone is left.
 TEST(lines_refinement, on_the_bed_forces_and_stiffness_of_twenty_elements_are_those_of_the_catenary) {
   const Pull reference = exact(1000.0, true);
   ASSERT_NEAR(1e-3 * reference.horizontal, 287.17, 0.1);  // of 139.6 N/m
-  constexpr double kHalf = 0.05;
+  constexpr double kHalf = 0.5;
   const double stiffness =
       (exact(1000.0 + kHalf, true).horizontal - exact(1000.0 - kHalf, true).horizontal) / (2.0 * kHalf);
-  ASSERT_NEAR(1e-3 * stiffness, 45.95, 0.06);
+  ASSERT_NEAR(1e-3 * stiffness, 45.95, 0.5);
   struct Row {
     int elements;
     double force, stiffness;  ///< Tolerances [-].
   };
-  for (const Row& row : {Row{10, 5e-4, 1e-2}, Row{20, 2e-4, 1e-3}, Row{40, 2.5e-4, 5e-4}}) {
+  for (const Row& row : {Row{10, 1e-3, 1e-2}, Row{20, 5e-4, 1e-3}, Row{40, 2e-4, 2e-4}}) {
     const Pull at = pull(1000.0, 100.0, row.elements);
     EXPECT_NEAR(at.horizontal / reference.horizontal, 1.0, row.force) << row.elements;
     EXPECT_NEAR(at.vertical / reference.vertical, 1.0, row.force) << row.elements;

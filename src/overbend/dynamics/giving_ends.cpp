@@ -14,7 +14,10 @@ constexpr double kTensionTolerance = 1e-5;  ///< Of the tension kept.
 constexpr double kStill = 1e-9;             ///< Speed that is none [m/s].
 constexpr int kMostChanges = 6;             ///< Of the stair, in a step.
 constexpr double kShortestElement = 0.1;    ///< Of the last element of a line: no more of it can be hauled in.
-constexpr double kFarthest = 0.5;           ///< That a correction of what gave way may go [m].
+/// Speed of a dragged anchor at which the soil holds twice its holding power: so an anchor that is overloaded at once
+/// starts with a speed and not with a jump. Half a percent at 0.1 m/s.
+constexpr double kSoilSpeed = 20.0;
+constexpr double kFarthest = 0.5;  ///< That a correction of what gave way may go [m].
 
 std::size_t at(Giving how) {
   return static_cast<std::size_t>(how);
@@ -112,7 +115,7 @@ void GivingEnds::set_anchor(End& end, const SystemState& now) {
   const Attachment& held = system_->attachments[end.attachment];
   end.along = course(now.lines[static_cast<std::size_t>(held.line)]);
   end.stairs[at(Giving::steady)] = {true, false, now.attachments[end.attachment].way.moved, 0.0, 0.0, 0.0, 0.0, 0.0};
-  end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, held.holding, 0.0, 0.0, kEver};
+  end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, held.holding, held.holding / kSoilSpeed, 0.0, kEver};
 }
 
 void GivingEnds::begin(const SystemState& now, double h, SystemState& next) {
