@@ -214,6 +214,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
   fill_assumptions(results);
+  if (move_ != nullptr) assume_of_move(*model_, *move_, results);
   fill_slamming(results);
   fill_warnings(results);
   warn_of_slack(*statics_, results);
