@@ -42,6 +42,22 @@ TEST(energy_account, shows_energy_that_nothing_accounts_for) {
   EXPECT_NEAR(account.balance().drift(), 0.5 / 2.0, 1e-8);
 }
 
+TEST(energy_account, what_material_brings_with_it_is_no_error) {
+  const auto heavier = [](double t) {  // something that moves and is stretched joins
+    InstantEnergy now = pulled(t);
+    now.line.kinetic += 0.3;
+    now.line.strain += 5.0;
+    now.line.gravity -= 2.0;
+    return now;
+  };
+  EnergyAccount account = account_until(2.0, 3);
+  account.carry(pulled(2.0), heavier(2.0));
+  account.add(heavier(3.0), 1.0);
+  EXPECT_NEAR(account.balance().error, 0.0, 1e-12);
+  EXPECT_NEAR(account.balance().kinetic, 9.0, 1e-12);
+  EXPECT_NEAR(account.balance().strain, 0.0, 1e-12);
+}
+
 TEST(energy_account, goes_on_from_what_was_saved) {
   const EnergyAccount before = account_until(2.0, 3);
   EnergyAccount restored;

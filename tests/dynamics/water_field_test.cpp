@@ -98,5 +98,22 @@ TEST(water_interval, divides_the_output_step) {
   EXPECT_LE(interval, 0.5);
 }
 
+TEST(water_field, a_memory_made_anew_in_mid_interval_is_that_of_before) {
+  Dip dip;
+  const Sea sea = storm();
+  WaterField field(sea, dip.mesh, dip.q, 0.0, 0.5);
+  WaterMemory memory, anew;
+  field.start(memory, 20.0, dip.q, dip.v);
+  std::vector<double> later = dip.q;
+  for (std::size_t i = 0; i < later.size(); ++i) later[i] += 0.2 * dip.v[i];
+  WaterField same(sea, dip.mesh, field.station_nodes(), 0.0, 0.5);
+  anew.time = memory.time;
+  same.renew(anew, 20.2, later, dip.v);
+  std::vector<double> a(dip.mesh.s.size() * kWaterValues), b(a.size());
+  field.nodes_at(memory, 20.3, a);
+  same.nodes_at(anew, 20.3, b);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], 1e-9) << i;
+}
+
 }  // namespace
 }  // namespace overbend

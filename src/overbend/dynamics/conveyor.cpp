@@ -83,7 +83,7 @@ double Conveyor::next_length() const {
   const PieceAbove piece = piece_above(*model_, fed_ + kSame);
   if (!std::isfinite(piece.to)) return element_;
   const double length = piece.to - std::max(piece.from, std::min(fed_, 0.0));
-  return length / std::ceil(length / element_ - kSame);
+  return length / std::max(1.0, std::ceil(length / element_ - kSame));
 }
 
 bool Conveyor::due(const System& system, const SystemState& state) const {

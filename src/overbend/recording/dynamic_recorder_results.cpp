@@ -216,6 +216,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.moorings = moorings_.results();
   if (floating_) results.vessel = floating_->results();
   fill_assumptions(results);
+  if (move_ != nullptr) assume_of_move(*model_, *move_, results);
   fill_slamming(results);
   fill_warnings(results);
   warn_of_slack(*statics_, results);

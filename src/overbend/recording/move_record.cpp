@@ -15,6 +15,15 @@ void add_move_columns(std::vector<RecordedColumn>& columns) {
                      [](const RowSource& row) { return row.now.move.joints; }});
 }
 
+void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
+  const bool told = model.description.vessel.motion != VesselMotion::coupled;
+  results.assumptions.push_back(
+      fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on; pipe that is paid out joins the line in "
+                  "elements, and its weight between the guide and the last of them is left out.",
+                  told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
+                  move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start));
+}
+
 void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
   const TensionerDescription& tensioner = model.description.tensioner;
   if (move.end() > results.duration) {

@@ -13,6 +13,9 @@ namespace overbend {
 /// Way of the vessel, pipe paid out, joints.
 void add_move_columns(std::vector<RecordedColumn>& columns);
 
+/// What the results hold of the move by assumption.
+void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results);
+
 /// Where the run ends before the move does, or the tensioner cannot pay out what the vessel leaves behind.
 void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results);
 
