@@ -109,6 +109,28 @@ TEST(hull, mean_drift_acts_before_the_waves_only_where_it_is_asked_for) {
   EXPECT_NEAR(-half.residual(1), f.mean_drift(1) + 0.5 * (f.drift(1) - f.mean_drift(1) + f.first_order(1)), 1.0);
 }
 
+TEST(hull, steady_forces_are_current_with_munks_moment_and_the_drift_that_is_asked_for) {
+  Hull hull = testing::bgl1_in(testing::long_crested(4.0, 12.9, 0.5 * kPi, 1), WaveDrift::newman);
+  hull.current.form = HullCurrentForm::strips;
+  hull.current.velocity = {0.7, 0.7};  // towards the port bow of a hull that heads east
+  hull.current.length = 120.0;
+  hull.current.draught = 5.182;
+  hull.current.transverse = 0.8;
+  const SteadyForces still = steady_forces(hull, 0.0);
+  EXPECT_EQ(still.drift.norm(), 0.0);
+  EXPECT_EQ(still.wind.norm(), 0.0);
+  hull.munk = 6.9e6;
+  hull.mean_drift_from_start = true;
+  const SteadyForces forces = steady_forces(hull, 0.0);
+  EXPECT_EQ(forces.drift, mean_drift(hull.waves, 0.0));
+  // The flow turns the hull across itself: bow to starboard.
+  EXPECT_NEAR(forces.current(5) - still.current(5), -6.9e6 * 0.49, 1.0);
+  HullBalance out;
+  const HullState rest = hull_at_rest(hull, hull.drawn);
+  balance_hull(hull, rest, rest, 0.0, {}, kBeforeWaves, out);
+  EXPECT_LT((forces.sum() + out.residual).norm(), 1e-6 * forces.sum().norm());
+}
+
 TEST(hull, answer_turns_with_the_world) {
   // Hull, waves, current, wind and loads turned by an angle: the same forces, turned.
   const double angle = 217.0 * kPi / 180.0;

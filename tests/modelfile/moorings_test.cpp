@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <numbers>
 
 #include "base/yaml_document.h"
@@ -405,6 +406,18 @@ TEST(coupled_hull, current_may_act_by_the_coefficients_of_the_hulls_dimensions) 
   const Description d = read_good(replaced(kCoupled, "{transverse: 0.9}", "{form: ufc, relative_to: earth}"));
   EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::ufc);
   EXPECT_EQ(d.vessel.coupled->current.relative_to, CurrentRelativeTo::earth);
+}
+
+TEST(coupled_hull, wind_may_act_by_a_table) {
+  const std::string file = ::testing::TempDir() + "wind_table.csv";
+  std::ofstream(file) << "angle_deg,cx,cy,cz\n0,0.7,0,0\n60,0.4,0.6,0.05\n120,-0.4,0.6,-0.05\n180,-0.7,0,0\n";
+  const std::string areas =
+      "areas: [{name: deckhouse, area: 200 m^2, centre: {x: -30 m, y: 0 m, z: 10 m}, frontal: yes}]";
+  const std::string table = "table: " + file + ", axes: to_from_bow, frontal_area: 115 m^2, lateral_area: 460 m^2";
+  const WindDescription wind = read_good(replaced(kCoupled, areas, table)).vessel.coupled->wind;
+  EXPECT_EQ(wind.table.size(), 6U);  // the other side is mirrored
+  EXPECT_EQ(wind.frontal_area.value(), 115.0);
+  EXPECT_EQ(wind.axes.value(), CoefficientAxes::to_from_bow);
 }
 
 TEST(coupled_hull, mean_drift_acts_in_statics_as_asked_for) {

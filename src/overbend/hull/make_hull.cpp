@@ -75,12 +75,15 @@ HullCurrent current_on(const Model& model, const CoupledHullDescription& hull) {
   return c;
 }
 
-HullWind wind_on(const CoupledHullDescription& hull) {
+HullWind wind_on(const VesselDescription& vessel, const CoupledHullDescription& hull) {
   HullWind wind;
   wind.velocity = towards(hull.wind.speed, hull.wind.from);
   wind.density = hull.wind.air_density;
   wind.reference_V = hull.centre_of_gravity;
   wind.areas = hull.wind.areas;
+  if (!hull.wind.table_file.empty()) {
+    wind.table = table_of(hull.wind, vessel, vessel.depth - vessel.draught, "wind");
+  }
   return wind;
 }
 
@@ -165,7 +168,7 @@ Hull hull_in_surroundings(const Model& model, const CoupledHullDescription& give
   Hull hull;
   place(hull, model, given.centre_of_gravity);
   hull.current = current_on(model, given);
-  hull.wind = wind_on(given);
+  hull.wind = wind_on(model.description.vessel, given);
   if (given.data) put_waves(hull, model, sea, given);
   return hull;
 }

@@ -63,6 +63,10 @@ struct WindDescription {
   double from = 0.0;           ///< Azimuth [rad].
   double air_density = 1.226;  ///< [kg/m3]
   std::vector<WindAreaDescription> areas;
+  std::string table_file;  ///< In place of areas.
+  std::optional<CoefficientAxes> axes;
+  std::optional<double> frontal_area, lateral_area, length;  ///< Of the table's coefficients [m2, m2, m].
+  std::vector<CoefficientRow> table;
 };
 
 struct CoupledHullDescription {

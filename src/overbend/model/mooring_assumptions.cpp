@@ -41,8 +41,9 @@ void assume_coupled(Sentences& list, const Model& model) {
   if (hull.wind.speed <= 0.0) {
     list.push_back("There is no wind.");
   } else {
-    list.push_back(fmt::format(
-        "A steady wind of {:.3g} m/s acts on the hull by areas with shape and height coefficients.", hull.wind.speed));
+    list.push_back(fmt::format("A steady wind of {:.3g} m/s acts on the hull by {}.", hull.wind.speed,
+                               hull.wind.table_file.empty() ? std::string("areas with shape and height coefficients")
+                                                            : "the table of coefficients " + hull.wind.table_file));
   }
   if (hull.wave_drift == WaveDrift::newman) {
     list.push_back(

@@ -216,7 +216,7 @@ std::vector<Field> wind() {
                    azimuth()),
       quantity_row(w + ".air_density", defaults(&Wind::air_density), "Density of the air.", {"kg/m^3", "kg/m^3"},
                    {.low = 0.0, .high = 2.0, .low_open = true}),
-      list_row(w + ".areas", enters(&Wind::areas), "Areas exposed to the wind.", "none"),
+      list_row(w + ".areas", enters(&Wind::areas), "Areas exposed to the wind; or a table.", "none"),
       group_row(a, appends_named<Area>("area"), "One area."),
       otherwise(row_of_kind(FieldKind::text, a + ".name", fills(&Area::name), "For the report."), "area 1, 2, ..."),
       required(quantity_row(a + ".area", fills(&Area::area), "Projected area.", kArea, kPositive)),
@@ -227,6 +227,7 @@ std::vector<Field> wind() {
       row_of_kind(FieldKind::choice, a + ".frontal", defaults(&Area::frontal),
                   "yes: faces the bow; no: faces the side."),
   };
+  append(rows, coefficient_table<Wind>(w));
   append(rows, vector_rows({.group = required(
                                 group_row(a + ".centre", enters(&Area::centre), "Its centre, in the vessel's frame.")),
                             .shown = kLength,

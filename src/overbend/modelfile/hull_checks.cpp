@@ -105,11 +105,14 @@ void check_hull_current(Checker& check, const FieldValue& hull, const std::strin
   }
 }
 
-void check_wind(Checker& check, const FieldValue& hull) {
+void check_wind(Checker& check, const FieldValue& hull, const std::string& file) {
   const FieldValue* wind = hull.find("wind");
   if (wind == nullptr || !wind->given) return;
-  if (!wind->mentions("areas") && wind->get_number("speed").value_or(0.0) > 0.0) {
-    check.missing(*wind, "areas", "a list of areas", "without them the wind acts on nothing");
+  check_table(check, *wind, file);
+  const FieldValue* table = wind->find("table");
+  if (table != nullptr && wind->mentions("areas")) check.error(*table, "a table and areas", "one of them");
+  if (table == nullptr && !wind->mentions("areas") && wind->get_number("speed").value_or(0.0) > 0.0) {
+    check.missing(*wind, "areas", "a list of areas", "or a table; without them the wind acts on nothing");
   }
 }
 
@@ -152,7 +155,7 @@ void check_hull(Checker& check, const std::string& file) {
   if (hull == nullptr) return;
   check_damping(check, *hull);
   check_hull_current(check, *hull, file);
-  check_wind(check, *hull);
+  check_wind(check, *hull, file);
   check_hydrodynamics(check, *hull, file);
   check_mass(check, *hull);
 }

@@ -92,6 +92,9 @@ void read_hull_files(const FieldValue& root, Description& description, Diagnosti
   if (hull.current.form == HullCurrentForm::table) {
     hull.current.table = read_coefficient_table(hull.current.table_file, diagnostics);
   }
+  if (!hull.wind.table_file.empty()) {
+    hull.wind.table = read_coefficient_table(hull.wind.table_file, diagnostics);
+  }
 }
 
 }  // namespace overbend

@@ -23,6 +23,7 @@ std::vector<std::string> named_files(const Description& d) {
   std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file};
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);
+    files.push_back(d.vessel.coupled->wind.table_file);
     for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
       files.push_back(d.vessel.coupled->hydrodynamics + ending);
     }
