@@ -3,7 +3,7 @@
 (function () {
   const kWidth = 960;
 
-  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, lane: room for names above the plot}
+  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, x_tick_values, lane: room for names above the plot}
   Report.frame = function (panel, options) {
     const margin = { left: options.left || 88, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: options.bottom || 50 };
     const full_width = options.width || kWidth;
@@ -32,7 +32,7 @@
 
     const back = svg.append('g');
     const grid = svg.append('g').attr('class', 'grid');
-    const x_ticks = x.ticks(options.x_ticks || 10);
+    const x_ticks = options.x_tick_values || x.ticks(options.x_ticks || 10);
     const y_ticks = options.y_ticks || y.ticks(Math.max(3, Math.round(inner_height / 48)));
     grid.selectAll(null).data(x_ticks).join('line')
       .attr('x1', (d) => x(d)).attr('x2', (d) => x(d)).attr('y1', margin.top).attr('y2', height - margin.bottom);

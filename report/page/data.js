@@ -5,31 +5,34 @@ var Report = {};
   const data = JSON.parse(document.getElementById('results-data').textContent);
   Report.data = data;
 
-  const st = data.stations;
-  st.count = st.s.length;
+  // Of a model with a pipe.
+  if (data.stations) {
+    const st = data.stations;
+    st.count = st.s.length;
 
-  // The overbend: from the tensioner to a little beyond the last box, so that the pipe is seen leaving.
-  if (data.supports.length > 0) {
-    const last = data.supports[data.supports.length - 1];
-    const reach = Math.max(...data.supports.map((b) => b.s + b.length / 2));
-    data.overbend_end = Math.min(st.s[st.count - 1], reach + Math.max(5, 0.12 * reach));
-    data.tip = last;
+    // The overbend: from the tensioner to a little beyond the last box, so that the pipe is seen leaving.
+    if (data.supports.length > 0) {
+      const last = data.supports[data.supports.length - 1];
+      const reach = Math.max(...data.supports.map((b) => b.s + b.length / 2));
+      data.overbend_end = Math.min(st.s[st.count - 1], reach + Math.max(5, 0.12 * reach));
+      data.tip = last;
+    }
+
+    // The pipe laid on the seabed is the same all along; show enough of it to see that.
+    const beyond = Math.max(30, 0.15 * data.touchdown.s);
+    data.whole_end = Math.min(st.s[st.count - 1], data.touchdown.s + beyond);
+
+    Report.indices = function (s_end) {
+      return d3.range(st.count).filter((i) => st.s[i] <= s_end + 1e-9);
+    };
+
+    // Linear between stations.
+    Report.at = function (column, s) {
+      const i = Math.min(Math.max(d3.bisectLeft(st.s, s), 1), st.count - 1);
+      const t = (s - st.s[i - 1]) / (st.s[i] - st.s[i - 1] || 1);
+      return st[column][i - 1] + Math.min(Math.max(t, 0), 1) * (st[column][i] - st[column][i - 1]);
+    };
   }
-
-  // The pipe laid on the seabed is the same all along; show enough of it to see that.
-  const beyond = Math.max(30, 0.15 * data.touchdown.s);
-  data.whole_end = Math.min(st.s[st.count - 1], data.touchdown.s + beyond);
-
-  Report.indices = function (s_end) {
-    return d3.range(st.count).filter((i) => st.s[i] <= s_end + 1e-9);
-  };
-
-  // Linear between stations.
-  Report.at = function (column, s) {
-    const i = Math.min(Math.max(d3.bisectLeft(st.s, s), 1), st.count - 1);
-    const t = (s - st.s[i - 1]) / (st.s[i] - st.s[i - 1] || 1);
-    return st[column][i - 1] + Math.min(Math.max(t, 0), 1) * (st[column][i] - st[column][i - 1]);
-  };
 
   // A box's name where room is short.
   Report.shortened = (name) => (name.length > 16 ? name.slice(0, 15) + '\u2026' : name);

@@ -17,6 +17,15 @@
     return `${text(spread.min)} to ${text(spread.max)}, mean ${text(spread.mean)}, std ${text(spread.std)}`;
   }
 
+  // As much of the statistics as finds room.
+  function small_title(history) {
+    const head = `${history.title}${unit_of(history)}`;
+    const text = (value) => Report.fixed(value, history.digits);
+    const spread = history.over_time;
+    const all = [`${head}: ${statistics(history)}`, `${head}: ${text(spread.min)} to ${text(spread.max)}, std ${text(spread.std)}`, `${head}: ${text(spread.min)} to ${text(spread.max)}`];
+    return all.find((words) => Report.measured(words, 14) < kHalf - 62) || head;
+  }
+
   function draw(panel, history, small) {
     const top = history.lowest + 4095 * history.quantum;
     let lo = history.lowest;
@@ -26,7 +35,7 @@
     // What moves less than the last digit shown is a level line.
     const least = 10 ** -history.digits;
     const room = 0.08 * (hi - lo) + (hi - lo < least ? least : 0);
-    const title = small ? `${history.title}${unit_of(history)}: ${statistics(history)}` : `${history.title}: ${statistics(history)}${history.unit ? ' ' + history.unit : ''}`;
+    const title = small ? small_title(history) : `${history.title}: ${statistics(history)}${history.unit ? ' ' + history.unit : ''}`;
     const frame = Report.frame(panel, {
       width: small ? kHalf : undefined, height: small ? 190 : 250, left: small ? 62 : 78, x: [-build_up / time_unit.seconds, duration / time_unit.seconds], y: [lo - room, hi + room], x_ticks: small ? 6 : 10,
       title, x_label: `Time from the end of the build-up [${time_unit.name}]`, y_label: small ? '' : unit_of(history).trim(),
@@ -35,10 +44,11 @@
     build_up_shade(frame);
     if (history.shade) shade(frame, history.shade);
     const line = band(frame, history, { line: colours.dynamic, area: colours.history });
+    if (history.slow) band(frame, history.slow, { line: colours.second, area: colours.second });
     if (history.static !== null) {
       if (!line) level_line(frame, history.static, '#fff', null, 3.5);
       level_line(frame, history.static, colours.accent, '7 4');
-      Report.legend(frame, [{ text: `static ${Report.fixed(history.static, history.digits)}`, colour: colours.accent, dash: '7 4' }]);
+      if (!small) Report.legend(frame, [...(history.slow ? [{ text: 'slow part', colour: colours.second }] : []), { text: `static ${Report.fixed(history.static, history.digits)}`, colour: colours.accent, dash: '7 4' }]);
     }
     if (lo < 0 && hi > 0) frame.back.append('line').attr('x1', frame.margin.left).attr('x2', frame.width - frame.margin.right).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#8794a0');
   }

@@ -76,6 +76,13 @@
     shares: Report.share_bars,
     ranges: Report.reaction_ranges,
     impacts: Report.impact_scatter,
+    mooring_plan: Report.mooring_plan,
+    mooring_profile: Report.mooring_profile,
+    mooring_offsets: Report.mooring_offsets,
+    mooring_stages: Report.mooring_stages,
+    move_pipe: Report.move_pipe,
+    line_shape: Report.line_shape,
+    line_tension: Report.line_tension,
     compared_tensioner: Report.compared_tensioner,
     compared_contact: Report.compared_contact,
   };

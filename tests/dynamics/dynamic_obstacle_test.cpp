@@ -21,5 +21,15 @@ TEST(dynamic_obstacle, says_why_a_model_has_statics_but_no_dynamic_analysis) {
   EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
 }
 
+TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {
+  Description d = workable();
+  d.operation.type = OperationType::pull_ahead;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.operation.acceleration_time = 0.0;
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->where, "operation.acceleration_time");
+}
+
 }  // namespace
 }  // namespace overbend

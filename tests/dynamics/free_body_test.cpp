@@ -327,10 +327,11 @@ TEST(free_body, that_is_held_leaves_its_line_what_it_is_and_shows_the_wrench_of_
 
 /// A spring without length from a point of the world.
 BodySpring to_point(const Vec3& place_V, const Vec3& point, double stiffness) {
-  return {place_V, [point, stiffness](const Vec3& place) {
-            const Vec3 away = place - point;
-            return PlaceForce{-stiffness * away, stiffness * Mat3::Identity(), 0.5 * stiffness * away.squaredNorm()};
-          }};
+  return {
+      place_V, [point, stiffness](const Vec3& place, double, const LineEndForces&) {
+        const Vec3 away = place - point;
+        return PlaceForce{-stiffness * away, stiffness * Mat3::Identity(), 0.5 * stiffness * away.squaredNorm(), {}};
+      }};
 }
 
 TEST(free_body, on_quasi_static_lines_keeps_its_energy_to_second_order) {

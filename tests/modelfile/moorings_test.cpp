@@ -56,6 +56,13 @@ TEST(moorings, what_was_assumed_of_lines_is_said) {
   }
 }
 
+TEST(moorings, a_vessel_whose_motion_is_told_moves_ahead_without_them) {
+  const std::string told = testing::kGoodModel;
+  const Description d = read_good(told + "\noperation: {type: pull_ahead, distance: 12.2 m}\n");
+  EXPECT_EQ(d.operation.type, OperationType::pull_ahead);
+  EXPECT_EQ(d.operation.distance, 12.2);
+}
+
 TEST(moorings, keys_fill_the_description) {
   const Description d = read_good(kMoored);
   ASSERT_TRUE(d.moorings && d.moorings->lines.size() == 3U && d.moorings->winches.size() == 1U);
@@ -201,6 +208,10 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "moorings.lines[1].segments[0].friction", "put the property into the type"},
       {"fairlead in the bed", "fairlead: {x: -57 m, y: 0 m, z: 3 m}", "fairlead: {x: -57 m, y: 0 m, z: -90 m}",
        "moorings.lines[2].fairlead.z", "above the seabed"},
+      {"line too short", "type: given, length: 1000 m", "type: given, length: 900 m", "moorings.lines[2].length",
+       "997.453 m from its fairlead to its anchor"},
+      {"segments too short", "{type: wire64, length: 700 m}", "{type: wire64, length: 600 m}",
+       "moorings.lines[1].segments", "too short to reach"},
       {"fairlead in mm", "fairlead: {x: -57 m,", "fairlead: {x: -57 km,", "moorings.lines[2].fairlead.x",
        "far outside the vessel"},
       {"two of a name", "name: starboard bow", "name: port bow", "moorings.lines[1].name", "already in line"},
@@ -219,10 +230,50 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "moorings.least_tension", "less than the working load"},
       {"distance of a moored vessel", "type: moored", "type: moored\n  distance: 12 m", "operation.distance",
        "pull_ahead"},
+      {"anchor of a moored vessel", "type: moored", "type: moored\n  line: stern", "operation.line", "anchor_move"},
       {"held and floating", "  heading: 90 deg", "  heading: 90 deg\n  motion: fixed", "vessel.hydrostatics",
        "one of them"},
   };
   for (const Slip& slip : slips) expect_told(kMoored, slip);
+}
+
+/// The operation of the text in place of its stages.
+std::string with_operation(const std::string& operation) {
+  return kMoored.substr(0, kMoored.find("operation:")) + "operation: " + operation + "\n";
+}
+
+TEST(moorings, a_pull_ahead_has_a_shape_and_rests_between_its_moves) {
+  const ModelReading reading = read_model_text(
+      with_operation("{type: pull_ahead, distance: 12 m, moves: 3, wait: 4 min, shape: zero_vibration}"), "model.yaml");
+  ASSERT_TRUE(reading.description);
+  EXPECT_EQ(reading.description->operation.wait, 240.0);
+  EXPECT_EQ(reading.description->operation.shape, MoveShape::zero_vibration);
+}
+
+TEST(moorings, an_anchor_is_moved_to_a_place_or_by_a_direction_and_a_distance) {
+  const ModelReading place = read_model_text(
+      with_operation("{type: anchor_move, line: stern, to: {x: -1500 m, y: 30 m}, test_tension: 800 kN}"),
+      "model.yaml");
+  ASSERT_TRUE(place.description);
+  const AnchorMoveDescription& move = place.description->operation.anchor;
+  EXPECT_EQ(move.line, "stern");
+  EXPECT_EQ((*move.to)[0], -1500.0);
+  EXPECT_EQ(move.handling_tension, 50e3);
+  EXPECT_EQ(move.test_tension, 800e3);
+  const struct {
+    const char *operation, *key;
+  } slips[] = {{"{type: anchor_move, line: stren, to: {x: 1 m, y: 2 m}}", "operation.line"},
+               {"{type: anchor_move, to: {x: 1 m, y: 2 m}}", "operation.line"},
+               {"{type: anchor_move, line: stern}", "operation.to"},
+               {"{type: anchor_move, line: stern, bearing: 10 deg}", "operation.anchor_distance"},
+               {"{type: anchor_move, line: stern, to: {x: 1 m, y: 2 m}, bearing: 10 deg}", "operation.to"},
+               {"{type: pull_ahead, handling_tension: 50 kN}", "operation.handling_tension"}};
+  for (const auto& slip : slips) {
+    const ModelReading reading = read_model_text(with_operation(slip.operation), "model.yaml");
+    ASSERT_GE(reading.diagnostics.error_count(), 1) << slip.operation;
+    EXPECT_NE(reading.diagnostics.lines(Severity::error).at(0).find(slip.key), std::string::npos)
+        << reading.diagnostics.lines(Severity::error).at(0);
+  }
 }
 
 // One for each line that has none.
@@ -350,6 +401,18 @@ TEST(coupled_hull, current_may_be_left_out_only_in_words) {
   EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::none);
 }
 
+TEST(coupled_hull, current_may_act_by_the_coefficients_of_the_hulls_dimensions) {
+  const Description d = read_good(replaced(kCoupled, "{transverse: 0.9}", "{form: ufc, relative_to: earth}"));
+  EXPECT_EQ(d.vessel.coupled->current.form, HullCurrentForm::ufc);
+  EXPECT_EQ(d.vessel.coupled->current.relative_to, CurrentRelativeTo::earth);
+}
+
+TEST(coupled_hull, mean_drift_acts_in_statics_as_asked_for) {
+  EXPECT_FALSE(read_good(kCoupled).statics.mean_drift);
+  EXPECT_TRUE(read_good(kCoupled + "analysis: {static: {mean_drift: yes}}\n").statics.mean_drift.value());
+  EXPECT_FALSE(read_good(kCoupled + "analysis: {static: {mean_drift: no}}\n").statics.mean_drift.value());
+}
+
 TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
   const std::string c = "vessel.motion.coupled.";
   const std::string stem = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
@@ -363,11 +426,37 @@ TEST(coupled_hull, every_slip_is_told_once_with_key_and_remedy) {
       {"damping of another dimension", "linear: 100 kN*s/m", "linear: 100 kN*m*s", c + "damping.sway.linear", "kN*s/m"},
       {"areas without a table", "{transverse: 0.9}", "{lateral_area: 600 m^2}", c + "current.lateral_area",
        "the key table"},
+      {"coefficients twice", "{transverse: 0.9}", "{form: ufc, transverse: 0.9}", c + "current.transverse",
+       "one of them"},
       {"wind on nothing",
        ", areas: [{name: deckhouse, area: 200 m^2, centre: {x: -30 m, y: 0 m, z: 10 m}, frontal: yes}]", "",
        c + "wind.areas", "acts on nothing"},
   };
   for (const Slip& slip : slips) expect_told(good, slip);
+}
+
+TEST(moorings, programs_of_winches_are_read_and_looked_at) {
+  const std::string main = "main: {speed: 0.2 m/s, haul: 700 kN, stall: 900 kN, brake: 1600 kN, drum: 1500 m}";
+  const auto with = [&](const std::string& keys) { return replaced(kMoored, main, "main: {" + keys + "}"); };
+  const Description d = read_good(
+      with("mode: speed, speed: 0.1 m/s, acceleration_time: 5 s, program: [{time: 60 s, paid_out: 5 m}, {time: 300 s, "
+           "paid_out: -1 m}]"));
+  const WinchDescription& winch = d.moorings.value().winches.at(0);
+  EXPECT_EQ(winch.mode, WinchMode::speed);
+  EXPECT_EQ(winch.acceleration_time, 5.0);
+  ASSERT_EQ(winch.program.size(), 2u);
+  EXPECT_EQ(winch.program[1].time, 300.0);
+  EXPECT_EQ(winch.program[1].paid_out, -1.0);
+  EXPECT_EQ(read_good(with("mode: tension, tension: 300 kN, band: 20 kN")).moorings.value().winches.at(0).band, 20e3);
+  const auto refused = [&](const std::string& keys) {
+    return !read_model_text(with(keys), std::string(OVERBEND_SOURCE_DIR) + "/examples/bad.yaml")
+                .diagnostics.lines(Severity::error)
+                .empty();
+  };
+  EXPECT_TRUE(refused("mode: speed"));
+  EXPECT_TRUE(refused("program: [{time: 60 s, paid_out: 5 m}]"));  // a winch that holds
+  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s, paid_out: 5 m}, {time: 60 s, paid_out: 6 m}]"));
+  EXPECT_TRUE(refused("mode: length, program: [{time: 60 s}]"));
 }
 
 }  // namespace

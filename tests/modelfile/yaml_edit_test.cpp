@@ -76,6 +76,11 @@ TEST(yaml_edit, missing_groups_are_made) {
   EXPECT_EQ(set(kText, "a.x", "9"), with("a: 1 ", "a: {x: 9} "));
 }
 
+TEST(yaml_edit, a_new_list_of_groups_has_an_item_a_line) {
+  EXPECT_EQ(edit_yaml(kText, {{"b.new[0]", Kind::flow, "{x: 9}"}, {"b.new[1]", Kind::flow, "{x: 8}"}}),
+            with("# flow\n", "# flow\n  new:\n    - {x: 9}\n    - {x: 8}\n"));
+}
+
 TEST(yaml_edit, a_list_grows_at_its_end_only) {
   EXPECT_EQ(edit_yaml(kText, {{"list[2]", Kind::flow, "{x: 5, y: 6}"}}), with("y: 4}\n", "y: 4}\n- {x: 5, y: 6}\n"));
   EXPECT_EQ(set(kText, "b.d.f[2]", "3"), with("[1, 2]", "[1, 2, 3]"));

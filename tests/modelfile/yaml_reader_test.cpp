@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 
 #include "modelfile/model_texts.h"
@@ -138,6 +140,18 @@ TEST(yaml_reader, vessel_motion_takes_all_its_forms) {
   const Description history = with_motion("  motion: {history: ../h.csv}");
   EXPECT_EQ(history.vessel.motion, VesselMotion::history);
   EXPECT_EQ(history.vessel.motion_file, "h.csv");
+}
+
+TEST(yaml_reader, a_stored_text_is_read_without_the_files_that_it_names) {
+  std::ifstream in(std::string(OVERBEND_SOURCE_DIR) + "/examples/moored-barge.yaml");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_FALSE(read_model_text(text, "/nowhere/model.yaml").description);
+  const ModelReading stored = read_stored_model(text, "/nowhere/model.yaml");
+  ASSERT_TRUE(stored.description);
+  EXPECT_EQ(stored.description->moorings->lines.size(), 8u);
+  EXPECT_DOUBLE_EQ(stored.description->vessel.coupled->mass, 19121.58e3);
+  EXPECT_FALSE(read_stored_model("no: [model", "model.yaml").description);
+  EXPECT_FALSE(read_stored_model(std::string("a\xff", 2), "model.yaml").description);
 }
 
 TEST(yaml_reader, a_file_that_only_dynamics_needs_is_missed_with_a_warning) {

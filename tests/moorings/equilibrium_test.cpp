@@ -4,26 +4,17 @@
 
 #include <chrono>
 
-#include "moorings/hull_at_rest.h"
-#include "moorings/mooring_fixtures.h"
-#include "moorings/planner.h"
+#include "moorings/bgl1_spread.h"
 
 namespace overbend {
 namespace {
 
 using nlohmann::json;
 
-/// The barge of a description in its place.
-struct Case {
-  MooringSpread spread;
-  HullAtRest hull;
-};
+using Case = MooredCase;
+
 Case case_of(const Description& d) {
-  const HullAtRest hull = hull_at_rest(d);
-  const BedSurface bed(Vec3(0.0, 0.0, -d.environment.water_depth), Vec3::UnitZ());
-  SpreadOutcome outcome = build_spread(*d.moorings, bed, place_of(hull, HullOffset::Zero()).R_WV);
-  EXPECT_FALSE(outcome.fault) << *outcome.fault;
-  return {std::move(outcome.spread), hull};
+  return moored_case(d);
 }
 
 void expect_line(const json& want, const MooringSpread& spread, const RestOutcome& rest, std::size_t i) {
@@ -151,6 +142,9 @@ TEST(mooring_statics, the_slope_of_the_forces_is_that_of_their_differences) {
   Case c = case_of(d);
   c.hull.loads = {vessel_load("load", {-60, 3, 8}, {-2e5, 3e5, -1e5}, {1e6, 2e6, 3e6})};
   c.hull.restoring_point_V = {2.0, 1.0, 0.8};
+  c.hull.surroundings = [](double yaw) {
+    return Vec6(2e6 * (Vec6() << std::cos(yaw), std::sin(2.0 * yaw), 0.0, 3.0, -2.0, 40.0 * std::cos(yaw)).finished());
+  };
   HullOffset at;
   at << 1.0, -2.0, 0.1, 0.04, -0.03, 0.3;
   std::vector<CatenarySolution> lines;
@@ -187,21 +181,6 @@ TEST(mooring_statics, does_not_depend_on_the_heading_of_the_world) {
 }
 
 // The figures below take the pipe's pull as a constant force at midship.
-
-/// The representative mooring of BGL-1 with its hull held level: surge, sway and yaw alone.
-Description bgl1_barge() {
-  Description d = reference_barge();
-  d.vessel.hydrostatics = HydrostaticsDescription{1e14, 1e18, 1e18};
-  const double ahead = 57.0, side = 15.0, up = 3.0, weight = barge_wire_submerged();
-  // Port bow anticlockwise: bearings -25, -65, -115, -155, 155, 115, 65, 25 deg.
-  for (const double bearing : {-25.0, -65.0, -115.0, -155.0, 155.0, 115.0, 65.0, 25.0}) {
-    const Vec3 fairlead(std::abs(bearing) < 90.0 ? ahead : -ahead, bearing < 0.0 ? side : -side, up);
-    d.moorings->lines.push_back(
-        mooring_line("line", fairlead, 90.0 + bearing, 1000.0, 300e3,
-                     {segment_of(std::nullopt, weight, weight, 4.04e10 * 0.064 * 0.064, 2594e3)}));
-  }
-  return d;
-}
 
 struct BargeRow {
   double surge, sway, yaw_deg, tensions[8];

@@ -153,7 +153,7 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
   }
   EXPECT_GT(changed, 1e-3);
   EXPECT_TRUE(std::any_of(second.results.warnings.begin(), second.results.warnings.end(), [](const auto& warning) {
-    return warning.find("as its brake rendered at 375.0 kN") != std::string::npos;
+    return warning.find("its brake, set to 375.0 kN, paid out") != std::string::npos;
   }));
 }
 

@@ -1,25 +1,56 @@
-/// Writes the report of made-up dynamic results of the example: dynamic_page FILE.html rough|calm|jlay
+/// Writes the report of made-up results: dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines
+#include <functional>
 #include <iostream>
+#include <map>
 #include <string>
 
 #include "report/bgl1_results.h"
 #include "report/report.h"
 #include "report/synthetic_dynamics.h"
+#include "report/synthetic_moorings.h"
 
-int main(int count, char** words) {
-  if (count != 3) {
-    std::cerr << "dynamic_page FILE.html rough|calm|jlay\n";
-    return 2;
-  }
-  const auto& example = overbend::testing::bgl1();
-  overbend::StaticResults statics = example.results;
-  if (std::string(words[2]) == "jlay") {  // not the statics of one, but all that the page looks at
+namespace {
+
+using namespace overbend;
+using namespace overbend::testing;
+
+void write_lay(const std::string& kind, const std::string& file) {
+  StaticResults statics = bgl1().results;
+  if (kind == "jlay") {  // not the statics of one, but all that the page looks at
     statics.supports.clear();
     statics.overbend.reset();
     statics.stinger_tip_clearance.reset();
     statics.last_support.clear();
   }
-  const bool calm = std::string(words[2]) == "calm";
-  overbend::write_report(statics, overbend::testing::synthetic_dynamics(statics, calm), example.model_text, words[1]);
+  DynamicResults results = synthetic_dynamics(statics, kind == "calm");
+  if (kind == "moored") {
+    statics.moorings = synthetic_moorings();
+    statics.hull = synthetic_hull();
+    add_moored_dynamics(results);
+  }
+  write_report(statics, results, bgl1().model_text, file);
+}
+
+void write_moorings(MooringResults results, const std::string& file) {
+  results.hull = synthetic_hull();
+  write_report(results, example_text("moored-barge"), file);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  const std::map<std::string, std::function<void(const std::string&)>> kinds = {
+      {"rough", [](const std::string& file) { write_lay("rough", file); }},
+      {"calm", [](const std::string& file) { write_lay("calm", file); }},
+      {"jlay", [](const std::string& file) { write_lay("jlay", file); }},
+      {"moored", [](const std::string& file) { write_lay("moored", file); }},
+      {"moorings", [](const std::string& file) { write_moorings(synthetic_stages(), file); }},
+      {"pull_ahead", [](const std::string& file) { write_moorings(synthetic_pull_ahead(), file); }},
+      {"lines", [](const std::string& file) { write_report(synthetic_lines(true), example_text("jumper"), file); }}};
+  if (count != 3 || kinds.count(words[2]) == 0) {
+    std::cerr << "dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines\n";
+    return 2;
+  }
+  kinds.at(words[2])(words[1]);
   return 0;
 }

@@ -17,6 +17,16 @@ TEST(serve_data_files, data_below_the_folder_are_listed_without_results_and_hidd
   EXPECT_EQ(serving.get("/api/data").json["files"], json({"b.csv", "data/ship/rao.4"}));
 }
 
+TEST(serve_data_files, hydrodynamics_of_a_hull_are_listed_and_taken_as_far_as_they_are_text) {
+  const Serving serving;
+  testing::write_file(serving.folder / "ship.nc", "1");
+  for (const char* name : {"ship.1", "ship.3", "ship.8", "ship.hst"}) {
+    EXPECT_EQ(serving.post("/api/data", {{"name", name}, {"text", "1 2 3"}}).status, 200) << name;
+  }
+  EXPECT_EQ(serving.get("/api/data").json["files"], json({"ship.1", "ship.3", "ship.8", "ship.hst", "ship.nc"}));
+  EXPECT_EQ(serving.post("/api/data", {{"name", "other.nc"}, {"text", ""}}).status, 422);  // no text
+}
+
 TEST(serve_data_files, a_file_is_taken_once_and_another_of_its_name_is_not) {
   const Serving serving;
   EXPECT_EQ(serving.post("/api/data", {{"name", "rao.csv"}, {"text", "a,b\n1,2\n"}}).status, 200);

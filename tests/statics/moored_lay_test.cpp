@@ -5,6 +5,7 @@
 
 #include "modelfile/yaml_reader.h"
 #include "statics/recovery.h"
+#include "statics/side_rollers.h"
 #include "statics/vessel_load.h"
 
 namespace overbend {
@@ -83,6 +84,22 @@ TEST(moored_lay, starts_from_the_solution_of_a_neighbour) {
   const double surge = first.moorings->rest.vessel.surge;
   const LayOutcome again = solve_lay(model, &*first.solution);
   EXPECT_NEAR(again.moorings->rest.vessel.surge, surge, 1e-6);
+}
+
+TEST(moored_lay, whose_pipe_bears_on_side_rollers_is_said_to_have_other_equilibria) {
+  Description d = moored();
+  const auto told = [&] {
+    Model model = build_model(d);
+    const LayOutcome lay = solve_lay(model);
+    return warn_of_side_rollers(d, recover_statics(model, *lay.solution));
+  };
+  EXPECT_FALSE(told());  // lengths hold the barge in its place
+  d.moorings->find = FindMooring::pose;
+  const std::optional<std::string> warning = told();
+  ASSERT_TRUE(warning);
+  EXPECT_NE(warning->find("'stinger 8' (34.3 kN)"), std::string::npos) << *warning;
+  d.environment.current.clear();  // the barge stays on the course of the pipe
+  EXPECT_FALSE(told());
 }
 
 TEST(moored_lay, a_pull_ahead_has_its_stages_with_the_pipe_on_board) {

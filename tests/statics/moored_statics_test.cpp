@@ -202,6 +202,69 @@ TEST(moored_statics, natural_periods_are_those_of_mass_and_lines) {
   EXPECT_EQ(rest.vessel.natural_periods.size(), 6);
 }
 
+/// The moored example without its pipe and its current, in waves towards a direction anticlockwise from the bow.
+Description in_waves(double from_bow_deg, FindMooring find) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
+  d.has_pipe = false;
+  d.environment.current.clear();
+  // The bow points east: towards the azimuth 90 - from_bow, so from the opposite.
+  d.environment.waves.from = (270.0 - from_bow_deg) * 0.017453292519943295;
+  d.moorings->find = find;
+  d.statics.mean_drift = true;
+  return d;
+}
+
+TEST(moored_statics, lines_hold_the_mean_drift_where_it_acts) {
+  // 2 int S D: -30.9 and 76.6 kN, 1,237 kN m (1,264 where the table's value at 0.5 rad/s is kept) and 217.8 kN by an
+  // independent integration; the sea's 200 components are drawn, which is good for a percent.
+  const std::vector<double> quartering = solved(in_waves(135.0, FindMooring::lengths)).rest.mooring_force;
+  EXPECT_NEAR(quartering[0], 30.9e3, 0.6e3);
+  EXPECT_NEAR(quartering[1], -76.6e3, 1.2e3);
+  EXPECT_NEAR(quartering[5], -1250e3, 40e3);
+  const MooringResults beam = solved(in_waves(90.0, FindMooring::lengths));
+  EXPECT_NEAR(beam.rest.mooring_force[1], -217.8e3, 2.2e3);
+  EXPECT_NEAR(beam.rest.vessel.sway, 0.0, 1e-7);
+  Description without = in_waves(90.0, FindMooring::lengths);
+  without.statics.mean_drift.reset();
+  EXPECT_NEAR(solved(without).rest.mooring_force[1], 0.0, 1.0);
+}
+
+TEST(moored_statics, the_mean_drift_shifts_the_hull_on_its_lines) {
+  const MooredState rest = solved(in_waves(90.0, FindMooring::pose)).rest;
+  EXPECT_NEAR(rest.vessel.sway, 1.18, 0.02 * 1.18);  // 217.8 kN on 184.8 kN/m and more
+  EXPECT_NEAR(rest.vessel.surge, 0.0, 0.01);
+}
+
+TEST(moored_statics, current_and_wind_follow_the_heading_of_the_hull) {
+  Description d = in_waves(90.0, FindMooring::pose);
+  d.environment.current = {{0.0, 1.0, 0.0}, {89.0, 1.0, 0.0}};  // to the north, on the side
+  d.vessel.loads = {{"tug", Vec3::Zero(), Vec3::Zero(), Vec3(0.0, 0.0, 60e6)}};
+  d.statics.mean_drift.reset();
+  const MooredState rest = solved(d).rest;
+  ASSERT_GT(rest.vessel.yaw, 0.05);  // bow to port, into the current
+  // The strips give 1/2 rho L T C_y V^2 cos^2 across, and Munk's moment turns the hull further out of the flow.
+  const double V = 1.0, c = std::cos(rest.vessel.yaw), s = std::sin(rest.vessel.yaw);
+  const double across = 0.5 * 1025.0 * 120.0 * 5.182 * 0.8 * V * V * c * c;
+  const double ahead = rest.mooring_force[0] * c + rest.mooring_force[1] * s;
+  EXPECT_NEAR(-rest.mooring_force[0] * s + rest.mooring_force[1] * c, -across, 0.002 * across);
+  EXPECT_LT(ahead, 0.0);
+}
+
+TEST(moored_statics, a_hull_as_given_sinks_and_trims_under_lines_and_pipe) {
+  // Eight lines at 300 kN pull down 694 kN: 19 mm on 36.2 MN/m. A pipe of 250 kN at the stern: 0.020 deg on 4.28e10 N
+  // m.
+  Description d = in_waves(90.0, FindMooring::lengths);
+  d.statics.mean_drift.reset();
+  d.vessel.coupled->ballast = Ballast::as_given;
+  const VesselResult lines = solved(d).rest.vessel;
+  EXPECT_NEAR(lines.heave, -0.0192, 0.0002);
+  EXPECT_NEAR(lines.pitch, 0.0, 1e-6);
+  d.vessel.loads = {{"pipe", Vec3(-60.0, 0.0, 0.0), Vec3(0.0, 0.0, -250e3), Vec3::Zero()}};
+  const VesselResult pipe = solved(d).rest.vessel;
+  EXPECT_NEAR(pipe.heave, -0.0192 - 250e3 / 36.2e6, 0.0002);
+  EXPECT_NEAR(pipe.pitch, -0.020 * 0.017453292519943295, 0.02 * 0.020 * 0.017453292519943295);
+}
+
 TEST(moored_statics, says_which_line_is_too_short) {
   Description d = described("MO8-sym");
   d.moorings->lines[2].segments[0].length = 700.0;

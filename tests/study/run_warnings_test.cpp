@@ -72,6 +72,25 @@ TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
   EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run has an error of 0.002"));
 }
 
+TEST(run_warnings, a_hull_beyond_what_its_linear_restoring_holds_for_is_told) {
+  VesselDescription vessel;
+  vessel.depth = 9.0;
+  vessel.draught = 5.0;
+  vessel.motion = VesselMotion::coupled;
+  const auto told = [&](double heave, double roll) {
+    DynamicResults r = sound();
+    r.histories[1].over_time = {-heave, 0.2, 0.0, 0.1};
+    r.histories.push_back({"roll", "rad", "", {-0.1, roll, 0.0, 0.1}, {}, {}});
+    warn_of_large_motion(vessel, r);
+    return r.warnings;
+  };
+  EXPECT_TRUE(told(1.9, 0.17).empty());
+  EXPECT_TRUE(only(told(2.1, 0.17), "heaves by 2.10 m"));
+  EXPECT_TRUE(only(told(1.9, 0.18), "heels by 10.3 deg"));
+  vessel.motion = VesselMotion::raos;  // told: nothing is restored
+  EXPECT_TRUE(told(2.1, 0.18).empty());
+}
+
 TEST(run_warnings, a_trend_is_a_trend_only_beyond_chance) {
   EXPECT_NEAR(trend(swinging(4000, 5e3)), 5e3, 300.0);
   std::vector<double> noise;  // eight blocks that scatter

@@ -16,6 +16,7 @@ namespace overbend::testing {
 /// Water of a density [kg/m3] and a depth [m], a hard bed without friction, no current.
 inline Description water_alone(double density, double depth) {
   Description d = plain_description();
+  d.has_pipe = false;
   d.environment.water_weight_density = density * kGravity;
   d.environment.water_depth = depth;
   d.environment.seabed.stiffness = 0.0;

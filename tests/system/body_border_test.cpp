@@ -194,13 +194,13 @@ TEST(body_border, of_both_ends_on_one_body_is_the_derivative) {
 TEST(body_border, of_a_quasi_static_line_is_the_derivative) {
   System system = rod_on_body(true, true);
   const Vec3 far(3.0, -4.0, -2.0);
-  system.bodies[0].free->springs.push_back({Vec3(1.0, 0.5, -0.4), [far](const Vec3& place) {
-                                              const Vec3 away = place - far;  // a force that grows with its square
-                                              const double l = away.norm();
-                                              const Mat3 slope =
-                                                  9.0 * (l * Mat3::Identity() + away * away.transpose() / l);
-                                              return PlaceForce{-9.0 * l * away, slope, 3.0 * l * l * l};
-                                            }});
+  system.bodies[0].free->springs.push_back(
+      {Vec3(1.0, 0.5, -0.4), [far](const Vec3& place, double, const LineEndForces&) {
+         const Vec3 away = place - far;  // a force that grows with its square
+         const double l = away.norm();
+         const Mat3 slope = 9.0 * (l * Mat3::Identity() + away * away.transpose() / l);
+         return PlaceForce{-9.0 * l * away, slope, 3.0 * l * l * l, {}};
+       }});
   expect_exact(system);
 }
 

@@ -49,6 +49,18 @@ TEST(cable_line, has_nodes_where_segments_meet_and_at_points) {
   EXPECT_LE(mesh.length[static_cast<std::size_t>(mesh.elements()) / 5], 26.0);  // by touchdown
 }
 
+TEST(cable_line, has_a_last_element_as_long_as_its_winch_needs_up_to_the_next_point) {
+  const CableParts parts = chain_and_wire();
+  const LineMesh usual = cable_mesh(parts, {150.0, std::nullopt}),
+                 longer = cable_mesh(parts, {150.0, std::nullopt, 120.0}),
+                 whole = cable_mesh(parts, {150.0, std::nullopt, 900.0});
+  EXPECT_LT(usual.length.back(), 120.0);
+  EXPECT_GE(longer.length.back(), 120.0);
+  EXPECT_LE(longer.length.back(), 120.0 + usual.length.back());
+  EXPECT_EQ(whole.length.back(), 1000.0 - 512.5);  // a clump stands there
+  EXPECT_EQ(longer.s.back(), usual.s.back());
+}
+
 TEST(cable_line, sinks_a_centimetre_into_a_soft_bed_and_keeps_a_hard_one) {
   Description d = testing::water_alone(1025.0, 100.0);
   const CableParts parts = chain_and_wire();

@@ -5,6 +5,8 @@ import { startAnimation } from './state/animation';
 import { connect } from './state/connection';
 import { startLive } from './state/live';
 import { dialog, startLook } from './state/look';
+import { startMoorings } from './state/moorings';
+import { startOffsets } from './state/offsets';
 import { hasModel, start } from './state/model';
 import { fetchRuns, startRuns } from './state/runs';
 
@@ -12,6 +14,8 @@ startLook();
 startLive();
 startAnimation();
 startRuns();
+startMoorings();
+startOffsets();
 render(<App />, document.getElementById('page')!);
 void start().then(() => { if (!hasModel.value) dialog.value = 'start'; });
 void fetchRuns();

@@ -47,6 +47,10 @@ describe('motion', () => {
     const now = of({ 'vessel.motion': null, 'vessel.motion.raos': 'a.csv', 'vessel.motion.convention': null, 'vessel.motion.convention.set': 'wamit', 'vessel.motion.convention.reference.x': '2 m' });
     expect(motionValue('raos', 'b.4', now)).toEqual({ raos: 'b.4', convention: { set: 'wamit', reference: { x: '2 m' } } });
     expect(motionValue('history', 'b.csv', now)).toEqual({ history: 'b.csv' });
+    const barge = new Map(Object.entries({ length: 120, beam: 30, depth: 9, draught: 5.182 }).map(([k, si]) => [`vessel.${k}`, { given: true, si }]));
+    // the displacement of a box in sea water, by which the files of BGL-1 were made
+    expect(motionValue('coupled', 'data/bgl1/bgl1.hst', barge)).toMatchObject({ coupled: { hydrodynamics: 'data/bgl1/bgl1', mass: '19122 t', gyration: { roll: '10.5 m', pitch: '30 m', yaw: '30 m' } } });
+    expect(motionValue('coupled', 'ship.nc', barge)).toMatchObject({ coupled: { hydrodynamics: 'ship.nc' } });
   });
   test('what a sea asks for', () => {
     expect(askedOfWaves('jonswap')).toEqual(['hs', 'tp']);

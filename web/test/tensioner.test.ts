@@ -35,7 +35,7 @@ describe('what stands still', () => {
   test('is the same without values tried out', () => expect(liveScene(scene, undefined, undefined, 0)).toBe(scene));
   test('the seabed goes down with the depth', () => expect(liveScene(scene, 100, undefined, 0)).toMatchObject({ water_depth: 100, seabed: { point: [1, 2, -100] } }));
   test('a trim lifts the bow', () => {
-    const { pose } = liveScene(scene, undefined, 0.1, 0).vessel;
+    const { pose } = liveScene(scene, undefined, 0.1, 0).vessel!;
     expect(pose[9]).toBeCloseTo(Math.sin(0.1)); // z of the forward axis
     expect(pose[5]).toBeCloseTo(-Math.sin(0.1));
     expect(pose[3]).toBeCloseTo(Math.cos(0.1));

@@ -91,6 +91,7 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   }
   if (!line.bending.empty()) {
     const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");
+    line.bending.resize(bending.size() / kBendingNumbers);  // as many as there are elements
     for (std::size_t i = 0; i < line.bending.size(); ++i) {
       line.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
     }
@@ -157,6 +158,9 @@ std::vector<double> body_numbers(const HullState& body) {
     out.insert(out.end(), part->begin(), part->end());
   }
   out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
+  for (const LineEndForces& line : body.lines) {
+    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift, line.length, line.on_bed});
+  }
   return out;
 }
 
@@ -170,6 +174,12 @@ void restore_body(const std::vector<double>& in, HullState& body) {
     for (double& value : *part) value = in.at(next++);
   }
   for (double& value : body.radiation.values) value = in.at(next++);
+  for (LineEndForces& line : body.lines) {
+    for (double* value :
+         {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
+      *value = in.at(next++);
+    }
+  }
 }
 
 std::string numbered(const char* what, std::size_t index) {

@@ -11,14 +11,39 @@ bool is_moored(const Description& d) {
   return d.moorings && !d.moorings->lines.empty();
 }
 
+/// Quasi-static lines pull at a hull and follow lengths; what takes a line of elements is said by name.
+std::optional<StaticFailure> quasi_static_obstacle(const Description& d) {
+  const auto refuse = [](const std::string& what) {
+    return StaticFailure{"quasi-static mooring lines " + what, "moorings.model", "leave out moorings.model"};
+  };
+  if (d.vessel.motion != VesselMotion::coupled) {
+    return refuse("have nothing to pull at where the vessel's motion is told");
+  }
+  for (const MooringLineDescription& line : d.moorings->lines) {
+    if (line.fails_at || line.anchor_holding.slides) {
+      return refuse("cannot part or drag an anchor: '" + line.name + "'");
+    }
+  }
+  for (const WinchDescription& winch : d.moorings->winches) {
+    if (winch.mode == WinchMode::tension || winch.mode == WinchMode::speed) {
+      return refuse("follow the lengths of the operation alone: winch '" + winch.name + "'");
+    }
+  }
+  return std::nullopt;
+}
+
 /// What is asked of mooring lines that a dynamic analysis does not do.
 std::optional<StaticFailure> mooring_obstacle(const Description& d) {
   const MooringsDescription& moorings = *d.moorings;
   if (moorings.model == MooringModel::quasi_static) {
-    return StaticFailure{"quasi-static mooring lines cannot be run in time yet", "", "leave out moorings.model"};
+    if (std::optional<StaticFailure> obstacle = quasi_static_obstacle(d)) return obstacle;
   }
-  if (d.operation.type == OperationType::pull_ahead) {
-    return StaticFailure{"a pull-ahead cannot be run in time yet", "", "overbend static has its table"};
+  if (d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
+    return StaticFailure{"loads of a pull-ahead act in statics alone", "operation.loads",
+                         "give them under vessel.loads, or leave them out where there is a pipe"};
+  }
+  if (d.operation.type == OperationType::anchor_move) {
+    return StaticFailure{"an anchor cannot be moved in time", "operation.type", "overbend static has its stages"};
   }
   return std::nullopt;
 }
@@ -44,6 +69,10 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
   }
   if (vessel.motion == VesselMotion::coupled) {
     return coupled_obstacle(d);
+  }
+  if (d.operation.type == OperationType::pull_ahead && d.operation.acceleration_time <= 0.0) {
+    return StaticFailure{"the vessel cannot be at its speed at once", "operation.acceleration_time",
+                         "a told motion without time to reach its speed strikes the pipe; give some seconds"};
   }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {

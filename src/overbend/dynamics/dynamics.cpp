@@ -16,6 +16,9 @@ DynamicOptions dynamic_options(const Model& model) {
   options.step.tolerance = settings.tolerance;
   options.impacts.steps = settings.impact_steps;
   options.impacts.least_force = settings.impact_force;
+  if (const auto& hull = model.description.vessel.coupled) {
+    options.release << hull->released_shift, hull->released_turn;
+  }
   return options;
 }
 

@@ -15,7 +15,9 @@ struct DynamicOptions {
   std::optional<double> fixed_step;                           ///< [s]
   double max_step = 0.125;                                    ///< [s]
   double error_tolerance = 1e-3;  ///< Of a node's place in one step, where the step is free [m].
-  double tail_reach = 1.0;        ///< Laid pipe behind the static line over what friction needs, see with_laid_tail.
+  /// From rest, where a free hull is let go: a decay. Along and about the axes of the hull as drawn [m, rad].
+  Vec6 release = Vec6::Zero();
+  double tail_reach = 1.0;  ///< Laid pipe behind the static line over what friction needs, see with_laid_tail.
   StepSettings step;
   ImpactSettings impacts;
 };

@@ -82,6 +82,16 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   last_ = now;
 }
 
+void EnergyAccount::carry(const InstantEnergy& before, const InstantEnergy& after) {
+  first_.line.kinetic += after.line.kinetic - before.line.kinetic;
+  first_.line.strain += after.line.strain - before.line.strain;
+  first_.line.gravity += after.line.gravity - before.line.gravity;
+  first_.line.seabed += after.line.seabed - before.line.seabed;
+  first_.contact += after.contact - before.contact;
+  first_.bending_heat += after.bending_heat - before.bending_heat;
+  last_ = after;
+}
+
 std::vector<double> EnergyAccount::save() const {
   std::vector<double> out;
   const auto put = [&](double value) { out.push_back(value); };

@@ -16,6 +16,8 @@ class EnergyAccount {
   void start(const InstantEnergy& first, double least);
   /// The state after a step of `h`.
   void add(const InstantEnergy& now, double h);
+  /// What the sums are at the instant of the last step once material has come in or gone, which is no work.
+  void carry(const InstantEnergy& before, const InstantEnergy& after);
   const EnergyBalance& balance() const { return balance_; }
 
   std::vector<double> save() const;

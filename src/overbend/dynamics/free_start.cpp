@@ -2,7 +2,35 @@
 
 #include "statics/rest_together.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace overbend {
+namespace {
+
+constexpr double kLongestMove = 0.25, kLargestTurn = 0.0087;  ///< Of the hull between two equilibria [m], [rad].
+constexpr double kSmallestShare = 1e-2;  ///< Of the first move, to which moves are halved where lines find no rest.
+
+/// Share of an offset that one move may make.
+double first_share(const Vec6& offset) {
+  return std::min(
+      {1.0, kLongestMove / (offset.head<3>().norm() + 1e-300), kLargestTurn / (offset.tail<3>().norm() + 1e-300)});
+}
+
+void hold_hull(Assembly& assembly, bool held) {
+  for (int freedom = 0; freedom < 6; ++freedom) {
+    assembly.hold_body(0, freedom, held);
+  }
+}
+
+StaticFailure no_rest(const char* what, const RestReport& report, const char* remedy) {
+  return {what,
+          report.worst_place.first == kBodyPlace ? "the forces on the hull do not balance"
+                                                 : "the forces on a line do not balance",
+          remedy};
+}
+
+}  // namespace
 
 std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hull& hull, SystemState& state) {
   const System& system = assembly.system();
@@ -24,10 +52,32 @@ std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hu
   if (report.converged) {
     return std::nullopt;
   }
-  return StaticFailure{"hull and lines do not come to rest together",
-                       report.worst_place.first == kBodyPlace ? "the forces on the hull do not balance"
-                                                              : "the forces on a line do not balance",
-                       "look whether anything holds the hull in surge, sway and yaw"};
+  return no_rest("hull and lines do not come to rest together", report,
+                 "look whether anything holds the hull in surge, sway and yaw");
+}
+
+std::optional<StaticFailure> displace_hull(Assembly& assembly, const Vec6& offset, SystemState& state) {
+  const Vec6 from = state.bodies.front().h;
+  const double first = first_share(offset);
+  hold_hull(assembly, true);
+  RestReport report;
+  for (double done = 0.0, share = first; done < 1.0 && share > kSmallestShare * first;) {
+    SystemState moved = state;
+    const double next = std::min(1.0, done + share);
+    moved.bodies.front().h = from + next * offset;
+    report = rest_together(assembly, moved);
+    share = report.converged ? std::min(first, 2.0 * share) : 0.5 * share;
+    if (report.converged) {
+      state = std::move(moved);
+      done = next;
+    }
+  }
+  hold_hull(assembly, false);
+  state.bodies.front().slow = slow_rest(state.bodies.front().h);
+  if (report.converged) {
+    return std::nullopt;
+  }
+  return no_rest("pipe and lines do not come to rest where the hull is let go", report, "let it go nearer to its rest");
 }
 
 }  // namespace overbend

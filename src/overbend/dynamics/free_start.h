@@ -14,4 +14,8 @@ namespace overbend {
 /// tensioner keeping its tension. Says why where they do not.
 std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hull& hull, SystemState& state);
 
+/// Moves the free body of a state at rest by `offset` of its coordinates (m, rad) and holds it there while all lines
+/// come to rest again, the tensioner keeping its tension. Says why where they do not.
+std::optional<StaticFailure> displace_hull(Assembly& assembly, const Vec6& offset, SystemState& state);
+
 }  // namespace overbend

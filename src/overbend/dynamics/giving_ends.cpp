@@ -13,6 +13,7 @@ constexpr double kLateShare = 0.6;
 constexpr double kTensionTolerance = 1e-5;  ///< Of the tension kept.
 constexpr double kStill = 1e-9;             ///< Speed that is none [m/s].
 constexpr int kMostChanges = 6;             ///< Of the stair, in a step.
+constexpr double kShortestElement = 0.1;    ///< Of the last element of a line: no more of it can be hauled in.
 constexpr double kFarthest = 0.5;           ///< That a correction of what gave way may go [m].
 
 std::size_t at(Giving how) {
@@ -68,8 +69,12 @@ void GivingEnds::set_winch(End& end, const SystemState& now, double h) {
   const WinchLaw& law = *system_->attachments[end.attachment].winch;
   const double moved = now.attachments[end.attachment].way.moved;
   const PaidOut before = law.program.at(now.time), after = law.program.at(now.time + h);
-  const double way = after.length - before.length;
-  end.stairs[at(Giving::steady)] = {true, false, moved + way, after.rate, 0.0, 0.0, 0.0, 0.0};
+  const Line& line = system_->lines[static_cast<std::size_t>(system_->attachments[end.attachment].line)];
+  const double element = now.attachments[end.attachment].way.last_element;
+  const double left = (element > 0.0 ? element : line.mesh.length.back()) - kShortestElement * line.mesh.length.back();
+  const bool at_its_end = after.length - before.length < -left;
+  const double way = at_its_end ? 0.0 : after.length - before.length;
+  end.stairs[at(Giving::steady)] = {true, false, moved + way, at_its_end ? 0.0 : after.rate, 0.0, 0.0, 0.0, 0.0};
   const bool hauls = way < 0.0;
   if (hauls && law.stall < kEver) {
     end.stairs[at(Giving::held_up)] = {true, true, 0.0, 0.0, law.stall, 0.0, std::min(after.rate, way / h), 0.0};

@@ -1,6 +1,7 @@
 #include "dynamics/mooring_lines.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/mooring_winch.h"
 #include "mechanics/ground.h"
@@ -58,6 +59,22 @@ Attachment fairlead(int line, const Vec3& place_V, const MooringsDescription& mo
   return held;
 }
 
+/// A last element from which a winch can haul in what it has to, and to which it can add that, staying within half and
+/// one and a half of its length [m].
+double last_element(const Model& model, std::size_t line) {
+  constexpr double kOverWay = 2.0;
+  const MooringsDescription& moorings = *model.description.moorings;
+  const OperationDescription& operation = model.description.operation;
+  const std::optional<WinchLaw> winch = winch_of(moorings, moorings.lines[line]);
+  double way = operation.type == OperationType::pull_ahead ? std::abs(operation.distance) * operation.moves : 0.0;
+  for (const double length : winch ? winch->program.lengths : std::vector<double>{}) {
+    way = std::max(way, std::abs(length));
+  }
+  return kOverWay * way;
+}
+
+constexpr double kOfLastElement = 0.8;  ///< That a winch which keeps a tension may haul in or add.
+
 /// Far more than friction bears: a line with it slides, whichever small way it goes [m].
 constexpr double kPulledFar = 1.0;
 
@@ -90,6 +107,7 @@ void stretch_as_pulled_in(const Line& line, LineState& state) {
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
   LineShapes shapes;
   const MooringsDescription& moorings = *model.description.moorings;
+  const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
   for (std::size_t i = 0; i < spread.lines.size(); ++i) {
     const MooredLine& moored = spread.lines[i];
     if (moored.parted) continue;
@@ -97,9 +115,15 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     const Vec3 fairlead_W = model.mean_pose.p_WV + model.mean_pose.R_WV * moored.fairlead_V;
     const CableStart start = cable_start(model, parts, moored.anchor_W, fairlead_W);
     const int line = static_cast<int>(system.lines.size());
-    system.lines.push_back(cable_line(model, parts, {start.touchdown(), std::nullopt}, moored.anchor_W, fairlead_W));
+    system.lines.push_back(cable_line(model, parts, {start.touchdown(), std::nullopt, last_element(model, i)},
+                                      moored.anchor_W, fairlead_W));
+    // What may be left unbalanced at a node of the pipe may be at one of a wire, which pulls as hard as the pipe.
+    system.lines.back().force_scale = std::max(system.lines.back().force_scale, pipe_scale);
     system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
     system.attachments.push_back(fairlead(line, moored.fairlead_V, moorings, moorings.lines[i]));
+    if (std::optional<WinchLaw>& winch = system.attachments.back().winch) {
+      winch->tension.limit = kOfLastElement * system.lines.back().mesh.length.back();
+    }
     shapes.push_back(start.shape(system.lines.back().mesh));
   }
   return shapes;

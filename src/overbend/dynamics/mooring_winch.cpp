@@ -5,21 +5,42 @@
 namespace overbend {
 namespace {
 
-constexpr double kToSpeed = 0.5;        ///< Of a winch that does not say how fast it reaches its speed [s].
-constexpr double kRangeOfWanted = 0.1;  ///< Either way, of a winch that keeps a tension and says no range.
-constexpr double kResolution = 1e-5;    ///< Of the tension wanted.
+constexpr double kBandOfWanted = 0.1;  ///< Of a winch that keeps a tension and does not say how closely.
+constexpr double kResolution = 1e-5;   ///< Of the tension wanted.
 
 TensionerLaw keeper(const WinchDescription& winch) {
   TensionerLaw law;
   law.mode = TensionerMode::controlled;
   law.wanted = winch.tension.value_or(0.0);
-  law.low = (1.0 - kRangeOfWanted) * law.wanted;
-  law.high = (1.0 + kRangeOfWanted) * law.wanted;
+  const double band = winch.band.value_or(kBandOfWanted * law.wanted);
+  law.low = law.wanted - band;
+  law.high = law.wanted + band;
   law.delay = winch.delay;
   law.velocity = winch.speed;
-  law.acceleration = winch.speed / kToSpeed;
+  law.acceleration = winch.speed / winch.acceleration_time;
   law.resolution = kResolution * law.wanted;
   return law;
+}
+
+LengthTable program_of(const WinchDescription& winch) {
+  LengthTable table;
+  if (winch.mode == WinchMode::speed) {
+    for (const WinchStepDescription& step : winch.program) {
+      const double there = table.empty() ? 0.0 : table.lengths.back();
+      add_move(table, step.time, step.paid_out - there, winch.speed, winch.acceleration_time);
+    }
+    return table;
+  }
+  std::vector<double> times, lengths;
+  if (!winch.program.empty() && winch.program.front().time > 0.0) {
+    times.push_back(0.0);
+    lengths.push_back(0.0);
+  }
+  for (const WinchStepDescription& step : winch.program) {
+    times.push_back(step.time);
+    lengths.push_back(step.paid_out);
+  }
+  return smooth_table(std::move(times), std::move(lengths));
 }
 
 }  // namespace
@@ -35,6 +56,8 @@ std::optional<WinchLaw> winch_of(const MooringsDescription& moorings, const Moor
   law.brake = named->brake.value_or(law.brake);
   if (named->mode == WinchMode::tension) {
     law.tension = keeper(*named);
+  } else if (named->mode != WinchMode::hold) {
+    law.program = program_of(*named);
   }
   return law;
 }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "dynamics/dynamic_setup.h"
 #include "dynamics/dynamics.h"
 #include "dynamics/mooring_lines.h"
 #include "hull/make_hull.h"
+#include "mechanics/moving_vessel.h"
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
 
@@ -20,8 +22,11 @@ struct RunSetup {
   Ballast ballast = Ballast::trim;
   System system;
   std::vector<std::string> mooring_names;
-  LineShapes moorings;    ///< First shapes of the mooring lines, which follow the pipe among the lines.
-  double interval = 0.5;  ///< Of the clock that steps must meet [s].
+  LineShapes moorings;  ///< First shapes of the mooring lines, which follow the pipe among the lines.
+  std::vector<double> wave_numbers_ahead;  ///< Of the terms of `motion`, where the vessel moves ahead.
+  std::optional<MoveProfile> move;         ///< Where the vessel is moved ahead.
+  double joint = 12.0;                     ///< Length of a pipe joint; of a move where the pipe does not say [m].
+  double interval = 0.5;                   ///< Of the clock that steps must meet [s].
 };
 
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "dynamics/free_start.h"
+#include "dynamics/hull_limits.h"
 #include "dynamics/laid_tail.h"
 #include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
@@ -44,6 +45,12 @@ class WallTime {
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
+/// An offset along and about the axes of the hull as drawn, of its coordinates.
+Vec6 in_world(Vec6 offset, const Vec6& drawn) {
+  offset.head<3>() = turned_about_z(drawn(5)) * offset.head<3>();
+  return offset;
+}
+
 }  // namespace
 
 Simulation::Simulation(const Model& model, const StaticSolution& start, double top_tension,
@@ -55,11 +62,13 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     : options_(options),
       setup_(make_setup(model, start, top_tension, options)),
       clock_(make_clock(options, setup_.interval)),
-      shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())) {
+      shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
+      ahead_W_(level_ahead(model.mean_pose)) {
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
   tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
+  if (setup_.move) conveyor_.emplace(model, setup_.system);
   state_ = static_state(setup_.system, start, setup_.moorings, clock_.time());
   for (std::size_t i = 0; i < setup_.system.lines.size(); ++i) {
     water_.emplace_back(setup_.sea, setup_.system.lines[i].mesh, state_.lines[i].q, options.build_up, setup_.interval);
@@ -74,7 +83,8 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
 
 void Simulation::surroundings(double time, Surroundings& now) {
   if (!setup_.hull) {
-    now.bodies.front() = vessel_motion(setup_.motion, time, half_cosine(time, options_.build_up));
+    const MoveAhead ahead{setup_.move ? setup_.move->at(time) : WayPoint{}, setup_.wave_numbers_ahead};
+    now.bodies.front() = vessel_motion(setup_.motion, ahead, time, half_cosine(time, options_.build_up));
   }
   lead_attachments(setup_.system, now);
   for (std::size_t i = 0; i < water_.size(); ++i) {
@@ -120,6 +130,9 @@ void Simulation::let_hull_go() {
   const System pulled = pulled_in(setup_.system, state_);
   Assembly resting(pulled);
   failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
+  if (!failure_ && !options_.release.isZero()) {
+    failure_ = displace_hull(resting, in_world(options_.release, setup_.hull->hull.drawn), state_);
+  }
   Attachment& top = setup_.system.attachments[machine()];
   top.place -= tensioner(state_).travel.q * top.direction;
   tensioner(state_).travel = {};
@@ -141,11 +154,44 @@ bool Simulation::part_lines() {
 }
 
 void Simulation::find_elevation() {
-  elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe_.x(), shoe_.y());
+  const Vec3 shoe = shoe_ + (setup_.move ? setup_.move->at(state_.time).way : 0.0) * ahead_W_;
+  elevation_ = elevation(setup_.sea, state_.time, half_cosine(state_.time, options_.build_up), shoe.x(), shoe.y());
 }
 
 Instant Simulation::now() const {
-  return {&state_, &*assembly_, &tensioner(state_), state_.last_step, elevation_, energy_.balance().drift()};
+  Instant at{&state_, &*assembly_, &tensioner(state_), state_.last_step, elevation_, energy_.balance().drift(), {}};
+  at.move.paid_out = tensioner(state_).travel.q;
+  if (setup_.move) {
+    at.move.moves = true;
+    at.move.way = setup_.move->at(state_.time);
+    at.move.ahead_W = at.move.way.way * ahead_W_;
+    at.move.paid_out += conveyor_->travelled();
+    at.move.joints = conveyor_->fed() / setup_.joint;
+  }
+  return at;
+}
+
+/// Pipe that was paid out becomes part of the line.
+void Simulation::convey() {
+  if (!conveyor_ || !conveyor_->due(setup_.system, state_)) return;
+  const InstantEnergy before = assembly_->energy(state_);
+  conveyor_->act(setup_.system, state_, assembly_->surroundings().ends[machine()]);
+  if (!water_.front().calm()) {
+    const LineState& pipe = state_.lines.front();
+    water_.front() =
+        WaterField(setup_.sea, setup_.system.lines.front().mesh, pipe.q, options_.build_up, setup_.interval);
+    water_.front().renew(water_memory_.front(), state_.time, pipe.q, pipe.v);
+  }
+  renew_system();
+  energy_.carry(before, assembly_->energy(state_));
+  watch_.last = assembly_->machine_tension();
+}
+
+/// Assembly and stepper of the sizes that the lines have now, at the present state.
+void Simulation::renew_system() {
+  assembly_.emplace(setup_.system);
+  stepper_.emplace(*assembly_, options_.step);
+  evaluate_present();
 }
 
 void Simulation::observe(SimulationObserver& observer) {
@@ -226,6 +272,8 @@ bool Simulation::attempt(double h, double target, double& to_event) {
   if (impact.reject && !options_.fixed_step) return reject(impact.step);
   to_event = step_to_tensioner(h);
   if (to_event < h) return reject(chooser_.wanted);
+  failure_ = hull_failure(setup_.system, next_);
+  if (failure_) return false;
   if (target - state_.time - h < 1e-6 * h) next_.time = target;
   accept(h);
   return true;
@@ -274,6 +322,7 @@ bool Simulation::step() {
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
   } while (!attempt(h, target, to_event));
   if (state_.time >= target) reach_tick();
+  convey();
   return true;
 }
 

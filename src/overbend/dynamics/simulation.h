@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/conveyor.h"
 #include "dynamics/dynamic_clock.h"
 #include "dynamics/dynamics.h"
 #include "dynamics/energy_account.h"
@@ -33,7 +34,8 @@ class Simulation {
   void observe(SimulationObserver& observer);
 
   /// One accepted step; shorter ones are tried until one is accepted. False where there is none: at the end of the run,
-  /// and where no step can be solved (see failure()). Nothing is allocated.
+  /// and where no step can be solved (see failure()). Nothing is allocated but where pipe that was paid out becomes a
+  /// node.
   bool step();
   /// Steps up to the first instant at or after `until` [s], the end of the run at most. Rows of output are met exactly,
   /// other times by the step that passes them. False where a step failed.
@@ -51,6 +53,8 @@ class Simulation {
   /// Names of the mooring lines, which follow the pipe among the lines of the system.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
   const DynamicOptions& options() const { return options_; }
+  /// The way on which the vessel is moved ahead; null where it is not.
+  const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }
   /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
   Instant now() const;
   double tension() const { return assembly_->machine_tension(); }  ///< Force of the tensioner on the pipe [N].
@@ -84,8 +88,11 @@ class Simulation {
   bool reject(double wanted);
   void accept(double h);
   void reach_tick();
+  void convey();
+  void renew_system();
   void adapt(double h);
-  void evaluate_restored();
+  void evaluate_present();
+  void restore_pipe(const DynamicCheckpoint& checkpoint);
   void observe_tension(SystemState& state, double h);
   void find_elevation();
   double to_timed_event() const;
@@ -96,11 +103,13 @@ class Simulation {
   Clock clock_;
   std::vector<WaterField> water_;  ///< Line by line.
   std::vector<WaterMemory> water_memory_;
-  Vec3 shoe_;               ///< Mean place of the stern shoe, W [m].
+  Vec3 shoe_;               ///< Mean place of the stern shoe before any move, W [m].
+  Vec3 ahead_W_;            ///< Horizontal unit vector towards the bow.
   double elevation_ = 0.0;  ///< Of the water there, now [m].
   std::optional<Assembly> assembly_;
   std::optional<TimeStepper> stepper_;
   std::optional<ImpactTracker> tracker_;
+  std::optional<Conveyor> conveyor_;  ///< Where the vessel moves ahead.
   EnergyAccount energy_;
   SystemState state_, next_;
   StepChooser chooser_;

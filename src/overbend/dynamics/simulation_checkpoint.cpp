@@ -12,6 +12,11 @@ DynamicCheckpoint Simulation::checkpoint() const {
   c.time = state_.time;
   save_state(c, state_);
   save_water(c, water_memory_);
+  if (conveyor_) {
+    c.arrays.push_back({"conveyor", conveyor_->save(setup_.system)});
+    const std::vector<int>& stations = water_.front().station_nodes();
+    if (!stations.empty()) c.arrays.push_back({"conveyor/stations", {stations.begin(), stations.end()}});
+  }
   c.arrays.push_back({"impacts", tracker_->save()});
   c.arrays.push_back({"energy", energy_.save()});
   c.arrays.push_back({"control",
@@ -27,6 +32,7 @@ DynamicCheckpoint Simulation::checkpoint() const {
 void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   restore_state(checkpoint, state_);
   restore_water(checkpoint, water_memory_);
+  if (conveyor_) restore_pipe(checkpoint);
   tracker_->restore(checkpoint_array(checkpoint, "impacts"));
   energy_.restore(checkpoint_array(checkpoint, "energy"));
   const std::vector<double>& control = checkpoint_array(checkpoint, "control");
@@ -40,14 +46,28 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   law.high = set_point.at(2);
   restore_report(checkpoint, report_);
   part_as_in(state_, setup_.system);
-  stepper_->forget_factors();
   failure_.reset();
-  evaluate_restored();
+  if (conveyor_) {
+    renew_system();
+  } else {
+    stepper_->forget_factors();
+    evaluate_present();
+  }
   for (SimulationObserver* observer : observers_) observer->restore(checkpoint);
 }
 
+/// The pipe's mesh, and the stations of the waves along it.
+void Simulation::restore_pipe(const DynamicCheckpoint& checkpoint) {
+  conveyor_->restore(checkpoint_array(checkpoint, "conveyor"), setup_.system);
+  if (!water_.front().calm()) {
+    const std::vector<double>& stations = checkpoint_array(checkpoint, "conveyor/stations");
+    water_.front() = WaterField(setup_.sea, setup_.system.lines.front().mesh,
+                                std::vector<int>(stations.begin(), stations.end()), options_.build_up, setup_.interval);
+  }
+}
+
 /// Brings the system to the state restored, so that the present can be read. The state itself keeps its bits.
-void Simulation::evaluate_restored() {
+void Simulation::evaluate_present() {
   SystemState at = state_;
   assembly_->set_time(at.time, at);
   assembly_->set_drive(tensioner(at).machine.drive);

@@ -3,10 +3,20 @@
 
 #include <cstdint>
 
+#include "mechanics/move_profile.h"
 #include "results/dynamic_sink.h"
 #include "system/assembly.h"
 
 namespace overbend {
+
+/// Of a vessel that is moved ahead while its tensioner pays out.
+struct MoveInstant {
+  bool moves = false;           ///< Whether the model has it move at all.
+  WayPoint way;                 ///< Of its mean place, as planned.
+  Vec3 ahead_W = Vec3::Zero();  ///< That way in W [m].
+  double paid_out = 0.0;        ///< By the tensioner since the start [m].
+  double joints = 0.0;          ///< Put in above the tensioner, as pipe joints [-].
+};
 
 /// One instant. The assembly is evaluated at the state: its contacts, cuts and surroundings belong to it.
 struct Instant {
@@ -16,6 +26,7 @@ struct Instant {
   double step = 0.0;                           ///< That led here [s].
   double elevation = 0.0;                      ///< Of the water at the stern shoe's mean place [m].
   double drift = 0.0;                          ///< Of energy, relative.
+  MoveInstant move;
 
   const LineState& pipe() const { return state->lines.front(); }
   const std::vector<RollerContact>& contacts() const { return assembly->line(0).contacts().contacts(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "mechanics/line_kernel.h"
 
@@ -52,8 +53,19 @@ WaterField::WaterField(const Sea& sea, const LineMesh& mesh, const std::vector<d
       stations_.push_back(node);
     }
   }
+  place_between(mesh);
+}
+
+WaterField::WaterField(const Sea& sea, const LineMesh& mesh, std::vector<int> stations, double build_up,
+                       double interval)
+    : sea_(&sea), build_up_(build_up), interval_(interval), stations_(std::move(stations)) {
+  if (!stations_.empty()) place_between(mesh);
+}
+
+/// The stations below and above every node.
+void WaterField::place_between(const LineMesh& mesh) {
   std::size_t below = 0;
-  for (int node = 0; node < nodes; ++node) {
+  for (int node = 0; node < mesh.nodes(); ++node) {
     while (below + 2 < stations_.size() && stations_[below + 1] <= node) {
       ++below;
     }
@@ -81,6 +93,13 @@ void WaterField::start(WaterMemory& memory, double time, const std::vector<doubl
   memory.second.resize(stations_.size());
   evaluate(time, q, v, 0.0, memory.first);
   evaluate(time + interval_, q, v, interval_, memory.second);
+}
+
+void WaterField::renew(WaterMemory& memory, double now, const std::vector<double>& q, const std::vector<double>& v) {
+  memory.first.resize(stations_.size());
+  memory.second.resize(stations_.size());
+  evaluate(memory.time, q, v, memory.time - now, memory.first);
+  evaluate(memory.time + interval_, q, v, memory.time + interval_ - now, memory.second);
 }
 
 void WaterField::advance(WaterMemory& memory, const std::vector<double>& q, const std::vector<double>& v) {

@@ -28,18 +28,25 @@ class WaterField {
   /// Stations by the shape `q` (six per node) of the line; `build_up` in seconds before t = 0.
   WaterField(const Sea& sea, const LineMesh& mesh, const std::vector<double>& q, double build_up, double interval);
 
+  /// With stations at the given nodes, from the first to the last.
+  WaterField(const Sea& sea, const LineMesh& mesh, std::vector<int> stations, double build_up, double interval);
+
   bool calm() const { return stations_.empty(); }
   double interval() const { return interval_; }
   std::size_t stations() const { return stations_.size(); }
+  const std::vector<int>& station_nodes() const { return stations_; }
 
   /// Fills the memory for a run that starts at `time`.
   void start(WaterMemory& memory, double time, const std::vector<double>& q, const std::vector<double>& v);
+  /// Fills a memory of another field's stations anew, for a line that is at `q` at a time between its moments.
+  void renew(WaterMemory& memory, double now, const std::vector<double>& q, const std::vector<double>& v);
   /// Moves on by one interval: to be called when time reaches the second moment.
   void advance(WaterMemory& memory, const std::vector<double>& q, const std::vector<double>& v);
   /// Waves at all nodes at a time between the moments, kWaterValues each. Does not allocate.
   void nodes_at(const WaterMemory& memory, double time, std::vector<double>& water);
 
  private:
+  void place_between(const LineMesh& mesh);
   void evaluate(double time, const std::vector<double>& q, const std::vector<double>& v, double ahead,
                 std::vector<WaterState>& out);
 

@@ -70,7 +70,7 @@ double munk_moment(const Hull& hull, const SlowMotion& slow) {
 StripWater water_at_strips(const Hull& hull, const SlowMotion& slow, double time, double share) {
   StripWater water;
   const HullCurrent& c = hull.current;
-  if (share == 0.0 || c.form != HullCurrentForm::strips || !c.in_water) return water;
+  if (share == 0.0 || !by_strips(c) || !c.in_water) return water;
   const double first = strip_place(c, 0) - c.reference_V.x(), spacing = c.length / kHullStrips;
   water = strip_water(hull.waves, time, slow.value, first, spacing);
   for (double& u : water.along) u *= share;
@@ -201,6 +201,13 @@ void finish_step(const Hull& hull, const HullState& before, double step, HullSta
   at.slow = slow_motion_after(before.slow, before.h, at.h, step, hull.slow_period);
   at.radiation.values = before.radiation.values;
   advance(hull.radiation, at.radiation, rates_in_h(before.slow, before.v), rates_in_h(at.slow, at.v), step);
+}
+
+SteadyForces steady_forces(const Hull& hull, double psi) {
+  SlowMotion slow;
+  slow.value.z() = psi;
+  const Surroundings around = surroundings(hull, slow, Vec6::Zero(), kBeforeWaves);
+  return {around.current.force, around.wind, around.drift};
 }
 
 const char* hull_refusal(const HullState& state) {

@@ -8,6 +8,7 @@
 /// of the hydrodynamics act in the horizontal axes H that stand at the slow heading psi_f. Theory: docs/theory/hull.md.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -67,12 +68,23 @@ struct Hull {  // NOLINT(clang-analyzer-optin.performance.Padding): there is one
   bool in_waves() const { return !waves.empty(); }
 };
 
+/// Forces of a quasi-static line on its ends, in its vertical plane: the next ones are sought from them.
+struct LineEndForces {
+  double pull = 0.0, sink = 0.0;                  ///< On the hull: towards the anchor, downwards [N].
+  double anchor_pull = 0.0, anchor_uplift = 0.0;  ///< On the anchor: towards the hull, upwards [N].
+  double length = 0.0, on_bed = 0.0;              ///< Unstressed, of the whole and of what lies on the bed [m].
+
+  double fairlead_tension() const { return std::hypot(pull, sink); }                ///< [N]
+  double anchor_tension() const { return std::hypot(anchor_pull, anchor_uplift); }  ///< [N]
+};
+
 /// Everything that the hull remembers. Copied it resumes bit for bit.
 struct HullState {
   Vec6 h = Vec6::Zero(), v = Vec6::Zero();      ///< Coordinates and their rates.
   Vec6 acc = Vec6::Zero(), alg = Vec6::Zero();  ///< True and algorithmic acceleration.
   RadiationMemory radiation;
   SlowMotion slow;
+  std::vector<LineEndForces> lines;  ///< Of the quasi-static lines on it.
 };
 
 /// The hull at rest at h in water at rest.
@@ -104,6 +116,18 @@ void balance_hull(const Hull& hull, const HullState& at, const HullState& before
 /// Moves the memories of `at` (water, slow motion) from those of `before` to the end of the step. Does not allocate
 /// when `at` was copied from `before` once.
 void finish_step(const Hull& hull, const HullState& before, double step, HullState& at);
+
+/// What acts on the hull at rest beside water at rest, lines and loads, about the reference point in H. [N, N m]
+struct SteadyForces {
+  Vec6 current = Vec6::Zero();  ///< With Munk's moment.
+  Vec6 wind = Vec6::Zero();
+  Vec6 drift = Vec6::Zero();  ///< Mean, where `mean_drift_from_start`.
+
+  Vec6 sum() const { return current + wind + drift; }
+};
+
+/// The steady part of what balance_hull lets act before the waves, with the hull heading psi [rad]. Does not allocate.
+SteadyForces steady_forces(const Hull& hull, double psi);
 
 /// Why the state is beyond what the equations are good for, or nullptr: pitch beyond 60 deg, not finite.
 const char* hull_refusal(const HullState& state);

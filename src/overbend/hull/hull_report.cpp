@@ -1,12 +1,15 @@
 #include "hull/hull_report.h"
 
 #include <cstdio>
+#include <numbers>
+
+#include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kNoticeable = 0.02;  // share of the sea's variance
-constexpr double kSlender = 0.44, kSharp = 1.2;
+constexpr double kSharp = 1.2;        // of a rectangle with sharp edges in two dimensions, as wide as a barge is deep
 
 std::string percent(double share) {
   char text[32];
@@ -15,29 +18,32 @@ std::string percent(double share) {
 }
 
 double sideways(HullCurrent current, double coefficient, double psi) {
+  current.form = HullCurrentForm::strips;
   current.transverse = coefficient;
   return current_force(current, psi, Vec6::Zero(), StripWater{}).force(1);
 }
 
-void tell_current(const Hull& hull, HullReport& out) {
-  if (hull.current.form != HullCurrentForm::strips || hull.current.velocity.isZero()) return;
+void tell_current(const Hull& hull, const UfcHull& shape, double depth, HullReport& out) {
+  if (!by_strips(hull.current) || hull.current.velocity.isZero()) return;
   const double psi = hull.drawn(5);
-  out.current_now = sideways(hull.current, hull.current.transverse, psi);
-  out.current_least = sideways(hull.current, kSlender, psi);
+  out.current_now = current_force(hull.current, psi, Vec6::Zero(), StripWater{}).force(1);
+  out.current_least = sideways(hull.current, ufc_transverse_coefficient(shape, depth), psi);
   out.current_most = sideways(hull.current, kSharp, psi);
 }
 
-/// Wave number of the sea's energy on average.
-double mean_wave_number(const Sea& sea) {
-  double energy = 0.0, moment = 0.0;
+/// Wave number of the sea's peak; of a sea without a peak period that below which half of its energy lies.
+double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
+  if (waves.tp > 0.0) return linear_wave_number(2.0 * std::numbers::pi / waves.tp, sea.depth);
+  double energy = 0.0, passed = 0.0;
+  for (const WaveComponent& c : sea.components) energy += c.amplitude * c.amplitude;
   for (const WaveComponent& c : sea.components) {
-    energy += c.amplitude * c.amplitude;
-    moment += c.amplitude * c.amplitude * c.wave_number;
+    passed += c.amplitude * c.amplitude;
+    if (passed >= 0.5 * energy) return c.wave_number;
   }
-  return energy > 0.0 ? moment / energy : 0.0;
+  return 0.0;
 }
 
-void tell_waves(const Hull& hull, const Sea& sea, HullReport& out) {
+void tell_waves(const Hull& hull, const WavesDescription& waves, const Sea& sea, HullReport& out) {
   out.below_table = hull.waves.below_table;
   out.above_table = hull.waves.above_table;
   const double outside = out.below_table + out.above_table;
@@ -48,8 +54,12 @@ void tell_waves(const Hull& hull, const Sea& sea, HullReport& out) {
   out.assumptions.push_back(
       "The slow drift is by Newman's approximation: mean drift coefficients alone, no set-down under wave groups, none "
       "in heave, roll and pitch.");
-  if (mean_wave_number(sea) * sea.depth < 1.0) {
-    out.warnings.push_back("the water is shallow for these waves: Newman's approximation of the slow drift is too low");
+  const double shallowness = peak_wave_number(waves, sea) * sea.depth;
+  if (shallowness < 1.0) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", shallowness);
+    out.warnings.push_back("the water is shallow for these waves, with a k_p d of " + std::string(text) +
+                           ": Newman's approximation of the slow drift is too low");
   }
 }
 
@@ -68,8 +78,10 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
                              " of critical damping");
     }
   }
-  tell_current(made.hull, out);
-  tell_waves(made.hull, sea, out);
+  tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);
+  tell_waves(made.hull, model.description.environment.waves, sea, out);
+  out.steady = steady_forces(made.hull, made.hull.drawn(5));
+  out.steady.drift = mean_drift(made.hull.waves, made.hull.drawn(5));
   return out;
 }
 

@@ -15,9 +15,10 @@ struct HullReport {
   RadiationReport radiation;
   std::array<ModeDamping, 3> damping;           ///< Surge, sway, yaw; zero where nothing keeps the hull's place.
   double below_table = 0.0, above_table = 0.0;  ///< Share of the sea's variance beyond the wave forces' table [-].
-  /// Sideways current force now, and for coefficients of 0.44 (UFC 4-159-03 for a barge in deep water) to 1.2 (sharp
-  /// edges in two dimensions) [N]; zero where the current is not by strips.
+  /// Sideways current force now, and for coefficients from that of UFC 4-159-03 for the barge's shape and depth of
+  /// water to 1.2 (sharp edges in two dimensions) [N]; zero where the current is by a table or there is none.
   double current_now = 0.0, current_least = 0.0, current_most = 0.0;
+  SteadyForces steady;                             ///< With the hull as drawn, the mean drift included.
   std::vector<std::string> assumptions, warnings;  ///< Plain sentences.
 };
 

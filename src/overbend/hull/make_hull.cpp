@@ -35,6 +35,55 @@ void place(Hull& hull, const Model& model, const Vec3& centre_of_gravity) {
   hull.drawn = coordinates_of(pose.p_WV + pose.R_WV * centre_of_gravity, pose.R_WV);
 }
 
+/// A table of the model with the areas it refers to: where they are not given those of a box that stands `height` high
+/// in the flow. Throws for a table that was not read.
+template <class Given>
+CoefficientTable table_of(const Given& given, const VesselDescription& vessel, double height, const char* flow) {
+  if (!given.axes || given.table.empty()) {
+    throw std::invalid_argument("a table of " + std::string(flow) +
+                                " coefficients needs its rows and the convention of its axes");
+  }
+  return {given.frontal_area.value_or(vessel.beam * height), given.lateral_area.value_or(vessel.length * height),
+          given.length.value_or(vessel.length), coefficients_from_bow(given.table, *given.axes)};
+}
+
+/// Current on the hull: coefficients for the hull's size, the velocity at half the draught.
+HullCurrent current_on(const Model& model, const CoupledHullDescription& hull) {
+  const VesselDescription& vessel = model.description.vessel;
+  const HullCurrentDescription& given = hull.current;
+  HullCurrent c;
+  c.form = given.form;
+  c.velocity = current_at(model.current, -0.5 * vessel.draught);
+  c.water_density = model.water_density;
+  c.length = vessel.length;
+  c.beam = vessel.beam;
+  c.draught = vessel.draught;
+  c.reference_V = hull.centre_of_gravity;
+  c.transverse = given.transverse;
+  c.longitudinal = given.longitudinal;
+  c.wetted_surface = vessel.length * vessel.beam + 2.0 * vessel.draught * (vessel.length + vessel.beam);
+  c.in_water = given.relative_to == CurrentRelativeTo::water;
+  if (given.form == HullCurrentForm::ufc) {
+    const UfcHull shape = ufc_hull(model, hull);
+    c.transverse = ufc_transverse_coefficient(shape, model.description.environment.water_depth);
+    c.longitudinal = kUfcFormDrag;
+    c.wetted_surface = ufc_wetted_surface(shape);
+  }
+  if (given.form == HullCurrentForm::table) {
+    c.table = table_of(given, vessel, vessel.draught, "current");
+  }
+  return c;
+}
+
+HullWind wind_on(const CoupledHullDescription& hull) {
+  HullWind wind;
+  wind.velocity = towards(hull.wind.speed, hull.wind.from);
+  wind.density = hull.wind.air_density;
+  wind.reference_V = hull.centre_of_gravity;
+  wind.areas = hull.wind.areas;
+  return wind;
+}
+
 void put_loads(Hull& hull, const Model& model) {
   const Mat3& R = model.mean_pose.R_WV;
   for (const VesselLoadDescription& load : model.description.vessel.loads) {
@@ -74,7 +123,7 @@ void put_waves(Hull& hull, const Model& model, const Sea& sea, const CoupledHull
   if (given.wave_drift_damping == WaveDriftDamping::aranha) {
     hull.drift_damping = wave_drift_damping(data, sea, hull.drawn(5));
   }
-  if (given.current.form == HullCurrentForm::strips) {
+  if (given.current.form == HullCurrentForm::strips || given.current.form == HullCurrentForm::ufc) {
     const Mat6 A = added_mass_at(data, kMunkFrequency);
     hull.munk = A(1, 1) - A(0, 0);
   }
@@ -93,8 +142,7 @@ void check(const CoupledHullDescription& given) {
 void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const CoupledHullDescription& given,
                      const Mat6& station_stiffness) {
   check(given);
-  Hull& hull = made.hull;
-  place(hull, model, given.centre_of_gravity);
+  Hull& hull = made.hull = hull_in_surroundings(model, given, sea);
   hull.body.mass = given.mass;
   hull.body.inertia = (given.mass * given.gyration.cwiseAbs2()).asDiagonal();
   hull.hydrostatics.block<3, 3>(2, 2) = given.data->hydrostatic_stiffness.block<3, 3>(2, 2);
@@ -103,55 +151,28 @@ void floats_in_waves(MadeHull& made, const Model& model, const Sea& sea, const C
   made.radiation = std::move(radiated.report);
   made.warnings = made.radiation.warnings;
   hull.slow_period = given.slow_period;
-  hull.current = make_hull_current(model, given);
-  hull.wind = make_hull_wind(given);
-  put_waves(hull, model, sea, given);
   put_damping(hull, given, station_stiffness);
 }
 
 }  // namespace
 
-HullCurrent make_hull_current(const Model& model, const CoupledHullDescription& hull) {
+UfcHull ufc_hull(const Model& model, const CoupledHullDescription& given) {
   const VesselDescription& vessel = model.description.vessel;
-  const HullCurrentDescription& given = hull.current;
-  HullCurrent c;
-  c.form = given.form;
-  c.velocity = current_at(model.current, -0.5 * vessel.draught);
-  c.water_density = model.water_density;
-  c.length = vessel.length;
-  c.beam = vessel.beam;
-  c.draught = vessel.draught;
-  c.reference_V = hull.centre_of_gravity;
-  c.transverse = given.transverse;
-  c.longitudinal = given.longitudinal;
-  c.wetted_surface = vessel.length * vessel.beam + 2.0 * vessel.draught * (vessel.length + vessel.beam);
-  c.in_water = given.relative_to == CurrentRelativeTo::water;
-  if (given.form != HullCurrentForm::table) {
-    return c;
-  }
-  if (!given.axes || given.table.empty()) {
-    throw std::invalid_argument("a table of current coefficients needs its rows and the convention of its axes");
-  }
-  c.frontal_area = given.frontal_area.value_or(vessel.beam * vessel.draught);
-  c.lateral_area = given.lateral_area.value_or(vessel.length * vessel.draught);
-  c.table_length = given.length.value_or(vessel.length);
-  c.table = coefficients_from_bow(given.table, *given.axes);
-  return c;
+  return {vessel.length, vessel.beam, vessel.draught, vessel.beam * vessel.draught, given.mass / model.water_density};
 }
 
-HullWind make_hull_wind(const CoupledHullDescription& hull) {
-  HullWind wind;
-  wind.velocity = towards(hull.wind.speed, hull.wind.from);
-  wind.density = hull.wind.air_density;
-  wind.reference_V = hull.centre_of_gravity;
-  wind.areas = hull.wind.areas;
-  return wind;
+Hull hull_in_surroundings(const Model& model, const CoupledHullDescription& given, const Sea& sea) {
+  Hull hull;
+  place(hull, model, given.centre_of_gravity);
+  hull.current = current_on(model, given);
+  hull.wind = wind_on(given);
+  if (given.data) put_waves(hull, model, sea, given);
+  return hull;
 }
 
 MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Mat6& station_stiffness) {
   const VesselDescription& vessel = model.description.vessel;
   MadeHull made;
-  made.hull.build_up = build_up;
   if (vessel.coupled) {
     floats_in_waves(made, model, sea, *vessel.coupled, station_stiffness);
   } else if (vessel.hydrostatics) {
@@ -161,6 +182,7 @@ MadeHull make_hull(const Model& model, const Sea& sea, double build_up, const Ma
   } else {
     throw std::invalid_argument("a hull that floats free needs vessel.motion.coupled or vessel.hydrostatics");
   }
+  made.hull.build_up = build_up;
   put_loads(made.hull, model);
   return made;
 }

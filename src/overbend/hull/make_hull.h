@@ -16,10 +16,13 @@ struct MadeHull {
   std::vector<std::string> warnings;  ///< Plain sentences.
 };
 
-/// The steady current and wind on the hull, about its centre of gravity. Throws std::invalid_argument for a table
-/// without rows or axes.
-HullCurrent make_hull_current(const Model& model, const CoupledHullDescription& hull);
-HullWind make_hull_wind(const CoupledHullDescription& hull);
+/// The box of the vessel's dimensions with the water that the hull's mass displaces.
+UfcHull ufc_hull(const Model& model, const CoupledHullDescription& given);
+
+/// The hull in current, wind and sea, without a body and without the memory of radiated waves: enough for
+/// steady_forces. Without hydrodynamic data there are no forces of waves. Throws std::invalid_argument for a table
+/// without rows or axes, and for waves from where the data have no forces.
+Hull hull_in_surroundings(const Model& model, const CoupledHullDescription& given, const Sea& sea);
 
 /// The hull of `vessel.motion.coupled`, or of `vessel.hydrostatics` (statics alone), as drawn by the model, in a sea.
 /// `station_stiffness`: of what keeps the hull's place, for damping given as a ratio of critical in surge, sway or yaw.

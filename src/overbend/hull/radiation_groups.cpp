@@ -14,7 +14,7 @@ using Eigen::MatrixXd;
 constexpr int kLeastOrder = 6, kMostOrder = 20;
 /// Errors of damping and added mass that end the search for an order, that are good enough after all, and the negative
 /// damping that may be left to the constant one.
-constexpr double kGoodFit = 0.005, kFairFit = 0.01, kPassive = 1e-5;
+constexpr double kGoodFit = 0.003, kFairFit = 0.01, kPassive = 1e-5;
 /// Share of the highest frequency below which an error does not count against an order: added mass of heave in finite
 /// depth grows like a logarithm towards zero frequency, which no few exponentials do and no motion feels.
 constexpr double kJudgedFrom = 0.03;
@@ -193,18 +193,20 @@ ChosenFit choose_fit(const RadiationSource& source, const std::vector<int>& mode
   ChosenFit best;
   best.unit = unit;
   double best_error = kFairFit;
-  for (int order = kLeastOrder; order <= kMostOrder && best_error > kGoodFit; order += 2) {
+  // Errors fall with the order, by and large: the least order that is good is looked for by halves.
+  for (int low = kLeastOrder, high = kMostOrder; low <= high;) {
+    const int order = low + (high - low) / 4 * 2;
     const std::vector<std::complex<double>> poles = improve_poles(target, realization.poles(order, kSlowest), kSlowest);
-    if (poles.size() < 2) {
-      continue;
-    }
-    GroupFit fit = fit_residues(target, poles);
-    const double error = error_of(fit, truth);
-    if (fit.least_damping > -kPassive && error < best_error) {
+    GroupFit fit = poles.size() < 2 ? GroupFit{} : fit_residues(target, poles);
+    const bool passive = poles.size() >= 2 && fit.least_damping > -kPassive;
+    const double error = passive ? error_of(fit, truth) : 1.0;
+    const bool good = error <= kGoodFit;
+    if (good || error < best_error) {
       best_error = error;
       best.fit = std::move(fit);
       best.order = order;
     }
+    (good ? high : low) = good ? order - 2 : order + 2;
   }
   return best;
 }

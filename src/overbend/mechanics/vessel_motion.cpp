@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/require.h"
+#include "mechanics/moving_vessel.h"
 
 namespace overbend {
 namespace {
@@ -93,15 +94,20 @@ void follow_history(VesselMotionModel& motion, const VesselDescription& vessel) 
 
 // Evaluation ------------------------------------------------------------------------------------------------------
 
-void add_terms(const std::vector<MotionTerm>& terms, double t, Freedoms& f) {
-  for (const MotionTerm& term : terms) {
-    const double c = std::cos(term.omega * t), s = std::sin(term.omega * t);
+void add_terms(const std::vector<MotionTerm>& terms, const MoveAhead& move, double t, Freedoms& f) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const MotionTerm& term = terms[i];
+    const double wave_number = i < move.wave_numbers.size() ? move.wave_numbers[i] : 0.0;
+    const double phase = term.omega * t - wave_number * move.at.way;
+    const double rate = term.omega - wave_number * move.at.speed;
+    const double bend = wave_number * move.at.acceleration;
+    const double c = std::cos(phase), s = std::sin(phase);
     for (std::size_t k = 0; k < 6; ++k) {
       const double re = term.amplitude[k].real(), im = term.amplitude[k].imag();
       const double value = re * c - im * s;
       f.value[k] += value;
-      f.rate[k] -= term.omega * (re * s + im * c);
-      f.acceleration[k] -= term.omega * term.omega * value;
+      f.rate[k] -= rate * (re * s + im * c);
+      f.acceleration[k] -= rate * rate * value - bend * (re * s + im * c);
     }
   }
 }
@@ -180,9 +186,27 @@ VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
   throw std::invalid_argument("a vessel that moves together with the pipe (vessel.motion.coupled) is not available");
 }
 
+Vec3 level_ahead(const VesselPose& mean) {
+  const Vec3 forward = mean.R_WV.col(0);
+  return Vec3(forward.x(), forward.y(), 0.0).normalized();
+}
+
+std::vector<double> wave_numbers_ahead(const VesselMotionModel& motion, const Sea& sea) {
+  std::vector<double> numbers;
+  if (motion.terms.size() != sea.components.size()) return numbers;  // terms that are of no wave
+  const Vec3 ahead = level_ahead(motion.mean);
+  for (const WaveComponent& wave : sea.components) numbers.push_back(wave.kx * ahead.x() + wave.ky * ahead.y());
+  return numbers;
+}
+
 RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const BuildUp& b) {
+  return vessel_motion(motion, {}, t, b);
+}
+
+RigidMotion vessel_motion(const VesselMotionModel& motion, const MoveAhead& move, double t, const BuildUp& b) {
+  const WayPoint& ahead = move.at;
   Freedoms f = motion.spline.time.empty() ? Freedoms{} : from_history(motion.spline, t);
-  add_terms(motion.terms, t, f);
+  add_terms(motion.terms, move, t, f);
   build_up(f, b);
 
   // R = R_mean Rz(yaw) Ry(pitch) Rx(roll); the axes about which yaw, pitch and roll turn, seen from the mean pose.
@@ -206,6 +230,12 @@ RigidMotion vessel_motion(const VesselMotionModel& motion, double t, const Build
   m.pose.p_WV = motion.mean.p_WV + R * (motion.reference_V + translation(f.value)) - r;
   m.velocity = R * translation(f.rate) - m.omega.cross(r);
   m.acceleration = R * translation(f.acceleration) - m.alpha.cross(r) - m.omega.cross(m.omega.cross(r));
+  if (ahead.way != 0.0 || ahead.speed != 0.0 || ahead.acceleration != 0.0) {
+    const Vec3 along = level_ahead(motion.mean);
+    m.pose.p_WV += ahead.way * along;
+    m.velocity += ahead.speed * along;
+    m.acceleration += ahead.acceleration * along;
+  }
   return m;
 }
 

@@ -279,6 +279,9 @@ struct StaticSettings {
   LayHistory history = LayHistory::laying;
   double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
   int max_iterations = 60;  ///< Of one stage.
+  /// Whether the waves' mean drift acts on a floating hull at rest; not said: only in the equilibrium that a dynamic
+  /// analysis starts from.
+  std::optional<bool> mean_drift;
 };
 
 struct DynamicSettings {

@@ -143,6 +143,7 @@ inline constexpr std::array kWords<HullCurrentForm> = {
     Word{HullCurrentForm::none, "none"},
     Word{HullCurrentForm::strips, "strips"},
     Word{HullCurrentForm::table, "table"},
+    Word{HullCurrentForm::ufc, "ufc"},
 };
 
 template <>
@@ -209,6 +210,15 @@ inline constexpr std::array kWords<OperationType> = {
     Word{OperationType::none, "none"},
     Word{OperationType::moored, "moored"},
     Word{OperationType::pull_ahead, "pull_ahead"},
+    Word{OperationType::anchor_move, "anchor_move"},
+    Word{OperationType::anchor_plan, "anchor_plan"},
+};
+
+template <>
+inline constexpr std::array kWords<MoveShape> = {
+    Word{MoveShape::trapezoid, "trapezoid"},
+    Word{MoveShape::minimum_jerk, "minimum_jerk"},
+    Word{MoveShape::zero_vibration, "zero_vibration"},
 };
 
 /// A plain yes or no.

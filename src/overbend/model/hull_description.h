@@ -26,7 +26,8 @@ struct ModeDampingDescription {
   std::optional<double> quadratic;  ///< [N s2/m2] or [N m s2]
 };
 
-enum class HullCurrentForm { none, strips, table };
+/// `ufc`: coefficients of UFC 4-159-03 by the hull's dimensions.
+enum class HullCurrentForm { none, strips, table, ufc };
 enum class CurrentRelativeTo { water, earth };
 /// Direction convention of a table of current or wind coefficients: where the flow goes to (or comes from), counted
 /// from the bow or the stern.
@@ -78,6 +79,9 @@ struct CoupledHullDescription {
   HullCurrentDescription current;
   WindDescription wind;
   double slow_period = 40.0;  ///< Corner of the low-pass of position and heading [s].
+  /// Distance from rest at which a dynamic analysis lets the hull go: forward, to port, up; starboard down, bow down,
+  /// bow to port [m, rad].
+  Vec3 released_shift = Vec3::Zero(), released_turn = Vec3::Zero();
 };
 
 /// Restoring by buoyancy alone where there are no hydrodynamic files: balanced as drawn without lines and pipe.

@@ -16,6 +16,9 @@ std::string current_words(const HullCurrentDescription& current) {
       return "The current does not act on the hull.";
     case HullCurrentForm::table:
       return fmt::format("The current acts on the hull by the table of coefficients {}.", current.table_file);
+    case HullCurrentForm::ufc:
+      return "The current acts on the hull by the coefficients of UFC 4-159-03 for a ship or barge of its dimensions; "
+             "sharp edges may double them across, and the offset of the vessel depends on them.";
     case HullCurrentForm::strips:
       break;
   }
@@ -35,7 +38,12 @@ void assume_coupled(Sentences& list, const Model& model) {
                      ? "Ballast: constant forces keep draught, heel and trim as given with lines and pipe attached."
                      : "Ballast: the mass is as given, and the hull sinks under the pull of lines and pipe.");
   if (!model.current.z.empty()) list.push_back(current_words(hull.current));
-  if (hull.wind.areas.empty()) list.push_back("There is no wind.");
+  if (hull.wind.speed <= 0.0) {
+    list.push_back("There is no wind.");
+  } else {
+    list.push_back(fmt::format(
+        "A steady wind of {:.3g} m/s acts on the hull by areas with shape and height coefficients.", hull.wind.speed));
+  }
   if (hull.wave_drift == WaveDrift::newman) {
     list.push_back(
         "Slowly varying drift follows from mean drift (Newman's approximation), in surge, sway and yaw; it is too "
@@ -67,9 +75,15 @@ void assume_moorings(Sentences& list, const MooringsDescription& moorings, std::
       "out.");
   const bool slides = std::any_of(moorings.lines.begin(), moorings.lines.end(),
                                   [](const MooringLineDescription& line) { return line.anchor_holding.slides; });
-  list.push_back(slides
-                     ? "Anchors that may slide do so along their line, above their holding power; the others are fixed."
-                     : "Anchors are fixed points; where their holding power is given, its use is reported.");
+  list.push_back(slides ? "Anchors that may slide do so along their line, above their holding power less the uplift; "
+                          "the others are fixed."
+                        : "Anchors are fixed points; where their holding power is given, its use is reported.");
+  if (moorings.model == MooringModel::quasi_static) {
+    list.push_back(
+        "In time the mooring lines are elastic catenaries that follow the hull at once: without mass, drag and waves "
+        "on "
+        "them.");
+  }
 }
 
 }  // namespace

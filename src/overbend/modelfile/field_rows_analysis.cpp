@@ -165,6 +165,13 @@ std::vector<Field> analysis() {
        .kind = FieldKind::integer,
        .text = "Newton iterations per stage before another method is tried.",
        .range = {.low = 1.0, .high = 1e6}},
+      {.path = s + ".mean_drift",
+       .member = fills(&StaticSettings::mean_drift),
+       .kind = FieldKind::choice,
+       .text =
+           "Whether the mean drift of the waves acts on a coupled hull at rest. yes: in statics and in the start of "
+           "a dynamic analysis; no: in neither, and it grows with the waves.",
+       .fallback_text = "in the equilibrium that a dynamic analysis starts from, not in statics"},
       {.path = d,
        .member = enters(&Description::dynamics),
        .text = "Dynamics.",

@@ -66,6 +66,24 @@ std::vector<Field> body() {
   return rows;
 }
 
+/// Decay of a hull let go.
+std::vector<Field> release() {
+  using Hull = CoupledHullDescription;
+  const std::string r = kHull + ".release";
+  std::vector<Field> rows = {group_row(
+      r, {}, "Distance from rest at which a dynamic analysis lets the hull go: a decay, best in calm water.")};
+  for (std::size_t i = 0; i < kFreedoms.size(); ++i) {
+    const Freedom& f = kFreedoms[i];
+    const auto take = [i](Hull& hull, const FieldValue& value) {
+      (i < 3 ? hull.released_shift : hull.released_turn)(static_cast<Eigen::Index>(i % 3)) = value.number;
+    };
+    rows.push_back(quantity_row(r + "." + f.name, with_default(taken_by<Hull>(take), 0.0),
+                                "Distance in this degree of freedom.", f.turns ? kAngle : kLength,
+                                f.turns ? Range{.low = -0.5, .high = 0.5} : Range{.low = -100.0, .high = 100.0}));
+  }
+  return rows;
+}
+
 /// Kept apart from the description, for the reader of the files: modelfile/hull_files.h.
 std::vector<Field> file_convention() {
   using Source = HydrodynamicsSource;
@@ -126,8 +144,8 @@ std::vector<Field> damping() {
 }
 
 /// Keys of a table of coefficients by direction.
+template <class Owner>
 std::vector<Field> coefficient_table(const std::string& p) {
-  using Owner = HullCurrentDescription;
   Field file = otherwise(row_of_kind(FieldKind::text, p + ".table", fills(&Owner::table_file),
                                      "CSV file with the columns angle_deg,cx,cy,cz, in the folder of the model file."),
                          "no table");
@@ -153,7 +171,7 @@ std::vector<Field> current() {
   const std::string c = kHull + ".current";
   const auto open = [](CoupledHullDescription& hull, const FieldValue& group) -> Current& {
     hull.current.stated = true;
-    hull.current.form = group.find("table") != nullptr ? HullCurrentForm::table : HullCurrentForm::strips;
+    if (group.find("table") != nullptr) hull.current.form = HullCurrentForm::table;
     return hull.current;
   };
   const auto take = [](CoupledHullDescription& hull, const FieldValue&) {
@@ -166,9 +184,16 @@ std::vector<Field> current() {
                             "none: the current does not act on the hull; otherwise a group of the keys below."),
                 "strips; must be given where there is a current");
   none.choices = {word_of(HullCurrentForm::none)};
+  Field form = otherwise(row_of_kind(FieldKind::choice, c + ".form", fills(&Current::form),
+                                     "strips: drag coefficients along the length; ufc: coefficients of UFC 4-159-03 by "
+                                     "the hull's dimensions and the depth of water."),
+                         "strips, or the table where there is one");
+  form.choices = {word_of(HullCurrentForm::strips), word_of(HullCurrentForm::ufc)};
   std::vector<Field> rows = {
       none,
-      group_row(c, opened_by<CoupledHullDescription>(open), "Forces of the current on the hull: strips, or a table."),
+      group_row(c, opened_by<CoupledHullDescription>(open),
+                "Forces of the current on the hull: strips, coefficients by its dimensions, or a table."),
+      form,
       row_of_kind(FieldKind::number, c + ".transverse", defaults(&Current::transverse),
                   "Cross-flow drag coefficient of the strips, on length and draught.", coefficient),
       row_of_kind(FieldKind::number, c + ".longitudinal", defaults(&Current::longitudinal),
@@ -176,7 +201,7 @@ std::vector<Field> current() {
       row_of_kind(FieldKind::choice, c + ".relative_to", defaults(&Current::relative_to),
                   "water: the flow includes the orbital velocity of the waves; earth: the current alone."),
   };
-  append(rows, coefficient_table(c));
+  append(rows, coefficient_table<Current>(c));
   return rows;
 }
 
@@ -257,6 +282,7 @@ std::vector<Field> hull() {
   std::vector<Field> rows = body();
   append(rows, file_convention());
   append(rows, damping());
+  append(rows, release());
   append(rows, current());
   append(rows, wind());
   append(rows, hydrostatics());

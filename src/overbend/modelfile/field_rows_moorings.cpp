@@ -21,10 +21,26 @@ WinchDescription& add_winch(MooringsDescription& moorings, const FieldValue& nam
   return winch;
 }
 
+std::vector<Field> winch_program(const std::string& winch) {
+  using Step = WinchStepDescription;
+  const std::string p = winch + ".program";
+  return {
+      list_row(
+          p, enters(&WinchDescription::program),
+          "What the winch pays out in time. Mode speed: from each time on, one after the other, at its speed. Mode "
+          "length: by each time, smoothly in between.",
+          "follows the operation"),
+      group_row(p + "[]", appends<Step>(), "One step."),
+      required(quantity_row(p + "[].time", fills(&Step::time), "Time.", kTime, kNotNegative)),
+      required(quantity_row(p + "[].paid_out", fills(&Step::paid_out),
+                            "Paid out since the start of the run in all; negative is hauled in.", kLength)),
+  };
+}
+
 std::vector<Field> winches() {
   using Winch = WinchDescription;
   const std::string w = "moorings.winches.*";
-  return {
+  std::vector<Field> rows = {
       otherwise(group_row("moorings.winches", {}, "Winches, each with a name of your own, to which the lines refer."),
                 "lines of constant length"),
       group_row(w, opened_by<MooringsDescription>(add_winch), "One kind of winch."),
@@ -45,11 +61,19 @@ std::vector<Field> winches() {
       otherwise(
           quantity_row(w + ".tension", fills(&Winch::tension), "Tension wanted in mode tension.", kForce, kPositive),
           "not used"),
+      otherwise(quantity_row(w + ".band", fills(&Winch::band),
+                             "In mode tension: the winch stays while the tension is within this of the one wanted.",
+                             kForce, kPositive),
+                "10 % of the tension"),
       quantity_row(w + ".delay", defaults(&Winch::delay), "Time before it reacts.", kTime,
                    {.low = 0.0, .high = 3600.0}),
+      quantity_row(w + ".acceleration_time", defaults(&Winch::acceleration_time), "Time up to its speed.", kTime,
+                   {.low = 0.0, .high = 3600.0, .low_open = true}),
       otherwise(quantity_row(w + ".drum", fills(&Winch::drum), "Length of line it holds.", kLength, kPositive),
                 "not checked"),
   };
+  append(rows, winch_program(w));
+  return rows;
 }
 
 /// A place on the bed by x and y.
@@ -117,6 +141,19 @@ std::vector<Field> mooring_lines() {
        row_of_kind(FieldKind::choice, l + ".anchor_slides",
                    with_default(through(&Line::anchor_holding, fills(&AnchorDescription::slides)), std::string("no")),
                    "Whether the anchor slides above its holding power; otherwise it is fixed, and reported."),
+       otherwise(group_row(l + ".useful", enters(&Line::useful),
+                           "Where the line is of use while the vessel goes on, for operation.type: anchor_plan."),
+                 "its anchor is not moved"),
+       otherwise(quantity_row(l + ".useful.least_length", fills(&UsefulRange::least_length),
+                              "Least unstressed length of the line.", kLength, kPositive),
+                 "no bound"),
+       otherwise(quantity_row(l + ".useful.most_length", fills(&UsefulRange::most_length),
+                              "Most unstressed length of the line.", kLength, kPositive),
+                 "no bound"),
+       otherwise(quantity_row(l + ".useful.sector", fills(&UsefulRange::sector),
+                              "Of its direction, either way from that as drawn.", kAngle,
+                              {.low = 0.0, .high = 3.14159265358979323846, .low_open = true}),
+                 "no bound"),
        otherwise(quantity_row(l + ".fails_at", fills(&Line::fails_at), "Time at which the line parts at its fairlead.",
                               kTime, kNotNegative),
                  "it does not part")});

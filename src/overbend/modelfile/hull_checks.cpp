@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "model/description_words.h"
 #include "model/section.h"
 #include "modelfile/binding.h"
 #include "modelfile/line_checks.h"
@@ -90,10 +91,16 @@ void check_hull_current(Checker& check, const FieldValue& hull, const std::strin
   }
   if (current->kind != FieldValue::Kind::map) return;
   check_table(check, *current, file);
-  for (const char* key : {"transverse", "longitudinal", "relative_to"}) {
-    const FieldValue* strips = current->find(key);
-    if (current->find("table") != nullptr && strips != nullptr && strips->given) {
-      check.error(*strips, "a key of strips beside a table", "one of them");
+  const bool by_table = current->find("table") != nullptr;
+  const bool by_dimensions = current->get_word<HullCurrentForm>("form") == HullCurrentForm::ufc;
+  for (const char* key : {"form", "transverse", "longitudinal", "relative_to"}) {
+    const FieldValue* value = current->find(key);
+    if (value == nullptr || !value->given) continue;
+    const bool coefficient = key == std::string("transverse") || key == std::string("longitudinal");
+    if (by_table) {
+      check.error(*value, "a key of strips beside a table", "one of them");
+    } else if (by_dimensions && coefficient) {
+      check.error(*value, "a coefficient beside form: ufc, which has its own", "one of them");
     }
   }
 }

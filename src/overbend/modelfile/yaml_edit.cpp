@@ -95,12 +95,18 @@ class Editor {
     return insert_lines(extent_.end(map.entries.back()), block_lines(parts, map.column, value));
   }
 
-  /// "a:", "  b: value"; what follows the first list is in flow style.
+  /// "a:", "  b: value"; what follows the first list is in flow style, its first item on a line of its own where it is
+  /// a group.
   std::vector<std::string> block_lines(const std::vector<std::string>& parts, int column,
                                        const std::string& value) const {
     std::vector<std::string> lines;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string head = blanks(column + 2 * static_cast<int>(i)) + yaml_scalar(parts[i]) + ":";
+      if (i + 2 == parts.size() && parts[i + 1] == "[0]" && value[0] == '{') {
+        lines.push_back(head);
+        lines.push_back(blanks(column + 2 * static_cast<int>(i) + 2) + "- " + value);
+        break;
+      }
       if (i + 1 == parts.size() || parts[i + 1][0] == '[') {
         lines.push_back(head + " " + nested(parts, i + 1, value));
         break;

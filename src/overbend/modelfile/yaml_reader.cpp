@@ -11,6 +11,7 @@
 #include "modelfile/field_value.h"
 #include "modelfile/hull_files.h"
 #include "modelfile/model_checks.h"
+#include "modelfile/mooring_reach.h"
 #include "modelfile/motion_files.h"
 #include "seafiles/spectrum_reader.h"
 
@@ -59,6 +60,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   check_model(values, path, reading.diagnostics);
   if (reading.diagnostics.has_errors()) return;
   reading.description = bind_model(values, path);
+  check_reach(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);
@@ -94,6 +96,18 @@ ModelReading read_model_text(const std::string& text, const std::string& path) {
   }
   read_tree(*root, path, Files::all, reading);
   if (reading.description) reading.description->source_text = text;
+  return reading;
+}
+
+ModelReading read_stored_model(const std::string& text, const std::string& path) {
+  ModelReading reading;
+  if (first_garbage(text) != std::string::npos) return reading;
+  const std::optional<YamlNode> root = parse_yaml(text, path, reading.diagnostics);
+  if (!root || root->kind != YamlNode::Kind::map) return reading;
+  const FieldValue values = read_fields(*root, field_tree(), path, reading.diagnostics);
+  if (reading.diagnostics.has_errors()) return reading;
+  reading.description = bind_model(values, path);
+  reading.description->source_text = text;
   return reading;
 }
 

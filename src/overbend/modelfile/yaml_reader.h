@@ -21,6 +21,10 @@ ModelReading read_model(const std::string& path);
 /// The same for a text; `path` names it in messages and gives the folder of the files it mentions.
 ModelReading read_model_text(const std::string& text, const std::string& path);
 
+/// For a text that was read before and is kept with its results: the files that it names are not looked for, and what
+/// was checked then is not checked again. No description where keys are unknown, missing or of another kind.
+ModelReading read_stored_model(const std::string& text, const std::string& path);
+
 /// The same for a tree, without the file of the vessel's motion: enough for statics, where it is done many times a
 /// second.
 ModelReading read_still_model(const YamlNode& root, const std::string& path);

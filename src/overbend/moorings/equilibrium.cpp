@@ -65,6 +65,13 @@ void add_loads(const HullAtRest& hull, const Attitude& at, HullForces& sum) {
   }
 }
 
+void add_surroundings(const HullAtRest& hull, const HullOffset& u, HullForces& sum) {
+  if (!hull.surroundings) return;
+  const double d = 1e-5;  // the forces change over degrees
+  sum.total += hull.surroundings(u[5]);
+  sum.slope.col(5) -= (hull.surroundings(u[5] + d) - hull.surroundings(u[5] - d)) / (2.0 * d);
+}
+
 Mat6 turned(const Mat6& m, const Mat3& axes) {
   Mat6 result;
   for (const int i : {0, 3}) {
@@ -182,6 +189,7 @@ HullForces hull_forces(const MooringSpread& spread, const HullAtRest& hull, cons
   const Attitude at = attitude_of(hull, offset);
   add_restoring(hull, offset, at, sum);
   add_loads(hull, at, sum);
+  add_surroundings(hull, offset, sum);
   add_lines(spread, hull, place_of(hull, offset), at, lines, sum);
   return sum;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "model/hydrodynamic_data.h"
@@ -16,9 +17,10 @@ struct HullAtRest {
   double length = 100.0;                  ///< Scale of moments [m].
   Mat3 restoring = Mat3::Zero();          ///< Of heave, roll, pitch about its point [N/m, N, N m].
   Vec3 restoring_point_V = Vec3::Zero();  ///< [m]
-  /// Force and moment about the reference point that do not change: ballast, steady wind, current and drift; D [N, N
-  /// m].
+  /// Force and moment about the reference point that do not change: ballast, pull of the pipe; D [N, N m].
   Vec6 steady = Vec6::Zero();
+  /// The same of current, wind and drift with the hull turned by a yaw [rad]; empty where there are none.
+  std::function<Vec6(double yaw)> surroundings;
   std::vector<VesselLoadDescription> loads;  ///< Direction kept, point turns with the hull.
 };
 

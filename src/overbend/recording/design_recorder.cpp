@@ -69,7 +69,8 @@ void DesignRecorder::find_rollers(const DesignInstant& at) {
   std::fill(roller_.begin(), roller_.end(), 0.0);
   for (const RollerContact& contact : at.contacts) {
     if (contact.normal > 0.0) {
-      double& force = roller_[static_cast<std::size_t>(contact.at.element + (contact.at.xi < 0.5 ? 0 : 1))];
+      const std::size_t node = static_cast<std::size_t>(contact.at.element + (contact.at.xi < 0.5 ? 0 : 1));
+      double& force = roller_[static_cast<std::size_t>(at.station_of_node[node])];
       force = std::max(force, contact.normal);
     }
   }

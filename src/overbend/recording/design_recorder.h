@@ -2,6 +2,7 @@
 /// every safety class.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -16,8 +17,9 @@ namespace overbend {
 /// A step as the design recorder is told of it.
 struct DesignInstant {
   const NodeValues& nodes;
-  const std::vector<Vec3>& moments;   ///< Bending moment at every node as a vector, W [N m].
-  const std::vector<Vec3>& tangents;  ///< Unit, W.
+  const std::vector<Vec3>& moments;         ///< Bending moment at every node as a vector, W [N m].
+  const std::vector<Vec3>& tangents;        ///< Unit, W.
+  const std::vector<int>& station_of_node;  ///< Of the mesh that contacts tell of.
   const std::vector<RollerContact>& contacts;
   double time = 0.0;
 };
@@ -29,6 +31,10 @@ class DesignRecorder {
   /// What the current adds to the static state, at every node: it is taken off the functional load effects. Before
   /// start(); none where it is not told.
   void set_current(std::vector<CurrentPart> parts) { current_ = std::move(parts); }
+  /// What stands at the stations now, where pipe moves through them.
+  void set_sections(const std::vector<int>& section_of_node) {
+    std::copy(section_of_node.begin(), section_of_node.end(), section_.begin());
+  }
   /// The static state: the functional load effects.
   void start(const DesignInstant& at);
   /// An accepted step after t = 0. Nothing is allocated.

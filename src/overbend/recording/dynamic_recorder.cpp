@@ -6,6 +6,7 @@
 
 #include "mechanics/contact_damage.h"
 #include "recording/dynamic_recorder_layout.h"
+#include "recording/move_record.h"
 
 namespace overbend {
 namespace {
@@ -73,8 +74,9 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       line_(&simulation.system().lines.front()),
       vessel_(&simulation.system().bodies.front()),
       sink_(&sink),
-      recovery_(model, *line_),
+      recovery_(model, *line_, simulation.move() != nullptr),
       design_(model, recovery_.sections()),
+      move_(simulation.move()),
       tip_roller_(last_stinger_roller(model.supports)),
       rollers_(model.supports.rollers.size()),
       boxes_(model.supports.boxes.size()),
@@ -83,7 +85,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
       columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value())),
       snapshot_stride_(snapshot_stride(simulation.options())) {
-  const std::vector<double>& s = line_->mesh.s;
+  const std::vector<double>& s = places();
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
   const std::size_t n = s.size() - first_;
@@ -95,6 +97,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   key_statistics_ = RunningStatistics(key_sample_.size());
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
+  if (move_ != nullptr) add_move_columns(columns_);
   row_.resize(columns_.size());
   impacts_.resize(rollers_);
   left_.resize(boxes_);
@@ -110,7 +113,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
 void DynamicRecorder::tell_current() {
   if (!tells_current(*statics_)) return;
   std::vector<CurrentPart> parts;
-  for (const double s : line_->mesh.s) parts.push_back(current_part(*statics_, s));
+  for (const double s : places()) parts.push_back(current_part(*statics_, s));
   design_.set_current(std::move(parts));
 }
 
@@ -125,16 +128,18 @@ void DynamicRecorder::begun(const Instant& at) {
   if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
-  snapshot_.resize(5 * (nodes_.x.size() - first_) + 12 + 4 * static_cast<std::size_t>(moorings_.points()));
-  sink_->begin(columns, {line_->mesh.nodes() - static_cast<int>(first_), moorings_.points()});
+  const std::size_t recorded = places().size() - first_;
+  snapshot_.resize(5 * recorded + 12 + 4 * static_cast<std::size_t>(moorings_.points()));
+  sink_->begin(columns, {static_cast<int>(recorded), moorings_.points()});
 }
 
 DesignInstant DynamicRecorder::design_instant(const Instant& at) const {
-  return {nodes_, recovery_.moments(), recovery_.tangents(), at.contacts(), at.state->time};
+  return {nodes_,        recovery_.moments(), recovery_.tangents(), recovery_.station_of_node(),
+          at.contacts(), at.state->time};
 }
 
 void DynamicRecorder::recover(const Instant& at) {
-  recovery_.recover(at.pipe(), at.assembly->line(0), at.water(), nodes_);
+  recovery_.recover(at, nodes_);
   find_key_values(at);
   find_support_values(at);
   find_passed(at);
@@ -147,7 +152,7 @@ void DynamicRecorder::recover(const Instant& at) {
 void DynamicRecorder::find_key_values(const Instant& at) {
   const LineState& state = at.pipe();
   const int top = line_->mesh.nodes() - 1;
-  key_.top_tension = nodes_.effective_tension[static_cast<std::size_t>(top)];
+  key_.top_tension = nodes_.effective_tension.back();
   const BedSurface& bed = model_->seabed.surface;
   const double radius = line_->elements.radius[0];
   const auto clearance = [&](int node) { return bed.clearance(node_place(state, node)) - radius; };
@@ -165,18 +170,18 @@ void DynamicRecorder::find_key_values(const Instant& at) {
     landing += below / (below - above) * (node_place(state, touchdown + 1) - landing);
     landing_s += below / (below - above) * line_->mesh.length[static_cast<std::size_t>(touchdown)];
   }
-  const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero());
+  const Vec3 shoe = point_from_ramp(*model_, model_->mean_pose, Vec3::Zero()) + at.move.ahead_W;
   key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
-  key_.bottom_tension = nodes_.effective_tension[static_cast<std::size_t>(touchdown)] *
+  key_.bottom_tension = recovery_.at_nodes(nodes_).effective_tension[static_cast<std::size_t>(touchdown)] *
                         std::cos(inclination(node_tangent(state, touchdown)));
   const std::optional<double> leaving = departure(at);
-  key_.departure_angle =
-      inclination(node_tangent(state, node_below(line_->mesh, leaving.value_or(line_->mesh.s.back()))));
+  key_.departure_angle = inclination(
+      node_tangent(state, node_below(line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back())))));
   key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.contacts()[static_cast<std::size_t>(tip_roller_)]);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
-  find_region_peaks(
-      find_regions({line_->mesh.s, nodes_.bending_moment, nodes_.vertical_moment}, landing_s, leaving, clamped),
-      at.state->time);
+  find_region_peaks(find_regions({places(), nodes_.bending_moment, nodes_.vertical_moment},
+                                 recovery_.place_of(landing_s), leaving, clamped),
+                    at.state->time);
   find_slack(at.state->time);
   key_sample_ = {key_.top_tension,    key_.bottom_tension, key_.lay_back,       key_.departure_angle,
                  key_.tip_clearance,  key_.upper[0].now,   key_.upper[1].now,   key_.upper[2].now,
@@ -184,14 +189,14 @@ void DynamicRecorder::find_key_values(const Instant& at) {
                  key_.sagbend[3].now, -key_.slack.now};
 }
 
-/// Arc length of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
+/// Place of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
 /// state; none where no support carries in either.
 std::optional<double> DynamicRecorder::departure(const Instant& at) const {
   std::optional<double> last;
   for (const RollerContact& contact : at.contacts()) {
     if (contact.normal <= 0.0) continue;
     const std::size_t e = static_cast<std::size_t>(contact.at.element);
-    const double s = line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e];
+    const double s = recovery_.place_of(line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e]);
     last = last ? std::min(*last, s) : s;
   }
   return last ? last : static_departure_;
@@ -204,7 +209,7 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
     key_.upper[i].now = key_.sagbend[i].now = 0.0;
   }
   for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
-    const double s = line_->mesh.s[node];
+    const double s = places()[node];
     const Region region = regions.of(s);
     if (region == Region::seabed) continue;
     RegionPeak* peaks = region == Region::sagbend ? key_.sagbend : key_.upper;
@@ -218,7 +223,7 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
 void DynamicRecorder::find_slack(double time) {
   key_.slack.now = -std::numeric_limits<double>::infinity();
   for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
-    keep_peak(key_.slack, -nodes_.effective_tension[node], line_->mesh.s[node], time);
+    keep_peak(key_.slack, -nodes_.effective_tension[node], places()[node], time);
   }
 }
 
@@ -272,13 +277,14 @@ void DynamicRecorder::find_support_values(const Instant& at) {
 
 void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
-  tensioner_.add(*at.tensioner, at.state->time, at.step);
+  tensioner_.add(*at.tensioner, at.move.paid_out, at.state->time, at.step);
   moorings_.add(*at.state, *at.assembly, at.step);
   if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
-  crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh);
+  crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {
     return;
   }
+  if (move_ != nullptr) design_.set_sections(recovery_.sections());
   design_.step(design_instant(at));
   double* out = node_sample_.data();
   for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,

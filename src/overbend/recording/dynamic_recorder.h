@@ -8,9 +8,9 @@
 #include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
 #include "recording/design_recorder.h"
-#include "recording/dynamic_stations.h"
 #include "recording/history_columns.h"
 #include "recording/mooring_watch.h"
+#include "recording/moving_stations.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
 #include "recording/vessel_watch.h"
@@ -74,6 +74,7 @@ class DynamicRecorder : public SimulationObserver {
   void fill_warnings(DynamicResults& results) const;
   void fill_slamming(DynamicResults& results) const;
   void fill_tensioner_warnings(DynamicResults& results) const;
+  const std::vector<double>& places() const { return recovery_.places(); }
   void fill_supports(DynamicResults& results) const;
   void fill_regions(DynamicResults& results) const;
   DynamicExtreme extreme_of(const RegionPeak& peak, const Spread& over_time) const;
@@ -83,13 +84,14 @@ class DynamicRecorder : public SimulationObserver {
   const Line* line_;
   const Body* vessel_;
   DynamicSink* sink_;
-  NodeRecovery recovery_;
+  MovingStations recovery_;
   DesignRecorder design_;
   NodeValues nodes_, static_nodes_;
   KeyValues key_;
-  std::size_t first_ = 0;                   ///< Node that is recorded.
+  std::size_t first_ = 0;                   ///< Station that is recorded.
+  const MoveProfile* move_;                 ///< On which the vessel moves ahead; null where it does not.
   int tip_roller_ = -1;                     ///< Bottom roller of the stinger's last row.
-  std::optional<double> static_departure_;  ///< Arc length of the last contact in the static state [m].
+  std::optional<double> static_departure_;  ///< Place of the last contact in the static state [m].
   std::size_t rollers_, boxes_;
 
   std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;

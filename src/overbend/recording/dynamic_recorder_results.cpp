@@ -9,6 +9,7 @@
 #include "recording/dynamic_recorder.h"
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/dynamic_warnings.h"
+#include "recording/move_record.h"
 
 namespace overbend {
 namespace {
@@ -86,8 +87,8 @@ DynamicExtreme DynamicRecorder::extreme_of(const RegionPeak& peak, const Spread&
   out.over_time = over_time;
   out.s = peak.s;
   out.time = peak.time;
-  const auto node = std::lower_bound(line_->mesh.s.begin(), line_->mesh.s.end(), peak.s - 1e-9);
-  const std::size_t n = static_cast<std::size_t>(node - line_->mesh.s.begin());
+  const auto node = std::lower_bound(places().begin(), places().end(), peak.s - 1e-9);
+  const std::size_t n = static_cast<std::size_t>(node - places().begin());
   out.p_W = Vec3(static_nodes_.x[n], static_nodes_.y[n], static_nodes_.z[n]);
   return out;
 }
@@ -119,7 +120,7 @@ void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
   }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
-    if (t.travel.max > free) {
+    if (t.travel.max > free && move_ == nullptr) {
       results.warnings.push_back(
           fmt::format("the tensioner paid out {:.2f} m, more than the {:.2f} m to the first box: the end of the pipe, "
                       "which moves with the travel, passed it",
@@ -149,6 +150,7 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
         "it are those of a pipe that does not yield (see pipe.steel.material)");
   }
   fill_tensioner_warnings(results);
+  if (move_ != nullptr) warn_of_move(*model_, *move_, results);
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
 }
 
@@ -166,7 +168,7 @@ void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
 /// What slamming, which the equations leave out, would have been at the fastest entry.
 void DynamicRecorder::fill_slamming(DynamicResults& results) const {
   if (crossing_.speed() <= 0.0 || model_->description.environment.waves.type == WaveType::none) return;
-  const double from_top = line_->mesh.total_length() - crossing_.s();
+  const double from_top = places().back() - crossing_.s();
   const Section& pipe = model_->sections[static_cast<std::size_t>(model_->section_at(from_top))];
   const double force = slamming_force(model_->water_density, pipe.outer_diameter, crossing_.speed());
   const std::string size = fmt::format(
@@ -196,7 +198,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   const auto recorded = [&](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(first_), all.end());
   };
-  results.station_s = recorded(line_->mesh.s);
+  results.station_s = recorded(places());
   results.static_tension = recorded(static_nodes_.effective_tension);
   results.static_moment = recorded(static_nodes_.bending_moment);
   results.static_bending_stress = recorded(static_nodes_.bending_stress);

@@ -1,5 +1,6 @@
 #include "recording/history_columns.h"
 
+#include "dynamics/mooring_tension.h"
 #include "recording/dynamic_recorder_layout.h"
 
 namespace overbend {
@@ -74,7 +75,7 @@ void add_tension(Columns& columns) {
                      [](const RowSource& row) { return row.now.tensioner->machine.tension; }});
   columns.push_back(
       {{"tensioner/travel", "m", "Length paid out by the tensioner, negative when hauled in", false, false},
-       [](const RowSource& row) { return row.now.tensioner->travel.q; }});
+       [](const RowSource& row) { return row.now.move.moves ? row.now.move.paid_out : row.now.tensioner->travel.q; }});
   columns.push_back({{"tensioner/state", "1", "0 holds, 1 delay, 2 pays out, 3 hauls in, 4 at its limit", false, false},
                      [](const RowSource& row) { return static_cast<double>(row.now.tensioner->machine.state); }});
 }
@@ -105,10 +106,7 @@ void add_floating(Columns& columns) {
 /// Lines follow the pipe in the system: anchor first, fairlead last.
 void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
   const auto tension = [line](LineEnd end) {
-    return [line, end](const RowSource& row) {
-      const std::array<double, 6>& force = row.now.assembly->line(line).end_force(end);
-      return Vec3(force[0], force[1], force[2]).norm();
-    };
+    return [line, end](const RowSource& row) { return mooring_tension(*row.now.assembly, *row.now.state, line, end); };
   };
   columns.push_back(
       {{"mooring/" + name + "/fairlead_tension", "N", "Tension at the fairlead", true, true}, tension(LineEnd::last)});
@@ -137,7 +135,7 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
        [](const RowSource& row) { return row.now.drift; }});
   for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
   if (floating) add_floating(columns);
-  for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i + 1);
+  for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
   return columns;
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <span>
 
+#include "dynamics/mooring_tension.h"
 #include "statics/lines_recovery.h"
 #include "system/cut_forces.h"
 
@@ -30,16 +31,11 @@ std::optional<double> breaking_load(const MooringLineDescription& line) {
   return least;
 }
 
-std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
+WinchDescription winch_named(const MooringsDescription& moorings, const std::string& winch) {
   for (const WinchDescription& one : moorings.winches) {
-    if (one.name == winch) return one.brake;
+    if (one.name == winch) return one;
   }
-  return std::nullopt;
-}
-
-double tension_at(const LineAssembly& line, LineEnd end) {
-  const std::array<double, 6>& force = line.end_force(end);
-  return Vec3(force[0], force[1], force[2]).norm();
+  return {};
 }
 
 /// Pull of the line on its anchor, upwards [N].
@@ -89,11 +85,13 @@ MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, c
   for (const std::string& name : names) {
     const auto described = std::find_if(moorings->lines.begin(), moorings->lines.end(),
                                         [&](const MooringLineDescription& line) { return line.name == name; });
+    const WinchDescription winch = winch_named(*moorings, described->winch);
     Watched line;
     line.name = name;
     line.breaking = breaking_load(*described);
     line.working = moorings->working_load;
-    line.brake = brake_of(*moorings, described->winch);
+    line.brake = winch.brake;
+    line.stall = winch.stall;
     line.holding = described->anchor_holding.holding;
     line.slides = described->anchor_holding.slides;
     lines_.push_back(std::move(line));
@@ -104,28 +102,38 @@ MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, c
 }
 
 void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
+  const bool quasi_static = moored_quasi_statically(assembly);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const LineAssembly& line = assembly.line(i + 1);
     double* const now = sample_.data() + kQuantities * i;
-    now[kFairlead] = tension_at(line, LineEnd::last);
-    now[kAnchor] = tension_at(line, LineEnd::first);
-    now[kOnBed] = bearing_length(line.line(), state.lines[i + 1]);
-    now[kUplift] = now[kOnBed] > 0.0 ? 0.0 : std::max(0.0, uplift_at(line));
+    now[kFairlead] = mooring_tension(assembly, state, i, LineEnd::last);
+    now[kAnchor] = mooring_tension(assembly, state, i, LineEnd::first);
+    if (quasi_static) {
+      const LineEndForces& line = state.bodies.front().lines[i];
+      now[kOnBed] = line.on_bed;
+      now[kUplift] = line.anchor_uplift;
+      now[kLength] = line.length;
+    } else {
+      const LineAssembly& line = assembly.line(i + 1);
+      now[kOnBed] = bearing_length(line.line(), state.lines[i + 1]);
+      now[kUplift] = now[kOnBed] > 0.0 ? 0.0 : uplift_at(line);
+      now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
+    }
+    now[kUplift] = std::max(0.0, now[kUplift]);
     now[kSlack] = now[kFairlead] < kSlackShare * lines_[i].start ? 1.0 : 0.0;
-    now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
   }
 }
 
 void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
+  quasi_static_ = moored_quasi_statically(assembly);
+  for (std::size_t i = 0; i < (quasi_static_ ? 0 : lines_.size()); ++i) {
     find_ends(assembly.system().attachments, static_cast<int>(i) + 1, lines_[i].fairlead_end, lines_[i].anchor_end);
+    const LineMesh& mesh = assembly.line(i + 1).line().mesh;
+    lines_[i].points.clear();
+    for (const double s : mesh.s) lines_[i].points.push_back((s - mesh.s.front()) / mesh.total_length());
   }
   look(state, assembly);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const LineMesh& mesh = assembly.line(i + 1).line().mesh;
     lines_[i].start = sample(i, kFairlead);
-    lines_[i].points.clear();
-    for (const double s : mesh.s) lines_[i].points.push_back((s - mesh.s.front()) / mesh.total_length());
   }
 }
 
@@ -136,7 +144,7 @@ int MooringWatch::points() const {
 }
 
 double* MooringWatch::film(const SystemState& state, const Assembly& assembly, double* out) const {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
+  for (std::size_t i = 0; i < (quasi_static_ ? 0 : lines_.size()); ++i) {
     const LineAssembly& line = assembly.line(i + 1);
     for (const double share : lines_[i].points) {
       const Eigen::Vector4d point = point_of(line, state.lines[i + 1].q, share);
@@ -157,7 +165,10 @@ void MooringWatch::add(const SystemState& state, const Assembly& assembly, doubl
     keep(kFairlead, lines_[i].fairlead);
     keep(kAnchor, lines_[i].anchor);
     keep(kUplift, lines_[i].uplift);
-    watch_ends(i, state);
+    if (!quasi_static_) {
+      watch_ends(i, state);
+      watch_element(i, state.attachments[lines_[i].fairlead_end].way, assembly.line(i + 1).line().mesh);
+    }
     if (!lines_[i].parted_at) watch_slack(i, state.time);
   }
 }
@@ -182,6 +193,16 @@ void MooringWatch::watch_ends(std::size_t line, const SystemState& state) {
   };
   gives(fairlead.way, one.renders, one.rendered, kRenders);
   gives(anchor.way, one.slips, one.slipped, kSlips);
+}
+
+void MooringWatch::watch_element(std::size_t line, const GivenWay& way, const LineMesh& mesh) {
+  Watched& one = lines_[line];
+  one.held_up_for = way.held_up_for;
+  if (way.last_element > 0.0) {
+    const double share = way.last_element / mesh.length.back();
+    one.least_element = std::min(one.least_element, share);
+    one.most_element = std::max(one.most_element, share);
+  }
 }
 
 void MooringWatch::watch_slack(std::size_t line, double time) {
@@ -226,19 +247,44 @@ void MooringWatch::warn_of_shape(std::size_t line, std::vector<std::string>& lis
   } else if (statistics_.min()[of(kOnBed)] <= 0.0) {
     list.push_back(fmt::format("mooring line \"{}\" had no length on the bed at times", one.name));
   }
-  if (one.rendered > 0.0) {
-    list.push_back(fmt::format("the winch of mooring line \"{}\" let out {:.2f} m as its brake rendered at {:.1f} kN",
-                               one.name, one.rendered, 1e-3 * one.brake.value_or(0.0)));
-  }
-  if (one.slipped > 0.0) {
-    list.push_back(fmt::format("the anchor of mooring line \"{}\" slipped by {:.2f} m", one.name, one.slipped));
-  }
+  warn_of_winch(one, list);
   const double slack = statistics_.mean()[of(kSlack)] * statistics_.weight();
   if (slack > 0.0) {
     list.push_back(
         fmt::format("mooring line \"{}\" was slack for {:.1f} s in all: less than a tenth of its tension at the start; "
                     "it tightens with a jerk",
                     one.name, slack));
+  }
+}
+
+void MooringWatch::warn_of_winch(const Watched& line, std::vector<std::string>& list) {
+  constexpr double kLeastElement = 0.5, kMostElement = 1.5;
+  constexpr double kLeast = 0.01;  // less is not worth a word [m], [s]
+  if (line.rendered > kLeast) {
+    list.push_back(
+        fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {:.1f} kN, paid out {:.2f} m",
+                    line.name, 1e-3 * line.brake.value_or(0.0), line.rendered));
+  }
+  if (line.held_up_for > kLeast) {
+    list.push_back(
+        fmt::format("the winch of mooring line \"{}\" could not haul in for {:.1f} s: it stalls at {:.1f} kN",
+                    line.name, line.held_up_for, 1e-3 * line.stall.value_or(0.0)));
+  }
+  if (line.slipped > kLeast) {
+    list.push_back(
+        fmt::format("the anchor of mooring line \"{}\" dragged by {:.2f} m: its holding power is {:.1f} kN, less the "
+                    "uplift",
+                    line.name, line.slipped, 1e-3 * line.holding.value_or(0.0)));
+  }
+  if (line.least_element < kLeastElement || line.most_element > kMostElement) {
+    list.push_back(fmt::format(
+        "the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} to {:.2f} "
+        "times its own: forces are less accurate beyond a half and one and a half",
+        line.name, line.least_element, line.most_element));
+  }
+  if (line.parted_at) {
+    list.push_back(
+        fmt::format("mooring line \"{}\" parted at its fairlead at t = {:.1f} s", line.name, *line.parted_at));
   }
 }
 
@@ -279,7 +325,8 @@ std::vector<double> MooringWatch::save() const {
     for (const Peak& peak : {line.fairlead, line.anchor, line.uplift}) out.insert(out.end(), {peak.value, peak.time});
     const double parted = line.parted_at.value_or(std::numeric_limits<double>::quiet_NaN());
     out.insert(out.end(), {line.slack ? 1.0 : 0.0, line.renders ? 1.0 : 0.0, line.slips ? 1.0 : 0.0, parted,
-                           line.rendered, line.slipped, static_cast<double>(line.events.size())});
+                           line.rendered, line.slipped, line.held_up_for, line.least_element, line.most_element,
+                           static_cast<double>(line.events.size())});
     for (const Happening& event : line.events) {
       const auto kind = std::find(kHappenings.begin(), kHappenings.end(), event.what) - kHappenings.begin();
       out.insert(out.end(), {event.time, static_cast<double>(kind)});
@@ -305,6 +352,9 @@ void MooringWatch::restore(const std::vector<double>& saved) {
     line.parted_at = std::isnan(parted) ? std::nullopt : std::optional(parted);
     line.rendered = next();
     line.slipped = next();
+    line.held_up_for = next();
+    line.least_element = next();
+    line.most_element = next();
     line.events.clear();
     for (std::size_t left = static_cast<std::size_t>(next()); left > 0; --left) {
       const double time = next();

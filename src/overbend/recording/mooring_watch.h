@@ -47,7 +47,7 @@ class MooringWatch {
   };
   struct Watched {
     std::string name;
-    std::optional<double> breaking, working, brake, holding;  ///< [N]
+    std::optional<double> breaking, working, brake, stall, holding;  ///< [N]
     Peak fairlead, anchor, uplift;
     double start = 0.0;                                  ///< Tension at the fairlead at the start [N].
     std::vector<double> points;                          ///< Shares of the length.
@@ -56,16 +56,21 @@ class MooringWatch {
     bool slack = false, renders = false, slips = false;  ///< Now.
     std::optional<double> parted_at;                     ///< [s]
     double rendered = 0.0, slipped = 0.0;                ///< So far [m].
+    double held_up_for = 0.0;                            ///< The winch, that could not haul in [s].
+    double least_element = 1.0, most_element = 1.0;      ///< Length of the last element, of its own.
     std::vector<Happening> events;
   };
   void note(std::size_t line, const char* what, double time);
   void watch_slack(std::size_t line, double time);
   void watch_ends(std::size_t line, const SystemState& state);
+  void watch_element(std::size_t line, const GivenWay& way, const LineMesh& mesh);
+  static void warn_of_winch(const Watched& line, std::vector<std::string>& list);
   void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
   void look(const SystemState& state, const Assembly& assembly);
   double sample(std::size_t line, Quantity quantity) const { return sample_[kQuantities * line + quantity]; }
 
   std::vector<Watched> lines_;
+  bool quasi_static_ = false;  ///< No ends that give way, no points in snapshots.
   std::vector<double> sample_;
   RunningStatistics statistics_;
 };

@@ -23,7 +23,8 @@ OverSurface over_surface(const LineState& state, const std::vector<double>& wave
 
 }  // namespace
 
-void SurfaceCrossing::add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh) {
+void SurfaceCrossing::add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh,
+                          double shift) {
   if (time <= 0.0) return;
   OverSurface below = over_surface(state, water, 0);
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
@@ -34,7 +35,7 @@ void SurfaceCrossing::add(const LineState& state, double time, const std::vector
       const double speed = -between(below.rising, above.rising) * between(below.across, above.across);
       if (speed > speed_) {
         speed_ = speed;
-        s_ = mesh.s[e] + share * mesh.length[e];
+        s_ = mesh.s[e] + share * mesh.length[e] + shift;
         time_ = time;
       }
     }

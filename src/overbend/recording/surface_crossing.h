@@ -11,8 +11,9 @@ namespace overbend {
 class SurfaceCrossing {
  public:
   /// Looks where the line goes through the surface, at an accepted state with its surroundings; counts from t > 0.
-  /// `water` as Surroundings::water of the line.
-  void add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh);
+  /// `water` as Surroundings::water of the line. `shift` is added to the arc length of the mesh that s() tells [m].
+  void add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh,
+           double shift = 0.0);
 
   /// Of the pipe into the water, vertical and relative to the surface, its part across the pipe; 0 without an entry
   /// [m/s].

@@ -16,10 +16,10 @@ std::size_t index_of(TensionerState state) {
 
 TensionerAccount::TensionerAccount(const TensionerLaw& law) : law_(&law) {}
 
-void TensionerAccount::add(const AttachmentState& tensioner, double time, double step) {
+void TensionerAccount::add(const AttachmentState& tensioner, double paid_out, double time, double step) {
   const TensionerMachine& machine = tensioner.machine;
   if (time > 0.0) {
-    const std::array<double, 2> sample{machine.tension, tensioner.travel.q};
+    const std::array<double, 2> sample{machine.tension, paid_out};
     statistics_.add(sample, step);
     time_[index_of(last_)] += step;  // the state that held over the step
     out_of_range_ += law_->high > law_->low && out_of_range(*law_, machine.tension) ? step : 0.0;

@@ -16,7 +16,7 @@ class TensionerAccount {
   explicit TensionerAccount(const TensionerLaw& law);
 
   /// An accepted step of `step` [s].
-  void add(const AttachmentState& tensioner, double time, double step);
+  void add(const AttachmentState& tensioner, double paid_out, double time, double step);
   TensionerDynamics results() const;
 
   std::vector<double> save() const;

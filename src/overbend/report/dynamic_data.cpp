@@ -6,6 +6,7 @@
 #include <set>
 
 #include "report/history_data.h"
+#include "report/mooring_data.h"
 #include "report/places.h"
 #include "report/report_style.h"
 #include "report/thinning.h"
@@ -131,6 +132,7 @@ json dynamic_figure_data(const StaticResults& statics, const DynamicResults& res
   data["spectra"] = spectrum_data(results);
   data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
   data["impacts"] = impact_data(style, results);
+  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : json(nullptr);
   return data.take();
 }
 

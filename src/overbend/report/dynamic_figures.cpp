@@ -32,6 +32,7 @@ const std::vector<Figure>& all_figures() {
       {"history",
        "Time history of the clearance at the stinger tip; below zero the pipe is in contact",
        {"separation"}},
+      {"history", "Pull-ahead in time: the vessel, the tensioner and the pipe below each other", {"operation"}},
       {"history", "Time history of wave elevation at the stern shoe", {"wave"}},
       {"history", "Time histories of vessel motion", {"motions"}, true},
       {"spectra", "Spectra of motions and loads; the upper scale is the period", {"all"}, true},

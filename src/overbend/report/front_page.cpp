@@ -9,7 +9,6 @@
 #include "report/html.h"
 #include "report/places.h"
 #include "report/sections.h"
-#include "report/verdict.h"
 
 namespace overbend {
 namespace {
@@ -40,36 +39,51 @@ const char* css_of(VerdictKind kind) {
 }
 
 /// A bar whose whole length is 1.25 of the capacity.
-std::string bar(const StaticResults& statics, const CheckRow& row) {
+std::string bar(const UtilisationBar& one) {
   constexpr double kWhole = 1.25;
-  const bool over = row.status == CheckStatus::exceeded;
-  const std::string when = row.in_time ? ", t = " + fixed(row.time, 1) + " s" : "";
   return fmt::format(
       "<div class=\"bar{}\"><div class=\"region\">{}</div><div class=\"track\"><div style=\"width:{}%\"></div></div>"
-      "<div class=\"value\">{}</div><div class=\"what\">{}, {}; {}{}</div></div>\n",
-      over ? " over" : "", escape(region_title(row.region)),
-      fixed(100.0 * std::clamp(row.utilisation / kWhole, 0.0, 1.0), 1), fixed(row.utilisation, 3), escape(row.name),
-      escape(row.code), escape(place_name(statics, row.s)), when);
+      "<div class=\"value\">{}</div><div class=\"what\">{}</div></div>\n",
+      one.utilisation > 1.0 ? " over" : "", escape(one.title),
+      fixed(100.0 * std::clamp(one.utilisation / kWhole, 0.0, 1.0), 1), fixed(one.utilisation, 3), escape(one.what));
 }
 
-std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const std::string& reach) {
-  std::string bars;
-  for (const CheckRegion region : check_regions()) {
-    if (const CheckRow* row = governing_check(checks, region)) bars += bar(statics, *row);
-  }
+UtilisationBar bar_of(const StaticResults& statics, const CheckRow& row) {
+  const std::string when = row.in_time ? ", t = " + fixed(row.time, 1) + " s" : "";
+  return {region_title(row.region), row.utilisation,
+          fmt::format("{}, {}; {}{}", row.name, row.code, place_name(statics, row.s), when)};
+}
+
+std::string card(const std::string& heading, const std::vector<UtilisationBar>& bars, const std::string& note) {
   if (bars.empty()) return "";
-  return "<div class=\"card\"><h3>Utilisation, governing check of each region</h3>\n" + bars +
-         "<p class=\"small\">The mark on the bar is the full capacity. " + escape(reach) +
-         " The formulas have not been compared with the printed standards.</p></div>\n";
+  std::string all;
+  for (const UtilisationBar& one : bars) all += bar(one);
+  return "<div class=\"card\"><h3>" + escape(heading) + "</h3>\n" + all + "<p class=\"small\">" + escape(note) +
+         "</p></div>\n";
 }
 
-std::string verdict_section(const FrontPage& page, const StaticResults& statics, const CheckTable& checks) {
-  const Verdict verdict = verdict_of(checks, page.warnings);
+std::string utilisation_card(const StaticResults& statics, const CheckTable& checks, const FrontPage& page) {
+  std::vector<UtilisationBar> bars;
+  for (const CheckRegion region : check_regions()) {
+    if (const CheckRow* row = governing_check(checks, region)) bars.push_back(bar_of(statics, *row));
+  }
+  bars.insert(bars.end(), page.more.begin(), page.more.end());
+  return card("Utilisation, governing check of each region", bars,
+              "The mark on the bar is the full capacity. " + page.reach +
+                  " The formulas have not been compared with the printed standards.");
+}
+
+std::string verdict_section(const Verdict& verdict, const std::string& utilisations) {
   return fmt::format(
       "<section id=\"verdict\">\n<div class=\"verdict {}\"><div class=\"words\">{}</div><div class=\"because\">{}"
       "</div></div>\n{}</section>\n",
-      css_of(verdict.kind), escape(verdict.words), escape(verdict.because),
-      utilisation_card(statics, checks, page.reach));
+      css_of(verdict.kind), escape(verdict.words), escape(verdict.because), utilisations);
+}
+
+std::string laid_out(const FrontPage& page, const std::string& verdict, const std::string& rest) {
+  return "<div class=\"front\">\n" + title_block(page.kind, page.title, page.entries, control_box(page.control)) +
+         verdict + warnings_section(page.warnings) + contents(rest) + "</div>\n<div class=\"sections\">\n" + rest +
+         "</div>\n";
 }
 
 std::string lower(const char* text) {
@@ -115,9 +129,13 @@ std::string contents(const std::string& sections) {
 
 std::string front_page(const FrontPage& page, const StaticResults& statics, const CheckTable& checks,
                        const std::string& rest) {
-  return "<div class=\"front\">\n" + title_block(page.kind, page.title, page.entries, control_box(page.control)) +
-         verdict_section(page, statics, checks) + warnings_section(page.warnings) + contents(rest) +
-         "</div>\n<div class=\"sections\">\n" + rest + "</div>\n";
+  return laid_out(page, verdict_section(verdict_of(checks, page.warnings), utilisation_card(statics, checks, page)),
+                  rest);
+}
+
+std::string front_page(const FrontPage& page, const Verdict& verdict, const std::string& note,
+                       const std::string& rest) {
+  return laid_out(page, verdict_section(verdict, card("Utilisation", page.more, page.reach + " " + note)), rest);
 }
 
 }  // namespace overbend

@@ -8,6 +8,7 @@
 
 #include "report/json_number.h"
 #include "report/key_spread.h"
+#include "report/mooring_histories.h"
 #include "report/quantity.h"
 #include "report/static_value.h"
 
@@ -193,7 +194,12 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   if (statics.stinger_tip_clearance) {
     histories.add("separation", "stinger_tip_clearance");
   }
-  return histories.take();
+  json all = histories.take();
+  for (json& history : mooring_history_data(results)) all.push_back(std::move(history));
+  if (statics.moorings && statics.moorings->operation == "pull_ahead") {
+    for (json& history : operation_history_data(results)) all.push_back(std::move(history));
+  }
+  return all;
 }
 
 json spectrum_data(const DynamicResults& results) {

@@ -13,7 +13,8 @@ namespace overbend {
 nlohmann::json history_trace(const HistorySummary& history, const Quantity& q);
 
 /// The histories that the report shows, each with the group it is drawn in: "wave", "motions", "tension", "stress",
-/// "reactions" (of the supports pressed hardest) or "separation". Values as in history_trace().
+/// "reactions" (of the supports pressed hardest), "separation", "offset", "moorings" or, in a pull-ahead, "operation".
+/// Values as in history_trace().
 nlohmann::json history_data(const StaticResults& statics, const DynamicResults& results);
 
 /// Spectra up to the frequency below which nearly all variance lies; none of what moves less than can be read.

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "report/assumption_rank.h"
-#include "report/html.h"
+#include "report/listing.h"
+#include "report/mooring_inputs.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
 
@@ -14,28 +15,6 @@ namespace {
 using html::fixed;
 
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-
-std::string general(double value) {
-  return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
-}
-
-/// Rows of name, value, unit.
-class Listing {
- public:
-  explicit Listing(const std::string& caption)
-      : table_(caption, {{"Quantity", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain") {}
-  Listing& add(const std::string& name, double value, const std::string& unit) {
-    return add(name, general(value), unit);
-  }
-  Listing& add(const std::string& name, const std::string& value, const std::string& unit = "") {
-    table_.row({name, value, unit});
-    return *this;
-  }
-  std::string str() const { return table_.str(); }
-
- private:
-  html::Table table_;
-};
 
 std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
   Listing list("Pipe: " + name);
@@ -82,15 +61,20 @@ std::string environment_table(const EnvironmentDescription& sea) {
   return list.str();
 }
 
-std::string vessel_table(const Description& model) {
-  const VesselDescription& vessel = model.vessel;
-  Listing list("Vessel and tensioner");
-  list.add("Vessel", vessel.name)
+/// The vessel by itself.
+Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
+  return list.add("Vessel", vessel.name)
       .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth),
            "m")
       .add("Draught", vessel.draught, "m")
       .add("Heading", vessel.heading * kDegrees, "deg")
-      .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg")
+      .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg");
+}
+
+std::string vessel_table(const Description& model) {
+  const VesselDescription& vessel = model.vessel;
+  Listing list("Vessel and tensioner");
+  add_vessel(list, vessel)
       .add("Stern shoe, x from midship and z", general(vessel.stern_shoe_x) + ", " + general(vessel.stern_shoe_z), "m")
       .add("Tensioner X, Z from the stern shoe", general(model.tensioner.x) + ", " + general(model.tensioner.z), "m")
       .add("Tensioner incline", model.tensioner.incline * kDegrees, "deg")
@@ -193,11 +177,24 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
       body += pipe_table(segment.section, segment.name + ", " + general(segment.length) + " m");
     }
     body += vessel_table(*description) + environment_table(description->environment) +
-            roller_kinds_table(description->rollers) +
-            (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n";
+            roller_kinds_table(description->rollers) + hull_inputs(*description) +
+            (dynamic != nullptr ? dynamics_table(*description, *dynamic) : "") + "</div>\n" +
+            mooring_inputs(*description);
   }
   body += derived_table(results);
   return html::section("inputs", "Inputs", body);
+}
+
+std::string inputs_section(const Description& description) {
+  const bool afloat = description.moorings && !description.moorings->lines.empty();
+  std::string vessel;
+  if (afloat) {
+    Listing list("Vessel");
+    vessel = add_vessel(list, description.vessel).str() + hull_inputs(description);
+  }
+  return html::section("inputs", "Inputs",
+                       "<div class=\"columns\">\n" + vessel + environment_table(description.environment) + "</div>\n" +
+                           mooring_inputs(description) + line_inputs(description));
 }
 
 std::string assumptions_section(const std::vector<std::string>& assumptions) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <vector>
 
 #include "report/assets.h"
 #include "report/html.h"
@@ -22,21 +23,29 @@ std::string head(const std::string& title) {
          html::escape(title) + "</title>\n<style>\n" + std::string(report_asset("style")) + "</style>\n</head>\n";
 }
 
-std::string scripts(const std::string& data) {
+std::string scripts(const std::string& data, const std::vector<const char*>& names) {
   std::string out = "<script type=\"application/json\" id=\"results-data\">" + html::escape_json(data) + "</script>\n";
-  for (const char* name :
-       {"d3", "data", "chart", "along", "diagrams", "envelopes", "checks", "in_time", "histories", "bars", "contacts",
-        "compared_tensioner", "compared_contact", "side_view", "painter", "scene", "main"}) {
-    out += script(report_asset(name));
-  }
+  for (const char* name : names) out += script(report_asset(name));
   return out;
+}
+
+std::string page_of(const std::string& title, const std::string& body, const std::string& all_scripts) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(title) + "<body>\n<main>\n" + body + "</main>\n" + all_scripts +
+         "</body>\n</html>\n";
 }
 
 }  // namespace
 
 std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n" + head(title) + "<body>\n<main>\n" + body + "</main>\n" +
-         scripts(data) + "</body>\n</html>\n";
+  return page_of(title, body,
+                 scripts(data, {"d3", "data", "chart", "along", "diagrams", "envelopes", "checks", "in_time",
+                                "histories", "bars", "contacts", "moorings", "compared_tensioner", "compared_contact",
+                                "side_view", "painter", "scene", "main"}));
+}
+
+std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data) {
+  return page_of(title, body,
+                 scripts(data, {"d3", "data", "chart", "in_time", "histories", "moorings", "lines", "main"}));
 }
 
 void write_page(const std::string& page, const std::filesystem::path& file) {

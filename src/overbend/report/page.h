@@ -9,6 +9,9 @@ namespace overbend {
 /// A page that needs nothing beside it. `title` is plain text, `body` HTML, `data` the JSON that its scripts draw.
 std::string whole_page(const std::string& title, const std::string& body, const std::string& data);
 
+/// The same of a model without a pipe: only the scripts that need none.
+std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data);
+
 /// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
 void write_page(const std::string& page, const std::filesystem::path& file);
 

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "modelfile/yaml_reader.h"
 #include "report/checks_section.h"
 #include "report/dynamic_sections.h"
 #include "report/figures.h"
-#include "report/front_page.h"
+#include "report/front_of.h"
 #include "report/html.h"
+#include "report/hull_section.h"
+#include "report/moored_dynamics_section.h"
+#include "report/mooring_verdict.h"
+#include "report/moorings_section.h"
 #include "report/page.h"
 #include "report/quantity.h"
 #include "report/report_data.h"
@@ -16,11 +19,6 @@
 
 namespace overbend {
 namespace {
-
-/// The inputs are shown as the program reads them; a model text it can no longer read is still printed at the end.
-std::optional<Description> description_of(const std::string& model_text) {
-  return read_model_text(model_text, "model.yaml").description;
-}
 
 void require_stations(bool any) {
   if (!any) {
@@ -43,9 +41,16 @@ std::vector<std::string> together(std::vector<std::string> all, const std::vecto
   return all;
 }
 
-FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
-                   const std::vector<std::string>& remarks) {
-  return {kind, title, description ? description->report : ReportDescription{}, {}, weighed(remarks), ""};
+std::string hull_part(const StaticResults& results) {
+  return results.hull ? hull_section(*results.hull) : "";
+}
+
+/// Figures are numbered in the order of the page, so that parts with figures are made one after the other.
+std::string moorings_part(const StaticResults& results, int& figure) {
+  if (!results.moorings) return "";
+  std::string part = moorings_section(*results.moorings, figure);
+  part += operation_section(*results.moorings, figure);
+  return part;
 }
 
 }  // namespace
@@ -55,20 +60,22 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string checks = checks_section(results, results.checks, figure);
-  const std::string rest = key_results(results, "results", "Key results") +
-                           lay_setting_section(results, description, nullptr) + checks +
-                           figures_section(results, "figures", "Figures", figure) + static_tables(results) +
-                           inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
-                           rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
-                           model_text_section(model_text);
+  const std::string figures = figures_section(results, "figures", "Figures", figure);
+  const std::string moorings = moorings_part(results, figure);
+  const std::string rest =
+      key_results(results, "results", "Key results") + lay_setting_section(results, description, nullptr) + checks +
+      figures + static_tables(results) + moorings + hull_part(results) + inputs_section(results, description, nullptr) +
+      assumptions_section(results.assumptions) + rollers_section(results) + check_inputs_section(results.checks) +
+      balance_section(results) + model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
+  if (results.moorings) front.more = mooring_bars(*results.moorings, working_load_of(description));
   front.entries = subject_entries(results);
   front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
   return whole_page(results.title + " - static analysis", front_page(front, results, results.checks, rest),
-                    report_data(results));
+                    report_data(results, nullptr, description));
 }
 
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
@@ -76,13 +83,16 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
   const std::string checks = checks_section(statics, results.checks, figure);
-  const std::string dynamic =
-      dynamic_key_results(statics, results) + lay_setting_section(statics, description, &results) + checks +
-      dynamic_figures_section(statics, results, figure) + dynamic_statistics_section(statics, results) +
-      dynamic_supports_section(results) + impacts_section(statics, results) + tensioner_section(statics, results);
-  const std::string before = key_results(statics, "static-results", "Initial static state") +
-                             figures_section(statics, "figures", "Figures of the static state", figure) +
-                             static_tables(statics);
+  const std::string figures = dynamic_figures_section(statics, results, figure);
+  const std::string moored = moored_dynamics_section(results, figure);
+  const std::string static_figures = figures_section(statics, "figures", "Figures of the static state", figure);
+  const std::string moorings = moorings_part(statics, figure);
+  const std::string dynamic = dynamic_key_results(statics, results) +
+                              lay_setting_section(statics, description, &results) + checks + figures +
+                              dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
+                              impacts_section(statics, results) + tensioner_section(statics, results) + moored;
+  const std::string before = key_results(statics, "static-results", "Initial static state") + static_figures +
+                             static_tables(statics) + moorings + hull_part(statics);
   const std::string closing = inputs_section(statics, description, &results) +
                               assumptions_section(together(statics.assumptions, results.assumptions)) +
                               dynamic_rollers_section(results) + rollers_section(statics) +
@@ -91,9 +101,10 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   const std::string rest = dynamic + before + closing;
   FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, dynamic_remarks(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
+  front.more = mooring_bars(results.moorings, working_load_of(description));
   front.entries = dynamic_entries(statics, results, description, written_now());
   return whole_page(statics.title + " - dynamic analysis", front_page(front, statics, results.checks, rest),
-                    report_data(statics, &results));
+                    report_data(statics, &results, description));
 }
 
 void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file) {

@@ -9,6 +9,8 @@
 #include "report/checks_section.h"
 #include "report/comparison_data.h"
 #include "report/dynamic_data.h"
+#include "report/line_data.h"
+#include "report/mooring_data.h"
 #include "report/places.h"
 #include "report/report_style.h"
 #include "report/thinning.h"
@@ -121,13 +123,25 @@ std::string text(const json& data) {
 
 }  // namespace
 
-std::string report_data(const StaticResults& results, const DynamicResults* dynamic) {
+std::string report_data(const StaticResults& results, const DynamicResults* dynamic,
+                        const std::optional<Description>& description) {
   json data = static_figure_data(results);
+  if (results.moorings) {
+    data["moorings"] = mooring_figure_data(*results.moorings, mooring_scene(description, results));
+  }
   data["checks"] = checks_figure_data(results, dynamic != nullptr ? dynamic->checks : results.checks);
   if (dynamic != nullptr) {
     data["dynamic"] = dynamic_figure_data(results, *dynamic);
   }
   return text(data);
+}
+
+std::string report_data(const MooringResults& results, const std::optional<Description>& description) {
+  return text({{"moorings", mooring_figure_data(results, mooring_scene(description))}});
+}
+
+std::string report_data(const LinesResults& results, const std::optional<Description>& description) {
+  return text(line_figure_data(results, description ? description->environment.water_depth : 0.0));
 }
 
 std::string report_data(const StaticResults& results, const Comparison& comparison) {

@@ -26,6 +26,8 @@ std::string key_results(const StaticResults& results, const std::string& id, con
 /// `dynamic`, not null for the report of a dynamic run, adds what applies only there.
 std::string inputs_section(const StaticResults& results, const std::optional<Description>& description,
                            const DynamicResults* dynamic);
+/// Of a model without a pipe.
+std::string inputs_section(const Description& description);
 /// By what hangs on them.
 std::string assumptions_section(const std::vector<std::string>& assumptions);
 /// Stations at tensioner, supports, sagbend maximum, touchdown and anchor, in the layout of lay analyses.

@@ -44,6 +44,11 @@ const std::vector<std::string>& serious_phrases() {
       "the tensioner was at its travel limit",
       "the tensioner paid out",
       "are the conventions (vessel.motion.convention) right?",
+      "more than its breaking load",
+      "more than its holding power",
+      "is slack: it holds nothing",
+      "lifts its anchor with",
+      "fewer than three do not hold surge, sway and yaw",
   };
   return kPhrases;
 }

@@ -3,6 +3,7 @@
 #include "resultfiles/summary_json.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
+#include "results/fields/move_fields.h"
 #include "results/fields/static_values.h"
 
 namespace overbend {
@@ -59,14 +60,36 @@ Json stage_json(const SummaryStyle& style, const MooredState& state) {
   return json;
 }
 
-Json pull_ahead_json(const SummaryStyle& style, const MooringResults& results) {
+/// A place of a pull-ahead.
+Json step_json(const SummaryStyle& style, const MooringResults& results, const MoveStep& step) {
+  JsonWriter json(style);
+  visit_move_step(step, json);
+  json["vessel"] = object_of(style, [&](auto& vessel) { visit_vessel_offset(step.vessel, vessel); });
+  for (std::size_t i = 0; i < step.lengths.size(); ++i) {
+    const std::string& name = results.rest.moorings[i].name;
+    json["winch_lengths"][name] = step.lengths[i];
+    json["fairlead_tensions"][name] = step.tensions[i];
+  }
+  if (step.pipe) {
+    json["pipe"] = object_of(style, [&](auto& pipe) { visit_pipe_at_step(*step.pipe, pipe); });
+    const std::optional<double>& clearance = step.pipe->stinger_tip_clearance;
+    json["pipe"]["stinger_tip_clearance"] = clearance ? Json(*clearance) : Json(nullptr);
+  }
+  json["balance"] = Json{{"force_residual", step.residual}};
+  return json.take();
+}
+
+/// What the winches did, and on the way.
+Json winches_json(const SummaryStyle& style, const MooringResults& results) {
   Json json;
-  json["distance"] = results.distance;
   json["lines"] = style.rows(results.winches, [&](const WinchMove& move) {
     Json line = object_of(style, [&](auto& one) { visit_winch_move(move, one); });
     line["winch"] = move.after - move.before;
     return line;
   });
+  if (results.operation != "pull_ahead") return json;
+  json["distance"] = results.distance;
+  json["steps"] = style.rows(results.steps, [&](const MoveStep& step) { return step_json(style, results, step); });
   return json;
 }
 
@@ -76,7 +99,12 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
     json["operation"]["stages"] =
         style.rows(results.stages, [&](const MooredState& stage) { return stage_json(style, stage); });
   }
-  if (!results.winches.empty()) json["operation"]["pull_ahead"] = pull_ahead_json(style, results);
+  if (results.operation == "anchor_plan") {
+    json["operation"]["anchors"] = style.rows(results.anchors, [&](const AnchorDue& due) {
+      return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
+    });
+  }
+  if (!results.winches.empty()) json["operation"][results.operation] = winches_json(style, results);
 }
 
 Json hull_json(const SummaryStyle& style, const HullResults& hull) {

@@ -7,6 +7,7 @@
 #include "resultfiles/finite_visitor.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/mooring_hdf5.h"
+#include "resultfiles/move_table.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 #include "runstore/append_file.h"
@@ -124,6 +125,7 @@ void write_mooring_files(const MooringResults& results, const Description& descr
   require_finite(results);
   write_hdf5(results, description, folder / "results.h5");
   write_text(folder / "moorings.csv", moorings_table(results));
+  if (!results.steps.empty()) write_text(folder / "pull_ahead.csv", move_table(results));
   write_text(folder / "summary.json", mooring_summary(results));
 }
 

@@ -5,6 +5,7 @@
 
 #include "resultfiles/check_tables.h"
 #include "resultfiles/finite_check.h"
+#include "resultfiles/move_table.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 
@@ -18,6 +19,9 @@ void write_static_files(const StaticResults& results, const Description& descrip
   write_text(folder / "supports.csv", supports_table(results));
   write_text(folder / "checks.csv", checks_table(results.checks));
   if (results.moorings) write_text(folder / "moorings.csv", moorings_table(*results.moorings));
+  if (results.moorings && !results.moorings->steps.empty()) {
+    write_text(folder / "pull_ahead.csv", move_table(*results.moorings));
+  }
   write_text(folder / "summary.json", static_summary(results));
 }
 

@@ -71,16 +71,48 @@ struct WinchMove {
   double tension_before = 0.0, tension_after = 0.0;  ///< At the fairlead [N].
 };
 
+/// The pipe at one place of a pull-ahead.
+struct PipeAtStep {
+  double top_tension = 0.0, bottom_tension = 0.0;               ///< At the tensioner, at touchdown [N].
+  double overbend_bending_stress = 0.0, overbend_strain = 0.0;  ///< Largest [Pa, -].
+  double sagbend_bending_stress = 0.0, sagbend_strain = 0.0;    ///< Largest [Pa, -].
+  double largest_reaction = 0.0;                                ///< Of a single roller [N].
+  std::string largest_reaction_support;                         ///< Box it belongs to.
+  double lay_back = 0.0;                                        ///< [m]
+  std::optional<double> stinger_tip_clearance;                  ///< [m]
+};
+
+/// One place of a pull-ahead.
+struct MoveStep {
+  double advance = 0.0;          ///< Of midship along the way, from where it began [m].
+  VesselResult vessel;           ///< Without periods and stiffness.
+  std::vector<double> lengths;   ///< Of the first segments, unstressed; in the order of the lines [m].
+  std::vector<double> tensions;  ///< At the fairleads [N].
+  double residual = 0.0;         ///< Largest unbalanced force over the weight of the lines [-].
+  std::optional<PipeAtStep> pipe;
+};
+
+/// An anchor that is due on a route.
+struct AnchorDue {
+  int joint = 0;                                    ///< Before this one is laid, counted from 1.
+  std::string line;                                 ///< Whose anchor it is.
+  std::string reason;                               ///< What of the line's useful range it is about to leave.
+  Vec3 from_W = Vec3::Zero(), to_W = Vec3::Zero();  ///< Old and new place [m].
+  double length = 0.0;                              ///< Of the line, unstressed, at its new place [m].
+};
+
 /// What a static analysis of a hull and its lines, without a pipe, hands on.
 struct MooringResults {
   std::string title, version;
   std::vector<std::string> assumptions, warnings;
   MooredState rest;
   std::optional<HullResults> hull;  ///< Of a hull with hydrodynamic coefficients; of a lay in StaticResults.
-  std::string operation;            ///< moored, pull_ahead or empty.
+  std::string operation;            ///< moored, pull_ahead, anchor_move, anchor_plan or empty.
   std::vector<MooredState> stages;  ///< Of the operation, in order.
   double distance = 0.0;            ///< Of a pull-ahead [m].
   std::vector<WinchMove> winches;   ///< Of a pull-ahead, from its first stage to its last.
+  std::vector<MoveStep> steps;      ///< Of a pull-ahead, place by place.
+  std::vector<AnchorDue> anchors;   ///< Of an anchor plan, in order.
 };
 
 }  // namespace overbend

@@ -24,14 +24,17 @@ std::vector<std::string_view> split_at(std::string_view line, char separator) {
   return cells;
 }
 
+/// One pass: hydrodynamic files have ten thousands of rows.
 std::vector<std::string_view> split_at_white(std::string_view line) {
-  constexpr std::string_view kWhite = " \t";
+  constexpr std::size_t kUsualColumns = 8;
+  const auto is_white = [](char c) { return c == ' ' || c == '\t'; };
   std::vector<std::string_view> cells;
-  std::size_t from = line.find_first_not_of(kWhite);
-  while (from != std::string_view::npos) {
-    const std::size_t to = std::min(line.find_first_of(kWhite, from), line.size());
-    cells.push_back(line.substr(from, to - from));
-    from = line.find_first_not_of(kWhite, to);
+  cells.reserve(kUsualColumns);
+  for (std::size_t from = 0, to = 0; from < line.size(); from = to) {
+    while (from < line.size() && is_white(line[from])) ++from;
+    to = from;
+    while (to < line.size() && !is_white(line[to])) ++to;
+    if (to > from) cells.push_back(line.substr(from, to - from));
   }
   return cells;
 }

@@ -15,9 +15,14 @@ namespace {
 /// Folders below the program's that are looked into.
 constexpr int kDeepest = 3;
 
-bool data_name(const fs::path& file) {
-  constexpr std::array kEndings = {".csv", ".4", ".yml"};
+/// Files of text, which the page may send: tables, RAOs, hydrodynamics of a hull in WAMIT's layout.
+bool text_data(const fs::path& file) {
+  constexpr std::array kEndings = {".csv", ".4", ".yml", ".1", ".3", ".8", ".hst"};
   return std::ranges::find(kEndings, file.extension().string()) != kEndings.end();
+}
+
+bool data_name(const fs::path& file) {
+  return text_data(file) || file.extension() == ".nc";
 }
 
 /// Neither what is hidden nor the results of runs.
@@ -52,9 +57,9 @@ std::string file_text(const fs::path& file) {
 fs::path place(const fs::path& folder, const std::string& name) {
   const bool bare = !name.empty() && name[0] != '.' && name.find_first_of("/\\") == std::string::npos &&
                     std::ranges::none_of(name, [](char c) { return static_cast<unsigned char>(c) < 32; });
-  if (bare && data_name(name)) return folder / name;
+  if (bare && text_data(name)) return folder / name;
   throw HttpFault(422, "'" + name + "' is not a valid name for a data file",
-                  "a plain name that ends in .csv, .4 or .yml");
+                  "a plain name that ends in .csv, .4, .yml, .1, .3, .8 or .hst");
 }
 
 HttpAnswer upload(const fs::path& folder, const HttpRequest& request) {

@@ -1,5 +1,6 @@
 #include "serve/live_statics.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "modelfile/yaml_edit.h"
@@ -7,7 +8,7 @@
 #include "report/json_number.h"
 #include "serve/diagnose.h"
 #include "serve/static_json.h"
-#include "study/static_run.h"
+#include "study/model_statics.h"
 
 namespace overbend {
 namespace {
@@ -39,35 +40,54 @@ bool LiveStatics::close_to_last(const Model& model) const {
 }
 
 Json LiveStatics::solve(Model model, const StaticWish& wish) {
+  // While a value is dragged the stages of an operation can wait.
+  if (wish.lists) model.description.operation = {};
   const bool warm = !wish.full && close_to_last(model);
   const auto start = Clock::now();
-  LayOutcome outcome = solve_lay(model, warm ? &*last_ : nullptr);
+  ModelStatics found = solve_model(model, warm ? &*last_ : nullptr);
   const double solve_ms = milliseconds_since(start);
-  if (outcome.failure) {
-    const StaticFailure& f = *outcome.failure;
+  if (found.failure) {
+    const StaticFailure& f = *found.failure;
     return {{"status", "failed"}, {"what", f.what}, {"where", f.where}, {"why", f.why}};
   }
-  const StaticResults results = checked_statics(model, outcome);
-  last_ = std::move(outcome.solution);
+  last_ = std::move(found.solution);
   last_file_ = model.description.source_file;
   last_rollers_ = model.supports.rollers.size();
   Json answer = {{"status", "converged"}, {"elapsed_ms", 0.0}, {"solve_ms", solve_ms}, {"warm", warm}};
-  answer.update(static_json(results, wish.lists ? &*wish.lists : nullptr));
+  answer.update(found.lines      ? static_json(*found.lines)
+                : found.moorings ? static_json(*found.moorings)
+                                 : static_json(*found.lay, wish.lists ? &*wish.lists : nullptr));
   return answer;
 }
 
-/// The short way, without writing and reading the text; nothing where the change is not a simple one or at fault.
+void LiveStatics::parse(const ModelText& model) {
+  if (parsed_ && parsed_text_ == model.text) return;
+  Diagnostics faults;
+  parsed_ = parse_yaml(model.text, model.path, faults);
+  parsed_text_ = model.text;
+  hull_.reset();
+  if (faults.has_errors()) parsed_.reset();
+  if (!parsed_ || parsed_->kind != YamlNode::Kind::map) return;
+  const ModelReading still = read_still_model(*parsed_, model.path);
+  if (!still.description || !still.description->vessel.coupled) return;
+  const ModelReading whole = read_model_text(model.text, model.path);
+  if (whole.description) hull_ = whole.description->vessel.coupled;
+}
+
+/// The short way, without writing and reading the text; nothing where the change is not a simple one or at fault. A
+/// hull that floats free needs its files in statics: they are kept from the first reading of the text, as long as
+/// nothing of the vessel changes, which they might not fit any more.
 std::optional<Description> LiveStatics::read_changed(const ModelText& model, const std::vector<YamlChange>& changes) {
-  if (!parsed_ || parsed_text_ != model.text) {
-    Diagnostics faults;
-    parsed_ = parse_yaml(model.text, model.path, faults);
-    parsed_text_ = model.text;
-    if (faults.has_errors()) parsed_.reset();
-  }
+  parse(model);
   if (!parsed_ || parsed_->kind != YamlNode::Kind::map) return std::nullopt;
   YamlNode root = *parsed_;
   if (!edit_tree(root, changes)) return std::nullopt;
-  return read_still_model(root, model.path).description;
+  std::optional<Description> description = read_still_model(root, model.path).description;
+  if (!description || !description->vessel.coupled) return description;
+  const bool of_vessel = std::ranges::any_of(changes, [](const YamlChange& c) { return c.path.starts_with("vessel"); });
+  if (of_vessel || !hull_) return std::nullopt;
+  description->vessel.coupled = hull_;
+  return description;
 }
 
 Json LiveStatics::solve(const ModelText& model, const std::vector<YamlChange>& changes, const StaticWish& wish) {

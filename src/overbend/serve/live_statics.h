@@ -30,10 +30,12 @@ class LiveStatics {
   Json solve(Model model, const StaticWish& wish);
   bool close_to_last(const Model& model) const;
   std::optional<Description> read_changed(const ModelText& model, const std::vector<YamlChange>& changes);
+  void parse(const ModelText& model);
 
   std::mutex mutex_;
   std::string parsed_text_;  ///< What `parsed_` is the tree of.
   std::optional<YamlNode> parsed_;
+  std::optional<CoupledHullDescription> hull_;  ///< Of that text, with the contents of its files.
   std::optional<StaticSolution> last_;
   std::string last_file_;         ///< Of the model that it is a solution of.
   std::size_t last_rollers_ = 0;  ///< Likewise.

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "resultfiles/summary_fields.h"
+#include "results/line_results.h"
+#include "serve/page_moorings.h"
 
 namespace overbend {
 
@@ -34,6 +36,9 @@ auto page_pipe(const Style& style, const StaticResults& r, const std::vector<std
   }
   auto pipe = lists.take();
   pipe.update(checks.take());
+  if (r.stations.empty()) {
+    for (const char* always : {"s", "x", "y", "z"}) pipe[always] = Style::Json::array();
+  }
   return style.named("PipeLists", std::move(pipe));
 }
 
@@ -99,15 +104,28 @@ inline Vec3 leaving(const StaticResults& r) {
   return (r.stations[count - 2].p_W - r.stations[count - 1].p_W).normalized();
 }
 
+/// A static state. Without a pipe `r` has no stations, and what is told of a pipe is null; `lines` are those of a model
+/// of lines by themselves.
 template <class Style>
-auto page_statics(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted) {
+auto page_statics(const Style& style, const StaticResults& r, const std::vector<std::string>* wanted,
+                  const std::vector<LineResult>& lines = {}) {
+  const bool laid = !r.stations.empty();
   JsonWriter<Style> json(style);
-  json["key"] = page_key(style, r);
+  json["key"] = style.maybe(laid, [&] { return style.named("KeyResults", page_key(style, r)); });
   json["pipe"] = page_pipe(style, r, wanted);
-  json["touchdown"] = object_of(style, [&](auto& one) { visit_touchdown(r.touchdown, one); });
+  json["touchdown"] = style.maybe(laid, [&] {
+    return style.named("TouchdownPlace", object_of(style, [&](auto& one) { visit_touchdown(r.touchdown, one); }));
+  });
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return page_support(style, box); });
-  json["tensioner/place"] = style.vector(r.tensioner_W);
-  json["tensioner/direction"] = style.vector(leaving(r));
+  json["tensioner"] = style.maybe(laid, [&] {
+    JsonWriter<Style> tensioner(style);
+    tensioner["place"] = style.vector(r.tensioner_W);
+    tensioner["direction"] = style.vector(leaving(r));
+    return style.named("TensionerPlace", tensioner.take());
+  });
+  json["moorings"] =
+      style.maybe(r.moorings.has_value(), [&] { return page_moorings(style, r.moorings.value_or(MooringResults{})); });
+  json["lines"] = style.rows(lines, [&](const LineResult& line) { return page_line(style, line); });
   json["checks"] = style.rows(r.checks.rows, [&](const CheckRow& row) { return page_check(style, row); });
   json["warnings"] = style.texts(r.warnings);
   return json.take();

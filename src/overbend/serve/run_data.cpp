@@ -5,6 +5,7 @@
 
 #include "modelfile/yaml_reader.h"
 #include "resultfiles/dynamic_reader.h"
+#include "resultfiles/lines_reader.h"
 #include "serve/page_fields.h"
 #include "serve/page_style.h"
 
@@ -24,6 +25,11 @@ DynamicResults still(const StaticResults& statics) {
     r.static_strain.push_back(at.strain);
   }
   return r;
+}
+
+/// Whether the file is that of a lay; the table of its pipe lies beside it.
+bool has_pipe(const std::filesystem::path& h5) {
+  return std::filesystem::exists(h5.parent_path() / "pipe.csv");
 }
 
 Json envelopes(const DynamicResults& r, bool over_time) {
@@ -62,21 +68,28 @@ Json columns_json(const std::vector<HistoryColumn>& columns) {
 }
 
 Json envelopes_json(const std::filesystem::path& h5) {
+  if (!has_pipe(h5)) return envelopes({}, false);
   return has_dynamic(h5) ? envelopes(read_dynamic_results(h5).results, true)
                          : envelopes(still(read_static_results(h5).results), false);
 }
 
 Json run_statics_json(const std::filesystem::path& h5) {
   Json answer = {{"status", "converged"}};
-  answer.update(
-      static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
+  if (has_pipe(h5)) {
+    answer.update(
+        static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
+  } else {
+    answer.update(static_json(read_lines_results(h5).results));
+  }
   return answer;
 }
 
 Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
   std::string text;
   std::optional<std::uint64_t> seed;
-  if (has_dynamic(h5)) {
+  if (!has_pipe(h5)) {
+    text = read_lines_results(h5).model_text;
+  } else if (has_dynamic(h5)) {
     StoredDynamics stored = read_dynamic_results(h5);
     text = std::move(stored.statics.model_text);
     seed = stored.results.seed;

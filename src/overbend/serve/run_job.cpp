@@ -8,7 +8,8 @@
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
 #include "study/compare_variants.h"
-#include "study/static_run.h"
+#include "study/lines_run.h"
+#include "study/model_statics.h"
 #include "study/study.h"
 
 namespace overbend {
@@ -53,6 +54,21 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
   const std::string command = run.kind == "comparison" ? "compare --of " + run.of : "dynamic";
   const std::string time = run.duration > 0.0 ? fmt::format(" --duration '{} s'", run.duration) : "";
   return fmt::format(", also with: overbend {} '{}' -o '{}'{} --resume", command, model.path, folder, time);
+}
+
+/// Lines by themselves in time: one seed, without progress on the way. Why there are no results; empty where there are.
+std::string run_lines_into(const std::filesystem::path& folder, const Description& description, const RunInfo& run,
+                           std::mutex& files) {
+  if (run.is_study()) return "lines by themselves are run one at a time";
+  if (!description.dynamics) return "the model has no analysis.dynamic";
+  const Model model = build_model(description);
+  DynamicOptions options = dynamic_options(model);
+  if (run.duration > 0.0) options.duration = run.duration;
+  const LinesOutcome outcome = run_lines(model, options);
+  if (outcome.failure) return failure_line(*outcome.failure);
+  const std::lock_guard<std::mutex> hold(files);
+  write_lines_run(*outcome.results, description, folder);
+  return "";
 }
 
 /// One core is left for the page: its statics are solved while a study runs.
@@ -179,20 +195,23 @@ void RunQueue::run_static(const Job& job) {
   const std::string& id = job.run.id;
   const Description description = description_of(job.model);
   Model model = build_model(description);
-  const LayOutcome outcome = solve_lay(model);
-  if (outcome.failure) return end(id, RunState::failed, failure_line(*outcome.failure));
+  ModelStatics found = solve_model(model);
+  if (found.failure) return end(id, RunState::failed, failure_line(*found.failure));
   if (stop_) return end(id, RunState::cancelled, "cancelled");
-  StaticResults results = checked_statics(model, outcome);
-  tell_hull(model, results);
+  tell_hull(model, found);
   {
     const std::lock_guard<std::mutex> hold(files_);
-    write_static_run(results, description, folder(job.run));
+    write_model_statics(found, description, folder(job.run));
   }
   end(id, RunState::done, "");
 }
 
 void RunQueue::run_dynamic(const Job& job) {
   const Description description = description_of(job.model);
+  if (is_lines_alone(description)) {
+    const std::string fault = run_lines_into(folder(job.run), description, job.run, files_);
+    return end(job.run.id, fault.empty() ? RunState::done : RunState::failed, fault);
+  }
   Watch watch(*this, job);
   const StudyEnd ended = run_study(description, plan_of(job.run, description), folder(job.run),
                                    {job.resume, kCheckpoint, study_threads()}, watch, files_);

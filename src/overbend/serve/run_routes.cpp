@@ -164,10 +164,19 @@ HttpAnswer study(const RunQueue& runs, const HttpRequest& request) {
   return json_answer(study_json(run, runs.folder(run)));
 }
 
+/// Of a run by itself: that of its pipe, or of what it has in its place.
+const char* main_table(const std::filesystem::path& folder) {
+  for (const char* file : {"pipe.csv", "moorings.csv", "lines.csv"}) {
+    if (std::filesystem::exists(folder / file)) return file;
+  }
+  return "pipe.csv";
+}
+
 HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  const char* file = run.is_study() ? study_files(run).table : "pipe.csv";
-  return {200, "text/csv; charset=utf-8", file_text(runs.folder(run) / file), run.id + ".csv"};
+  const std::filesystem::path folder = runs.folder(run);
+  const char* file = run.is_study() ? study_files(run).table : main_table(folder);
+  return {200, "text/csv; charset=utf-8", file_text(folder / file), run.id + ".csv"};
 }
 
 HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {

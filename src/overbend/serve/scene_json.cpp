@@ -11,7 +11,21 @@ namespace {
 
 constexpr std::size_t kMostWaves = 1000;
 
+/// Whether the model speaks of a vessel: lines by themselves need none.
+bool has_vessel(const Description& d) {
+  const auto held = [](const FreeLineDescription& line) {
+    return line.first.kind == LineEndKind::body || line.second.kind == LineEndKind::body;
+  };
+  return d.has_pipe || d.moorings || d.lines.empty() || std::ranges::any_of(d.lines, held);
+}
+
+/// Null for what is not there.
+Json where(bool there, const Vec3& place) {
+  return there ? place_json(place) : Json(nullptr);
+}
+
 Json vessel(const Model& model) {
+  if (!has_vessel(model.description)) return nullptr;
   const VesselDescription& v = model.description.vessel;
   return {{"name", v.name},    {"length", v.length},   {"beam", v.beam},
           {"height", v.depth}, {"draught", v.draught}, {"pose", pose_json(model.mean_pose.p_WV, model.mean_pose.R_WV)}};
@@ -62,6 +76,18 @@ Json waves(const Model& model, std::uint64_t seed) {
   return list;
 }
 
+/// Beside them the lines are looked at.
+Json objects(const Description& d) {
+  Json list = Json::array();
+  if (!d.moorings) return list;
+  for (const SeabedObjectDescription& object : d.moorings->objects) {
+    Json points = Json::array();
+    for (const Vec3& point : object.points) points.push_back(place_json(point));
+    list.push_back({{"name", object.name}, {"points", points}});
+  }
+  return list;
+}
+
 /// Without a pipe there is nothing to draw.
 double outer_radius(const Model& model) {
   return model.sections.empty() ? 0.0 : 0.5 * model.sections.front().outer_diameter;
@@ -78,14 +104,15 @@ Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
           {"vessel", vessel(model)},
           {"ramp", structure(model, Structure::ramp)},
           {"stinger", structure(model, Structure::stinger)},
-          {"stern_shoe", place_json(shoe)},
-          {"tensioner", place_json(point_from_ramp(model, model.mean_pose, p_S))},
+          {"stern_shoe", where(model.description.has_pipe, shoe)},
+          {"tensioner", where(model.description.has_pipe, point_from_ramp(model, model.mean_pose, p_S))},
           {"water_depth", seven_digits(model.description.environment.water_depth)},
           {"seabed",
            {{"normal", place_json(bed.normal(shoe.x(), shoe.y()))},
             {"point", place_json({shoe.x(), shoe.y(), bed.height(shoe.x(), shoe.y())})}}},
           {"current", current(model)},
           {"waves", waves(model, seed.value_or(dynamic_options(model).seed))},
+          {"objects", objects(model.description)},
           {"pipe", {{"outer_radius", seven_digits(outer_radius(model))}}}};
 }
 

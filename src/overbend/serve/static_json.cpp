@@ -31,4 +31,17 @@ Json static_json(const StaticResults& results, const std::vector<std::string>* l
   return page_statics(style, results, lists);
 }
 
+Json static_json(const MooringResults& results) {
+  StaticResults without_pipe;
+  without_pipe.warnings = results.warnings;
+  without_pipe.moorings = results;
+  return page_statics(PageStyle{}, without_pipe, nullptr);
+}
+
+Json static_json(const LinesResults& results) {
+  StaticResults without_pipe;
+  without_pipe.warnings = results.warnings;
+  return page_statics(PageStyle{}, without_pipe, nullptr, results.lines);
+}
+
 }  // namespace overbend

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "statics/moored_statics.h"
-#include "statics/vessel_load.h"
+#include "statics/pipe_on_hull.h"
 
 namespace overbend {
 namespace {
@@ -12,31 +12,33 @@ namespace {
 constexpr int kMostTurns = 40;
 constexpr double kStill = 1e-7;  ///< Of the ends of the hull, from one turn to the next [m].
 
-/// Load of the pipe on the hull about midship, axes of the hull as drawn.
-Vec6 pipe_load(const Model& model, const StaticSolution& pipe, const HullAtRest& hull) {
-  StaticSystem system(model, model.mean_pose, pipe.mesh);
-  const Vec6 load = load_on_vessel(system, pipe.state);
-  Vec6 drawn;
-  drawn << hull.axes_WD.transpose() * load.head<3>(), hull.axes_WD.transpose() * load.tail<3>();
-  return drawn;
-}
-
-/// How far the ends of the hull move from one pose to the other [m].
-double way_between(const VesselPose& a, const VesselPose& b, double length) {
-  return (a.p_WV - b.p_WV).norm() + 0.5 * length * (a.R_WV - b.R_WV).norm();
+HullPlace place_of(const VesselPose& pose) {
+  return {pose.p_WV, pose.R_WV};
 }
 
 LayOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::nullopt, std::move(failure)};
 }
 
-LayOutcome solved(const Model& model, StaticSolution pipe, const MooredHull& moored) {
-  std::variant<MooringResults, StaticFailure> results = moored_results(model, moored);
-  if (const StaticFailure* failure = std::get_if<StaticFailure>(&results)) {
+double surge_period(const MooredState& rest) {
+  for (const PeriodResult& period : rest.vessel.natural_periods) {
+    if (period.mode == "surge") return period.period;
+  }
+  return 0.0;
+}
+
+LayOutcome solved(const Model& model, StaticSolution pipe, const MooredHull& moored, const Vec6& load) {
+  std::variant<MooringResults, StaticFailure> outcome =
+      moored_results(model, moored, pipe_on_hull(model, pipe, moored.hull, load));
+  if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
     return fail(*failure);
   }
+  MooringResults& results = std::get<MooringResults>(outcome);
   pipe.moorings = moored.spread;
-  return {std::move(pipe), std::get<MooringResults>(std::move(results)), std::nullopt};
+  if (!results.steps.empty()) {
+    pipe.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
+  }
+  return {std::move(pipe), std::move(results), std::nullopt};
 }
 
 }  // namespace
@@ -65,15 +67,16 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start) {
       return fail(*pipe.failure);
     }
     MooredHull moored = described;
-    moored.hull.steady += pipe_load(model, *pipe.solution, moored.hull);
+    const Vec6 load = pipe_load(model, *pipe.solution, moored.hull);
+    moored.hull.steady += load;
     find_rest_at_start(model.description, moored);
     if (moored.rest.fault) {
       return fail({"no rest of the moored hull", "static", *moored.rest.fault});
     }
     const HullPlace place = place_of(moored.hull, moored.rest.offset);
     const VesselPose pose{place.p_W, place.R_WV};
-    if (way_between(pose, model.mean_pose, model.description.vessel.length) < kStill) {
-      return solved(model, std::move(*pipe.solution), moored);
+    if (way_between(place, place_of(model.mean_pose), model.description.vessel.length) < kStill) {
+      return solved(model, std::move(*pipe.solution), moored, load);
     }
     model.mean_pose = pose;
     pipe = solve_statics(model, &*pipe.solution);

@@ -1,6 +1,6 @@
 #include "statics/moored_rest.h"
 
-#include <cmath>
+#include <memory>
 
 #include "hull/make_hull.h"
 
@@ -24,14 +24,23 @@ void solve_lengths(MooredHull& moored, const TensionBounds& bounds) {
   moored.rest = plan_lengths(moored.spread, moored.hull, HullOffset::Zero(), wished, bounds);
 }
 
-/// Of current and wind on the hull with its heading as drawn: force and moment about midship, axes D.
-Vec6 steady_load(const Model& model, const HullAtRest& hull, const CoupledHullDescription& coupled) {
-  const double heading = std::atan2(hull.axes_WD(1, 0), hull.axes_WD(0, 0));
-  Vec6 load = current_force(make_hull_current(model, coupled), heading, Vec6::Zero(), {}).force +
-              wind_force(make_hull_wind(coupled), heading);
-  const Vec3 force = load.head<3>();
-  load.tail<3>() += coupled.centre_of_gravity.cross(force);
-  return load;
+/// The waves whose mean drift acts in statics: those of the model's own seed.
+Sea drifting_sea(const Description& d) {
+  if (!d.statics.mean_drift.value_or(false)) return {};
+  return make_sea(d.environment.waves, d.environment.water_depth, 0.0, d.environment.waves.seed);
+}
+
+/// Current, wind and drift on the hull turned by a yaw from its drawn heading: about midship, axes D.
+void put_surroundings(const Model& model, const CoupledHullDescription& coupled, HullAtRest& hull) {
+  auto around = std::make_shared<Hull>(hull_in_surroundings(model, coupled, drifting_sea(model.description)));
+  around->mean_drift_from_start = true;
+  const Vec3 arm = coupled.centre_of_gravity;
+  hull.surroundings = [around = std::shared_ptr<const Hull>(std::move(around)), arm](double yaw) {
+    const Mat3 turn = turned_about_z(yaw);
+    const Vec6 load = steady_forces(*around, around->drawn(5) + yaw).sum();
+    const Vec3 force = turn * load.head<3>(), moment = turn * load.tail<3>();
+    return (Vec6() << force, moment + (turn * arm).cross(force)).finished();
+  };
 }
 
 }  // namespace
@@ -58,7 +67,7 @@ std::variant<MooredHull, StaticFailure> moored_hull(const Model& model) {
   moored.hull = hull_at_rest(d);
   moored.free = hull_is_free(d);
   if (d.vessel.coupled) {
-    moored.hull.steady += steady_load(model, moored.hull, *d.vessel.coupled);
+    put_surroundings(model, *d.vessel.coupled, moored.hull);
   }
   return moored;
 }

@@ -46,14 +46,7 @@ Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
 }
 
 VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
-  VesselResult result;
-  const HullOffset& u = rest.offset;
-  result.surge = u[0];
-  result.sway = u[1];
-  result.heave = u[2];
-  result.roll = u[3];
-  result.pitch = u[4];
-  result.yaw = std::remainder(u[5], kWholeTurn);
+  VesselResult result = vessel_offset(rest.offset);
   if (free) {
     const Mat6 stiffness = whole_stiffness(hull, rest);
     result.stiffness = by_rows(stiffness);
@@ -105,6 +98,15 @@ MooringLineResult line_result(const Model& model, const MooredLine& line, const 
   return result;
 }
 
+const char* drift_words(const Description& d) {
+  if (d.statics.mean_drift.value_or(false)) {
+    return "In statics steady current and wind and the mean drift of the waves act on the hull, with the heading it "
+           "has.";
+  }
+  return "In statics steady current and wind act on the hull, with the heading it has, and the mean drift of the waves "
+         "does not act.";
+}
+
 /// Tension at which the brake of a winch renders; none where the line has no winch or the winch no limit.
 std::optional<double> brake_of(const MooringsDescription& moorings, const std::string& winch) {
   const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
@@ -112,7 +114,35 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
   return named == moorings.winches.end() ? std::nullopt : named->brake;
 }
 
+/// Beyond what the linear restoring of the water holds for.
+void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, std::vector<std::string>& list) {
+  const double degrees = 180.0 / std::numbers::pi, heave = std::abs(state.vessel.heave);
+  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
+    list.push_back(fmt::format(
+        "{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the restoring of the water is not "
+        "linear, as it is taken to be.",
+        state.name, degrees * state.vessel.roll, degrees * state.vessel.pitch));
+  }
+  if (heave > 0.5 * (vessel.depth - vessel.draught)) {
+    list.push_back(fmt::format(
+        "{}: the vessel heaves by {:.2f} m, more than half its freeboard: the restoring of the water is not "
+        "linear there, as it is taken to be.",
+        state.name, state.vessel.heave));
+  }
+}
+
 }  // namespace
+
+VesselResult vessel_offset(const HullOffset& u) {
+  VesselResult result;
+  result.surge = u[0];
+  result.sway = u[1];
+  result.heave = u[2];
+  result.roll = u[3];
+  result.pitch = u[4];
+  result.yaw = std::remainder(u[5], kWholeTurn);
+  return result;
+}
 
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
                          const HullAtRest& hull, const RestOutcome& rest, bool free) {
@@ -175,13 +205,7 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
         fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
                     state.name, effective));
   }
-  const VesselDescription& vessel = model.description.vessel;
-  if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle ||
-      std::abs(state.vessel.heave) > 0.5 * (vessel.depth - vessel.draught)) {
-    list.push_back(state.name +
-                   ": heel or trim beyond 10 deg, or heave beyond half the freeboard: the restoring of "
-                   "the water is no longer linear.");
-  }
+  warn_of_large_offset(model.description.vessel, state, list);
   return list;
 }
 
@@ -200,10 +224,7 @@ std::vector<std::string> mooring_assumptions(const Model& model) {
     }
   }
   if (model.description.vessel.coupled) {
-    list.emplace_back(
-        "In statics steady current and wind act on the hull with its heading as drawn, and the mean drift of the waves "
-        "does "
-        "not act.");
+    list.emplace_back(drift_words(model.description));
   }
   return list;
 }

@@ -7,6 +7,9 @@
 
 namespace overbend {
 
+/// Where the hull lies, nothing else.
+VesselResult vessel_offset(const HullOffset& offset);
+
 /// `free`: the hull may move; else stiffness and balance are left out.
 MooredState moored_state(const std::string& name, const Model& model, const MooringSpread& spread,
                          const HullAtRest& hull, const RestOutcome& rest, bool free);

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "base/version.h"
+#include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
+#include "statics/anchor_move.h"
 #include "statics/moored_rest.h"
 #include "statics/moored_results.h"
 
@@ -35,13 +37,20 @@ class Stages {
     if (found) results_.stages.push_back(std::move(*found));
     return found.has_value();
   }
-  StaticFailure failure() const { return {"no rest of the moored hull", where_, fault_.value_or("")}; }
+  bool fail(StaticFailure failure) {
+    failure_ = std::move(failure);
+    return false;
+  }
+  StaticFailure failure() const {
+    return failure_.value_or(StaticFailure{"no rest of the moored hull", where_, fault_.value_or("")});
+  }
 
  private:
   const Model& model_;
   MooringResults& results_;
   MooringFault fault_;
   std::string where_;
+  std::optional<StaticFailure> failure_;
 };
 
 void add_loads(MooredHull& moored, const std::vector<VesselLoadDescription>& loads) {
@@ -79,35 +88,68 @@ std::vector<WinchMove> winch_moves(const MooredState& before, const MooredState&
 }
 
 /// Ahead along the heading that the hull has, with the pulls it had, changed as little as balance asks.
-bool pull_ahead(const Description& d, const MooredHull& start, Stages& stages, MooringResults& results) {
-  const OperationDescription& operation = d.operation;
+bool pull_ahead(const Model& model, const MooredHull& start, const PipeOnHull& pipe, Stages& stages,
+                MooringResults& results) {
+  const OperationDescription& operation = model.description.operation;
   MooredHull moored = start;
   add_loads(moored, operation.loads);
   find_pose(moored);
   if (!stages.add(names_of(operation.loads), moored)) return false;
-  const Eigen::VectorXd wished = pulls_of(moored.spread, moored.rest.lines);
-  const HullOffset from = moored.rest.offset;
-  for (int move = 1; move <= operation.moves; ++move) {
-    HullOffset there = from;
-    there[0] += move * operation.distance * std::cos(from[5]);
-    there[1] += move * operation.distance * std::sin(from[5]);
-    moored.rest = plan_lengths(moored.spread, moored.hull, there, wished, bounds_of(*d.moorings));
-    const std::string name = operation.moves == 1 ? "pulled ahead" : fmt::format("pulled ahead {}", move);
-    if (!stages.add(name, moored)) return false;
+  HullOnItsWay hull(model, moored, pipe);
+  const std::vector<double> places = places_of(move_profile(operation, 0.0));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (std::optional<StaticFailure> failure = hull.go_to(places[i])) return stages.fail(std::move(*failure));
+    results.steps.push_back(hull.step());
+    if (i == 0 || i % kPlacesOfMove != 0) continue;
+    const std::string name = operation.moves == 1 ? "pulled ahead" : fmt::format("pulled ahead {}", i / kPlacesOfMove);
+    if (!stages.add(name, hull.hull())) return false;
   }
   results.distance = operation.distance * operation.moves;
   results.winches = winch_moves(results.stages.front(), results.stages.back());
   return true;
 }
 
-bool run_operation(const Description& d, const MooredHull& start, Stages& stages, MooringResults& results) {
-  switch (d.operation.type) {
+bool move_anchor(const Model& model, const MooredHull& start, Stages& stages, MooringResults& results) {
+  for (const AnchorStage& stage : anchor_stages(model, start)) {
+    if (!stages.add(stage.name, stage.hull)) return false;
+  }
+  if (!results.stages.empty()) results.winches = winch_moves(results.rest, results.stages.back());
+  return true;
+}
+
+/// Each line with the pull that it has where the hull lies first.
+bool plan_anchors_due(const Model& model, const MooredHull& start, Stages& stages, MooringResults& results) {
+  const OperationDescription& operation = model.description.operation;
+  std::vector<UsefulLine> useful;
+  for (std::size_t i = 0; i < start.spread.lines.size(); ++i) {
+    useful.push_back({model.description.moorings->lines[i].useful, start.rest.lines[i].pull});
+  }
+  const AnchorRoute route{operation.distance * start.hull.axes_WD.col(0), operation.moves};
+  const AnchorSchedule schedule = plan_anchors(start.spread, model.drawn_pose.R_WV, useful, route);
+  if (schedule.fault) return stages.fail({"the anchors cannot be planned", "", *schedule.fault});
+  for (const AnchorShift& shift : schedule.shifts) {
+    results.anchors.push_back(
+        {shift.joint, start.spread.lines[shift.line].name, shift.reason, shift.from_W, shift.to_W, shift.length});
+  }
+  return true;
+}
+
+bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull& pipe, Stages& stages,
+                   MooringResults& results) {
+  const OperationDescription& operation = model.description.operation;
+  switch (operation.type) {
     case OperationType::moored:
       results.operation = "moored";
-      return run_stages(d.operation, start, stages);
+      return run_stages(operation, start, stages);
     case OperationType::pull_ahead:
       results.operation = "pull_ahead";
-      return pull_ahead(d, start, stages, results);
+      return pull_ahead(model, start, pipe, stages, results);
+    case OperationType::anchor_move:
+      results.operation = "anchor_move";
+      return move_anchor(model, start, stages, results);
+    case OperationType::anchor_plan:
+      results.operation = "anchor_plan";
+      return plan_anchors_due(model, start, stages, results);
     case OperationType::none:
       break;
   }
@@ -121,7 +163,8 @@ bool is_moored_hull(const Description& description) {
          !description.moorings->lines.empty();
 }
 
-std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored) {
+std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
+                                                           const PipeOnHull& pipe) {
   const Description& d = model.description;
   MooringResults results;
   results.title = d.title;
@@ -132,7 +175,7 @@ std::variant<MooringResults, StaticFailure> moored_results(const Model& model, c
   std::optional<MooredState> rest = stages.state("static", moored);
   if (!rest) return stages.failure();
   results.rest = std::move(*rest);
-  if (!run_operation(d, moored, stages, results)) return stages.failure();
+  if (!run_operation(model, moored, pipe, stages, results)) return stages.failure();
   return results;
 }
 

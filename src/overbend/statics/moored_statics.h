@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "results/mooring_results.h"
 #include "statics/moored_rest.h"
+#include "statics/pull_ahead.h"
 
 namespace overbend {
 
@@ -13,8 +14,9 @@ namespace overbend {
 bool is_moored_hull(const Description& description);
 
 /// Results of a hull whose rest at the start has been found, the stages of its operation included; or why there are
-/// none.
-std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored);
+/// none. `pipe`: of a lay.
+std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
+                                                           const PipeOnHull& pipe = {});
 
 /// Rest of the hull on its lines and the stages of its operation; results, or why there are none.
 std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model);

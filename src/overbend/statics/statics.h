@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "moorings/spread.h"
+#include "moorings/move_path.h"
 #include "results/static_results.h"
 #include "statics/static_system.h"
 
@@ -18,6 +18,7 @@ struct StaticSolution {
   std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
   VesselPose pose;                     ///< Of the vessel.
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
+  std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
 };
 
 /// Why there is none.

@@ -9,6 +9,7 @@
 #include "runstore/staged_folder.h"
 #include "study/dynamic_finish.h"
 #include "study/motion_parts.h"
+#include "study/run_warnings.h"
 
 namespace overbend {
 namespace {
@@ -91,6 +92,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
+  warn_of_large_motion(shared.description.vessel, *outcome.results);
   {
     const std::lock_guard<std::mutex> hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
@@ -104,6 +106,7 @@ void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::
   if (!run) return;
   finish_motions(shared.statics, shared.description, results, run->store);
   finish_histories(results, run->store);
+  warn_of_large_motion(shared.description.vessel, results);
   const std::lock_guard<std::mutex> hold(writing);
   write_results(shared, results, run->store, folder);
 }

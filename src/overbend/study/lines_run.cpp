@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics/lines_in_time.h"
+#include "report/report.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
@@ -164,6 +165,7 @@ SeedsResults gather_lines(const Description& description, const std::vector<Seed
 void write_lines_run(const LinesResults& results, const Description& description, const std::filesystem::path& folder) {
   StagedFolder staged(folder);
   write_lines_files(results, description, staged.path());
+  write_report(results, description.source_text, staged.path() / "report.html");
   staged.commit("summary.json");
 }
 

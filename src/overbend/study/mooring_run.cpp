@@ -1,5 +1,6 @@
 #include "study/mooring_run.h"
 
+#include "report/report.h"
 #include "resultfiles/mooring_writer.h"
 #include "runstore/staged_folder.h"
 
@@ -9,6 +10,7 @@ void write_mooring_run(const MooringResults& results, const Description& descrip
                        const std::filesystem::path& folder) {
   StagedFolder staged(folder);
   write_mooring_files(results, description, staged.path());
+  write_report(results, description.source_text, staged.path() / "report.html");
   staged.commit("summary.json");
 }
 

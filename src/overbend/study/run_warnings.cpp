@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 namespace overbend {
@@ -14,6 +16,7 @@ constexpr double kOffMean = 0.02;        ///< Of the wanted tension, worth a wor
 constexpr double kDrift = 0.01;          ///< Likewise, over the run [-].
 constexpr double kMostDrift = 1e-3;      ///< Of the energy balance: beyond it, the run is not resolved [-].
 constexpr double kStandsStill = 1e-9;    ///< [m, rad]
+constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
 constexpr std::size_t kBlocks = 8;
 constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
 
@@ -96,6 +99,28 @@ double trend(std::span<const double> values) {
   for (std::size_t b = 0; b < kBlocks; ++b) left += std::pow(mean[b] - all - slope * from_middle(b), 2);
   const double error = std::sqrt(left / (n - 2.0) / squares);
   return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
+}
+
+void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results) {
+  if (vessel.motion != VesselMotion::coupled) return;
+  const auto largest = [&](const char* name) {
+    const HistorySummary* h = history(results, name);
+    return h == nullptr ? 0.0 : std::max(std::abs(h->over_time.min), std::abs(h->over_time.max));
+  };
+  const double heel = largest("roll"), trim = largest("pitch"), heave = largest("heave");
+  if (std::max(heel, trim) > kLargeAngle) {
+    results.warnings.push_back(fmt::format(
+        "the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the restoring of the "
+        "water is not linear, as it is taken to be",
+        heel * 180.0 / std::numbers::pi, trim * 180.0 / std::numbers::pi));
+  }
+  const double freeboard = vessel.depth - vessel.draught;
+  if (heave > 0.5 * freeboard) {
+    results.warnings.push_back(
+        fmt::format("the vessel heaves by {:.2f} m at most, more than half its freeboard of {:.2f} m: the restoring of "
+                    "the water is not linear there, as it is taken to be",
+                    heave, freeboard));
+  }
 }
 
 void warn_of_run(DynamicResults& results, std::span<const double> tension) {

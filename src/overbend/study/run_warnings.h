@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "model/description.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
@@ -11,6 +12,10 @@ namespace overbend {
 /// where it is wanted; an energy balance that does not close. Reads the summaries of `results`; `tension` is that of
 /// the tensioner from t = 0 on [N], rows one output step apart.
 void warn_of_run(DynamicResults& results, std::span<const double> tension);
+
+/// Heel or trim beyond 10 deg, or heave beyond half the freeboard, of a hull that floats free: the water's restoring is
+/// linear there. Reads the summaries of `results`.
+void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results);
 
 /// Change of a record over its length by a straight line through the means of eight blocks, where it is beyond chance
 /// (five standard errors); else 0. [unit of the values]

@@ -10,6 +10,7 @@
 #include "runstore/staged_folder.h"
 #include "statics/hull_account.h"
 #include "statics/recovery.h"
+#include "statics/side_rollers.h"
 
 namespace overbend {
 namespace {
@@ -27,6 +28,9 @@ StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
   if (lay.moorings) {
     add_missing(lay.moorings->warnings, results.warnings);
     add_missing(lay.moorings->assumptions, results.assumptions);
+    if (std::optional<std::string> warning = warn_of_side_rollers(model.description, results)) {
+      results.warnings.push_back(std::move(*warning));
+    }
     results.moorings = lay.moorings;
   }
   fill_checks(model, results);

@@ -426,7 +426,9 @@ void Assembly::add_winch_power(const SystemState& state, InstantEnergy& now) con
 /// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
 void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
   for (std::size_t k = 0; k < border_.count(); ++k) {
-    now.bodies.stored += spring_energy(border_.body(k), state.bodies[k]);
+    const BodyEnergy springs = spring_energy(border_.body(k), state.bodies[k], state.time);
+    now.bodies.stored += springs.stored;
+    now.bodies.power += springs.power;
     if (border_.body(k).energy) {
       const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time);
       now.bodies.kinetic += one.kinetic;

@@ -111,12 +111,12 @@ double BodyBorder::power_of_end(const Attachment& held, const LineAssembly& line
   return (end.motion.transpose() * end.force).dot(state.bodies[number].v);
 }
 
-void BodyBorder::evaluate(const SystemState& state, const SystemState& before, const Weights& weights,
+void BodyBorder::evaluate(SystemState& state, const SystemState& before, const Weights& weights,
                           const std::vector<LineAssembly>& lines) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Member& member = bodies_[k];
     member.body->balance(state.bodies[k], before.bodies[k], weights, state.time, member.own);
-    add_springs(*member.body, state.bodies[k], member.own);
+    add_springs(*member.body, before.bodies[k], state.time, state.bodies[k], member.own);
     Eigen::Map<Vec6>(residual_.data() + 6 * k) = member.own.residual;
   }
   for (const LineAssembly& line : lines) {

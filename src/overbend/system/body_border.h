@@ -34,8 +34,8 @@ class BodyBorder {
   /// Brings free bodies and the ends they hold to a state.
   void lead(const std::vector<HullState>& at, Surroundings& now);
 
-  /// Sums the forces on the bodies, after the lines have been evaluated.
-  void evaluate(const SystemState& state, const SystemState& before, const Weights& weights,
+  /// Sums the forces on the bodies, after the lines have been evaluated; quasi-static lines leave theirs in `state`.
+  void evaluate(SystemState& state, const SystemState& before, const Weights& weights,
                 const std::vector<LineAssembly>& lines);
   /// Puts one line's border into the solver, from blocks that hold_node() has not been at.
   void put_line(int index, const LineAssembly& line, const SystemState& state, const Weights& weights,

@@ -71,11 +71,24 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   plan.fixed = fixed_places(parts);
   LineMesh mesh;
   mesh.s = graded_nodes(plan);
+  const double before_end = plan.fixed.size() > 1 ? plan.fixed[plan.fixed.size() - 2] : 0.0;
+  while (mesh.s.size() > 2 && length - mesh.s[mesh.s.size() - 2] < wanted.last &&
+         mesh.s[mesh.s.size() - 2] > before_end * (1.0 + 1e-9)) {
+    mesh.s.erase(mesh.s.end() - 2);
+  }
   for (std::size_t i = 0; i + 1 < mesh.s.size(); ++i) {
     mesh.length.push_back(mesh.s[i + 1] - mesh.s[i]);
     mesh.section.push_back(segment_at(parts, 0.5 * (mesh.s[i] + mesh.s[i + 1])));
   }
   return mesh;
+}
+
+/// Stiffness of the bed under a cable [N/m2]. Where there is a pipe the model's is the pipe's: soil yields by pressure,
+/// so a cable of less width meets as much less of it.
+double soil_under(const Model& model, double width) {
+  const double of_model = model.seabed.stiffness;
+  return model.description.has_pipe ? of_model * std::min(1.0, width / model.sections.front().outer_diameter)
+                                    : of_model;
 }
 
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to) {
@@ -95,8 +108,9 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   put(env.bed_along, bed.along(from, ahead));
   env.bed_offset = bed.offset() - thickest;
   env.route_offset = across.dot(from);
-  env.bed_stiffness = std::max(model.seabed.stiffness, heaviest / kBedSink);
-  env.bed_stick = model.seabed.stiffness > 0.0 ? model.seabed.stiffness : env.bed_stiffness;
+  const double soil = soil_under(model, 2.0 * thickest);
+  env.bed_stiffness = std::max(soil, heaviest / kBedSink);
+  env.bed_stick = soil > 0.0 ? soil : env.bed_stiffness;
   env.bed_friction_lateral = friction.value_or(model.seabed.friction_lateral);
   env.bed_friction_axial = friction.value_or(model.seabed.friction_axial);
   env.bed_damping = model.description.environment.seabed.damping;

@@ -22,6 +22,7 @@ struct CableParts {
 struct CableMesh {
   std::optional<double> touchdown;  ///< Arc length at which it leaves the bed, where it does [m].
   std::optional<double> element;    ///< Asked for: all elements at most so long [m].
+  double last = 0.0;                ///< The last element at least so long, if nothing of the line ends there [m].
 };
 
 /// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown;

@@ -5,6 +5,13 @@
 #include "model/section.h"
 
 namespace overbend {
+namespace {
+
+LineEndForces near_of(const HullState& at, std::size_t spring) {
+  return spring < at.lines.size() ? at.lines[spring] : LineEndForces{};
+}
+
+}  // namespace
 
 FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   constexpr double kShareOfWeight = 1e-3;
@@ -32,24 +39,34 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   return body;
 }
 
-void add_springs(const FreeBody& body, const HullState& at, HullBalance& out) {
+void add_springs(const FreeBody& body, const HullState& before, double time, HullState& at, HullBalance& out) {
   const BodyPose pose = pose_of(at.h);
-  for (const BodySpring& spring : body.springs) {
+  at.lines.resize(body.springs.size());
+  for (std::size_t i = 0; i < body.springs.size(); ++i) {
+    const BodySpring& spring = body.springs[i];
     const Vec3 arm = pose.R * (spring.place_V - body.reference_V);
-    const PlaceForce here = spring.force(pose.place + arm);
+    const PlaceForce here = spring.force(pose.place + arm, time, near_of(before, i));
+    at.lines[i] = here.ends;
     const Mat36 moved = point_jacobian(pose, arm);
     out.residual -= moved.transpose() * here.force;
     out.tangent += moved.transpose() * here.stiffness * moved - generalised_force_slope(pose, arm, here.force);
   }
 }
 
-double spring_energy(const FreeBody& body, const HullState& at) {
+BodyEnergy spring_energy(const FreeBody& body, const HullState& at, double time) {
   const BodyPose pose = pose_of(at.h);
-  double energy = 0.0;
-  for (const BodySpring& spring : body.springs) {
-    energy += spring.force(pose.place + pose.R * (spring.place_V - body.reference_V)).energy;
+  BodyEnergy sum;
+  for (std::size_t i = 0; i < body.springs.size(); ++i) {
+    const BodySpring& spring = body.springs[i];
+    const Vec3 arm = pose.R * (spring.place_V - body.reference_V);
+    const PlaceForce here = spring.force(pose.place + arm, time, near_of(at, i));
+    if (spring.has_energy) {
+      sum.stored += here.energy;
+    } else {
+      sum.power += generalised_force(pose, arm, here.force).dot(at.v);
+    }
   }
-  return energy;
+  return sum;
 }
 
 RigidMotion rigid_motion(const FreeBody& body, const HullState& at) {

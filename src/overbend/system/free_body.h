@@ -19,14 +19,17 @@ struct BodyEnergy {
 struct PlaceForce {
   Vec3 force = Vec3::Zero();      ///< On the body, W [N].
   Mat3 stiffness = Mat3::Zero();  ///< -d force / d place [N/m].
-  double energy = 0.0;            ///< Whose gradient the force is, with minus [J]; 0 where it is not known.
+  double energy = 0.0;            ///< Whose gradient the force is, with minus [J]; 0 where there is none.
+  LineEndForces ends;             ///< Of a line: what the next force is sought from.
 };
 
 /// A line without mass between the world and a body (quasi-static), or a spring: its end follows the body at once. Must
 /// not allocate.
 struct BodySpring {
   Vec3 place_V = Vec3::Zero();  ///< Where it is fixed to the body [m].
-  std::function<PlaceForce(const Vec3& place)> force;
+  /// `near`: the ends' forces at the beginning of the step.
+  std::function<PlaceForce(const Vec3& place, double time, const LineEndForces& near)> force;
+  bool has_energy = true;  ///< Else (friction, a winch) its work on the body comes from outside.
 };
 
 /// What makes a body free: the coordinates of hull/body_kinematics.h are unknowns. Its functions are called in the time
@@ -53,11 +56,12 @@ struct FreeBody {
 /// lines it holds, but at least a thousandth of its own; `length` [m].
 FreeBody free_hull(const Hull& hull, double line_weight, double length);
 
-/// Adds what a body's springs do to its balance: J^T force, its tangent exact as far as the spring's is.
-void add_springs(const FreeBody& body, const HullState& at, HullBalance& out);
+/// Adds what a body's springs do to its balance at a time: J^T force, its tangent exact as far as the spring's is.
+/// `at.lines` receives the forces of lines, sought from those of `before`.
+void add_springs(const FreeBody& body, const HullState& before, double time, HullState& at, HullBalance& out);
 
-/// Energy stored in the springs [J].
-double spring_energy(const FreeBody& body, const HullState& at);
+/// Energy stored in the springs, and power of those that store none.
+BodyEnergy spring_energy(const FreeBody& body, const HullState& at, double time);
 
 /// Motion as a rigid body, of V's origin.
 RigidMotion rigid_motion(const FreeBody& body, const HullState& at);

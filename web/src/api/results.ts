@@ -12,6 +12,19 @@ export interface Region {
   s: number;
 }
 
+export interface KeyResults {
+  top_tension: number;
+  bottom_tension: number;
+  lay_back: number;
+  suspended_length: number;
+  departure_angle: number;
+  stinger_tip_clearance: number | null;
+  largest_reaction: number;
+  overbend: Region | null;
+  tower: Region | null;
+  sagbend: Region;
+}
+
 export interface PipeLists {
   s: number[];
   x: number[];
@@ -24,6 +37,11 @@ export interface PipeLists {
   strain: number[];
   utilisation: number[];
   checks: number[];
+}
+
+export interface TouchdownPlace {
+  place: Vector;
+  s: number;
 }
 
 export interface Roller {
@@ -47,6 +65,83 @@ export interface Support {
   rollers: Roller[];
 }
 
+export interface TensionerPlace {
+  place: Vector;
+  direction: Vector;
+}
+
+export interface VesselOffset {
+  surge: number;
+  sway: number;
+  heave: number;
+  roll: number;
+  pitch: number;
+  yaw: number;
+  natural_periods: { mode: string; period: number; }[];
+}
+
+export interface MooringLine {
+  name: string;
+  length: number;
+  first_segment_length: number;
+  fairlead_tension: number;
+  horizontal: number;
+  declination: number;
+  anchor_tension: number;
+  anchor_uplift: number;
+  uplift_angle: number;
+  suspended_length: number;
+  touchdown_distance: number;
+  on_bed: number;
+  horizontal_distance: number;
+  azimuth: number;
+  slack: boolean;
+  parted: boolean;
+  fairlead: Vector;
+  anchor: Vector;
+  utilisation: number | null;
+  anchor_utilisation: number | null;
+  clearance: number | null;
+  nearest_object: string;
+  shape: Vector[];
+}
+
+export interface MooredState {
+  name: string;
+  vessel: VesselOffset;
+  moorings: MooringLine[];
+}
+
+export interface Moorings {
+  rest: MooredState;
+  operation: string;
+  stages: MooredState[];
+}
+
+export interface LineEnd {
+  force: Vector;
+  tension: number;
+  declination: number;
+}
+
+export interface LineAtRest {
+  name: string;
+  length: number;
+  elements: number;
+  weight: number;
+  on_bed: number;
+  largest_tension: number;
+  least_tension: number;
+  utilisation: number | null;
+  residual: number;
+  iterations: number;
+  first: LineEnd;
+  second: LineEnd;
+  s: number[];
+  shape: Vector[];
+  tension: number[];
+}
+
 export interface Check {
   id: string;
   name: string;
@@ -66,11 +161,13 @@ export interface Check {
 }
 
 export interface Statics {
-  key: { top_tension: number; bottom_tension: number; lay_back: number; suspended_length: number; departure_angle: number; stinger_tip_clearance: number | null; largest_reaction: number; overbend: Region | null; tower: Region | null; sagbend: Region; };
+  key: KeyResults | null;
   pipe: PipeLists;
-  touchdown: { place: Vector; s: number; };
+  touchdown: TouchdownPlace | null;
   supports: Support[];
-  tensioner: { place: Vector; direction: Vector; };
+  tensioner: TensionerPlace | null;
+  moorings: Moorings | null;
+  lines: LineAtRest[];
   checks: Check[];
   warnings: string[];
 }

@@ -1,5 +1,5 @@
 // What the program answers; see docs/api.md. SI units, frame W. The types of results are made by the program.
-import type { Check, DynamicSummary, Statics, Vector } from './results';
+import type { Check, DynamicSummary, Spread, Statics, Vector } from './results';
 
 export type * from './results';
 
@@ -46,14 +46,21 @@ export type StaticAnswer = Converged
 
 export interface Structure { name: string; place: Vector; direction: Vector; length: number }
 
+export interface Vessel { name: string; length: number; beam: number; height: number; draught: number; pose: number[] }
+
 export interface Scene {
   status: 'ok';
-  vessel: { name: string; length: number; beam: number; height: number; draught: number; pose: number[] };
+  /** Null where the model speaks of none. The pose is that of the vessel as described. */
+  vessel: Vessel | null;
   ramp: Structure[]; stinger: Structure[];
-  stern_shoe: Vector; tensioner: Vector; water_depth: number;
+  /** Null without a pipe. */
+  stern_shoe: Vector | null; tensioner: Vector | null;
+  water_depth: number;
   seabed: { normal: Vector; point: Vector };
   current: { depth: number; velocity: Vector }[];
   waves: { amplitude: number; number: number; frequency: number; phase: number; direction: number }[];
+  /** On the bed, to be kept clear of. */
+  objects: { name: string; points: Vector[] }[];
   pipe: { outer_radius: number };
 }
 
@@ -89,11 +96,22 @@ export interface StudyQuantity {
 export interface Column { name: string; unit: string; text: string }
 export interface Series { t: number[]; min: number[]; max: number[] }
 
+/** A quantity that slow drift and waves move together, with both parts. */
+export interface MotionSpread extends Spread { slow: Spread; wave: Spread; most_probable_min: number; most_probable_max: number }
+
+export type MotionName = 'surge' | 'sway' | 'heave' | 'roll' | 'pitch' | 'yaw';
+export type VesselInTime = Record<MotionName, MotionSpread> & { confidence: string };
+
+export interface MooringInTime {
+  name: string; fairlead_tension: MotionSpread; anchor_tension: MotionSpread; utilisation: number | null; parted_at: number | null;
+  events: { time: number; what: string }[];
+}
+
 /** What is read of summary.json. */
 export interface RunSummary {
   warnings?: string[];
   checks?: { list: Check[] };
-  dynamic?: DynamicSummary;
+  dynamic?: DynamicSummary & { vessel?: VesselInTime; moorings?: MooringInTime[] };
 }
 
 export interface NewOffer {

@@ -1,5 +1,5 @@
 // What a diagram along the pipe shows: lists ready to be drawn, in engineering units.
-import type { Check, Envelopes, Lay, RunSummary, Scene } from '../api/types';
+import type { Check, Envelopes, Lay, LineAtRest, RunSummary, Scene, Vector } from '../api/types';
 import { resample } from '../logic/decimate';
 import { quantity } from '../logic/show';
 import type { Line } from '../logic/table';
@@ -62,7 +62,7 @@ function allowed(key: string, s: Lay, checks: readonly Check[], factor: number):
     const least = limits.reduce((a, b) => (b.capacity! < a.capacity! ? b : a));
     out.push({ y: least.capacity! * factor, label: `allowable, ${least.code.replace(/ \(.*/, '')}`, kind: 'limit' });
   }
-  const r = s.key.overbend ?? s.key.sagbend;
+  const r = s.key?.overbend ?? s.key?.sagbend;
   if ((key === 'von_mises' || key === 'bending_stress') && r && r.utilisation > 0) out.push({ y: (r.von_mises / r.utilisation) * factor, label: 'yield', kind: 'limit' });
   return out;
 }
@@ -85,6 +85,25 @@ export function along(key: string, s: Lay, e: Envelopes | null, checks: readonly
     lines.push({ name: 'static', colour: ink.now, values: nowAtRun, width: 2 });
   } else lines.push({ name: 'static', colour: ink.now, values, width: 2 });
   return { title: q.name, xName: 'arc length from the tensioner [m]', yName: `${q.name.toLowerCase().replace('von mises', 'von Mises')} [${q.unit}]`, x, s: x, lines, marks: s.supports.map((b) => ({ x: b.s, y: Number.NaN, label: b.name })), level: allowed(key, s, checks, q.factor) };
+}
+
+/** Tension of a line by itself. */
+export function lineTension(line: LineAtRest): ChartData {
+  return { title: `Tension of ${line.name}`, xName: 'unstressed length from the first end [m]', yName: 'effective tension [kN]', x: line.s, s: line.s, lines: [{ name: line.name, colour: ink.now, values: line.tension.map((t) => t / 1e3), width: 2 }], marks: [], level: [] };
+}
+
+/** A line from one end to the other, as far as they are apart: from the side, or from above. */
+export function lineShape(line: { name: string; shape: Vector[] }, scene: Scene | null, plan: boolean): ChartData | null {
+  const from = line.shape[0], to = line.shape.at(-1);
+  if (!from || !to) return null;
+  const ux = to[0] - from[0], uy = to[1] - from[1], size = Math.hypot(ux, uy) || 1;
+  const x = line.shape.map((p) => ((p[0] - from[0]) * ux + (p[1] - from[1]) * uy) / size);
+  const off = line.shape.map((p) => ((p[0] - from[0]) * uy - (p[1] - from[1]) * ux) / size);
+  return {
+    title: `${plan ? 'Plan' : 'Elevation'} of ${line.name}`, xName: 'horizontal distance along the line [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: x,
+    lines: [{ name: line.name, colour: ink.now, values: plan ? off : line.shape.map((p) => p[2]), width: 2.2 }], marks: [],
+    level: plan || !scene ? [] : [{ y: 0, label: 'water', kind: 'water' }, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }],
+  };
 }
 
 /** With a run the greatest of the run stands behind the static reaction. */

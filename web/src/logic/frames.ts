@@ -3,11 +3,16 @@
 export interface FramesAnswer {
   total: number; from: number; stations: number; time: number[]; pose: number[][];
   place: string; effective_tension: string; von_mises: string;
+  /** Mooring lines with the number of their points, from fairlead to anchor, and the places of all of them. */
+  lines?: FrameLine[]; line_place?: string;
 }
+
+export interface FrameLine { name: string; points: number }
 
 export interface Chunk {
   from: number; count: number; stations: number; time: number[]; pose: number[][];
   place: Float32Array; effective_tension: Float32Array; von_mises: Float32Array;
+  lines: FrameLine[]; linePlace: Float32Array;
 }
 
 export function floats(base64: string): Float32Array {
@@ -19,11 +24,25 @@ export function decode(answer: FramesAnswer): Chunk {
   return {
     from: answer.from, count: answer.time.length, stations: answer.stations, time: answer.time, pose: answer.pose,
     place: floats(answer.place), effective_tension: floats(answer.effective_tension), von_mises: floats(answer.von_mises),
+    lines: answer.lines ?? [], linePlace: floats(answer.line_place ?? ''),
   };
 }
 
 /** Values between two frames: a at 0, b at 1. */
 export function blend(a: ArrayLike<number>, aFrom: number, b: ArrayLike<number>, bFrom: number, count: number, f: number, out: Float32Array): Float32Array {
   for (let i = 0; i < count; ++i) out[i] = a[aFrom + i]! * (1 - f) + b[bFrom + i]! * f;
+  return out;
+}
+
+/** Points of each line between frame `a` of one chunk and frame `b` of another; null where none were recorded. */
+export function linesBetween(one: Chunk, a: number, other: Chunk, b: number, f: number): Map<string, Float32Array> | null {
+  if (one.lines.length === 0) return null;
+  const all = 3 * one.lines.reduce((sum, l) => sum + l.points, 0);
+  const out = new Map<string, Float32Array>();
+  let at = 0;
+  for (const line of one.lines) {
+    out.set(line.name, blend(one.linePlace, a * all + at, other.linePlace, b * all + at, 3 * line.points, f, new Float32Array(3 * line.points)));
+    at += 3 * line.points;
+  }
   return out;
 }

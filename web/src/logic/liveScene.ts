@@ -10,7 +10,7 @@ export function liveScene(scene: Scene, depth: number | undefined, trim: number 
     out.water_depth = depth;
     out.seabed = { normal: scene.seabed.normal, point: [x, y, z - (depth - scene.water_depth)] };
   }
-  if (trim !== undefined) {
+  if (trim !== undefined && scene.vessel) {
     // about the vessel's own transverse axis; bow up is a turn by the negative angle
     const p = scene.vessel.pose, angle = trim0 - trim, c = Math.cos(angle), s = Math.sin(angle);
     const pose = [...p];

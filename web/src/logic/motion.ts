@@ -6,10 +6,32 @@ export const motionWords: Record<MotionKind, string> = {
   fixed: 'fixed', raos: 'RAO file', harmonic: 'harmonic', history: 'motion history (file)', coupled: 'coupled (floating hull)',
 };
 
-/** Endings of the files that a kind reads. */
-export const fileKinds: Record<'raos' | 'history', string[]> = { raos: ['.csv', '.4', '.yml'], history: ['.csv'] };
+export type FileKind = 'raos' | 'history' | 'coupled';
 
-interface Known { given: boolean; value?: unknown }
+/** Endings of the files that a kind reads; of a floating hull the one that stands for WAMIT's four. */
+export const fileKinds: Record<FileKind, string[]> = { raos: ['.csv', '.4', '.yml'], history: ['.csv'], coupled: ['.hst', '.nc'] };
+/** What may be sent for it. */
+export const sentKinds: Record<FileKind, string[]> = { ...fileKinds, coupled: ['.1', '.3', '.8', '.hst'] };
+
+/** The name that the model gives to hydrodynamic files: WAMIT's common stem, or the file. */
+export const hydrodynamics = (file: string): string => file.replace(/\.hst$/, '');
+
+interface Known { given: boolean; value?: unknown; si?: number | null }
+
+const sea = 1025; // kg/m^3
+
+/** A floating hull as a loaded box: first values of what the files do not say. */
+function coupledValue(file: string, fields: ReadonlyMap<string, Known>): unknown {
+  const si = (key: string, other: number): number => fields.get(`vessel.${key}`)?.si ?? other;
+  const length = si('length', 120), beam = si('beam', 30), draught = si('draught', 5), depth = si('depth', 9);
+  const metres = (v: number): string => `${Number(v.toPrecision(4))} m`;
+  return {
+    hydrodynamics: hydrodynamics(file), mass: `${Math.round((sea * length * beam * draught) / 1e3)} t`,
+    centre_of_gravity: { x: '0 m', y: '0 m', z: metres(0.65 * depth - draught) },
+    gyration: { roll: metres(0.35 * beam), pitch: metres(length / 4), yaw: metres(length / 4) },
+    current: { transverse: 0.8, longitudinal: 0.5 },
+  };
+}
 
 /** Null where the model does not say. */
 export function motionKind(fields: ReadonlyMap<string, Known>): MotionKind | null {
@@ -21,6 +43,7 @@ export function motionKind(fields: ReadonlyMap<string, Known>): MotionKind | nul
 /** What is written into the model for a choice. Another file of RAOs keeps what is said about its conventions. */
 export function motionValue(kind: MotionKind, file: string, fields: ReadonlyMap<string, Known>): unknown {
   if (kind === 'fixed') return 'fixed';
+  if (kind === 'coupled') return { coupled: coupledValue(file, fields) };
   if (kind === 'harmonic') return { harmonic: { heave: { amplitude: '0.5 m', period: '8 s' } } };
   const out: Record<string, unknown> = { [kind]: file };
   const convention: Record<string, unknown> = {};

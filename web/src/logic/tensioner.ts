@@ -24,6 +24,8 @@ export function columnName(name: string): string {
   if (own[name]) return own[name];
   const support = /^support\/(.*)\/(\w+)$/.exec(name);
   if (support) return `${support[1]}: ${support[2]}`;
+  const mooring = /^mooring\/(.*)\/(fairlead|anchor)_tension$/.exec(name);
+  if (mooring) return `${mooring[1]}: tension at the ${mooring[2]}`;
   const words = name.replaceAll('/', ': ').replaceAll('_', ' ').replace('von mises', 'von Mises').replace(/ peak$/, ', peak');
   return words.charAt(0).toUpperCase() + words.slice(1);
 }

@@ -16,6 +16,7 @@ import { RunResults } from './RunResults';
 import { StudyResults } from './StudyResults';
 import { Runs } from './Runs';
 import { Sliders } from './Sliders';
+import { SpreadDialog } from './SpreadDialog';
 import { StartDialog } from './StartDialog';
 import { Yaml } from './Yaml';
 
@@ -98,7 +99,7 @@ export function App() {
         <aside class="right" aria-label="Results and sliders">{selected.value && isStudy(selected.value) ? <StudyResults run={selected.value} /> : selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
         <Diagrams />
       </main>
-      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : null}
+      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : dialog.value === 'spread' ? <SpreadDialog /> : null}
       <ConflictDialog />
       <OverwriteDialog />
       <UnsavedDialog />

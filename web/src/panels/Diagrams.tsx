@@ -2,13 +2,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';
-import { along, colours, reactions, shape, type ChartData } from '../charts/data';
+import { along, colours, lineShape, lineTension, reactions, shape, type ChartData } from '../charts/data';
 import { display, quantities, quantity } from '../logic/show';
 import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
 import { calmLay, ofRun, shownFailure, shownScene } from '../state/shown';
 import { cursor, slots, theme } from '../state/look';
 import { active, seek, time } from '../state/animation';
+import { calmState, chosenLine } from '../state/moorings';
 import { columns, envelopes, fetchSeries, runChecks, runName, runSummary, selected } from '../state/runs';
 import { nearest } from '../logic/decimate';
 
@@ -26,9 +27,23 @@ function range(): [number, number] | null {
 function statics(what: string): ChartData | null {
   const s = calmLay.value;
   if (!s) return null;
+  if (s.pipe.s.length === 0) {
+    const named = <T extends { name: string }>(list: T[]): T | undefined => list.find((l) => l.name === chosenLine.value) ?? list[0];
+    const alone = named(s.lines), line = alone ?? named(calmState.value?.moorings.filter((l) => !l.parted) ?? []);
+    if (alone && what === 'effective_tension') return lineTension(alone);
+    return line && (what === 'elevation' || what === 'plan') ? lineShape(line, shownScene.value, what === 'plan') : null;
+  }
   if (what === 'elevation' || what === 'plan') return shape(s, shownScene.value, what === 'plan');
   if (what === 'reactions') return s.supports.length ? reactions(s, runSummary.value?.dynamic) : null;
   return quantities.some((q) => q.key === what && s.pipe[q.key]?.length) ? along(what, s, ofRun.value ? envelopes.value : null, (ofRun.value ? runChecks.value : null) ?? s.checks) : null;
+}
+
+/** Why a diagram along the pipe is empty. */
+function empty(): string {
+  const s = calmLay.value;
+  if (!s) return 'No solution yet.';
+  if (s.pipe.s.length) return 'The model has no roller boxes.';
+  return s.lines.length ? 'Elevation, plan and effective tension are known of lines.' : 'The model has no pipe. Elevation and plan are those of a mooring line.';
 }
 
 /** Histories come as least and greatest per pixel, for the stretch that is shown and no other. */
@@ -76,7 +91,9 @@ function Slot({ index }: { index: number }) {
   const asked = slots.value[index] ?? 'elevation';
   const history = asked.startsWith('history:');
   const missing = history ? !columns.value.some((c) => `history:${c.name}` === asked) : !['elevation', 'plan', 'reactions'].includes(asked) && !quantity(asked);
-  const what = missing ? 'effective_tension' : asked;
+  // without a pipe: what is known of lines
+  const lay = calmLay.value, bare = lay !== null && lay.pipe.s.length === 0 && !history;
+  const what = missing ? 'effective_tension' : bare && !['elevation', 'plan'].includes(asked) ? (lay.lines.length ? 'effective_tension' : 'plan') : asked;
   const inTime = what.startsWith('history:');
   const fetched = useHistory(what, zoom, pixels);
   const data = inTime ? fetched : statics(what);
@@ -128,7 +145,7 @@ function Slot({ index }: { index: number }) {
       </figcaption>
       {data ? <Legend data={data} /> : null}
       <div class="plot" ref={box} style={data ? undefined : { visibility: 'hidden' }} title={inTime ? 'Drag to zoom, double-click to reset, click to go to an instant' : 'Drag to zoom, double-click to reset'} />
-      {data ? null : <p class="empty over">{inTime ? 'Loading…' : calmLay.value ? 'The model has no roller boxes.' : 'No solution yet.'}</p>}
+      {data ? null : <p class="empty over">{inTime ? 'Loading…' : empty()}</p>}
     </figure>
   );
 }

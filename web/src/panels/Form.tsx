@@ -2,10 +2,12 @@
 import { signal } from '@preact/signals';
 import { useEffect } from 'preact/hooks';
 import type { Field } from '../api/types';
+import { firstItem, nextName } from '../logic/firstItems';
 import { parts, tree, type Node } from '../logic/formTree';
 import { askedOfWaves } from '../logic/motion';
 import { byPath, diagnostics, errors, fields, setKeys } from '../state/model';
 import { lead, leadToFault } from '../state/lead';
+import { dialog } from '../state/look';
 import { sayError } from '../state/notices';
 import { FieldRow } from './FieldRow';
 import { Motion } from './Motion';
@@ -58,7 +60,8 @@ function copyOf(node: FieldNode): unknown {
   for (const c of node.children) {
     if (!c.given) continue;
     const key = c.path.split('.').at(-1)!;
-    if (key === 'name') continue;
+    // names tell items apart: one that has to be there is counted on
+    if (key === 'name') { if (c.field?.required) out[key] = nextName(String(c.field.value)); continue; }
     out[key] = copyOf(c);
   }
   return out;
@@ -67,6 +70,7 @@ function copyOf(node: FieldNode): unknown {
 function Items({ node }: { node: FieldNode }) {
   const items = node.children.filter((c) => /\[\d+\]$/.test(c.path) && c.given);
   const last = items.at(-1);
+  const first = firstItem(node.path, byPath.value.get('environment.water_depth')?.si ?? 0);
   return (
     <>
       {items.map((item) => {
@@ -84,7 +88,7 @@ function Items({ node }: { node: FieldNode }) {
           </div>
         );
       })}
-      <button type="button" class="add" disabled={!last} title={last ? 'Adds a copy of the last one' : 'Write the first one in the YAML'} onClick={() => last && void act(`${node.path}[${items.length}]`, copyOf(last))}>+ add</button>
+      <button type="button" class="add" disabled={!last && first === null} title={last ? 'Adds a copy of the last one' : first === null ? 'Write the first one in the YAML' : 'Adds the first one'} onClick={() => void act(`${node.path}[${items.length}]`, last ? copyOf(last) : first)}>+ add</button>
     </>
   );
 }
@@ -159,6 +163,7 @@ export function Form() {
           <section key={n.path} data-path={n.path}>
             <h3><button type="button" class={`fold${wrong ? ' wrong' : ''}`} aria-expanded={!!open} title={n.field?.text} onClick={() => flip(n.given ? folded : more, n.path)}>{n.label}</button></h3>
             <Faults path={n.path} />
+            {open && n.path === 'moorings' ? <button type="button" class="add" onClick={() => { dialog.value = 'spread'; }}>Spread of lines…</button> : null}
             {open ? <Members nodes={n.children} path={n.path} /> : null}
           </section>
         );

@@ -4,29 +4,35 @@ import { useEffect, useState } from 'preact/hooks';
 import { get, post } from '../api/client';
 import type { Field } from '../api/types';
 import type { Node } from '../logic/formTree';
-import { fileKinds, motionKind, motionValue, motionWords, type MotionKind } from '../logic/motion';
+import { fileKinds, hydrodynamics, motionKind, motionValue, motionWords, sentKinds, type FileKind, type MotionKind } from '../logic/motion';
 import { byPath, setKeys } from '../state/model';
 import { sayError } from '../state/notices';
 
 const path = 'vessel.motion';
 
-async function write(value: unknown): Promise<void> {
-  try { await setKeys([{ path, value }]); } catch (error) { sayError(error); }
+async function write(value: unknown, at = path): Promise<void> {
+  try { await setKeys([{ path: at, value }]); } catch (error) { sayError(error); }
 }
 
 /** Files of the folder and of this machine; what is chosen is written into the model. */
-function FileOf({ kind, present }: { kind: 'raos' | 'history'; present: string }) {
+function FileOf({ kind, present }: { kind: FileKind; present: string }) {
   const [files, setFiles] = useState<string[] | null>(null);
   const list = (): void => { get<{ files: string[] }>('data').then((a) => setFiles(a.files)).catch(sayError); };
   useEffect(list, []);
-  const fitting = (files ?? []).filter((f) => fileKinds[kind].some((end) => f.endsWith(end)));
-  const choose = (name: string): void => { if (name) void write(motionValue(kind, name, byPath.value)); };
-  const take = async (file: File | undefined): Promise<void> => {
-    if (!file) return;
+  const named = (file: string): string => (kind === 'coupled' ? hydrodynamics(file) : file);
+  const fitting = (files ?? []).filter((f) => fileKinds[kind].some((end) => f.endsWith(end))).map(named);
+  const choose = (name: string): void => {
+    if (!name) return;
+    // what else the model says of a floating hull stays
+    if (kind === 'coupled' && present) void write(name, `${path}.coupled.hydrodynamics`);
+    else void write(motionValue(kind, name, byPath.value));
+  };
+  const take = async (sent: File[]): Promise<void> => {
     try {
-      const { name } = await post<{ name: string }>('data', { name: file.name, text: await file.text() });
+      for (const file of sent) await post<{ name: string }>('data', { name: file.name, text: await file.text() });
       list();
-      choose(name);
+      const first = sent.find((file) => fileKinds[kind].some((end) => file.name.endsWith(end)));
+      if (first) choose(named(first.name));
     } catch (error) { sayError(error); }
   };
   return (
@@ -39,7 +45,7 @@ function FileOf({ kind, present }: { kind: 'raos' | 'history'; present: string }
           {fitting.map((f) => <option key={f} value={f}>{f}</option>)}
         </select>
       </div>
-      <label class="upload">Upload… <input type="file" aria-label="Upload a file" accept={fileKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take(input.files?.[0]).then(() => { input.value = ''; }); }} /></label>
+      <label class="upload">Upload… <input type="file" aria-label="Upload a file" multiple={kind === 'coupled'} accept={sentKinds[kind].join(',')} onChange={(e) => { const input = e.currentTarget; void take([...(input.files ?? [])]).then(() => { input.value = ''; }); }} /></label>
       {files && fitting.length === 0 && !present ? <p class="brief">No {fileKinds[kind].join(', ')} in the folder of the models.</p> : null}
     </>
   );
@@ -51,7 +57,7 @@ export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field
   const [wanted, setWanted] = useState<MotionKind | null>(null);
   useEffect(() => setWanted(null), [present]);
   const kind = wanted ?? present;
-  const file = kind === 'raos' || kind === 'history';
+  const file = kind === 'raos' || kind === 'history' || kind === 'coupled' ? kind : null;
   const choose = (next: MotionKind): void => {
     if (next === present) { setWanted(null); return; }
     if (next === 'fixed' || next === 'harmonic') void write(motionValue(next, '', byPath.value));
@@ -66,13 +72,14 @@ export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field
         <label for="motion-kind">motion</label>
         <select id="motion-kind" value={kind ?? ''} onChange={(e) => choose(e.currentTarget.value as MotionKind)}>
           {kind === null ? <option value="">– not given</option> : null}
-          {(Object.keys(motionWords) as MotionKind[]).filter((k) => k !== 'coupled' || kind === 'coupled').map((k) => <option key={k} value={k}>{motionWords[k]}</option>)}
+          {(Object.keys(motionWords) as MotionKind[]).map((k) => <option key={k} value={k}>{motionWords[k]}</option>)}
         </select>
       </div>
-      {file ? <FileOf key={kind} kind={kind} present={kind === present ? String(byPath.value.get(`${path}.${kind}`)?.value ?? '') : ''} /> : null}
+      {file ? <FileOf key={file} kind={file} present={file === present ? String(byPath.value.get(file === 'coupled' ? `${path}.coupled.hydrodynamics` : `${path}.${file}`)?.value ?? '') : ''} /> : null}
+      {kind === 'coupled' && present !== 'coupled' ? <p class="brief">Mass, centre of gravity, radii of gyration and current coefficients are written as those of a box, to be replaced by the vessel's own. Something must hold the hull: moorings, or station keeping.</p> : null}
       {kind === 'harmonic' && present === 'harmonic' && harmonic ? show(harmonic) : null}
-      {kind === 'coupled' && coupled ? show(coupled) : null}
-      {file && kind === present && convention ? show(convention) : null}
+      {kind === 'coupled' && present === 'coupled' && coupled ? show(coupled) : null}
+      {file && file !== 'coupled' && kind === present && convention ? show(convention) : null}
     </>
   );
 }

@@ -13,10 +13,14 @@ import { colourBy, cursor, dialog, picked, theme, type ColourBy } from '../state
 import { tensionerState } from '../logic/tensioner';
 import { histories, largestReaction, peakAt, shown as frame, valueAt } from '../state/animation';
 import { envelopes, impacts, runName, select, selected } from '../state/runs';
-import { calmLay, ofRun, shownFailure, shownLay, shownScene } from '../state/shown';
-import type { View3D, ViewName } from '../view/view3d';
+import { calmLay, ofRun, shownDrawn, shownFailure, shownLay, shownScene } from '../state/shown';
+import { chosenLine, mooredState, planShown, stage } from '../state/moorings';
+import { poseAt } from '../logic/moorings';
+import { shownViews } from '../logic/views';
+import { LineValues } from './Moorings';
+import { PlanView } from './PlanView';
+import type { View3D } from '../view/view3d';
 
-const views: [ViewName, string][] = [['whole', '1'], ['overbend', '2'], ['stinger', '3'], ['sagbend', '4'], ['touchdown', '5'], ['from the pipe', '6']];
 const flashTime = 0.7;
 const debug = new URLSearchParams(location.search).has('debug');
 
@@ -50,7 +54,8 @@ function Values() {
   const s = calmLay.value;
   const p = picked.value;
   const at = cursor.value;
-  if (!s || (!p && at === null)) return null;
+  if (p?.kind === 'line') return <LineValues name={p.name} />;
+  if (!s || s.pipe.s.length === 0 || (!p && at === null)) return null;
   if (p?.kind === 'roller') {
     const r = p.roller;
     return (
@@ -93,20 +98,25 @@ export function Picture() {
       try { v = new View3D(box.current); } catch { setProblem('This browser shows no 3-D pictures (WebGL is off). Numbers and diagrams work all the same.'); return; }
       view.current = v;
       (window as unknown as { __view: View3D }).__view = v;
-      v.onPick = (p) => { picked.value = p; cursor.value = p?.kind === 'station' ? shownLay.value?.pipe.s[p.index] ?? null : null; };
-      v.onHover = (i) => { if (i === null && picked.value?.kind === 'station') return; if (i !== null) picked.value = null; cursor.value = i === null ? null : shownLay.value?.pipe.s[i] ?? null; };
+      v.onPick = (p) => { picked.value = p; chosenLine.value = p?.kind === 'line' ? p.name : null; cursor.value = p?.kind === 'station' ? shownLay.value?.pipe.s[p.index] ?? null : null; };
+      v.onHover = (i) => { if (i === null && picked.value !== null && picked.value.kind !== 'roller') return; if (i !== null) picked.value = null; cursor.value = i === null ? null : shownLay.value?.pipe.s[i] ?? null; };
       stops.push(
         effect(() => v.setDark(theme.value === 'dark')),
         effect(() => { void opened.value; v.reset(); }),
         effect(() => { if (shownScene.value) v.setScene(shownScene.value); }),
         effect(() => v.setDragging(dragging.value)),
+        effect(() => {
+          const state = mooredState.value, lay = shownLay.value, drawn = shownDrawn.value;
+          v.setStage(stage.value >= 0 && state && lay?.moorings && drawn ? { state, pose: poseAt(drawn, state.vessel) } : null);
+        }),
+        effect(() => v.choose(chosenLine.value)),
         effect(() => { if (shownLay.value) v.setSolution(shownLay.value); }),
         effect(() => {
           const f = frame.value;
           const flashes = f ? impacts.value.filter((i) => i.time <= f.time && f.time < i.time + flashTime).map((i) => ({ ...i, strength: Math.min(1, i.peak_force / (impacts.value[0]?.peak_force || 1)) * (1 - (f.time - i.time) / flashTime) })) : [];
           const h = histories.value, state = f ? tensionerState(peakAt(h['tensioner/state'], f.time)) : null;
           const tensioner = f && state ? { way: state.way, limit: state.limit, travel: valueAt(h['tensioner/travel'], f.time) ?? 0 } : null;
-          v.setMoment(f ? { time: f.time, pose: f.pose, places: f.places, flashes, reactions: reactionsAt(f.time), largest: largestReaction.value, tensioner } : null);
+          v.setMoment(f ? { time: f.time, pose: f.pose, places: f.places, flashes, reactions: reactionsAt(f.time), largest: largestReaction.value, tensioner, lines: f.lines } : null);
           flashing.value = flashes.length;
         }),
         effect(() => {
@@ -133,25 +143,30 @@ export function Picture() {
   const [low, high] = range(key, calmLay.value);
   const q = quantity(key)!;
   const bad = shownFailure.value;
+  const lay = calmLay.value;
+  const views = shownViews(lay);
+  const moored = lay?.moorings != null, laid = !planShown.value && (lay === null || lay.pipe.s.length > 0);
   const known = calmLay.value !== null;
   const largest = animated ? largestReaction.value : Math.max(0, ...(calmLay.value?.supports ?? []).flatMap((x) => x.rollers.map((r) => r.reaction)));
   return (
     <section class={`picture${bad ? ' failed' : ''}`} aria-label="3-D view">
-      <div class="canvas" ref={box} tabIndex={0} role="img" aria-label="Barge, stinger, pipe, water and seabed. Keys 1 to 6 change the view."
-        onKeyDown={(e) => { const v = views.find((x) => x[1] === e.key); if (v) view.current?.go(v[0]); }} />
+      <div class="canvas" ref={box} tabIndex={0} role="img" aria-label={`Barge, stinger, pipe, moorings, water and seabed. Keys 1 to ${views.length} change the view.`}
+        onKeyDown={(e) => { const v = views.find((x) => x[1] === e.key); if (v) { planShown.value = false; view.current?.go(v[0]); } }} />
+      {planShown.value ? <PlanView /> : null}
       <div class="viewbuttons" role="toolbar" aria-label="Views">
-        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the 3-D view)`} disabled={!ready || !known} onClick={() => view.current?.go(name)}>{name}</button>)}
+        {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the 3-D view)`} disabled={!ready || !known} onClick={() => { planShown.value = false; view.current?.go(name); }}>{name}</button>)}
+        {moored ? <button type="button" aria-pressed={planShown.value} title="Plan of the moorings, north up" onClick={() => { planShown.value = !planShown.value; }}>plan</button> : null}
       </div>
-      <div class="legend" data-flashes={animated ? flashing.value : undefined}>
+      {laid ? <div class="legend" data-flashes={animated ? flashing.value : undefined}>
         <select aria-label="Colour of the pipe" title={animated ? 'A run stores tension and von Mises stress for its animation; the other quantities are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
           {quantities.filter((x) => x.key !== 'bending_moment').map((x) => <option key={x.key} value={x.key} disabled={animated && !inFrames(x.key as ColourBy)}>{x.name}{animated && !inFrames(x.key as ColourBy) ? ' (not in animations)' : ''}</option>)}
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
         <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class={animated ? 'pale' : 'hollow'} /> clear</>}</div>
-      </div>
+      </div> : null}
       {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
-      <Values />
+      {planShown.value ? null : <Values />}
       {bad ? <div class="failure" role="alert"><b>{bad.what || 'No solution'}{bad.where ? `: ${bad.where}` : ''}</b><p>{withoutPaths(bad.why)}</p>{errors.value[0] ? <button type="button" onClick={() => leadToFault(errors.value[0]!)}>Show {errors.value[0].key ? keyName(errors.value[0].key) : `line ${errors.value[0].line}`}</button> : null}{known ? <p class="brief">The last valid solution is shown in grey.</p> : null}</div> : null}
       {problem ? <p class="failure">{problem}</p> : null}
       {!hasModel.value ? <div class="welcome"><h2>New pipelay model</h2><p>Answer a few questions to see the lay at once, or open an example.</p><button type="button" class="main" onClick={() => { dialog.value = 'start'; }}>New model…</button></div> : null}

@@ -4,7 +4,8 @@ import { calm, failure } from '../state/live';
 import { bullet, bullets } from '../logic/warnings';
 import { cursor } from '../state/look';
 import { diagnostics } from '../state/model';
-import type { Region } from '../api/types';
+import type { KeyResults, Region } from '../api/types';
+import { LineTable, MooringResults } from './Moorings';
 import { Warnings } from './Warnings';
 
 function Value({ name, value, unit, title }: { name: string; value: number | null | undefined; unit: string; title?: string }) {
@@ -43,18 +44,30 @@ export function Results() {
   return (
     <section class={`results${failure.value ? ' old' : ''}`} aria-label="Key results">
       <h2>Results {failure.value ? <small>last valid solution</small> : <small>statics</small>}</h2>
-      <RegionBlock name="Overbend" r={k.overbend} />
-      <RegionBlock name="Tower" r={k.tower} />
-      <RegionBlock name="Sagbend" r={k.sagbend} />
+      {k ? (
+        <>
+          <RegionBlock name="Overbend" r={k.overbend} />
+          <RegionBlock name="Tower" r={k.tower} />
+          <RegionBlock name="Sagbend" r={k.sagbend} />
+          <KeyValues k={k} boxes={s.supports.length > 0} />
+        </>
+      ) : null}
+      <MooringResults />
+      <LineTable lines={s.lines} />
+      <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
+    </section>
+  );
+}
+
+function KeyValues({ k, boxes }: { k: KeyResults; boxes: boolean }) {
+  return (
       <dl>
         <Value name="top tension" value={k.top_tension} unit="kN" />
         <Value name="bottom tension" value={k.bottom_tension} unit="kN" />
         <Value name="lay-back" value={k.lay_back} unit="m" title="Horizontal distance from stern shoe to touchdown." />
         <Value name="departure angle" value={k.departure_angle} unit="deg" />
         <Value name="tip clearance" value={k.stinger_tip_clearance} unit="m" title="Clearance of the pipe over the last stinger roller." />
-        <Value name="largest reaction" value={s.supports.length ? k.largest_reaction : null} unit="kN" />
+        <Value name="largest reaction" value={boxes ? k.largest_reaction : null} unit="kN" />
       </dl>
-      <Warnings list={[...ofModel, ...bullets(s.warnings, s.supports.map((b) => b.name))]} />
-    </section>
   );
 }

@@ -4,6 +4,7 @@ import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
+import { LineTable, MooringResults } from './Moorings';
 import { Warnings } from './Warnings';
 
 interface Row { name: string; unit: string; before: number | null | undefined; over: Spread | null | undefined }
@@ -28,8 +29,8 @@ const regionRows = (before: Region, over: RegionSummary | null | undefined): Row
 function Table() {
   const lay = calmLay.value;
   const d = runSummary.value?.dynamic;
-  if (!lay || !ofRun.value) return null;
-  const k = lay.key;
+  const k = lay?.key;
+  if (!lay || !k || !ofRun.value) return null;
   const reaction = reactionRow(lay, d);
   const groups: [string, Row[]][] = [
     ...(k.overbend ? [['Overbend', regionRows(k.overbend, d?.overbend)] as [string, Row[]]] : []),
@@ -82,7 +83,7 @@ export function RunResults() {
       <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'dynamic run' : 'static run'}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
-      {loading ? <p class="brief">Loading…</p> : <Table />}
+      {loading ? <p class="brief">Loading…</p> : <><Table /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
       <Warnings list={bullets(said, boxes)} />
       {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>

@@ -3,6 +3,7 @@ import { useComputed } from '@preact/signals';
 import { useEffect, useState } from 'preact/hooks';
 import { span } from '../logic/live';
 import { fromSi, parseQuantity, tidy, toSi, twin } from '../logic/units';
+import { shownScene } from '../state/shown';
 import { applyLive, base, changes, resetLive, setLive, values } from '../state/live';
 
 interface Props { id: string; name: string; unit: string; start: number; low: number; high: number; step: number; relative?: boolean }
@@ -53,7 +54,7 @@ export function Sliders() {
       {b.tension !== null ? <Slider id="tension" name="tension" unit="kN" start={round(b.tension / 1e3)} {...ranged(b.tension / 1e3, 0.4, 2.5)} step={b.tension > 1e6 ? 5 : 1} /> : null}
       {b.depth !== null ? <Slider id="depth" name="water depth" unit="m" start={round(b.depth)} {...ranged(b.depth, 0.5, 1.6)} step={b.depth > 500 ? 5 : 0.5} /> : null}
       {b.radius !== null ? <Slider id="radius" name="stinger radius" unit="m" start={round(b.radius)} {...ranged(b.radius, 0.6, 2)} step={1} /> : null}
-      {b.depth !== null ? <Slider id="trim" name="trim" unit="deg" start={round(fromSi(b.trim, 'deg'))} low={-2} high={2} step={0.05} /> : null}
+      {b.depth !== null && shownScene.value?.vessel !== null ? <Slider id="trim" name="trim" unit="deg" start={round(fromSi(b.trim, 'deg'))} low={-2} high={2} step={0.05} /> : null}
       {b.current.length ? <Slider id="current" name="current" unit="%" start={100} low={0} high={200} step={2} /> : null}
       {boxes.length ? (
         <details open>

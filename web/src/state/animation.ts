@@ -2,7 +2,7 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { get } from '../api/client';
 import type { Series } from '../api/types';
-import { blend, decode, type Chunk, type FramesAnswer } from '../logic/frames';
+import { blend, decode, linesBetween, type Chunk, type FramesAnswer } from '../logic/frames';
 import { indexBefore } from '../logic/decimate';
 import { columns, fetchSeries, selected } from './runs';
 import { sayError } from './notices';
@@ -10,7 +10,7 @@ import { sayError } from './notices';
 const piece = 60; // frames in one request
 const kept = 24; // pieces held in memory
 
-export interface Shown { time: number; pose: number[]; places: Float32Array; effective_tension: Float32Array; von_mises: Float32Array }
+export interface Shown { time: number; pose: number[]; places: Float32Array; effective_tension: Float32Array; von_mises: Float32Array; lines: Map<string, Float32Array> | null }
 
 export const active = signal(false);
 export const playing = signal(false);
@@ -120,6 +120,7 @@ async function show(): Promise<void> {
     places: blend(chunk.place, 3 * n * a, other.place, 3 * n * b, 3 * n, f, buffer(3 * n)),
     effective_tension: blend(chunk.effective_tension, n * a, other.effective_tension, n * b, n, f, buffer(n)),
     von_mises: blend(chunk.von_mises, n * a, other.von_mises, n * b, n, f, buffer(n)),
+    lines: linesBetween(chunk, a, other, b, f),
   };
 }
 

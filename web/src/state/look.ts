@@ -26,7 +26,7 @@ export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */
 export const cursor = signal<number | null>(null);
 export const picked = signal<Picked>(null);
-export type DialogName = 'start' | 'open' | 'saveas' | null;
+export type DialogName = 'start' | 'open' | 'saveas' | 'spread' | null;
 export const dialog = signal<DialogName>(null);
 /** The dialog that opens when it is settled what becomes of unsaved changes. */
 export const asking = signal<DialogName>(null);

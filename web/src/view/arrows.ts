@@ -46,7 +46,7 @@ export class TensionerArrow {
   /** Beside the tensioner, the way the pipe is going through it. */
   point(machine: Machine | null, solution: Lay | null): void {
     this.group.visible = machine !== null && (machine.way !== 0 || machine.limit);
-    if (!machine || !solution) return;
+    if (!machine || !solution?.tensioner) return;
     const along = vec(solution.tensioner.direction).normalize();
     const way = machine.way || Math.sign(machine.travel) || 1;
     this.group.quaternion.setFromUnitVectors(up, along.clone().multiplyScalar(way));

@@ -1,15 +1,13 @@
 // Where to look from, for each of the view buttons.
 import * as THREE from 'three';
-import type { Lay, Scene } from '../api/types';
+import type { Lay, Scene, Vessel } from '../api/types';
+import type { ViewName } from '../logic/views';
 import { vec } from './members';
-
-export const viewNames = ['whole', 'overbend', 'stinger', 'sagbend', 'touchdown', 'from the pipe'] as const;
-export type ViewName = (typeof viewNames)[number];
 
 export interface Shot { eye: THREE.Vector3; target: THREE.Vector3 }
 
-export function axes(scene: Scene): { forward: THREE.Vector3; port: THREE.Vector3 } {
-  const p = scene.vessel.pose;
+export function axes(vessel: Vessel): { forward: THREE.Vector3; port: THREE.Vector3 } {
+  const p = vessel.pose;
   return { forward: new THREE.Vector3(p[3], p[6], 0).normalize(), port: new THREE.Vector3(p[4], p[7], 0).normalize() };
 }
 
@@ -49,26 +47,53 @@ function along(s: Lay, from: number, to: number): THREE.Vector3[] {
   return out.length ? out : [new THREE.Vector3(pipe.x[0], pipe.y[0], pipe.z[0])];
 }
 
+const places = (points: readonly ArrayLike<number>[]): THREE.Vector3[] => points.map((p) => vec(p));
+
+function vesselShot(vessel: Vessel, camera: THREE.PerspectiveCamera): Shot {
+  const { forward, port } = axes(vessel);
+  const origin = vec(vessel.pose), up = new THREE.Vector3(0, 0, vessel.height);
+  const ends = [-0.5, 0.5].flatMap((k) => [-0.5, 0.5].map((m) => origin.clone().addScaledVector(forward, k * vessel.length).addScaledVector(port, m * vessel.beam)));
+  return around([...ends, ...ends.map((p) => p.clone().add(up))], port.clone().negate().addScaledVector(forward, 0.5).addScaledVector(up, 0.45 / vessel.height), camera, 1.15);
+}
+
 export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.PerspectiveCamera): Shot {
-  const { forward, port } = axes(scene);
+  const { vessel } = scene;
+  if (name === 'lines' || !vessel) {
+    const all = places(s.lines.flatMap((l) => l.shape));
+    const box = new THREE.Box3().setFromPoints(all), size = box.getSize(new THREE.Vector3());
+    // across the way they run, a little from above
+    const across = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
+    return around(all, across.add(new THREE.Vector3(-0.2, -0.05, 0.3)), camera, 1.25);
+  }
+  if (name === 'moorings' && s.moorings) {
+    const { forward, port } = axes(vessel);
+    const all = places(s.moorings.rest.moorings.flatMap((l) => [l.anchor, l.fairlead]));
+    return around(all, port.clone().negate().addScaledVector(forward, -0.35).add(new THREE.Vector3(0, 0, 1.1)), camera, 1.08);
+  }
+  if (s.pipe.s.length === 0) return vesselShot(vessel, camera);
+  return layShot(name, s, scene, vessel, camera);
+}
+
+function layShot(name: ViewName, s: Lay, scene: Scene, vessel: Vessel, camera: THREE.PerspectiveCamera): Shot {
+  const { forward, port } = axes(vessel);
   const starboard = port.clone().negate();
   const side = (ahead: number, up: number): THREE.Vector3 => starboard.clone().addScaledVector(forward, ahead).add(new THREE.Vector3(0, 0, up));
   const end = s.touchdown?.s ?? s.pipe.s[s.pipe.s.length - 1]!;
-  const places = (structure?: string): THREE.Vector3[] => s.supports.filter((b) => !structure || b.structure === structure).map((b) => vec(b.place));
-  const origin = vec(scene.vessel.pose);
+  const boxes = (structure?: string): THREE.Vector3[] => s.supports.filter((b) => !structure || b.structure === structure).map((b) => vec(b.place));
+  const origin = vec(vessel.pose);
   switch (name) {
     case 'whole': {
-      const bow = origin.clone().addScaledVector(forward, scene.vessel.length / 2);
-      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, scene.vessel.height + 4 + 0.07 * scene.water_depth))]; // with room for the buttons
+      const bow = origin.clone().addScaledVector(forward, vessel.length / 2);
+      const points = [...along(s, 0, end + 12), bow, bow.clone().add(new THREE.Vector3(0, 0, vessel.height + 4 + 0.07 * scene.water_depth))]; // with room for the buttons
       return around(points, side(-0.28, 0.3), camera, 1.1);
     }
     case 'overbend': {
-      const list = places();
-      const points = list.length ? [...list, vec(s.tensioner.place)] : along(s, 0, 0.2 * end);
+      const list = boxes();
+      const points = list.length && s.tensioner ? [...list, vec(s.tensioner.place)] : along(s, 0, 0.2 * end);
       return around(points, side(-0.4, 0.48), camera, 1.16);
     }
     case 'stinger': {
-      const list = places('stinger');
+      const list = boxes('stinger');
       return around(list.length ? list : along(s, 0, 0.2 * end), side(-0.6, 0.3), camera, 1.2);
     }
     case 'sagbend': {
@@ -82,5 +107,6 @@ export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.Perspec
       const look = along(s, tip * 0.7, end)[0]!;
       return { eye: place.clone().addScaledVector(starboard, 2.2).add(new THREE.Vector3(0, 0, 2.6)), target: look };
     }
+    default: return vesselShot(vessel, camera);
   }
 }

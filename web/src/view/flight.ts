@@ -2,7 +2,8 @@
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Lay, Scene } from '../api/types';
-import { shot, type ViewName } from './cameras';
+import { firstView, viewsOf, type ViewName } from '../logic/views';
+import { shot } from './cameras';
 
 const flightTime = 420; // ms
 
@@ -30,7 +31,7 @@ export class Flight {
 
   /** Scene or solution have changed: follows them to the view that is kept; at once where there was no picture before. */
   follow(solution: Lay, scene: Scene, still: boolean): void {
-    if (!this.framed) this.go(this.view ?? 'whole', solution, scene, false);
+    if (!this.framed) this.go(this.view && viewsOf(solution).includes(this.view) ? this.view : firstView(solution), solution, scene, false);
     else if (this.view && !still) this.go(this.view, solution, scene, true);
   }
 

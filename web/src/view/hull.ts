@@ -1,7 +1,7 @@
 // The barge: its outline from the side drawn out over the beam, with a slot aft where the ramp lies lower than the deck.
 // The model gives main dimensions only; bow rake, house and crane stand there so that one sees which way is forward.
 import * as THREE from 'three';
-import type { Scene } from '../api/types';
+import type { Scene, Vessel } from '../api/types';
 import { vec } from './members';
 
 type Point = [number, number]; // x forward, z above water
@@ -44,7 +44,7 @@ export function seeThrough(on: boolean): boolean {
 }
 
 /** In the vessel's frame. `lowest`: for x forward, how high the middle of the deck may reach below the pipe, or null. */
-export function hull(vessel: Scene['vessel'], lowest: (x: number) => number | null): THREE.Group {
+export function hull(vessel: Vessel, lowest: (x: number) => number | null): THREE.Group {
   const group = new THREE.Group();
   const { length, beam, height, draught } = vessel;
   const deck = height - draught;
@@ -97,7 +97,7 @@ export function hull(vessel: Scene['vessel'], lowest: (x: number) => number | nu
 /** How high the deck may reach under the pipe, at a place along the vessel: a metre and more below the rollers. */
 export function slotDepth(scene: Scene, still: THREE.Matrix4): (x: number) => number | null {
   const inverse = still.clone().invert();
-  const list = [scene.tensioner, ...scene.ramp.map((b) => b.place), ...scene.stinger.slice(0, 1).map((b) => b.place)]
+  const list = [...(scene.tensioner ? [scene.tensioner] : []), ...scene.ramp.map((b) => b.place), ...scene.stinger.slice(0, 1).map((b) => b.place)]
     .map((p) => vec(p).applyMatrix4(inverse)).sort((a, b) => a.x - b.x);
   return (x) => {
     if (!list.length || x > list[list.length - 1]!.x) return null;

@@ -43,10 +43,14 @@ export class Labels {
 
 /** Names of what is in the picture; where they collide the heavier one stays. */
 export function labelsOf(scene: Scene, solution: Lay): Label[] {
-  const list: Label[] = [{ text: 'tensioner', place: vec(solution.tensioner.place), weight: 5 }];
+  const list: Label[] = [];
+  if (solution.tensioner) list.push({ text: 'tensioner', place: vec(solution.tensioner.place), weight: 5 });
   if (solution.touchdown) list.push({ text: 'touchdown', place: vec(solution.touchdown.place), weight: 6 });
   for (const s of solution.supports) list.push({ text: s.name, place: vec(s.place).add(new THREE.Vector3(0, 0, 0.6)), weight: s.reaction / 1e9 });
-  const bow = vec(scene.vessel.pose).addScaledVector(axes(scene).forward, 0.33 * scene.vessel.length);
-  list.push({ text: scene.vessel.name, place: bow.add(new THREE.Vector3(0, 0, scene.vessel.height - scene.vessel.draught + 11)), weight: 7 });
+  const { vessel } = scene;
+  if (vessel) {
+    const bow = vec(vessel.pose).addScaledVector(axes(vessel).forward, 0.33 * vessel.length);
+    list.push({ text: vessel.name, place: bow.add(new THREE.Vector3(0, 0, vessel.height - vessel.draught + 11)), weight: 7 });
+  }
   return list;
 }

@@ -2,7 +2,7 @@
 import * as THREE from 'three';
 import type { RollerRef } from './rollers';
 
-export type Picked = { kind: 'station'; index: number } | { kind: 'roller'; roller: RollerRef } | null;
+export type Picked = { kind: 'station'; index: number } | { kind: 'roller'; roller: RollerRef } | { kind: 'line'; name: string } | null;
 
 export interface Target {
   camera: THREE.PerspectiveCamera;
@@ -10,11 +10,14 @@ export interface Target {
   /** Places of the pipe's stations, three numbers each. */
   points: ArrayLike<number>;
   rollers: RollerRef[];
+  /** Mooring lines, and lines by themselves. */
+  lines: readonly { name: string; points: ArrayLike<number> }[];
   /** Where the vessel has moved to. */
   afloat: THREE.Matrix4;
 }
 
 const reach = 14; // px
+const lineReach = 8; // px: lines are long, and lie beside other things
 const farthest = 60; // m: rollers farther away are too small to be meant
 
 export function pick(t: Target, x: number, y: number): Picked {
@@ -33,7 +36,35 @@ export function pick(t: Target, x: number, y: number): Picked {
     const d = away();
     if (d < closest - (best?.kind === 'roller' ? 3 : 0)) { closest = d; best = { kind: 'station', index: i / 3 }; }
   }
+  if (best === null) best = pickLine(t, x, y);
   return best;
+}
+
+/** Lines have few points far apart: the way between them counts as well. */
+function pickLine(t: Target, x: number, y: number): Picked {
+  const p = new THREE.Vector3();
+  let best: Picked = null;
+  let closest = lineReach;
+  for (const line of t.lines) {
+    let before: [number, number] | null = null;
+    for (let i = 0; i + 2 < line.points.length; i += 3) {
+      p.set(line.points[i]!, line.points[i + 1]!, line.points[i + 2]!).project(t.camera);
+      const now: [number, number] | null = p.z < 1 ? [((p.x + 1) / 2) * t.width, ((1 - p.y) / 2) * t.height] : null;
+      if (now && before) {
+        const d = toSegment([x, y], before, now);
+        if (d < closest) { closest = d; best = { kind: 'line', name: line.name }; }
+      }
+      before = now;
+    }
+  }
+  return best;
+}
+
+/** Distance of a point from the way between two others. */
+export function toSegment(p: readonly [number, number], a: readonly [number, number], b: readonly [number, number]): number {
+  const ux = b[0] - a[0], uy = b[1] - a[1], size = ux * ux + uy * uy;
+  const f = size > 0 ? Math.min(1, Math.max(0, ((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / size)) : 0;
+  return Math.hypot(a[0] + f * ux - p[0], a[1] + f * uy - p[1]);
 }
 
 /** A click is a press that did not drag; moving tells at most some thirty times a second. */

@@ -36,6 +36,8 @@ export class PipeView {
   /** World size of a pixel at unit distance. */
   setPixel(size: number): void { this.uniforms.pixel.value = size; }
   setRadius(radius: number): void { this.uniforms.radius.value = radius; }
+  /** Least radius on the screen, in pixels. */
+  setLeast(pixels: number): void { this.uniforms.least.value = pixels; }
 
   setPlaces(points: Float32Array): void {
     this.points = points;
@@ -59,6 +61,15 @@ export class PipeView {
       this.geometry.getAttribute('normal').needsUpdate = true;
     }
     this.geometry.setDrawRange(0, Math.max(0, this.shape.stations - 1) * sides * 6);
+  }
+
+  /** The same colour all along. */
+  setColour(colour: string): void {
+    const one = new THREE.Color(colour);
+    const n = (this.shape?.stations ?? 0) * sides;
+    for (let i = 0; i < n; ++i) one.toArray(this.colours, 3 * i);
+    const attribute = this.geometry.getAttribute('color');
+    if (attribute) attribute.needsUpdate = true;
   }
 
   setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName): void {

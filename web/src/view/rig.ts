@@ -1,6 +1,6 @@
 // Ramp, stinger and tensioner, drawn from the places of the roller boxes: what stands between them is schematic.
 import * as THREE from 'three';
-import type { Lay, Scene, Support } from '../api/types';
+import type { Lay, Scene, Support, TensionerPlace } from '../api/types';
 import { members, vec, type Member } from './members';
 
 const steel = new THREE.MeshStandardMaterial({ color: '#d8a437', roughness: 0.75, metalness: 0.1 });
@@ -48,9 +48,9 @@ function truss(list: Frame[], half: number, top: number, deep: number): Member[]
 
 export function rig(solution: Lay, scene: Scene): THREE.Group {
   const group = new THREE.Group();
-  const deck = scene.vessel.height - scene.vessel.draught;
+  const deck = scene.vessel ? scene.vessel.height - scene.vessel.draught : 0;
   const stinger = frames(solution.supports, scene, 'stinger');
-  if (stinger.length) {
+  if (stinger.length && scene.stern_shoe) {
     const list = truss(stinger, 0.95, -0.55, 2.1);
     group.add(members(list, steel));
     // hinge to the stern
@@ -76,21 +76,21 @@ export function rig(solution: Lay, scene: Scene): THREE.Group {
     for (const k of [-0.75, 0.75]) posts.push([at(f, -f.length / 2, k, -0.45), at(f, f.length / 2, k, -0.45), 0.1]);
   }
   if (posts.length) group.add(members(posts, grey));
-  group.add(tensioner(solution, scene, deck));
+  if (solution.tensioner) group.add(tensioner(solution.tensioner, scene, deck));
   return group;
 }
 
 /** Two tracks that grip the pipe. */
-function tensioner(solution: Lay, scene: Scene, deck: number): THREE.Group {
+function tensioner(gripped: TensionerPlace, scene: Scene, deck: number): THREE.Group {
   const group = new THREE.Group();
   const r = scene.pipe.outer_radius;
-  const along = vec(solution.tensioner.direction).normalize();
+  const along = vec(gripped.direction).normalize();
   const side = new THREE.Vector3(0, 0, 1).cross(along);
   if (side.lengthSq() < 1e-6) side.set(0, 1, 0);
   side.normalize();
   const up = along.clone().cross(side);
   const turn = new THREE.Matrix4().makeBasis(along, side, up);
-  const place = vec(solution.tensioner.place).addScaledVector(along, -2.2);
+  const place = vec(gripped.place).addScaledVector(along, -2.2);
   for (const k of [-1, 1]) {
     const track = new THREE.Mesh(new THREE.BoxGeometry(4.4, 0.9, 0.55), dark);
     const cover = new THREE.Mesh(new THREE.BoxGeometry(4.8, 1.2, 0.6), machine);

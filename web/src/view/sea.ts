@@ -12,14 +12,38 @@ const grain = 20; // m: whole cells, so that the water does not creep while a va
 /** Corners of the part of the sea that is shown: from ahead of the bow to a little behind touchdown. */
 export function seaCorners(scene: Scene, solution: Lay): [THREE.Vector2, THREE.Vector2] {
   const touch = solution.touchdown?.s ?? Infinity;
-  const points = [vec(scene.vessel.pose).addScaledVector(axes(scene).forward, 0.62 * scene.vessel.length)];
+  const { vessel } = scene;
+  const points = vessel ? [0.62, -0.62].slice(0, solution.pipe.s.length ? 1 : 2).map((k) => vec(vessel.pose).addScaledVector(axes(vessel).forward, k * vessel.length)) : [];
+  for (const line of solution.lines) points.push(...line.shape.map((p) => vec(p)));
   solution.pipe.s.forEach((s, i) => { if (s <= touch + 80) points.push(new THREE.Vector3(solution.pipe.x[i], solution.pipe.y[i], 0)); });
   const box = new THREE.Box3().setFromPoints(points);
-  const wide = Math.max(1.6 * scene.vessel.beam, 0.13 * box.getSize(new THREE.Vector3()).length());
+  const wide = Math.max(1.6 * (vessel?.beam ?? 0), 0.13 * box.getSize(new THREE.Vector3()).length());
   return [
     new THREE.Vector2(Math.floor((box.min.x - wide) / grain) * grain, Math.floor((box.min.y - wide) / grain) * grain),
     new THREE.Vector2(Math.ceil((box.max.x + wide) / grain) * grain, Math.ceil((box.max.y + wide) / grain) * grain),
   ];
+}
+
+/** The same with room for mooring lines. */
+export function widerCorners([low, high]: [THREE.Vector2, THREE.Vector2], solution: Lay): [THREE.Vector2, THREE.Vector2] {
+  const anchors = solution.moorings?.rest.moorings.map((l) => vec(l.anchor)) ?? [];
+  if (anchors.length === 0) return [low, high];
+  const box = new THREE.Box3().setFromPoints(anchors);
+  const wide = 0.05 * box.getSize(new THREE.Vector3()).length();
+  const down = (a: number, b: number): number => Math.floor(Math.min(a, b - wide) / grain) * grain, up = (a: number, b: number): number => Math.ceil(Math.max(a, b + wide) / grain) * grain;
+  return [new THREE.Vector2(down(low.x, box.min.x), down(low.y, box.min.y)), new THREE.Vector2(up(high.x, box.max.x), up(high.y, box.max.y))];
+}
+
+/** Lines of the grid of the water, most of them where the vessel is. */
+export function waterGrid(low: number, high: number, from: number, to: number): number[] {
+  if (high - low < 1.5 * (to - from)) return Array.from({ length: cells + 1 }, (_, i) => low + ((high - low) * i) / cells);
+  const outer = low < from && high > to ? cells / 6 : cells / 3;
+  const before = low < from ? outer : 0, behind = high > to ? outer : 0, inner = cells - before - behind;
+  const out: number[] = [];
+  for (let i = 0; i < before; ++i) out.push(low + ((from - low) * i) / before);
+  for (let i = 0; i <= inner; ++i) out.push(Math.max(low, from) + ((Math.min(high, to) - Math.max(low, from)) * i) / inner);
+  for (let i = 1; i <= behind; ++i) out.push(to + ((high - to) * i) / behind);
+  return out;
 }
 
 export class SeaView {
@@ -43,11 +67,11 @@ export class SeaView {
     this.group.add(this.body, this.bed, this.arrows, this.water);
   }
 
-  /** `low`, `high`: corners of the part of the sea that is shown. */
-  set(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, dark: boolean): void {
+  /** `low`, `high`: corners of the part of the sea that is shown; `core`: those of its part about vessel and pipe. */
+  set(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, core: [THREE.Vector2, THREE.Vector2], dark: boolean): void {
     this.waves = scene.waves;
-    this.xs = Array.from({ length: cells + 1 }, (_, i) => low.x + ((high.x - low.x) * i) / cells);
-    this.ys = Array.from({ length: cells + 1 }, (_, i) => low.y + ((high.y - low.y) * i) / cells);
+    this.xs = waterGrid(low.x, high.x, core[0].x, core[1].x);
+    this.ys = waterGrid(low.y, high.y, core[0].y, core[1].y);
     const place = this.water.geometry.getAttribute('position') as THREE.BufferAttribute;
     for (let j = 0; j <= cells; ++j) for (let i = 0; i <= cells; ++i) place.setXYZ(j * (cells + 1) + i, this.xs[i]!, this.ys[j]!, 0);
     this.setTime(null);
@@ -55,7 +79,7 @@ export class SeaView {
     this.body.position.set((low.x + high.x) / 2, (low.y + high.y) / 2, -scene.water_depth / 2);
     this.drawBed(scene, low, high, dark);
     dispose(this.arrows);
-    for (const arrow of currentArrows(scene, low, high)) this.arrows.add(arrow);
+    for (const arrow of currentArrows(scene, ...core)) this.arrows.add(arrow);
   }
 
   /** Waves at a time; null is the still water that statics sees. */

@@ -1,22 +1,28 @@
 // Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
 import * as THREE from 'three';
-import type { Lay, Scene } from '../api/types';
+import type { Lay, MooredState, Scene } from '../api/types';
 import { TensionerArrow, type Machine } from './arrows';
 import { hull, slotDepth } from './hull';
 import { labelsOf, type Label } from './labels';
 import { dispose } from './members';
+import { MooringsView, ofLines, ofMoorings } from './moorings';
 import { PipeView } from './pipe';
 import { rig } from './rig';
 import { RollersView } from './rollers';
-import { seaCorners, SeaView } from './sea';
+import { seaCorners, SeaView, widerCorners } from './sea';
 
 export interface Colouring { values: ArrayLike<number> | null; low: number; high: number }
+/** A stage of an operation, and the pose of the vessel in it. */
+export interface MooredStage { state: MooredState; pose: number[] }
+
 export interface Moment {
   time: number; pose: number[]; places: Float32Array;
   flashes: { support: string; row: number; position: string; strength: number }[];
   /** Reactions of the boxes at the moment, as far as they are known; the largest of the run. */
   reactions: Map<string, number>; largest: number;
   tensioner: Machine | null;
+  /** Points of the mooring lines by name, where the run has recorded them. */
+  lines?: Map<string, Float32Array> | null;
 }
 
 /** A pose of the program as a matrix: the place, then the axes row by row. */
@@ -29,6 +35,7 @@ export class Stage {
   readonly pipe = new PipeView();
   readonly rollers = new RollersView();
   readonly sea = new SeaView();
+  readonly moorings = new MooringsView();
   readonly afloat = new THREE.Group(); // moves with the vessel
   readonly flashGroup = new THREE.Group();
   scene: Scene | null = null;
@@ -41,6 +48,8 @@ export class Stage {
   private still = new THREE.Matrix4();
   private colouring: Colouring | null = null;
   private moment: Moment | null = null;
+  private stage: MooredStage | null = null;
+  private chosen: string | null = null;
   private stale = false; // scene, solution or colours have changed since they were drawn
   private hullKey = '';
   private rigKey = '';
@@ -51,7 +60,7 @@ export class Stage {
     this.afloat.matrixAutoUpdate = false;
     this.hullGroup.matrixAutoUpdate = false;
     this.afloat.add(this.hullGroup, this.rigGroup, this.rollers.group, this.flashGroup, this.arrow.group);
-    this.group.add(this.afloat, this.pipe.mesh, this.sea.group);
+    this.group.add(this.afloat, this.pipe.mesh, this.moorings.group, this.sea.group);
     this.group.visible = false;
   }
 
@@ -61,7 +70,7 @@ export class Stage {
   take(part: { scene?: Scene; solution?: Lay }): void {
     if (part.scene) {
       this.scene = part.scene;
-      this.still = poseMatrix(part.scene.vessel.pose);
+      if (part.scene.vessel) this.still = poseMatrix(part.scene.vessel.pose);
       this.pipe.setRadius(part.scene.pipe.outer_radius);
     }
     if (part.solution) this.solution = part.solution;
@@ -85,6 +94,7 @@ export class Stage {
     if (!this.stale || !this.solution || !this.scene) return;
     this.stale = false;
     if (!this.moment) this.setPipe(this.solution);
+    this.drawLines();
     this.build(this.scene, this.solution, dragging);
     this.colour();
   }
@@ -106,6 +116,37 @@ export class Stage {
     this.pipe.setPlaces(points);
   }
 
+  /** A stage of the operation and where the vessel lies in it; null shows the rest. */
+  setStage(stage: MooredStage | null): void {
+    this.stage = stage;
+    if (!this.moment) this.float();
+    this.stale = true;
+  }
+
+  choose(line: string | null): void {
+    this.chosen = line;
+    this.stale = true;
+  }
+
+  /** The vessel as in statics: at rest, or in a stage. */
+  private float(): void {
+    if (this.stage) this.afloat.matrix.multiplyMatrices(poseMatrix(this.stage.pose), this.still.clone().invert());
+    else this.afloat.matrix.identity();
+    this.afloat.matrixWorldNeedsUpdate = true;
+  }
+
+  /** Lines are drawn as they were found: at rest, in a stage, or as a run has recorded them. */
+  private drawLines(): void {
+    const rest = this.solution?.moorings?.rest;
+    const state = this.stage?.state ?? rest;
+    const recorded = this.moment?.lines;
+    if (this.moment && rest) this.moorings.set(recorded ? ofMoorings(rest).flatMap((l) => { const points = recorded.get(l.name); return points ? [{ ...l, points }] : []; }) : [], this.chosen);
+    else this.moorings.set([...(state ? ofMoorings(state) : []), ...ofLines(this.solution?.lines ?? [])], this.chosen);
+    this.moorings.mark(this.moment ? null : state ?? null);
+    // results of the pipe are those of the rest
+    this.pipe.mesh.visible = (this.solution?.pipe.s.length ?? 0) > 1 && (this.moment !== null || this.stage === null);
+  }
+
   /** A moment of a run; null goes back to statics. False where nothing has changed. */
   setMoment(moment: Moment | null): boolean {
     if (moment && !this.scene) return false;
@@ -116,12 +157,13 @@ export class Stage {
     if (!moment) {
       this.rollers.endReactions();
       this.stale = true;
-      this.afloat.matrix.identity();
+      this.float();
       this.sea.setTime(null);
     } else {
       this.pipe.setPlaces(moment.places);
       this.afloat.matrix.multiplyMatrices(poseMatrix(moment.pose), this.still.clone().invert());
       this.sea.setTime(moment.time);
+      this.drawLines();
       this.rollers.setReactions(moment.reactions, moment.largest);
       for (const f of moment.flashes) this.flash(f);
     }
@@ -141,33 +183,37 @@ export class Stage {
   private build(scene: Scene, solution: Lay, dragging: boolean): void {
     const largest = Math.max(1, ...solution.supports.flatMap((s) => s.rollers.map((r) => r.reaction)));
     this.rollers.set(solution.supports, largest);
-    const rigKey = JSON.stringify([solution.supports.map((s) => s.place), solution.tensioner.place, scene.vessel.pose, scene.pipe]);
+    const rigKey = JSON.stringify([solution.supports.map((s) => s.place), solution.tensioner?.place, scene.vessel?.pose, scene.pipe]);
     if (rigKey !== this.rigKey) {
       this.rigKey = rigKey;
       dispose(this.rigGroup);
-      this.rigGroup.add(rig(solution, scene));
+      if (solution.tensioner) this.rigGroup.add(rig(solution, scene));
     }
     const key = JSON.stringify([{ ...scene.vessel, pose: 0 }, scene.ramp, scene.tensioner]);
     if (key !== this.hullKey) {
       this.hullKey = key;
       dispose(this.hullGroup);
-      this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.still)));
+      if (scene.vessel) this.hullGroup.add(hull(scene.vessel, slotDepth(scene, this.still)));
     }
     this.hullGroup.matrix.copy(this.still);
     this.hullGroup.matrixWorldNeedsUpdate = true;
     if (!dragging || this.seaKey === '' || scene.waves !== this.waves) this.placeSea();
-    if (!dragging) this.labels = labelsOf(scene, solution);
+    if (!dragging) {
+      const moored = this.stage?.state ?? solution.moorings?.rest;
+      this.labels = [...labelsOf(scene, solution), ...(moored ? this.moorings.labels(moored) : [])];
+    }
   }
 
   placeSea(): void {
     const { scene, solution } = this;
     if (!scene || !solution) return;
-    const [low, high] = seaCorners(scene, solution);
-    const key = JSON.stringify([low, high, scene.seabed, scene.current, scene.water_depth, this.dark]);
+    const core = seaCorners(scene, solution);
+    const [low, high] = widerCorners(core, solution);
+    const key = JSON.stringify([low, high, core, scene.seabed, scene.current, scene.water_depth, this.dark]);
     if (key === this.seaKey && scene.waves === this.waves) return;
     this.seaKey = key;
     this.waves = scene.waves;
-    this.sea.set(scene, low, high, this.dark);
+    this.sea.set(scene, low, high, core, this.dark);
     this.pipe.setBounds(low, high);
     if (this.moment) this.sea.setTime(this.moment.time);
   }

@@ -1,12 +1,12 @@
 // The three-dimensional picture. It is drawn again only when something has changed.
 import * as THREE from 'three';
 import type { Lay, Scene } from '../api/types';
-import { viewNames, type ViewName } from './cameras';
+import type { ViewName } from '../logic/views';
 import { Flight } from './flight';
 import { seeThrough } from './hull';
 import { Labels } from './labels';
 import { followPointer, pick, type Picked } from './picking';
-import { Stage, type Colouring, type Moment } from './stage';
+import { Stage, type Colouring, type Moment, type MooredStage } from './stage';
 
 /** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
 function drawnByProcessor(): boolean {
@@ -134,6 +134,9 @@ export class View3D {
     this.redraw();
   }
 
+  setStage(stage: MooredStage | null): void { this.stage.setStage(stage); this.redraw(); }
+  choose(line: string | null): void { this.stage.choose(line); this.redraw(); }
+
   /** A moment of a run; null goes back to statics. */
   setMoment(moment: Moment | null): void { if (this.stage.setMoment(moment)) this.redraw(); }
 
@@ -180,10 +183,13 @@ export class View3D {
     this.stage.refresh(this.dragging);
     this.flight.fit(this.width / this.height);
     const { scene } = this.stage;
-    seeThrough(scene !== null && this.flight.distance < 1.15 * scene.vessel.length);
+    const { vessel } = scene ?? {};
+    seeThrough(!!vessel && (this.stage.solution?.tensioner ?? null) !== null && this.flight.distance < 1.15 * vessel.length);
     const pixel = (2 * Math.tan((this.camera.fov * Math.PI) / 360)) / this.height;
     // thicker on large screens, where the letters are larger too
     this.stage.pipe.setPixel(pixel * Math.max(1, this.height / 520));
+    this.stage.moorings.setPixel(pixel * Math.max(1, this.height / 520));
+    this.stage.moorings.face(this.camera);
     if (this.marker.visible) {
       const away = this.camera.position.distanceTo(this.marker.position);
       this.marker.scale.setScalar(Math.max(5.5 * pixel * away, 0));
@@ -199,7 +205,7 @@ export class View3D {
   }
 
   private listen(): void {
-    const at = (x: number, y: number): Picked => pick({ camera: this.camera, width: this.width, height: this.height, points: this.stage.pipe.points, rollers: this.stage.rollers.list, afloat: this.stage.afloat.matrix }, x, y);
+    const at = (x: number, y: number): Picked => pick({ camera: this.camera, width: this.width, height: this.height, points: this.stage.pipe.points, rollers: this.stage.rollers.list, lines: this.stage.moorings.lines, afloat: this.stage.afloat.matrix }, x, y);
     followPointer(this.renderer.domElement, (x, y) => this.onPick(at(x, y), x, y), (x, y) => {
       const hit = at(x, y);
       this.onHover(hit?.kind === 'station' ? hit.index : null);
@@ -218,5 +224,4 @@ export class View3D {
   }
 }
 
-export { viewNames };
 export type { Picked, ViewName };

@@ -1,0 +1,41 @@
+#include "recording/move_record.h"
+
+#include <fmt/format.h>
+
+#include "model/description_words.h"
+
+namespace overbend {
+
+void add_move_columns(std::vector<RecordedColumn>& columns) {
+  columns.push_back({{"operation/advance", "m", "Way of the vessel's mean place ahead, as planned", false, false},
+                     [](const RowSource& row) { return row.now.move.way.way; }});
+  columns.push_back({{"tensioner/paid_out", "m", "Pipe paid out by the tensioner since the start", false, false},
+                     [](const RowSource& row) { return row.now.move.paid_out; }});
+  columns.push_back({{"operation/joints", "1", "Pipe joints that came in at the tensioner", false, false},
+                     [](const RowSource& row) { return row.now.move.joints; }});
+}
+
+void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
+  const TensionerDescription& tensioner = model.description.tensioner;
+  if (move.end() > results.duration) {
+    results.warnings.push_back(
+        fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
+                    results.duration, move.moves, move.end()));
+  }
+  if (results.tensioner.mode == word_of(TensionerMode::locked)) {
+    results.warnings.emplace_back(
+        "the tensioner is locked while the vessel moves: no pipe is paid out, and the tension is that of the pulled "
+        "pipe");
+  } else if (tensioner.velocity > 0.0 && tensioner.velocity < move.speed) {
+    results.warnings.push_back(
+        fmt::format("the tensioner pays out {:.2f} m/s at most, the vessel moves at {:.2f} m/s: it cannot follow",
+                    tensioner.velocity, move.speed));
+  }
+  if (tensioner.travel) {
+    results.warnings.push_back(fmt::format(
+        "the tensioner's travel of {:.2f} m is not applied: while the vessel moves it feeds pipe without end",
+        *tensioner.travel));
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,25 @@
+#include "report/front_of.h"
+
+#include "modelfile/yaml_reader.h"
+
+namespace overbend {
+
+std::optional<Description> description_of(const std::string& model_text) {
+  return read_stored_model(model_text, "model.yaml").description;
+}
+
+FrontPage front_of(const std::string& kind, const std::string& title, const std::optional<Description>& description,
+                   const std::vector<std::string>& remarks) {
+  FrontPage front;
+  front.kind = kind;
+  front.title = title;
+  if (description) front.control = description->report;
+  front.warnings = weighed(remarks);
+  return front;
+}
+
+std::optional<double> working_load_of(const std::optional<Description>& description) {
+  return description && description->moorings ? description->moorings->working_load : std::nullopt;
+}
+
+}  // namespace overbend

@@ -1,0 +1,14 @@
+/// The section on a floating hull: damping of its slow motions, steady loads, and how well its memory of radiated waves
+/// represents the hydrodynamic file.
+#pragma once
+
+#include <string>
+
+#include "results/hull_results.h"
+
+namespace overbend {
+
+/// HTML.
+std::string hull_section(const HullResults& hull);
+
+}  // namespace overbend

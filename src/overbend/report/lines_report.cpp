@@ -1,0 +1,159 @@
+// The report of lines by themselves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "report/front_of.h"
+#include "report/html.h"
+#include "report/line_data.h"
+#include "report/mooring_verdict.h"
+#include "report/page.h"
+#include "report/quantity.h"
+#include "report/report.h"
+#include "report/report_data.h"
+#include "report/sea_words.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string kilo(double newton) {
+  return forces().text(newton, 2);
+}
+
+std::string tiles(const LinesResults& results) {
+  std::string out = "<div class=\"tiles\">\n";
+  for (const LineResult& line : results.lines) {
+    const double most = results.moved ? line.largest_in_time : line.largest_tension;
+    const double least = results.moved ? line.least_in_time : line.least_tension;
+    out += html::tile(
+        "Tension along " + line.name, kilo(least) + " to " + kilo(most), forces().unit,
+        results.moved ? fmt::format("over time; at rest {} to {}", kilo(line.least_tension), kilo(line.largest_tension))
+                      : std::string("at rest"));
+  }
+  return out + "</div>\n";
+}
+
+std::string line_table(const LinesResults& results) {
+  html::Table table("Lines at rest",
+                    {{"Line", "", true},
+                     {"Length", "m"},
+                     {"On bed", "m"},
+                     {"Submerged weight", "kN"},
+                     {"Least", "kN"},
+                     {"Largest", "kN"},
+                     {"Breaking load", "%"},
+                     {"Elements", ""},
+                     {"Unbalanced", "of weight"}},
+                    "dense summary");
+  table.groups({{"", 4}, {"Tension", 2}, {"", 3}});
+  for (const LineResult& line : results.lines) {
+    table.row({line.name, fixed(line.length, 2), fixed(line.on_bed, 1), kilo(line.weight), kilo(line.least_tension),
+               kilo(line.largest_tension), line.utilisation ? fixed(100.0 * *line.utilisation, 1) : "-",
+               std::to_string(line.elements), fmt::format("{:.1e}", line.residual)});
+  }
+  return table.str();
+}
+
+std::string end_table(const LinesResults& results) {
+  std::vector<html::Head> head = {{"Line", "", true}, {"End", "", true}, {"Tension", "kN"},     {"east", "kN"},
+                                  {"north", "kN"},    {"up", "kN"},      {"Declination", "deg"}};
+  std::vector<std::pair<std::string, int>> groups = {{"", 3}, {"Force on the line", 3}, {"", 1}};
+  if (results.moved) {
+    for (const char* name : {"min", "max", "mean", "std"}) head.push_back({name, "kN"});
+    groups.emplace_back("Tension over time", 4);
+  }
+  html::Table table("Ends of the lines", head, "dense summary");
+  table.groups(groups);
+  for (const LineResult& line : results.lines) {
+    for (const auto& [name, end] : {std::pair{"first", &line.first}, {"second", &line.second}}) {
+      std::vector<std::string> cells = {line.name,
+                                        name,
+                                        kilo(end->tension),
+                                        kilo(end->force.x()),
+                                        kilo(end->force.y()),
+                                        kilo(end->force.z()),
+                                        fixed(end->declination * kDegrees, 2)};
+      if (results.moved) {
+        for (const double value : {end->in_time.min, end->in_time.max, end->in_time.mean, end->in_time.std}) {
+          cells.push_back(kilo(value));
+        }
+      }
+      table.row(cells);
+    }
+  }
+  return table.str() +
+         "<p class=\"small\">At rest: tension, components of the force by what holds the end, and declination of the "
+         "line below horizontal, positive where it hangs from its end.</p>\n";
+}
+
+/// A figure with as many panels as there are parts.
+std::string figure_of(const std::string& id, const std::vector<std::string>& parts, int& number,
+                      const std::string& caption) {
+  std::string out = "<figure>\n";
+  for (const std::string& part : parts) {
+    out += fmt::format("<div class=\"panel\" data-figure=\"{}\" data-part=\"{}\"></div>\n", id, part);
+  }
+  return out + fmt::format("<figcaption>Figure {}. {}</figcaption>\n</figure>\n", ++number, html::escape(caption));
+}
+
+std::string figures(const LinesResults& results) {
+  int number = 0;
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < results.lines.size(); ++i) lines.push_back(std::to_string(i));
+  std::string out = figure_of("line_shape", lines, number, "Shape at rest, in the vertical plane of the ends");
+  out += figure_of("line_tension", lines, number,
+                   results.moved ? "Tension along the line: at rest, and its range over time (band)"
+                                 : "Tension along the line at rest");
+  if (results.moved) {
+    out += figure_of("history", {"ends"}, number,
+                     "Tension at the ends in time; the build-up is shaded. Values refer to all steps, curves to the "
+                     "output steps");
+  }
+  return out;
+}
+
+FrontPage lines_front(const LinesResults& results, const std::optional<Description>& description) {
+  FrontPage front = front_of(results.moved ? "Dynamic analysis of lines" : "Static analysis of lines", results.title,
+                             description, results.warnings);
+  front.reach =
+      results.moved ? "Maxima of a single run of " + duration_words(duration_of(results)) + "." : "Static state only.";
+  front.more = line_bars(results);
+  front.entries.emplace_back("Lines", std::to_string(results.lines.size()));
+  if (results.moved) {
+    if (description) front.entries.emplace_back("Sea", sea_words(description->environment.waves));
+    front.entries.emplace_back("Duration", duration_words(duration_of(results)) + " after a build-up of " +
+                                               duration_words(build_up_of(results)));
+    front.entries.emplace_back("Energy drift", fixed(100.0 * results.energy_drift, 4) + " %");
+  }
+  front.entries.emplace_back("Status", status_words(results.moved ? "completed" : "converged", front.warnings.size()));
+  front.entries.emplace_back("Program", "Overbend " + results.version);
+  front.entries.emplace_back("Written", written_now());
+  return front;
+}
+
+}  // namespace
+
+std::string report_html(const LinesResults& results, const std::string& model_text) {
+  const std::optional<Description> description = description_of(model_text);
+  const std::string rest =
+      html::section("lines", "Lines", tiles(results) + figures(results) + line_table(results) + end_table(results)) +
+      (description ? inputs_section(*description) : "") + assumptions_section(results.assumptions) +
+      model_text_section(model_text);
+  const FrontPage front = lines_front(results, description);
+  return page_without_pipe(results.title + " - analysis of lines",
+                           front_page(front, load_verdict(front.more, front.warnings),
+                                      "The mark on the bar is the breaking load, without safety factors.", rest),
+                           report_data(results, description));
+}
+
+void write_report(const LinesResults& results, const std::string& model_text, const std::filesystem::path& file) {
+  write_page(report_html(results, model_text), file);
+}
+
+}  // namespace overbend

@@ -1,0 +1,198 @@
+#include "report/moored_dynamics_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "report/figure_list.h"
+#include "report/html.h"
+#include "report/mooring_histories.h"
+#include "report/quantity.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+using html::tile;
+
+const std::vector<html::Head>& spread_head() {
+  static const std::vector<html::Head> kHead = {
+      {"", "", true}, {"Unit", "", true}, {"min", ""}, {"max", ""}, {"mean", ""},  {"std", ""},    {"min", ""},
+      {"max", ""},    {"std", ""},        {"max", ""}, {"std", ""}, {"least", ""}, {"largest", ""}};
+  return kHead;
+}
+
+const std::vector<std::pair<std::string, int>>& spread_groups() {
+  static const std::vector<std::pair<std::string, int>> kGroups = {
+      {"", 2}, {"Whole", 4}, {"Slow part", 3}, {"Wave part", 2}, {"Most probable in 3 h", 2}};
+  return kGroups;
+}
+
+void add_row(html::Table& table, const std::string& name, const Quantity& q, int digits, const MotionSpread& motion) {
+  const auto text = [&](double value) { return q.text(value, digits); };
+  table.row({name, q.unit, text(motion.whole.min), text(motion.whole.max), text(motion.whole.mean),
+             text(motion.whole.std), text(motion.slow.min), text(motion.slow.max), text(motion.slow.std),
+             text(motion.wave.max), text(motion.wave.std), text(motion.most_probable_min),
+             text(motion.most_probable_max)});
+}
+
+Quantity metres() {
+  return {"", "m", 1.0, 3};
+}
+
+std::string vessel_table(const VesselDynamics& v) {
+  html::Table table("Motion of the vessel: slow and wave part", spread_head(), "dense summary");
+  table.groups(spread_groups());
+  add_row(table, "Surge, forward", metres(), 3, v.surge);
+  add_row(table, "Sway, to port", metres(), 3, v.sway);
+  add_row(table, "Heave, up", metres(), 3, v.heave);
+  add_row(table, "Roll, starboard down", angles(), 3, v.roll);
+  add_row(table, "Pitch, bow down", angles(), 3, v.pitch);
+  add_row(table, "Yaw, bow to port", angles(), 3, v.yaw);
+  add_row(table, "Along the route, ahead", metres(), 3, v.along);
+  add_row(table, "Across the route, to port", metres(), 3, v.across);
+  add_row(table, "Horizontal offset", metres(), 3, v.offset);
+  std::string note = fmt::format(
+      "<p class=\"small\">Surge to yaw from the hull as drawn; along, across and offset from where midship lay at the "
+      "start of the run. Slow: periods above {} s. Most probable: slow and wave part combined.",
+      fixed(v.cut_off, 1));
+  if (!v.confidence.empty()) note += " " + html::escape(v.confidence);
+  return table.str() + note + "</p>\n";
+}
+
+std::string tension_table(const std::vector<MooringLineDynamics>& lines) {
+  html::Table table("Tension at the fairleads: slow and wave part", spread_head(), "dense summary");
+  table.groups(spread_groups());
+  for (const MooringLineDynamics& line : lines) add_row(table, line.name, forces(), 1, line.fairlead_tension);
+  return table.str();
+}
+
+std::string percent(const std::optional<double>& use) {
+  return use ? fixed(100.0 * *use, 1) : "-";
+}
+
+bool rendered(const std::vector<MooringLineDynamics>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [](const MooringLineDynamics& line) {
+    return line.brake_rendered > 0.0 || line.anchor_slip > 0.0;
+  });
+}
+
+std::string use_table(const std::vector<MooringLineDynamics>& lines) {
+  const bool near =
+      std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.clearance.has_value(); });
+  const bool gave = rendered(lines);
+  std::vector<html::Head> head = {{"Line", "", true},        {"start", "kN"},        {"largest", "kN"},
+                                  {"of breaking load", "%"}, {"most probable", "%"}, {"largest", "kN"},
+                                  {"of holding power", "%"}, {"uplift", "kN"},       {"Least on bed", "m"},
+                                  {"Slack for", "s"}};
+  std::vector<std::pair<std::string, int>> groups = {{"", 1}, {"Tension at the fairlead", 4}, {"Anchor", 3}, {"", 2}};
+  if (gave) {
+    head.push_back({"Brake let out", "m"});
+    head.push_back({"Anchor slip", "m"});
+  }
+  if (near) {
+    head.push_back({"Clearance", "m"});
+    head.push_back({"to", "", true});
+  }
+  html::Table table("Mooring lines over time", head, "dense summary");
+  table.groups(groups);
+  for (const MooringLineDynamics& l : lines) {
+    std::vector<std::string> cells = {l.name,
+                                      forces().text(l.start_fairlead_tension, 1),
+                                      forces().text(l.fairlead_tension.whole.max, 1),
+                                      percent(l.utilisation),
+                                      percent(l.most_probable_utilisation),
+                                      forces().text(l.anchor_tension.whole.max, 1),
+                                      percent(l.anchor_utilisation),
+                                      forces().text(l.largest_uplift, 1),
+                                      fixed(l.least_on_bed, 1),
+                                      fixed(l.time_slack, 1)};
+    if (gave) {
+      cells.push_back(fixed(l.brake_rendered, 2));
+      cells.push_back(fixed(l.anchor_slip, 2));
+    }
+    if (near) {
+      cells.push_back(l.clearance ? fixed(*l.clearance, 1) : "-");
+      cells.push_back(l.nearest_object);
+    }
+    table.row(cells, l.utilisation.value_or(0.0) > 1.0 || l.anchor_utilisation.value_or(0.0) > 1.0 ? "over" : "");
+  }
+  return table.str();
+}
+
+std::string event_table(const std::vector<MooringLineDynamics>& lines) {
+  struct Told {
+    double time;
+    std::string line, what;
+  };
+  std::vector<Told> all;
+  for (const MooringLineDynamics& line : lines) {
+    for (const MooringEvent& event : line.events) all.push_back({event.time, line.name, event.what});
+  }
+  if (all.empty()) return "";
+  std::stable_sort(all.begin(), all.end(), [](const Told& a, const Told& b) { return a.time < b.time; });
+  html::Table table("Events of the mooring lines", {{"Time", "s"}, {"Line", "", true}, {"Event", "", true}}, "plain");
+  for (const Told& told : all) table.row({fixed(told.time, 1), told.line, told.what});
+  return all.size() > 8 ? html::folded(fmt::format("{} events of the mooring lines", all.size()), table.str())
+                        : table.str();
+}
+
+std::string spread_text(const Quantity& q, int digits, const Spread& spread) {
+  return q.text(spread.min, digits) + " to " + q.text(spread.max, digits);
+}
+
+std::string tiles(const DynamicResults& results) {
+  std::string out;
+  if (results.vessel) {
+    const VesselDynamics& v = *results.vessel;
+    out += tile("Largest offset", fixed(v.offset.whole.max, 2), "m",
+                "horizontal, from the start of the run; most probable in 3 h " + fixed(v.offset.most_probable_max, 2));
+    out += tile("Across the route", spread_text(metres(), 2, v.across.whole), "m",
+                fmt::format("std slow {}, waves {}", fixed(v.across.slow.std, 2), fixed(v.across.wave.std, 2)));
+    out += tile("Along the route", spread_text(metres(), 2, v.along.whole), "m",
+                fmt::format("std slow {}, waves {}", fixed(v.along.slow.std, 2), fixed(v.along.wave.std, 2)));
+  }
+  const auto hardest = std::max_element(results.moorings.begin(), results.moorings.end(),
+                                        [](const MooringLineDynamics& a, const MooringLineDynamics& b) {
+                                          return a.fairlead_tension.whole.max < b.fairlead_tension.whole.max;
+                                        });
+  if (hardest != results.moorings.end()) {
+    out += tile("Largest line tension", forces().text(hardest->fairlead_tension.whole.max, 1), forces().unit,
+                hardest->name + (hardest->utilisation ? ", " + percent(hardest->utilisation) + " % of its breaking load"
+                                                      : std::string()),
+                hardest->utilisation.value_or(0.0) > 1.0);
+  }
+  return "<div class=\"tiles\">\n" + out + "</div>\n";
+}
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> kFigures = {
+      {"mooring_offsets", "Where midship was during the run, north up", {"dynamic"}},
+      {"history", "Offset of the vessel in time: whole motion and its slow part; the build-up is shaded", {"offset"}},
+      {"history",
+       "Tension at the fairleads in time; dashed: at the start of the run; the build-up is shaded",
+       {"moorings"},
+       true},
+  };
+  return kFigures;
+}
+
+}  // namespace
+
+std::string moored_dynamics_section(const DynamicResults& results, int& figure) {
+  if (!results.vessel && results.moorings.empty()) return "";
+  std::set<std::string> groups;
+  for (const nlohmann::json& history : mooring_history_data(results)) groups.insert(history["group"]);
+  const auto makes_sense = [&](const Figure& shown, const std::string& part) {
+    return std::string(shown.id) == "mooring_offsets" ? results.vessel.has_value() : groups.count(part) != 0;
+  };
+  std::string body = tiles(results) + figure_list(all_figures(), makes_sense, figure);
+  if (results.vessel) body += vessel_table(*results.vessel);
+  if (!results.moorings.empty()) {
+    body += tension_table(results.moorings) + use_table(results.moorings) + event_table(results.moorings);
+  }
+  return html::section("dynamic-moorings", "Vessel and moorings over time", body);
+}
+
+}  // namespace overbend

@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/figure_list.h"
+#include "report/html.h"
+#include "report/moorings_section.h"
+#include "report/quantity.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+
+std::string kilo(double newton) {
+  return forces().text(newton, 1);
+}
+
+std::string signed_text(double value, int digits) {
+  const std::string text = fixed(value, digits);
+  return text.front() == '-' || std::stod(text) == 0.0 ? text : "+" + text;
+}
+
+std::vector<html::Head> line_heads(const MooringResults& results, std::vector<html::Head> head, const char* unit) {
+  for (const MooringLineResult& line : results.rest.moorings) head.push_back({line.name, unit});
+  return head;
+}
+
+std::string stage_table(const MooringResults& results) {
+  html::Table table("Offset of the vessel and tension at the fairleads",
+                    line_heads(results, {{"Stage", "", true}, {"Surge", "m"}, {"Sway", "m"}, {"Yaw", "deg"}}, "kN"),
+                    "dense summary");
+  const auto row = [&](const MooredState& state) {
+    std::vector<std::string> cells = {state.name, fixed(state.vessel.surge, 3), fixed(state.vessel.sway, 3),
+                                      fixed(state.vessel.yaw * kDegrees, 3)};
+    bool over = false;
+    for (const MooringLineResult& line : state.moorings) {
+      cells.push_back(line.parted ? "parted" : kilo(line.fairlead_tension));
+      over = over || line.utilisation.value_or(0.0) > 1.0;
+    }
+    table.row(cells, over ? "over" : "");
+  };
+  row(results.rest);
+  for (const MooredState& stage : results.stages) row(stage);
+  return table.str();
+}
+
+std::string winch_table(const MooringResults& results) {
+  if (results.winches.empty()) return "";
+  html::Table table("Winches, from the first stage to the last",
+                    {{"Line", "", true},
+                     {"Paid out", "m"},
+                     {"before", "m"},
+                     {"after", "m"},
+                     {"before", "kN"},
+                     {"after", "kN"},
+                     {"change", "kN"}},
+                    "plain");
+  table.groups({{"", 2}, {"First segment", 2}, {"Tension at the fairlead", 3}});
+  for (const WinchMove& move : results.winches) {
+    table.row({move.name, signed_text(move.after - move.before, 3), fixed(move.before, 3), fixed(move.after, 3),
+               kilo(move.tension_before), kilo(move.tension_after),
+               signed_text(1e-3 * (move.tension_after - move.tension_before), 1)});
+  }
+  return table.str() + "<p class=\"small\">Paid out: negative where the winch hauls in. The pull-ahead is " +
+         fixed(results.distance, 2) + " m; lengths are unstressed.</p>\n";
+}
+
+bool has_pipe(const MooringResults& results) {
+  return !results.steps.empty() && std::all_of(results.steps.begin(), results.steps.end(),
+                                               [](const MoveStep& step) { return step.pipe.has_value(); });
+}
+
+std::string pipe_table(const MooringResults& results) {
+  if (!has_pipe(results)) return "";
+  html::Table table("The pipe at the places of the pull-ahead",
+                    {{"Advance", "m"},
+                     {"top", "kN"},
+                     {"bottom", "kN"},
+                     {"stress", "MPa"},
+                     {"strain", "%"},
+                     {"stress", "MPa"},
+                     {"strain", "%"},
+                     {"Largest reaction", "kN"},
+                     {"at", "", true},
+                     {"Lay-back", "m"},
+                     {"Stinger tip clearance", "m"}},
+                    "dense summary");
+  table.groups({{"", 1}, {"Tension", 2}, {"Overbend, bending", 2}, {"Sagbend, bending", 2}, {"", 4}});
+  for (const MoveStep& step : results.steps) {
+    const PipeAtStep& pipe = *step.pipe;
+    table.row({fixed(step.advance, 2), kilo(pipe.top_tension), kilo(pipe.bottom_tension),
+               stresses().text(pipe.overbend_bending_stress, 1), strains().text(pipe.overbend_strain, 4),
+               stresses().text(pipe.sagbend_bending_stress, 1), strains().text(pipe.sagbend_strain, 4),
+               kilo(pipe.largest_reaction), pipe.largest_reaction_support, fixed(pipe.lay_back, 2),
+               pipe.stinger_tip_clearance ? fixed(*pipe.stinger_tip_clearance, 3) : "-"});
+  }
+  return table.str();
+}
+
+/// Long, and of interest to whoever sets the winches.
+std::string step_tables(const MooringResults& results) {
+  if (results.steps.empty()) return "";
+  html::Table lengths("Unstressed length of the first segments",
+                      line_heads(results, {{"Advance", "m"}, {"Sway", "m"}, {"Yaw", "deg"}}, "m"), "dense summary");
+  html::Table tensions("Tension at the fairleads", line_heads(results, {{"Advance", "m"}}, "kN"), "dense summary");
+  for (const MoveStep& step : results.steps) {
+    std::vector<std::string> length = {fixed(step.advance, 2), fixed(step.vessel.sway, 3),
+                                       fixed(step.vessel.yaw * kDegrees, 3)};
+    std::vector<std::string> tension = {fixed(step.advance, 2)};
+    for (const double value : step.lengths) length.push_back(fixed(value, 3));
+    for (const double value : step.tensions) tension.push_back(kilo(value));
+    lengths.row(length);
+    tensions.row(tension);
+  }
+  return html::folded(fmt::format("Lengths and tensions at {} places", results.steps.size()),
+                      lengths.str() + tensions.str());
+}
+
+std::string anchor_table(const MooringResults& results) {
+  if (results.anchors.empty()) return "";
+  html::Table table("Anchors that are due on the route",
+                    {{"Before joint", ""},
+                     {"Line", "", true},
+                     {"Reason", "", true},
+                     {"east", "m"},
+                     {"north", "m"},
+                     {"east", "m"},
+                     {"north", "m"},
+                     {"Length", "m"}},
+                    "plain");
+  table.groups({{"", 3}, {"From", 2}, {"To", 2}, {"", 1}});
+  for (const AnchorDue& due : results.anchors) {
+    table.row({std::to_string(due.joint), due.line, due.reason, fixed(due.from_W.x(), 1), fixed(due.from_W.y(), 1),
+               fixed(due.to_W.x(), 1), fixed(due.to_W.y(), 1), fixed(due.length, 2)});
+  }
+  return table.str();
+}
+
+const std::vector<Figure>& all_figures() {
+  static const std::vector<Figure> kFigures = {
+      {"mooring_offsets", "Where midship lies in the stages, north up", {"stages"}},
+      {"mooring_stages", "Tension at the fairleads, stage by stage", {"stages"}},
+      {"mooring_stages", "Tension at the fairleads and length of the lines over the advance", {"tensions", "lengths"}},
+      {"move_pipe", "The pipe over the advance of the vessel", {"tension", "overbend", "sagbend", "clearance"}, true},
+  };
+  return kFigures;
+}
+
+std::string figures(const MooringResults& results, int& number) {
+  const bool pulled = results.operation == "pull_ahead";
+  const bool clear = has_pipe(results) && results.steps.front().pipe->stinger_tip_clearance.has_value();
+  const auto makes_sense = [&](const Figure& figure, const std::string& part) {
+    if (std::string(figure.id) == "move_pipe") return has_pipe(results) && (part != "clearance" || clear);
+    return (part == "stages") != pulled && !results.stages.empty();
+  };
+  return figure_list(all_figures(), makes_sense, number);
+}
+
+const char* heading(const std::string& operation) {
+  return operation == "pull_ahead"    ? "Pull-ahead"
+         : operation == "anchor_move" ? "Move of an anchor"
+         : operation == "anchor_plan" ? "Anchors of the route"
+                                      : "Stages of the operation";
+}
+
+}  // namespace
+
+std::string operation_section(const MooringResults& results, int& figure) {
+  if (results.stages.empty() && results.anchors.empty()) return "";
+  const std::string drawn = figures(results, figure);
+  return html::section("operation", heading(results.operation),
+                       anchor_table(results) + winch_table(results) + drawn +
+                           (results.stages.empty() ? "" : stage_table(results)) + pipe_table(results) +
+                           step_tables(results));
+}
+
+}  // namespace overbend

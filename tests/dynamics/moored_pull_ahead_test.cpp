@@ -1,0 +1,84 @@
+/// BGL-1 pulled ahead in time, on lines of elements and on quasi-static ones.
+#include "dynamics/pull_ahead.h"
+
+#include <gtest/gtest.h>
+
+#include "dynamics/dynamic_obstacle.h"
+#include "dynamics/mooring_tension.h"
+#include "dynamics/simulation.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/moored_lay.h"
+
+namespace overbend {
+namespace {
+
+/// A short way at once, in calm water, on a coarse mesh.
+Description pulled(MooringModel model) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-pull-ahead.yaml").description.value();
+  d.moorings->model = model;
+  d.environment.waves.type = WaveType::none;
+  d.environment.current.clear();
+  d.mesh.overbend_element = 1.0;
+  d.mesh.touchdown_element = 3.0;
+  d.mesh.longest_element = 8.0;
+  d.operation.distance = 0.6;
+  d.operation.acceleration_time = 2.0;
+  d.operation.start = 0.5;
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 8.0;
+  d.dynamics->build_up = 1.0;
+  return d;
+}
+
+struct Lay {
+  explicit Lay(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
+  Model model;
+  LayOutcome lay;
+  double tension() const { return model.description.tensioner.tension.value(); }
+};
+
+TEST(moored_pull_ahead, has_winches_that_go_through_the_lengths_of_the_plan) {
+  const Lay at(pulled(MooringModel::elements));
+  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
+  ASSERT_FALSE(dynamic_obstacle(at.model));
+  Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
+  const std::vector<LengthTable> programs = winch_programs(*at.lay.solution);
+  ASSERT_EQ(programs.size(), 8U);
+  while (simulation.step()) {
+  }
+  ASSERT_FALSE(simulation.failure()) << simulation.failure()->why;
+  const Instant now = simulation.now();
+  std::size_t mooring = 0;
+  for (std::size_t i = 0; i < simulation.system().attachments.size(); ++i) {
+    const Attachment& held = simulation.system().attachments[i];
+    if (held.line == 0 || held.end != LineEnd::last) continue;
+    const LengthTable& program = programs[mooring++];
+    const double change = program.lengths.back() - program.lengths.front();
+    EXPECT_GT(std::abs(change), 0.2);
+    EXPECT_NEAR(now.state->attachments[i].way.moved, change, 1e-9) << mooring;
+  }
+  EXPECT_EQ(mooring, 8U);
+  // Lines ahead are shorter, lines astern longer, and the hull has hardly begun its swing of 67 s.
+  EXPECT_GT(now.state->bodies[0].v(0), 0.0);
+  EXPECT_LT(std::abs(simulation.energy().drift()), 1e-2);  // of little that has passed so soon
+}
+
+TEST(moored_pull_ahead, begins_alike_on_quasi_static_lines_and_on_lines_of_elements) {
+  const auto way = [](MooringModel model) {
+    const Lay at(pulled(model));
+    Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+    EXPECT_FALSE(simulation.failure());
+    const double first = simulation.now().state->bodies.at(0).h(0);
+    while (simulation.step()) {
+    }
+    EXPECT_FALSE(simulation.failure());
+    return simulation.now().state->bodies.at(0).h(0) - first;
+  };
+  const double elements = way(MooringModel::elements), quasi_static = way(MooringModel::quasi_static);
+  EXPECT_GT(quasi_static, 0.05);
+  EXPECT_NEAR(elements, quasi_static, 0.1 * quasi_static);  // the mass and the drag of the lines
+}
+
+}  // namespace
+}  // namespace overbend

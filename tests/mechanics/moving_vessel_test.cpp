@@ -1,0 +1,66 @@
+#include "mechanics/moving_vessel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/bgl1_in_time.h"
+
+namespace overbend {
+namespace {
+
+constexpr BuildUp kFull{1.0, 0.0, 0.0};
+
+struct InSea {
+  explicit InSea(const Vec3& shift = Vec3::Zero()) : model(build_model(testing::workable())) {
+    const WavesDescription& waves = model.description.environment.waves;
+    sea = make_sea(waves, model.description.environment.water_depth, 100.0, 1);
+    model.mean_pose.p_WV += shift;
+    motion = make_vessel_motion(model, sea);
+    numbers = wave_numbers_ahead(motion, sea);
+  }
+  RigidMotion at(double t, const WayPoint& way) const {
+    return vessel_motion(motion, MoveAhead{way, numbers}, t, kFull);
+  }
+
+  Model model;
+  Sea sea;
+  VesselMotionModel motion;
+  std::vector<double> numbers;
+};
+
+TEST(moving_vessel, meets_the_waves_where_it_is) {
+  const InSea here;
+  const Vec3 ahead = level_ahead(here.model.mean_pose);
+  const InSea there(37.0 * ahead);
+  ASSERT_EQ(here.numbers.size(), here.motion.terms.size());
+  const RigidMotion moved = here.at(12.3, {37.0, 0.0, 0.0}), drawn = there.at(12.3, {});
+  EXPECT_NEAR((moved.pose.p_WV - drawn.pose.p_WV).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((moved.pose.R_WV - drawn.pose.R_WV).norm(), 0.0, 1e-11);
+  EXPECT_NEAR((moved.velocity - drawn.velocity).norm(), 0.0, 1e-10);
+  EXPECT_GT((moved.pose.p_WV - here.at(12.3, {}).pose.p_WV - 37.0 * ahead).norm(), 1e-2);
+}
+
+TEST(moving_vessel, rates_are_those_of_its_places) {
+  const InSea vessel;
+  constexpr double kSpeed = 3.0, kRise = 0.4, kStep = 1e-4, kTime = 20.0;
+  const auto at = [&](double t) { return vessel.at(t, {kSpeed * t + 0.5 * kRise * t * t, kSpeed + kRise * t, kRise}); };
+  const RigidMotion before = at(kTime - kStep), now = at(kTime), after = at(kTime + kStep);
+  const Vec3 velocity = (after.pose.p_WV - before.pose.p_WV) / (2.0 * kStep);
+  const Vec3 acceleration = (after.velocity - before.velocity) / (2.0 * kStep);
+  EXPECT_NEAR((now.velocity - velocity).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((now.acceleration - acceleration).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((now.alpha - (after.omega - before.omega) / (2.0 * kStep)).norm(), 0.0, 1e-7);
+}
+
+TEST(moving_vessel, at_rest_is_the_vessel_that_does_not_move) {
+  const InSea vessel;
+  const RigidMotion a = vessel.at(5.0, {}), b = vessel_motion(vessel.motion, 5.0, kFull);
+  EXPECT_EQ(a.pose.p_WV, b.pose.p_WV);
+  EXPECT_EQ(a.velocity, b.velocity);
+  EXPECT_EQ(a.acceleration, b.acceleration);
+  EXPECT_EQ(a.alpha, b.alpha);
+}
+
+}  // namespace
+}  // namespace overbend

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include "report/page_text.h"
+#include "report/report.h"
+#include "report/synthetic_moorings.h"
+
+namespace overbend {
+namespace {
+
+using testing::count;
+using testing::example_text;
+using testing::synthetic_lines;
+using testing::visible;
+
+TEST(report_without_pipe, of_moorings_begins_with_a_verdict_and_has_what_applies) {
+  MooringResults results = testing::synthetic_stages();
+  results.hull = testing::synthetic_hull();
+  const std::string page = report_html(results, example_text("moored-barge"));
+  const std::string text = visible(page);
+  EXPECT_NE(text.find("<div class=\"words\">NO LOAD EXCEEDED</div>"), std::string::npos);
+  for (const char* id : {"moorings", "operation", "hull", "inputs", "assumptions", "model"}) {
+    EXPECT_EQ(count(text, "<section id=\"" + std::string(id) + "\">"), 1u) << id;
+  }
+  EXPECT_EQ(text.find("Tensioner"), std::string::npos);
+  EXPECT_EQ(page.find("Report.side_view"), std::string::npos);
+}
+
+TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {
+  for (const std::string& page : {report_html(testing::synthetic_stages(), example_text("moored-barge")),
+                                  report_html(synthetic_lines(true), example_text("jumper"))}) {
+    std::size_t at = 0;
+    int number = 0;
+    while ((at = page.find("<figcaption>Figure ", at)) != std::string::npos) {
+      at += std::string("<figcaption>Figure ").size();
+      EXPECT_EQ(std::stoi(page.substr(at)), ++number);
+    }
+    EXPECT_GE(number, 3);
+  }
+}
+
+TEST(report_without_pipe, lists_the_inputs_of_hull_and_moorings) {
+  const std::string text = visible(report_html(testing::synthetic_moorings(), example_text("moored-barge")));
+  EXPECT_NE(text.find("<td class=\"t\">Mass</td><td>19121.6</td>"), std::string::npos) << text;
+  EXPECT_NE(text.find("Types of line"), std::string::npos);
+  EXPECT_NE(text.find("bearing 335.0 deg, 1000 m"), std::string::npos);
+}
+
+TEST(report_without_pipe, of_lines_shows_each_end_and_over_time_only_after_a_run) {
+  const std::string rest = visible(report_html(synthetic_lines(false), example_text("jumper")));
+  EXPECT_NE(rest.find("Static analysis of lines"), std::string::npos);
+  EXPECT_NE(rest.find("<div class=\"words\">NOT JUDGED</div>"), std::string::npos);
+  EXPECT_EQ(rest.find("Tension over time"), std::string::npos);
+  const std::string moved = visible(report_html(synthetic_lines(true), example_text("jumper")));
+  EXPECT_NE(moved.find("Tension over time"), std::string::npos);
+  EXPECT_NE(moved.find("54 s after a build-up of 27 s"), std::string::npos);
+  EXPECT_NE(moved.find("<td class=\"t\">jumper</td><td class=\"t\">first</td><td>33.00</td>"), std::string::npos);
+}
+
+TEST(report_without_pipe, shows_results_even_where_the_model_can_no_longer_be_read) {
+  const std::string text = visible(report_html(testing::synthetic_moorings(), "no: [model"));
+  EXPECT_EQ(text.find("<section id=\"inputs\">"), std::string::npos);
+  EXPECT_NE(text.find("<section id=\"moorings\">"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overbend

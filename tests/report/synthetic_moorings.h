@@ -1,0 +1,31 @@
+/// Results of moorings, of a hull and of lines made up for tests and pictures of the report: plausible to look at, the
+/// same every time.
+#pragma once
+
+#include "results/dynamic_results.h"
+#include "results/line_results.h"
+
+namespace overbend::testing {
+
+/// BGL-1 on eight lines, tensions of the planner against 205.6 kN of pipe; `stages`: of the operation.
+MooringResults synthetic_moorings();
+
+/// The same with a current and a parted line as stages.
+MooringResults synthetic_stages();
+
+/// The same in a pull-ahead of 12 m in 24 steps.
+MooringResults synthetic_pull_ahead();
+
+/// Radiation, damping and steady loads.
+HullResults synthetic_hull();
+
+/// Adds what a run of an hour tells of vessel and moorings, with histories.
+void add_moored_dynamics(DynamicResults& results);
+
+/// A jumper between two ends, at rest or moved.
+LinesResults synthetic_lines(bool moved);
+
+/// The text of examples/NAME.yaml.
+std::string example_text(const char* name);
+
+}  // namespace overbend::testing

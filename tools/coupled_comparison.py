@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""What a floating hull changes: examples/bgl1.yaml, whose barge moves by RAOs, beside examples/bgl1-moored.yaml, whose
+barge floats on its moorings with pipe and rollers, in the same seas. Writes docs/coupled-comparison.md.
+
+    tools/coupled_comparison.py [--duration SECONDS] [--program PROGRAM] [--keep FOLDER]
+
+Both models have the same pipe, supports, tensioner, current and components of the sea: build-up, duration and seed are
+the same. Runs that are in FOLDER already are not run again.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "coupled-comparison.md"
+BUILD_UP = 300   # s
+SEAS = [("Hs 1.5 m, Tp 8 s, 5 deg off the bow", "hs: 1.5 m, tp: 8 s, from: 85 deg"),
+        ("Hs 4 m, Tp 12.9 s, on the beam", "hs: 4.0 m, tp: 12.9 s, from: 180 deg")]
+MODELS = [("RAOs", "bgl1"), ("coupled", "bgl1-moored")]
+
+
+def changed(text, pattern, replacement):
+    text, found = re.subn(pattern, replacement, text, flags=re.M)
+    if found != 1:
+        sys.exit(f"expected one place of {pattern!r}, found {found}")
+    return text
+
+
+def model(example, sea, duration, folder):
+    """The example in this sea, with the files it names where they are."""
+    text = (ROOT / "examples" / f"{example}.yaml").read_text()
+    text = changed(text, r"^(  waves: \{type: jonswap, )[^}]*\}", rf"\g<1>{sea}, seed: 1}}")
+    text = changed(text, r"^(  dynamic: )\{[^}]*\}", rf"\g<1>{{duration: {duration:g} s, build_up: {BUILD_UP} s}}")
+    text = re.sub(r"\.\./data/", f"{ROOT}/data/", text)
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "model.yaml"
+    file.write_text(text)
+    return file
+
+
+def summary(program, example, sea, duration, folder):
+    out = folder / "results"
+    if not (out / "summary.json").exists():
+        file = model(example, sea, duration, folder)
+        subprocess.run([program, "dynamic", str(file), "--restart", "-o", str(out)], check=True, stdout=subprocess.DEVNULL)
+    return json.loads((out / "summary.json").read_text())
+
+
+def span(spread, factor=1.0, digits=1):
+    return f"{spread['min'] * factor:.{digits}f} to {spread['max'] * factor:.{digits}f}"
+
+
+def history(dynamic, name):
+    return next((h for h in dynamic.get("histories", []) if h["name"] == name), None)
+
+
+def share(dynamic, name):
+    return next(box["contact_share"] for box in dynamic["supports"] if box["name"] == name)
+
+
+def left(dynamic):
+    """What the pipe left or ran off, as the program says it."""
+    said = [w for w in dynamic["warnings"] if "the pipe left '" in w]
+    return said[0] if said else "no"
+
+
+def rows(dynamic):
+    tip = dynamic["stinger_tip_clearance"]
+    stinger = [box for box in dynamic["supports"] if box["structure"] == "stinger"]
+    return [
+        ("tension at the tensioner, kN", span(dynamic["top_tension"], 1e-3)),
+        ("its standard deviation, kN", f"{dynamic['top_tension']['std'] / 1e3:.2f}"),
+        ("smallest effective tension of the line, kN", f"{dynamic['smallest_tension']['min'] / 1e3:.1f}"),
+        ("overbend, largest strain, %", f"{100 * dynamic['overbend']['max_strain']['max']:.3f}"),
+        ("sagbend, largest von Mises stress, MPa", f"{dynamic['sagbend']['max_von_mises']['max'] / 1e6:.1f}"),
+        ("clearance at the stinger tip, m", span(tip, 1.0, 2)),
+        ("boxes of the stinger that carry, on average", f"{sum(box['contact_share'] for box in stinger):.2f} of {len(stinger)}"),
+        ("largest resultant of a box, kN", f"{max(box['reaction']['max'] for box in dynamic['supports']) / 1e3:.1f}"),
+        ("impacts", f"{dynamic['impact_count']}"),
+        ("touchdown, behind the mean place of the stern shoe, m", span(dynamic["lay_back"])),
+        ("its standard deviation, m", f"{dynamic['lay_back']['std']:.2f}"),
+        ("the pipe leaves a box", left(dynamic)),
+    ]
+
+
+def table(results):
+    of = [rows(result["dynamic"]) for result in results]
+    text = "| | " + " | ".join(name for name, _ in MODELS) + " |\n|---|" + "---|" * len(MODELS) + "\n"
+    for k, (name, _) in enumerate(of[0]):
+        text += f"| {name} | " + " | ".join(column[k][1] for column in of) + " |\n"
+    return text
+
+
+def moored_table(result):
+    """Where the coupled barge lay, and its lines; the run's own statistics where the program has them."""
+    dynamic = result["dynamic"]
+    vessel = dynamic.get("vessel")
+    text = ""
+    if vessel:
+        text += "| coupled barge | min | max | mean | std slow | std waves |\n|---|---|---|---|---|---|\n"
+        for name, unit, factor in (("surge", "m", 1), ("sway", "m", 1), ("yaw", "deg", 57.29578), ("roll", "deg", 57.29578)):
+            v = vessel[name]
+            text += (f"| {name}, {unit} | {v['min'] * factor:.2f} | {v['max'] * factor:.2f} | {v['mean'] * factor:.2f} | "
+                     f"{v['slow']['std'] * factor:.2f} | {v['wave']['std'] * factor:.2f} |\n")
+    lines = dynamic.get("moorings") or []
+    if lines:
+        worst = max(lines, key=lambda line: line["fairlead_tension"]["max"])
+        text += (f"\nThe hardest line, {worst['name']}, has {worst['fairlead_tension']['max'] / 1e3:.0f} kN at most"
+                 f" (static {next(l['fairlead_tension'] for l in result['static']['moorings'] if l['name'] == worst['name']) / 1e3:.0f} kN).\n")
+    return text
+
+
+def findings(results):
+    """Sentences made from the numbers, so that they hold for the runs that the tables are of."""
+    rao, coupled = (result["dynamic"] for result in results)
+    said = []
+    def by(name, a, b, unit, digits=1):
+        said.append(f"- {name}: {a:.{digits}f} {unit} with RAOs, {b:.{digits}f} {unit} coupled ({100 * (b / a - 1):+.0f} %)." if a else
+                    f"- {name}: {a:.{digits}f} {unit} with RAOs, {b:.{digits}f} {unit} coupled.")
+    by("Standard deviation of the tension", rao["top_tension"]["std"] / 1e3, coupled["top_tension"]["std"] / 1e3, "kN", 2)
+    by("Standard deviation of the touchdown's place", rao["lay_back"]["std"], coupled["lay_back"]["std"], "m", 2)
+    by("Largest strain of the overbend", 100 * rao["overbend"]["max_strain"]["max"], 100 * coupled["overbend"]["max_strain"]["max"], "%", 3)
+    by("Largest stress of the sagbend", rao["sagbend"]["max_von_mises"]["max"] / 1e6, coupled["sagbend"]["max_von_mises"]["max"] / 1e6, "MPa", 0)
+    words = {True: "leaves", False: "stays on"}
+    said.append(f"- The pipe {words['the pipe left' in left(rao)]} its boxes with RAOs and {words['the pipe left' in left(coupled)]} them coupled.")
+    return "\n".join(said) + "\n"
+
+
+HEAD = """# Coupled and prescribed motion compared
+
+`tools/coupled_comparison.py` makes this page. Two models lay the same pipe over the same supports with the same
+tensioner, in the same current and the same waves (seed 1):
+
+- **RAOs**: [bgl1.yaml](../examples/bgl1.yaml). The barge moves by its RAOs about a place that does not change; the pipe
+  does not act back on it.
+- **coupled**: [bgl1-moored.yaml](../examples/bgl1-moored.yaml). The barge floats on eight moorings. Waves, slow drift,
+  current, lines, rollers and tensioner move it, and its motion is found together with that of the pipe.
+
+RAOs and coefficients come from the same computation of a box-shaped hull ([data/bgl1](../data/bgl1/README.md)). The
+moorings of the coupled model are assumed.
+
+**Each run is {duration:.0f} s long after a build-up of {build_up} s, with one seed.** That is {cycles:.0f} periods of the slowest
+motion (sway, 77 s): enough to see what changes and in which direction, not for extremes. Differences of a few percent in
+largest values are within what another seed would change.
+"""
+
+
+def main():
+    arguments = argparse.ArgumentParser()
+    arguments.add_argument("--duration", type=float, default=600.0)
+    arguments.add_argument("--program", default=str(ROOT / "build" / "release" / "overbend"))
+    arguments.add_argument("--keep")
+    options = arguments.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(options.keep or scratch)
+        text = HEAD.format(duration=options.duration, build_up=BUILD_UP, cycles=options.duration / 77.0)
+        for i, (words, sea) in enumerate(SEAS):
+            results = [summary(options.program, example, sea, options.duration, folder / f"sea{i}-{name}")
+                       for name, example in MODELS]
+            text += f"\n## {words}\n\n{findings(results)}\n{table(results)}"
+            more = moored_table(results[1])
+            if more:
+                text += "\n" + more
+        PAGE.write_text(text)
+    print(f"The page is {PAGE}")
+
+
+if __name__ == "__main__":
+    main()

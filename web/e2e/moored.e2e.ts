@@ -1,0 +1,110 @@
+// Moorings: plan, table, stages, a spread from the dialogue; models without a pipe.
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from 'playwright-core';
+import { colours, picture, solved, start, type Bench } from './harness';
+
+interface Summary { static: { vessel: { natural_periods: { mode: string; period: number }[] }; moorings: { name: string; fairlead_tension: number; on_bed: number }[] } }
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('moored-barge.yaml'); page = await bench.open({ width: 1440, height: 820 }); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+const text = async (): Promise<string> => (await (await bench.api('model')).json() as { text: string }).text;
+async function put(next: string, name?: string): Promise<void> {
+  const { revision } = await (await bench.api('model')).json() as { revision: number };
+  expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: next, revision, ...(name ? { name } : {}) }) })).status).toBe(200);
+}
+const rows = (): Promise<string[][]> => page.locator('.right table.moorings tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
+
+test('a moored barge without a pipe shows its lines, with the values of summary.json', async () => {
+  expect(await page.locator('.viewbuttons button').allInnerTexts()).toEqual(['vessel', 'moorings', 'plan']);
+  const { id } = await (await bench.api('runs', { method: 'POST', body: JSON.stringify({ kind: 'static' }) })).json() as { id: string };
+  await expect.poll(async () => (await bench.api(`runs/${id}/summary`)).status, { timeout: 20_000 }).toBe(200);
+  const summary = await (await bench.api(`runs/${id}/summary`)).json() as Summary;
+  const shown = await rows();
+  expect(shown.map((r) => r[0])).toEqual(summary.static.moorings.map((l) => l.name));
+  shown.forEach((r, i) => {
+    expect(Number(r[1])).toBeCloseTo(summary.static.moorings[i]!.fairlead_tension / 1e3, 0);
+    expect(Number(r[3])).toBeCloseTo(summary.static.moorings[i]!.on_bed, 0);
+  });
+  const surge = summary.static.vessel.natural_periods.find((p) => p.mode === 'surge')!;
+  expect(await page.locator('.moored .kv', { hasText: 'T surge' }).locator('dd').innerText()).toContain(surge.period.toPrecision(3));
+  expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(6);
+  await bench.shot(page, 'moored-3d');
+});
+
+test('the table is sorted by a click, and a line that is chosen is told', async () => {
+  await page.click('.right table.moorings thead button:has-text("fairlead")');
+  const tensions = (await rows()).map((r) => Number(r[1]));
+  expect(tensions).toEqual([...tensions].sort((a, b) => b - a));
+  await page.click('.right table.moorings tbody tr:first-child .linkname');
+  expect(await page.locator('.values').innerText()).toContain((await rows())[0]![0]);
+});
+
+test('the plan names eight lines with their tensions, at three sizes', async () => {
+  await page.click('.viewbuttons >> text=plan');
+  await page.waitForSelector('.planview .planline');
+  expect(await page.locator('.planview .planline .name').count()).toBe(8);
+  const loads = await page.locator('.planview .planline .load').allTextContents();
+  expect(loads.every((l) => /^\d+(\.\d+)? kN$/.test(l))).toBe(true);
+  for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
+    await page.setViewportSize({ width, height });
+    if (name === 'small') await page.click('.panes >> text=Picture');
+    await page.waitForTimeout(200);
+    // names stay within the drawing
+    const outside = await page.locator('.planview .name').evaluateAll((all) => all.filter((t) => { const r = t.getBoundingClientRect(), b = t.closest('svg')!.getBoundingClientRect(); return r.left < b.left - 1 || r.right > b.right + 1 || r.top < b.top || r.bottom > b.bottom + 1; }).length);
+    await bench.shot(page, `plan-${name}`);
+    expect(outside, name).toBe(0);
+  }
+  await page.setViewportSize({ width: 1440, height: 820 });
+});
+
+test('a stage of the operation is followed by plan and table', async () => {
+  await put(`${await text()}\noperation:\n  type: moored\n  stages:\n    - {name: still}\n    - {name: port bow parted, parted: [port bow]}\n`);
+  await page.waitForSelector('.planacts select');
+  const before = await page.locator('.planview .load').allTextContents();
+  await page.selectOption('.planacts select', { label: 'port bow parted' });
+  await expect.poll(() => page.locator('.planview .load').count()).toBe(7);
+  expect(await page.locator('.planview .load').allTextContents()).not.toEqual(before);
+  expect((await rows()).find((r) => r[0] === 'port bow')![1]).toBe('–');
+  await page.click('.viewbuttons >> text=moorings');
+  await page.waitForTimeout(600);
+  await bench.shot(page, 'stage-3d');
+});
+
+test('a spread from the dialogue is written into a lay, solves, and is undone', async () => {
+  await put(readFileSync(join(bench.folder, 'bgl1.yaml'), 'utf8'), 'bgl1.yaml');
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts()).not.toContain('plan');
+  await solved(page);
+  await page.click('#tab-form');
+  await page.locator('.form h3 button', { hasText: 'moorings' }).click();
+  await page.click('text=Spread of lines…');
+  await page.fill('#m-angles', '25');
+  expect(await page.locator('dialog .fault').innerText()).toMatch(/4 angles/);
+  await page.selectOption('#m-count', '6');
+  await page.fill('#m-tension', '250 kN');
+  await bench.shot(page, 'spread');
+  await page.click('dialog >> text=Write into the model');
+  await expect.poll(() => page.locator('.planview .planline').count(), { timeout: 20_000 }).toBe(6);
+  await solved(page);
+  expect(await page.locator('header .status').innerText()).toMatch(/solved/);
+  expect((await rows()).map((r) => Number(r[1]))).toEqual(Array(6).fill(250));
+  await bench.shot(page, 'spread-plan');
+  await page.click('[aria-label="Undo"]');
+  await expect.poll(text).not.toContain('moorings');
+});
+
+test('a line by itself is drawn, and its diagrams are those of the line', async () => {
+  await put(readFileSync(join(bench.folder, 'jumper.yaml'), 'utf8'), 'jumper.yaml');
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['lines']);
+  await solved(page);
+  expect(await page.locator('.moored .kv', { hasText: 'length' }).first().locator('dd').innerText()).toMatch(/^170/);
+  await page.waitForSelector('.slot .plot canvas');
+  await page.waitForTimeout(300);
+  await bench.shot(page, 'jumper');
+});
+
+test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

@@ -1,0 +1,17 @@
+// The first item of a list that the form can begin; the next ones are copies of the last.
+
+/** Null where it has to be written in the YAML. `depth`: of the water, in m. */
+export function firstItem(path: string, depth: number): unknown {
+  switch (path) {
+    case 'operation.stages': return { name: 'stage 1' };
+    case 'vessel.loads': return { name: 'load 1', at: { x: '0 m', y: '0 m', z: '0 m' }, force: { x: '0 kN', y: '0 kN', z: '0 kN' } };
+    case 'moorings.objects': return { name: 'object 1', points: [{ x: '0 m', y: '100 m', z: `${-depth} m` }] };
+    default: return null;
+  }
+}
+
+/** "stage 1" is followed by "stage 2", "port bow" by "port bow 2". */
+export function nextName(name: string): string {
+  const counted = /^(.*\D)(\d+)$/.exec(name);
+  return counted ? `${counted[1]}${Number(counted[2]) + 1}` : `${name} 2`;
+}

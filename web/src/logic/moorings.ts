@@ -1,0 +1,88 @@
+// Hull and mooring lines at rest: where the hull lies, what colour a line has, the table of lines.
+import type { Lay, MooredState, MooringLine, Moorings, Scene, Vector, VesselOffset } from '../api/types';
+
+/** Pose of the hull that lies `at` from the place in which it is drawn: twelve numbers, as in a scene. */
+export function poseAt(drawn: readonly number[], at: VesselOffset): number[] {
+  const heading = Math.atan2(drawn[6]!, drawn[3]!), c = Math.cos(heading), s = Math.sin(heading);
+  // heel and trim as drawn add to roll and pitch
+  const roll = at.roll + Math.atan2(drawn[10]!, drawn[11]!), pitch = at.pitch - Math.asin(Math.max(-1, Math.min(1, drawn[9]!)));
+  const [cr, sr, cp, sp, cy, sy] = [Math.cos(roll), Math.sin(roll), Math.cos(pitch), Math.sin(pitch), Math.cos(at.yaw), Math.sin(at.yaw)];
+  // Rz(yaw) Ry(pitch) Rx(roll), about the level axes along the drawn heading
+  const turn = [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, -sp, cp * sr, cp * cr];
+  const out = [drawn[0]! + c * at.surge - s * at.sway, drawn[1]! + s * at.surge + c * at.sway, drawn[2]! + at.heave];
+  for (let k = 0; k < 3; ++k) out[3 + k] = c * turn[k]! - s * turn[3 + k]!;
+  for (let k = 0; k < 3; ++k) out[6 + k] = s * turn[k]! + c * turn[3 + k]!;
+  for (let k = 0; k < 3; ++k) out[9 + k] = turn[6 + k]!;
+  return out;
+}
+
+/** A point that moves with the vessel from one pose to another. */
+export function carried(from: readonly number[], to: readonly number[], p: Vector): Vector {
+  const d = [p[0] - from[0]!, p[1] - from[1]!, p[2] - from[2]!];
+  const own = [0, 1, 2].map((k) => from[3 + k]! * d[0]! + from[6 + k]! * d[1]! + from[9 + k]! * d[2]!);
+  return [0, 1, 2].map((k) => to[k]! + to[3 + 3 * k]! * own[0]! + to[4 + 3 * k]! * own[1]! + to[5 + 3 * k]! * own[2]!) as Vector;
+}
+
+/** The scene with the vessel, and what stands on it, in another pose. */
+export function sceneAt(scene: Scene, pose: number[]): Scene {
+  if (!scene.vessel) return scene;
+  const from = scene.vessel.pose, move = (p: Vector): Vector => carried(from, pose, p);
+  const origin = move([0, 0, 0]);
+  const along = (d: Vector): Vector => { const end = move(d); return [end[0] - origin[0], end[1] - origin[1], end[2] - origin[2]]; };
+  const boxes = (list: Scene['ramp']): Scene['ramp'] => list.map((b) => ({ ...b, place: move(b.place), direction: along(b.direction) }));
+  return {
+    ...scene, vessel: { ...scene.vessel, pose }, ramp: boxes(scene.ramp), stinger: boxes(scene.stinger),
+    stern_shoe: scene.stern_shoe && move(scene.stern_shoe), tensioner: scene.tensioner && move(scene.tensioner),
+  };
+}
+
+/** The scene as the static answer says that it lies: mooring lines let the hull drift from where it is drawn. */
+export function settled(scene: Scene | null, lay: Lay | null): Scene | null {
+  if (!scene?.vessel || !lay?.moorings) return scene;
+  return sceneAt(scene, poseAt(scene.vessel.pose, lay.moorings.rest.vessel));
+}
+
+/** A stage of the operation by its number from 0, else the rest. */
+export const stateOf = (m: Moorings, stage: number): MooredState => m.stages[stage] ?? m.rest;
+
+export type LineLevel = 'good' | 'near' | 'over' | 'unknown' | 'gone';
+
+/** By tension over breaking load; what is usual as largest in service: 1/1.67 intact (DNV-OS-E301, API RP 2SK). */
+export function lineLevel(line: MooringLine): LineLevel {
+  if (line.parted) return 'gone';
+  const used = Math.max(line.utilisation ?? 0, line.anchor_utilisation ?? 0);
+  if (line.utilisation === null && line.anchor_utilisation === null) return 'unknown';
+  return used > 1 ? 'over' : used > 0.6 ? 'near' : 'good';
+}
+
+export const levelColours: Record<LineLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#a0a8b0' };
+
+export interface Column { key: keyof MooringLine; name: string; words: string; unit: string; title: string; digits: number }
+
+/** Columns of the table of lines; units are those in which the page shows SI values. */
+export const lineColumns: readonly Column[] = [
+  { key: 'fairlead_tension', name: 'fairlead', words: 'tension, fairlead', unit: 'N', title: 'Tension at the fairlead', digits: 4 },
+  { key: 'anchor_tension', name: 'anchor', words: 'tension, anchor', unit: 'N', title: 'Tension at the anchor', digits: 4 },
+  { key: 'utilisation', name: 'of MBL', words: 'of breaking load', unit: '%', title: 'Tension at the fairlead over the least breaking load', digits: 3 },
+  { key: 'anchor_utilisation', name: 'of anchor', words: 'of anchor holding', unit: '%', title: 'Tension at the anchor over its holding power', digits: 3 },
+  { key: 'first_segment_length', name: 'out', words: 'out of the winch', unit: 'm', title: 'Unstressed length of the first segment: what the winch has out', digits: 6 },
+  { key: 'on_bed', name: 'on bed', words: 'on the bed', unit: 'm', title: 'Unstressed length on the bed', digits: 4 },
+  { key: 'declination', name: 'down', words: 'below horizontal', unit: 'rad', title: 'Angle of the line below horizontal at the fairlead', digits: 3 },
+  { key: 'anchor_uplift', name: 'uplift', words: 'anchor uplift', unit: 'N', title: 'Vertical force on the anchor', digits: 3 },
+  { key: 'clearance', name: 'clear', words: 'clearance', unit: 'm', title: 'Least distance to the objects on the bed', digits: 4 },
+];
+
+/** Those that say something about these lines. */
+export const columnsFor = (lines: readonly MooringLine[]): Column[] =>
+  lineColumns.filter((c) => lines.some((l) => (c.key === 'anchor_uplift' ? l.anchor_uplift > 0 : l[c.key] !== null)));
+
+/** `by` null: in the order of the model. What has no value comes last. */
+export function sorted(lines: readonly MooringLine[], by: keyof MooringLine | null, down: boolean): MooringLine[] {
+  if (by === null) return [...lines];
+  const value = (l: MooringLine): number | string => { const v = l[by]; return typeof v === 'string' ? v : typeof v === 'number' && !l.parted ? v : -Infinity; };
+  return [...lines].sort((a, b) => {
+    const x = value(a), y = value(b);
+    const order = typeof x === 'string' ? x.localeCompare(String(y)) : x - (y as number);
+    return down ? -order : order;
+  });
+}

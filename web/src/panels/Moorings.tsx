@@ -1,0 +1,151 @@
+// Where the hull lies on its moorings, its natural periods, the lines; and lines by themselves.
+import { signal } from '@preact/signals';
+import type { LineAtRest, MooringLine, VesselOffset } from '../api/types';
+import { columnsFor, levelColours, lineLevel, sorted, type Column } from '../logic/moorings';
+import { display } from '../logic/show';
+import { tidy, twin } from '../logic/units';
+import { failure } from '../state/live';
+import { picked } from '../state/look';
+import { calmState, chosenLine, planShown, stage } from '../state/moorings';
+import { calmLay, ofRun } from '../state/shown';
+import { MooringsInTime } from './MooringsInTime';
+
+const order = signal<{ by: keyof MooringLine | null; down: boolean }>({ by: null, down: true });
+
+const value = (l: MooringLine, c: Column): string => {
+  const v = l[c.key];
+  if (l.parted || typeof v !== 'number') return '–';
+  return c.unit === '%' ? tidy(100 * v, c.digits) : tidy(v * display(c.unit)[1], c.digits);
+};
+
+/** The value with its unit, and in the other system of units. */
+function inWords(l: MooringLine, c: Column): string {
+  const unit = c.unit === '%' ? '%' : display(c.unit)[0], text = `${value(l, c)} ${unit}`;
+  const other = twin(text);
+  return `${c.title}: ${text}${other ? ` (${other})` : ''}`;
+}
+
+const choose = (name: string): void => {
+  const off = chosenLine.value === name;
+  chosenLine.value = off ? null : name;
+  picked.value = off ? null : { kind: 'line', name };
+};
+
+function Heads({ columns }: { columns: Column[] }) {
+  const { by, down } = order.value;
+  const turn = (key: keyof MooringLine): void => { order.value = by === key ? (down ? { by: key, down: false } : { by: null, down: true }) : { by: key, down: key !== 'name' }; };
+  const head = (key: keyof MooringLine, name: string, title: string, unit = '') => (
+    <th key={key} scope="col" aria-sort={by === key ? (down ? 'descending' : 'ascending') : 'none'}>
+      <button type="button" title={`${title}. Sort by it`} onClick={() => turn(key)}>{name}{by === key ? (down ? ' ▾' : ' ▴') : ''}{unit ? <small>{unit}</small> : null}</button>
+    </th>
+  );
+  return <thead><tr>{head('name', 'line', 'Name of the line')}{columns.map((c) => head(c.key, c.name, c.title, c.unit === '%' ? '%' : display(c.unit)[0]))}</tr></thead>;
+}
+
+/** The lines of the state shown; `wide`: every column that says something. */
+export function MooringTable({ lines, wide }: { lines: readonly MooringLine[]; wide?: boolean }) {
+  const all = columnsFor(lines);
+  const columns = wide ? all : all.filter((c) => ['fairlead_tension', 'utilisation', 'on_bed'].includes(c.key));
+  return (
+    <table class="moorings" aria-label="Mooring lines">
+      <Heads columns={columns} />
+      <tbody>
+        {sorted(lines, order.value.by, order.value.down).map((l) => (
+          <tr key={l.name} class={`${lineLevel(l)}${chosenLine.value === l.name ? ' chosen' : ''}`}>
+            <th scope="row"><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} title={l.parted ? 'Parted' : l.slack ? 'Slack' : 'Show this line'} onClick={() => choose(l.name)}><i style={{ background: levelColours[lineLevel(l)] }} />{l.name}</button></th>
+            {columns.map((c) => <td key={c.key} title={inWords(l, c)}>{value(l, c)}</td>)}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+const offsets: [keyof VesselOffset, string, string][] = [['surge', 'm', 'forward'], ['sway', 'm', 'to port'], ['heave', 'm', 'up'], ['roll', 'rad', 'starboard down'], ['pitch', 'rad', 'bow down'], ['yaw', 'rad', 'bow to port']];
+
+function Offsets({ of }: { of: VesselOffset }) {
+  return (
+    <dl class="offsets" aria-label="Where the vessel lies">
+      {offsets.map(([key, unit, way]) => {
+        const [name, factor] = display(unit), shown = Number(((of[key] as number) * factor).toFixed(3));
+        return <div key={key} class="kv" title={`From where it is drawn, ${way} positive`}><dt>{key}</dt><dd>{shown === 0 ? 0 : shown} <small>{name}</small></dd></div>;
+      })}
+    </dl>
+  );
+}
+
+function Periods({ of }: { of: VesselOffset }) {
+  if (of.natural_periods.length === 0) return null;
+  return <dl class="offsets" aria-label="Natural periods">{of.natural_periods.map((p) => <div key={p.mode} class="kv" title={`Natural period of ${p.mode} on the lines`}><dt>T {p.mode}</dt><dd>{tidy(p.period, 3)} <small>s</small></dd></div>)}</dl>;
+}
+
+/** Stages of the operation; the scene and the plan follow. */
+export function StageChoice() {
+  const m = calmLay.value?.moorings;
+  if (!m || m.stages.length === 0) return null;
+  return (
+    <label class="stage">stage
+      <select aria-label="Stage of the operation" value={String(stage.value)} onChange={(e) => { stage.value = Number(e.currentTarget.value); }}>
+        <option value="-1">at rest</option>
+        {m.stages.map((s, i) => <option key={i} value={String(i)}>{s.name || `stage ${i + 1}`}</option>)}
+      </select>
+    </label>
+  );
+}
+
+export function MooringResults() {
+  const state = calmState.value;
+  if (!state) return null;
+  return (
+    <section class={`moored${failure.value && !ofRun.value ? ' old' : ''}`} aria-label="Moorings">
+      <h3>Moorings <button type="button" class="link" onClick={() => { planShown.value = !planShown.value; }}>{planShown.value ? '3-D view' : 'plan'}</button></h3>
+      <StageChoice />
+      <MooringTable lines={state.moorings} />
+      <Offsets of={state.vessel} />
+      <Periods of={state.vessel} />
+      <MooringsInTime />
+    </section>
+  );
+}
+
+/** What was picked in the 3-D view. */
+export function LineValues({ name }: { name: string }) {
+  const moored = calmState.value?.moorings.find((l) => l.name === name);
+  if (moored) {
+    return (
+      <dl class="values"><div class="kv"><dt>{name}</dt><dd>{moored.slack ? 'slack' : ''}</dd></div>
+        {columnsFor([moored]).map((c) => <div key={c.key} class="kv"><dt>{c.words}</dt><dd>{value(moored, c)} <small>{c.unit === '%' ? '%' : display(c.unit)[0]}</small></dd></div>)}
+        <div class="kv"><dt>length</dt><dd>{tidy(moored.length, 6)} <small>m</small></dd></div></dl>
+    );
+  }
+  const alone = calmLay.value?.lines.find((l) => l.name === name);
+  if (!alone) return null;
+  return (
+    <dl class="values"><div class="kv"><dt>{name}</dt><dd /></div>
+      <div class="kv"><dt>tension</dt><dd>{tidy(alone.least_tension / 1e3, 4)} to {tidy(alone.largest_tension / 1e3, 4)} <small>kN</small></dd></div>
+      <div class="kv"><dt>length</dt><dd>{tidy(alone.length, 6)} <small>m</small></dd></div></dl>
+  );
+}
+
+/** Lines by themselves, at rest. */
+export function LineTable({ lines }: { lines: readonly LineAtRest[] }) {
+  if (lines.length === 0) return null;
+  const rows: [string, (l: LineAtRest) => string, string][] = [
+    ['first end', (l) => tidy(l.first.tension / 1e3, 4), 'kN'], ['second end', (l) => tidy(l.second.tension / 1e3, 4), 'kN'],
+    ['largest', (l) => tidy(l.largest_tension / 1e3, 4), 'kN'], ['least', (l) => tidy(l.least_tension / 1e3, 4), 'kN'],
+    ['length', (l) => tidy(l.length, 5), 'm'], ['on the bed', (l) => tidy(l.on_bed, 4), 'm'],
+  ];
+  return (
+    <section class="moored" aria-label="Lines">
+      {lines.map((l) => (
+        <div key={l.name}>
+          <h3><button type="button" class="linkname" aria-pressed={chosenLine.value === l.name} onClick={() => choose(l.name)}>{l.name}</button></h3>
+          <dl>
+            {rows.map(([name, text, unit]) => <div key={name} class="kv" title={unit === 'kN' ? 'Effective tension at rest' : ''}><dt>{unit === 'kN' ? `tension, ${name}` : name}</dt><dd>{text(l)} <small>{unit}</small></dd></div>)}
+            {l.utilisation === null ? null : <div class="kv"><dt>of breaking load</dt><dd>{tidy(100 * l.utilisation, 3)} <small>%</small></dd></div>}
+          </dl>
+        </div>
+      ))}
+    </section>
+  );
+}

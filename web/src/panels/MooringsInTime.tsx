@@ -1,0 +1,49 @@
+// Motions of the vessel and tensions of its lines over a run: extremes, and how much of them is slow drift and waves.
+import type { MotionName, MotionSpread } from '../api/types';
+import { display } from '../logic/show';
+import { tidy } from '../logic/units';
+import { slots } from '../state/look';
+import { calmState } from '../state/moorings';
+import { extremes } from '../state/offsets';
+import { runSummary } from '../state/runs';
+
+/** Shows the history in the second diagram. */
+const showHistory = (name: string): void => { slots.value = slots.value.map((s, i) => (i === 1 ? `history:${name}` : s)); };
+
+interface Shown { name: string; history: string; unit: string; parts: MotionSpread | undefined }
+
+function Row({ name, history, unit, parts }: Shown) {
+  const of = parts ?? extremes.value[history];
+  if (!of) return null;
+  const [shown, factor] = display(unit), value = (v: number): string => tidy(Number((v * factor).toFixed(4)), 3);
+  const title = parts ? `Mean ${value(parts.mean)}, most probable in three hours ${value(parts.most_probable_min)} to ${value(parts.most_probable_max)} ${shown}. Show its history` : 'Show its history';
+  return (
+    <tr>
+      <th scope="row"><button type="button" class="linkname" title={title} onClick={() => showHistory(history)}>{name}</button> <small>{shown}</small></th>
+      <td>{value(of.min)}</td><td>{value(of.max)}</td>{parts ? <><td>{value(parts.slow.std)}</td><td>{value(parts.wave.std)}</td></> : null}
+    </tr>
+  );
+}
+
+const motions: [MotionName, string][] = [['surge', 'm'], ['sway', 'm'], ['heave', 'm'], ['roll', 'rad'], ['pitch', 'rad'], ['yaw', 'rad']];
+
+export function MooringsInTime() {
+  const run = runSummary.value?.dynamic;
+  const rows: Shown[] = [
+    ...motions.map(([name, unit]) => ({ name, history: `vessel/${name}`, unit, parts: run?.vessel?.[name] })),
+    ...(calmState.value?.moorings ?? []).map((l) => ({ name: l.name, history: `mooring/${l.name}/fairlead_tension`, unit: 'N', parts: run?.moorings?.find((m) => m.name === l.name)?.fairlead_tension })),
+  ].filter((r) => r.parts ?? extremes.value[r.history]);
+  if (rows.length === 0) return null;
+  const apart = rows.some((r) => r.parts);
+  const events = (run?.moorings ?? []).flatMap((m) => m.events.map((e) => ({ ...e, name: m.name }))).sort((a, b) => a.time - b.time);
+  return (
+    <>
+      <table class="minmax" aria-label="Moorings over time">
+        <thead><tr><th scope="col">over time</th><th scope="col">min</th><th scope="col">max</th>{apart ? <><th scope="col" title="Standard deviation of the slow part">slow</th><th scope="col" title="Standard deviation of the part that waves move">wave</th></> : null}</tr></thead>
+        <tbody>{rows.map((r) => <Row key={r.history} {...r} />)}</tbody>
+      </table>
+      {run?.vessel?.confidence ? <p class="brief">{run.vessel.confidence}</p> : null}
+      {events.length ? <details><summary>{events.length === 1 ? '1 event' : `${events.length} events`}</summary><ul class="events">{events.map((e, i) => <li key={i}>{tidy(e.time, 5)} s: {e.name} {e.what}</li>)}</ul></details> : null}
+    </>
+  );
+}
