@@ -47,6 +47,22 @@ TEST(lines_command, dynamic_finds_the_published_extremes) {
   EXPECT_NEAR(line["second_tension"]["min"], 41.48e3, 0.02 * 41.48e3);
 }
 
+TEST(lines_command, dynamic_runs_every_seed_and_tells_them_together) {
+  const Scratch scratch;
+  std::string model = kJumper.substr(0, kJumper.find("lines:"));
+  model += "  waves: {type: jonswap, hs: 2 m, tp: 8 s, from: 180 deg, components: 20}\n";
+  model += kJumper.substr(kJumper.find("lines:"));
+  model.replace(model.find("duration: 27 s, build_up: 27 s"), 30, "duration: 4 s, build_up: 4 s, seeds: [1, 2]");
+  const auto done = run_program("dynamic " + scratch.write("jumper.yaml", model) + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const nlohmann::json seeds = nlohmann::json::parse(scratch.read("out/summary.json"))["seeds"];
+  const nlohmann::json one = nlohmann::json::parse(scratch.read("out/seed-2/summary.json"))["dynamic"]["lines"][0];
+  ASSERT_EQ(seeds["runs"].size(), 2U);
+  EXPECT_EQ(seeds["runs"][1]["jumper/second_tension_max"], one["second_tension"]["max"]);
+  EXPECT_NE(seeds["runs"][0]["jumper/second_tension_max"], seeds["runs"][1]["jumper/second_tension_max"]);
+  EXPECT_NE(scratch.read("out/seeds.csv").find("jumper/second_tension_max [kN]"), std::string::npos);
+}
+
 TEST(lines_command, says_what_a_run_needs) {
   const Scratch scratch;
   const std::string still = kJumper.substr(0, kJumper.find("analysis:"));

@@ -88,7 +88,8 @@ TEST(mooring_watch, tells_of_lines_what_statics_tells_while_little_moves) {
     EXPECT_EQ(lines[i].largest_uplift, 0.0);
     EXPECT_EQ(lines[i].time_slack, 0.0);
   }
-  EXPECT_NEAR(*lines[0].utilisation, lines[0].fairlead_tension.whole.max / 2594e3, 1e-12);
+  const double breaking = rest[0].fairlead_tension / *rest[0].utilisation;
+  EXPECT_NEAR(*lines[0].utilisation, lines[0].fairlead_tension.whole.max / breaking, 1e-12);
   EXPECT_FALSE(lines[0].parted_at);
 }
 
@@ -128,10 +129,10 @@ TEST(mooring_watch, histories_tell_where_the_vessel_is_from_the_drawn_place) {
 }
 
 TEST(mooring_watch, tells_when_a_line_parts) {
-  const Second second = second_with([](MooringsDescription& moorings) { moorings.lines[2].fails_at = 0.25; });
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.lines[2].fails_at = 0.4; });
   const MooringLineDynamics &gone = second.results.moorings[2], &there = second.results.moorings[3];
   ASSERT_TRUE(gone.parted_at);
-  EXPECT_NEAR(*gone.parted_at, 0.25, 0.05);  // the first step that ends without it
+  EXPECT_NEAR(*gone.parted_at, 0.4, 0.05);  // the first step that ends without it
   ASSERT_EQ(gone.events.size(), 1U);
   EXPECT_EQ(gone.events.front().what, "parted");
   EXPECT_NEAR(second.sink.column("mooring/" + gone.name + "/fairlead_tension").back(), 0.0, 1.0);
@@ -139,23 +140,28 @@ TEST(mooring_watch, tells_when_a_line_parts) {
   EXPECT_TRUE(there.events.empty());
 }
 
-// All lines have more than the brake holds: each pays out until it holds them.
+// Some lines have a little more than the brake holds: it lets out until it holds them.
 TEST(mooring_watch, tells_what_a_brake_lets_out) {
-  const Second second = second_with([](MooringsDescription& moorings) { moorings.winches.front().brake = 240e3; });
+  const Second second = second_with([](MooringsDescription& moorings) { moorings.winches.front().brake = 375e3; });
   double changed = 0.0;
-  for (const MooringLineDynamics& line : second.results.moorings) {
-    EXPECT_NEAR(line.length.max - line.length.min, line.brake_rendered, 0.5 * line.brake_rendered + 1e-9) << line.name;
-    EXPECT_LT(line.fairlead_tension.whole.max, 250e3) << line.name;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const MooringLineDynamics& line = second.results.moorings[i];
+    const double before = second.statics.moorings->rest.moorings[i].length;
+    EXPECT_NEAR(line.length.max, before + line.brake_rendered, 1e-6 * before) << line.name;
+    EXPECT_LT(line.fairlead_tension.whole.max, 1.01 * 375e3) << line.name;
     changed += line.brake_rendered;
   }
-  EXPECT_GT(changed, 0.1);
-  EXPECT_TRUE(says(second.results.warnings, "its brake, set to 240.0 kN, paid out"));
+  EXPECT_GT(changed, 1e-3);
+  EXPECT_TRUE(std::any_of(second.results.warnings.begin(), second.results.warnings.end(), [](const auto& warning) {
+    return warning.find("its brake, set to 375.0 kN, paid out") != std::string::npos;
+  }));
 }
 
 TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
   Description d = moored_bgl1();
-  d.dynamics->duration = 1.0;
-  d.moorings->lines[0].fails_at = 0.3;
+  d.dynamics->duration = 0.375;
+  d.dynamics->output_step = 0.125;
+  d.moorings->lines[0].fails_at = 0.24;
   Model model = build_model(d);
   const LayOutcome lay = solve_lay(model);
   const StaticResults statics = checked_statics(model, lay);
@@ -166,7 +172,7 @@ TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
     return run_dynamics(model, *lay.solution, statics, dynamic_options(model), sink, from, control).results.value();
   };
   testing::MemorySink whole, rest;
-  const DynamicResults first = run(whole, nullptr, 0.5);
+  const DynamicResults first = run(whole, nullptr, 0.25);
   ASSERT_EQ(whole.checkpoints.size(), 1U);
   const DynamicResults second = run(rest, &whole.checkpoints.front(), 99.0);
   Json wanted, found;

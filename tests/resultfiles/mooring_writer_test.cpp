@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "resultfiles/moored_dynamics_hdf5.h"
+#include "resultfiles/move_table.h"
 #include "resultfiles/results_reader.h"
 #include "resultfiles/summary_json.h"
 #include "support/solved_case.h"
@@ -103,6 +104,15 @@ TEST(mooring_writer, results_h5_gives_back_what_was_written) {
   results.rest.moorings[0].nearest_object = "pipeline";
   results.rest.moorings[0].shape_W = {Vec3(57.0, 15.0, 3.0), Vec3(500.0, 200.0, -80.0), Vec3(963.0, 438.0, -89.0)};
   results.stages[0].mooring_stiffness.clear();  // of a hull that is held
+  MoveStep step;
+  step.advance = 6.0;
+  step.vessel.surge = 6.01;
+  step.lengths = {744.0};
+  step.tensions = {3.05e5};
+  step.pipe.emplace();
+  step.pipe->largest_reaction_support = "stinger 3";
+  results.steps = {step, step};
+  results.anchors = {{17, "bow, port", "its length", Vec3(1.0, 2.0, -89.0), Vec3(3.0, 4.0, -89.0), 980.0}};
   Description description;
   description.source_text = "title: barge\n";
   write_mooring_files(results, description, folder.path());
@@ -112,6 +122,10 @@ TEST(mooring_writer, results_h5_gives_back_what_was_written) {
   EXPECT_EQ(moorings_table(stored.results), moorings_table(results));
   EXPECT_EQ(stored.results.rest.moorings[0].shape_W, results.rest.moorings[0].shape_W);
   EXPECT_TRUE(stored.results.stages[0].mooring_stiffness.empty());
+  EXPECT_EQ(move_table(stored.results), move_table(results));
+  EXPECT_EQ(stored.results.steps[1].pipe.value().largest_reaction_support, "stinger 3");
+  EXPECT_EQ(stored.results.anchors.at(0).joint, 17);
+  EXPECT_EQ(stored.results.anchors[0].to_W, results.anchors[0].to_W);
   EXPECT_EQ(stored.results.stages[0].mooring_force, results.stages[0].mooring_force);
 }
 

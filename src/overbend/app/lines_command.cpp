@@ -11,6 +11,7 @@
 #include "app/progress.h"
 #include "app/warning_lines.h"
 #include "resultfiles/lines_writer.h"
+#include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/lines_run.h"
 #include "study/prepared_case.h"
@@ -123,6 +124,8 @@ int run_dynamic_lines(const Description& described, std::optional<double> durati
     return told_folder(folder);
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made
     return tell({RunEnding::wrong_input, fault.what()});
+  } catch (const FileFault&) {
+    throw;                                     // no fault of the input
   } catch (const std::runtime_error& fault) {  // a folder that cannot be, or a run of something else in it
     return tell({RunEnding::wrong_input, fault.what()});
   }

@@ -6,6 +6,7 @@
 #include "resultfiles/hdf5_readers.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "results/fields/mooring_fields.h"
+#include "results/fields/move_fields.h"
 #include "results/fields/static_values.h"
 
 namespace overbend {
@@ -161,6 +162,71 @@ void read_states(const Hdf5Reader& file, MooringResults& results) {
   read_matrices(file, states);
 }
 
+/// A place of a pull-ahead; `pipe` is that of the step, or an empty one.
+template <class Step, class Pipe, class Visit>
+void visit_step(Step& step, Pipe& pipe, bool& has_pipe, Visit& visit) {
+  visit_move_step(step, visit);
+  visit_vessel_offset(step.vessel, visit);
+  visit(ResultField{"residual", "1", "Largest unbalanced force over the weight of the lines"}, step.residual);
+  visit(ResultField{"has_pipe", "1", "1 where there is a pipe; else the columns of the pipe mean nothing"}, has_pipe);
+  visit_pipe_at_step(pipe, visit);
+  visit(ResultField{"tip_clearance", "m", "Separation at the last row of the stinger"}, pipe.stinger_tip_clearance);
+}
+
+void write_steps(Hdf5Writer& file, const MooringResults& results) {
+  TableWriter steps, lines, anchors;
+  for (const MoveStep& step : results.steps) {
+    for (std::size_t i = 0; i < step.lengths.size(); ++i) {
+      lines(index_field("Number of the row, from 0"), lines.rows());
+      lines(ResultField{"step", "1", "Index of the place in the table of steps"}, steps.rows());
+      lines(ResultField{"length", "m", "Unstressed length of the first segment"}, step.lengths[i]);
+      lines(ResultField{"tension", "N", "Tension at the fairlead"}, step.tensions[i]);
+      lines.end_row();
+    }
+    bool has_pipe = step.pipe.has_value();
+    const PipeAtStep pipe = step.pipe.value_or(PipeAtStep{});
+    steps(index_field("Number of the place, from 0"), steps.rows());
+    visit_step(step, pipe, has_pipe, steps);
+    steps.end_row();
+  }
+  for (const AnchorDue& due : results.anchors) {
+    anchors(index_field("Number of the move, from 0"), anchors.rows());
+    visit_anchor_due(due, anchors);
+    anchors.end_row();
+  }
+  steps.write(file, "/moorings/steps", "Places of a pull-ahead");
+  lines.write(file, "/moorings/step_lines", "Lines at those places, in the order of the model");
+  anchors.write(file, "/moorings/anchors", "Anchors that are due on a route");
+}
+
+void read_steps(const Hdf5Reader& file, MooringResults& results) {
+  TableReader steps(file, "/moorings/steps"), lines(file, "/moorings/step_lines"), anchors(file, "/moorings/anchors");
+  results.steps.resize(steps.rows("index"));
+  std::vector<MoveStep*> all;
+  for (std::size_t i = 0; i < results.steps.size(); ++i) {
+    steps.start_row(i);
+    MoveStep& step = results.steps[i];
+    bool has_pipe = false;
+    PipeAtStep pipe;
+    visit_step(step, pipe, has_pipe, steps);
+    if (has_pipe) step.pipe = pipe;
+    all.push_back(&step);
+  }
+  for (std::size_t i = 0, count = lines.rows("index"); i < count; ++i) {
+    lines.start_row(i);
+    int step = -1;
+    lines(ResultField{"step"}, step);
+    MoveStep& of = owner(all, step, "line");
+    lines(ResultField{"length"}, of.lengths.emplace_back());
+    lines(ResultField{"tension"}, of.tensions.emplace_back());
+  }
+  results.anchors.resize(anchors.rows("index"));
+  for (std::size_t i = 0; i < results.anchors.size(); ++i) {
+    anchors.start_row(i);
+    visit_anchor_due(results.anchors[i], anchors);
+  }
+}
+
 }  // namespace
 
 void write_moorings(Hdf5Writer& file, const MooringResults& results) {
@@ -176,6 +242,7 @@ void write_moorings(Hdf5Writer& file, const MooringResults& results) {
     visit_winch_move(move, winches);
     winches.end_row();
   }
+  write_steps(file, results);
   winches.write(file, "/moorings/winches", "What the winches do in a pull-ahead");
 }
 
@@ -185,6 +252,7 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
   ValueReader values{file, "/moorings"};
   visit_operation(results, values);
   read_states(file, results);
+  read_steps(file, results);
   TableReader winches(file, "/moorings/winches");
   results.winches.resize(winches.rows("index"));
   for (std::size_t i = 0; i < results.winches.size(); ++i) {
