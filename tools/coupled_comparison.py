@@ -55,18 +55,10 @@ def span(spread, factor=1.0, digits=1):
     return f"{spread['min'] * factor:.{digits}f} to {spread['max'] * factor:.{digits}f}"
 
 
-def history(dynamic, name):
-    return next((h for h in dynamic.get("histories", []) if h["name"] == name), None)
-
-
-def share(dynamic, name):
-    return next(box["contact_share"] for box in dynamic["supports"] if box["name"] == name)
-
-
 def left(dynamic):
-    """What the pipe left or ran off, as the program says it."""
-    said = [w for w in dynamic["warnings"] if "the pipe left '" in w]
-    return said[0] if said else "no"
+    """What the pipe left first, as the program says it."""
+    said = next((w for w in dynamic["warnings"] if "the pipe left '" in w), None)
+    return re.sub(r"at t = (\S+) s the pipe left '([^']*)' over its (side .*)", r"\2, over its \3, at \1 s", said) if said else "no"
 
 
 def rows(dynamic):
@@ -82,9 +74,11 @@ def rows(dynamic):
         ("boxes of the stinger that carry, on average", f"{sum(box['contact_share'] for box in stinger):.2f} of {len(stinger)}"),
         ("largest resultant of a box, kN", f"{max(box['reaction']['max'] for box in dynamic['supports']) / 1e3:.1f}"),
         ("impacts", f"{dynamic['impact_count']}"),
+        ("travel of the tensioner, m", f"{dynamic['tensioner']['travel_min']:.2f} to {dynamic['tensioner']['travel_max']:.2f}"),
+        ("times at the limit of its travel", f"{dynamic['tensioner']['limit_count']}"),
         ("touchdown, behind the mean place of the stern shoe, m", span(dynamic["lay_back"])),
         ("its standard deviation, m", f"{dynamic['lay_back']['std']:.2f}"),
-        ("the pipe leaves a box", left(dynamic)),
+        ("the pipe leaves a box for the first time", left(dynamic)),
     ]
 
 
@@ -126,8 +120,13 @@ def findings(results):
     by("Standard deviation of the touchdown's place", rao["lay_back"]["std"], coupled["lay_back"]["std"], "m", 2)
     by("Largest strain of the overbend", 100 * rao["overbend"]["max_strain"]["max"], 100 * coupled["overbend"]["max_strain"]["max"], "%", 3)
     by("Largest stress of the sagbend", rao["sagbend"]["max_von_mises"]["max"] / 1e6, coupled["sagbend"]["max_von_mises"]["max"] / 1e6, "MPa", 0)
-    words = {True: "leaves", False: "stays on"}
-    said.append(f"- The pipe {words['the pipe left' in left(rao)]} its boxes with RAOs and {words['the pipe left' in left(coupled)]} them coupled.")
+    ways = [left(rao) != "no", left(coupled) != "no"]
+    said.append("- " + ("With either motion the pipe comes off its supports." if all(ways) else
+                        "With neither motion the pipe comes off its supports." if not any(ways) else
+                        f"Only {'with RAOs' if ways[0] else 'coupled'} the pipe comes off its supports."))
+    least = [d["smallest_tension"]["min"] for d in (rao, coupled)]
+    if min(least) < 0:
+        said.append(f"- The line is in compression for instants: {least[0] / 1e3:.0f} kN with RAOs, {least[1] / 1e3:.0f} kN coupled.")
     return "\n".join(said) + "\n"
 
 
@@ -142,7 +141,7 @@ tensioner, in the same current and the same waves (seed 1):
   current, lines, rollers and tensioner move it, and its motion is found together with that of the pipe.
 
 RAOs and coefficients come from the same computation of a box-shaped hull ([data/bgl1](../data/bgl1/README.md)). The
-moorings of the coupled model are assumed.
+moorings of the coupled model are assumed. The tensioner is {tensioner} in both.
 
 **Each run is {duration:.0f} s long after a build-up of {build_up} s, with one seed.** That is {cycles:.0f} periods of the slowest
 motion (sway, 77 s): enough to see what changes and in which direction, not for extremes. Differences of a few percent in
@@ -158,15 +157,17 @@ def main():
     options = arguments.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(options.keep or scratch)
-        text = HEAD.format(duration=options.duration, build_up=BUILD_UP, cycles=options.duration / 77.0)
+        text, tensioner = "", ""
         for i, (words, sea) in enumerate(SEAS):
             results = [summary(options.program, example, sea, options.duration, folder / f"sea{i}-{name}")
                        for name, example in MODELS]
+            tensioner = results[0]["dynamic"]["tensioner"]["mode"]
             text += f"\n## {words}\n\n{findings(results)}\n{table(results)}"
             more = moored_table(results[1])
             if more:
                 text += "\n" + more
-        PAGE.write_text(text)
+        PAGE.write_text(HEAD.format(duration=options.duration, build_up=BUILD_UP, cycles=options.duration / 77.0,
+                                    tensioner=tensioner) + text)
     print(f"The page is {PAGE}")
 
 

@@ -328,12 +328,14 @@
     clearance: ['Clearance at the stinger tip [m]', 1],
   };
 
-  Report.move_pipe = function (panel, part) {
-    const [title, factor] = kOfPipe[part];
-    const points = m.steps.map((step) => [step.advance, step.pipe[part] * factor]);
-    const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: roomy([points]), x_ticks: 6, x_label: 'Advance of the vessel [m]', y_label: '', title });
-    frame.svg.classed('small', true);
-    stroke(frame, points, colours.pipe, 2);
+  Report.move_pipe = function (panel) {
+    for (const [key, [title, factor]] of Object.entries(kOfPipe)) {
+      if (m.steps.some((step) => step.pipe[key] === null)) continue;
+      const points = m.steps.map((step) => [step.advance, step.pipe[key] * factor]);
+      const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: roomy([points]), x_ticks: 6, x_label: 'Advance of the vessel [m]', y_label: '', title });
+      frame.svg.classed('small', true);
+      stroke(frame, points, colours.pipe, 2);
+    }
   };
 
   // Names at the right of their curves, pushed apart; those that end at one height share a line.

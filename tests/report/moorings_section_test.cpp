@@ -89,7 +89,7 @@ TEST(operation_section, of_a_pull_ahead_with_a_pipe_tells_what_the_pipe_has_plac
   const std::string laid = operation_section(results, figure);
   EXPECT_NE(laid.find("<td>12.00</td><td>259.6</td><td>0.0</td><td>287.6</td><td>0.1400</td><td>145.2</td>"),
             std::string::npos);
-  EXPECT_NE(laid.find("data-part=\"clearance\""), std::string::npos);
+  EXPECT_NE(laid.find("data-figure=\"move_pipe\""), std::string::npos);
   EXPECT_NE(laid.find("Lengths and tensions at 25 places"), std::string::npos);
   for (MoveStep& step : results.steps) step.pipe.reset();
   const std::string bare = operation_section(results, figure);

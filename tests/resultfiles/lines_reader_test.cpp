@@ -2,39 +2,69 @@
 
 #include <gtest/gtest.h>
 
-#include "modelfile/moored_texts.h"
-#include "modelfile/yaml_reader.h"
-#include "study/lines_run.h"
-#include "support/solved_case.h"
+#include <filesystem>
+
+#include "report/synthetic_moorings.h"
+#include "resultfiles/lines_writer.h"
+#include "resultfiles/results_reader.h"
 
 namespace overbend {
 namespace {
 
-TEST(lines_reader, lines_at_rest_are_read_as_they_were_written) {
-  const Description description = read_model_text(testing::kLines, "lines.yaml").description.value();
-  const LinesResults solved = solve_lines(build_model(description)).results.value();
-  const testing::TemporaryFolder folder;
-  write_lines_run(solved, description, folder / "run");
-  const StoredLines stored = read_lines_results(folder / "run" / "results.h5");
-  EXPECT_EQ(stored.model_text, testing::kLines);
-  ASSERT_EQ(stored.results.lines.size(), solved.lines.size());
-  for (std::size_t i = 0; i < solved.lines.size(); ++i) {
-    const LineResult &read = stored.results.lines[i], &written = solved.lines[i];
-    EXPECT_EQ(read.name, written.name);
-    EXPECT_EQ(read.utilisation, written.utilisation);
-    EXPECT_EQ(read.largest_tension, written.largest_tension);
-    EXPECT_EQ(read.first.force, written.first.force);
-    EXPECT_EQ(read.second.declination, written.second.declination);
-    ASSERT_EQ(read.nodes.size(), written.nodes.size());
-    EXPECT_EQ(read.nodes.back().place, written.nodes.back().place);
-    EXPECT_EQ(read.nodes[1].tension, written.nodes[1].tension);
+class LinesReader : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  StoredLines written_and_read(const LinesResults& results) const {
+    Description description;
+    description.source_text = "overbend: 1";
+    description.source_file = "jumper.yaml";
+    write_lines_files(results, description, folder_);
+    return read_lines_results(folder_ / "results.h5");
   }
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      ("lines_reader_" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(LinesReader, gives_back_a_run_bit_for_bit) {
+  LinesResults results = testing::synthetic_lines(true);
+  results.assumptions = {"one", "two"};
+  results.energy_drift = 1e-5 / 3.0;
+  results.steps = 811;
+  results.lines[0].utilisation = 0.1;
+  results.lines[0].first.force = {1.0, -2.0, 1.0 / 3.0};
+  const StoredLines stored = written_and_read(results);
+  EXPECT_EQ(stored.model_text, "overbend: 1");
+  EXPECT_EQ(stored.model_file, "jumper.yaml");
+  EXPECT_EQ(stored.results.title, results.title);
+  EXPECT_EQ(stored.results.assumptions, results.assumptions);
+  EXPECT_TRUE(stored.results.moved);
+  EXPECT_EQ(stored.results.time, results.time);
+  EXPECT_EQ(stored.results.energy_drift, results.energy_drift);
+  EXPECT_EQ(stored.results.steps, 811);
+  ASSERT_EQ(stored.results.lines.size(), 1u);
+  const LineResult& was = results.lines[0];
+  const LineResult& is = stored.results.lines[0];
+  EXPECT_EQ(is.name, was.name);
+  EXPECT_EQ(is.utilisation, was.utilisation);
+  EXPECT_EQ(is.first.force, was.first.force);
+  EXPECT_EQ(is.second.in_time.std, was.second.in_time.std);
+  EXPECT_EQ(is.largest_in_time, was.largest_in_time);
+  EXPECT_EQ(is.second_history, was.second_history);
+  ASSERT_EQ(is.nodes.size(), was.nodes.size());
+  EXPECT_EQ(is.nodes[7].place, was.nodes[7].place);
+  EXPECT_EQ(is.nodes[7].largest_tension, was.nodes[7].largest_tension);
 }
 
-TEST(lines_reader, a_file_of_something_else_is_refused) {
-  const testing::TemporaryFolder folder;
-  testing::write_file(folder / "results.h5", "no HDF5");
-  EXPECT_THROW(read_lines_results(folder / "results.h5"), std::runtime_error);
+TEST_F(LinesReader, of_lines_at_rest_has_no_histories_and_is_no_lay) {
+  const StoredLines stored = written_and_read(testing::synthetic_lines(false));
+  EXPECT_FALSE(stored.results.moved);
+  EXPECT_TRUE(stored.results.time.empty());
+  EXPECT_TRUE(has_lines(folder_ / "results.h5"));
+  EXPECT_FALSE(has_moorings_alone(folder_ / "results.h5"));
 }
 
 }  // namespace

@@ -6,23 +6,38 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "resultfiles/dynamic_reader.h"
+#include "resultfiles/lines_reader.h"
 #include "resultfiles/results_reader.h"
 
 namespace overbend {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void write_again(const fs::path& h5, const fs::path& file) {
+  if (has_lines(h5)) {
+    const StoredLines stored = read_lines_results(h5);
+    write_report(stored.results, stored.model_text, file);
+  } else if (has_dynamic(h5)) {
+    const StoredDynamics stored = read_dynamic_results(h5);
+    write_report(stored.statics.results, stored.results, stored.statics.model_text, file);
+  } else if (has_moorings_alone(h5)) {
+    const StoredMoorings stored = read_mooring_results(h5);
+    write_report(stored.results, stored.model_text, file);
+  } else {
+    const StoredStatics stored = read_static_results(h5);
+    write_report(stored.results, stored.model_text, file);
+  }
+}
+
+}  // namespace
+
 int run_report(const std::string& place) {
   const fs::path h5 = fs::is_directory(place) ? fs::path(place) / "results.h5" : fs::path(place);
   const fs::path file = h5.parent_path() / "report.html";
   try {
-    if (has_dynamic(h5)) {
-      const StoredDynamics stored = read_dynamic_results(h5);
-      write_report(stored.statics.results, stored.results, stored.statics.model_text, file);
-    } else {
-      const StoredStatics stored = read_static_results(h5);
-      write_report(stored.results, stored.model_text, file);
-    }
+    write_again(h5, file);
   } catch (const std::runtime_error& fault) {
     std::cerr << "overbend: " << fault.what() << "\n";
     return kWrongInput;

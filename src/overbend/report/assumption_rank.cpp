@@ -40,6 +40,9 @@ const std::vector<std::string>& assumption_phrases(AssumptionRank rank) {
       "In the dynamic analysis the tensioner is a locked brake",
       "an ideal machine for comparison",
       "the pipe does not act back on it",
+      "the offset of the vessel depends on them",
+      "Slowly varying drift follows from mean drift",
+      "Mooring lines are elastic catenaries",
   };
   static const std::vector<std::string> kGiven = {
       "is the effective tension at the tensioner",
@@ -64,6 +67,7 @@ const std::vector<std::string>& assumption_phrases(AssumptionRank rank) {
       "installation, safety class",
       "Code checks: API RP 1111, ",
       "The current is steady",
+      "The hull is a rigid body of",
   };
   static const std::vector<std::string> kNone;
   return rank == AssumptionRank::decides ? kDecides : rank == AssumptionRank::given ? kGiven : kNone;

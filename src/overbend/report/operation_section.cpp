@@ -146,16 +146,15 @@ const std::vector<Figure>& all_figures() {
       {"mooring_offsets", "Where midship lies in the stages, north up", {"stages"}},
       {"mooring_stages", "Tension at the fairleads, stage by stage", {"stages"}},
       {"mooring_stages", "Tension at the fairleads and length of the lines over the advance", {"tensions", "lengths"}},
-      {"move_pipe", "The pipe over the advance of the vessel", {"tension", "overbend", "sagbend", "clearance"}, true},
+      {"move_pipe", "The pipe over the advance of the vessel", {"pipe"}, true},
   };
   return kFigures;
 }
 
 std::string figures(const MooringResults& results, int& number) {
   const bool pulled = results.operation == "pull_ahead";
-  const bool clear = has_pipe(results) && results.steps.front().pipe->stinger_tip_clearance.has_value();
   const auto makes_sense = [&](const Figure& figure, const std::string& part) {
-    if (std::string(figure.id) == "move_pipe") return has_pipe(results) && (part != "clearance" || clear);
+    if (std::string(figure.id) == "move_pipe") return has_pipe(results);
     return (part == "stages") != pulled && !results.stages.empty();
   };
   return figure_list(all_figures(), makes_sense, number);

@@ -36,6 +36,15 @@ Vec3 ship_point(const StaticResults& results, const Vec3& p_W) {
   return {d.dot(astern), d.dot(port), p_W.z()};
 }
 
+Vec3 midship(const StaticResults& results) {
+  if (!results.moorings) return Vec3::Zero();  // as drawn: the origin of W
+  const VesselResult& vessel = results.moorings->rest.vessel;
+  const Vec3 bow = results.R_WV.col(0);
+  const double heading = std::atan2(bow.y(), bow.x()) - vessel.yaw;  // as drawn
+  const Vec3 ahead(std::cos(heading), std::sin(heading), 0.0);
+  return vessel.surge * ahead + vessel.sway * Vec3::UnitZ().cross(ahead) + vessel.heave * Vec3::UnitZ();
+}
+
 Vec3 ship_direction(const StaticResults& results, const Vec3& d_W) {
   const Vec3 d = ship_point(results, results.stern_shoe_W + d_W);
   return {d.x(), d.y(), d_W.z()};

@@ -9,6 +9,10 @@ namespace overbend {
 /// [m].
 Vec3 ship_point(const StaticResults& results, const Vec3& p_W);
 
+/// Midship on the water line where the vessel lies: shifted from the drawn place where mooring lines hold it. Frame W
+/// [m].
+Vec3 midship(const StaticResults& results);
+
 /// The same axes, of a direction.
 Vec3 ship_direction(const StaticResults& results, const Vec3& d_W);
 

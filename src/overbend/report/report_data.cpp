@@ -112,7 +112,7 @@ json static_figure_data(const StaticResults& results) {
   JsonWriter touchdown(style);
   visit_touchdown(results.touchdown, touchdown);
   data["touchdown"] = touchdown.take();
-  data["vessel/origin"] = style.vector(ship_point(results, Vec3::Zero()));
+  data["vessel/origin"] = style.vector(ship_point(results, midship(results)));
   data["north"] = style.vector(ship_direction(results, Vec3::UnitY()));
   return data.take();
 }

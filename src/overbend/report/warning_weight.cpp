@@ -48,6 +48,7 @@ const std::vector<std::string>& serious_phrases() {
       "more than its holding power",
       "is slack: it holds nothing",
       "lifts its anchor with",
+      "lifted its anchor with",
       "fewer than three do not hold surge, sway and yaw",
   };
   return kPhrases;

@@ -2,40 +2,56 @@
 
 #include "resultfiles/hdf5_readers.h"
 #include "results/fields/line_values.h"
+#include "results/fields/static_values.h"
 
 namespace overbend {
 namespace {
 
-LineResult read_line(const Hdf5Reader& file, const std::string& group) {
+LineResult read_line(const Hdf5Reader& file, const std::string& group, bool moved) {
   LineResult line;
   ValueReader values{file, group};
   visit_line(line, values);
-  for (const auto& [name, end] : {std::pair{"first", &line.first}, {"second", &line.second}}) {
-    ValueReader of_end{file, group + "/" + name};
-    visit_line_end(*end, of_end);
-  }
+  ValueReader first{file, group + "/first"}, second{file, group + "/second"};
+  visit_line_end(line.first, first);
+  visit_line_end(line.second, second);
   TableReader nodes(file, group + "/nodes");
   line.nodes.resize(nodes.rows("s"));
   for (std::size_t i = 0; i < line.nodes.size(); ++i) {
     nodes.start_row(i);
     visit_line_node(line.nodes[i], nodes);
   }
+  if (!moved) return line;
+  ValueReader in_time{file, group + "/in_time"};
+  visit_line_in_time(line, in_time);
+  line.first_history = file.doubles(group + "/first_tension");
+  line.second_history = file.doubles(group + "/second_tension");
   return line;
 }
 
 }  // namespace
 
+bool has_lines(const std::filesystem::path& h5) {
+  return Hdf5Reader(h5).has("/lines");
+}
+
 StoredLines read_lines_results(const std::filesystem::path& h5) {
   const Hdf5Reader file(h5);
+  if (!file.has("/lines")) throw std::runtime_error("the file '" + h5.string() + "' holds no lines");
   StoredLines stored;
   ValueReader visit{file, "/model"};
   visit(ResultField{"text"}, stored.model_text);
   visit(ResultField{"file"}, stored.model_file);
-  for (std::string group = "/lines/0"; file.has(group);
-       group = "/lines/" + std::to_string(stored.results.lines.size())) {
-    stored.results.lines.push_back(read_line(file, group));
+  LinesResults& results = stored.results;
+  visit.group = "/lines";
+  visit_heading(results, visit);
+  results.moved = file.has("/lines/time");
+  if (results.moved) {
+    visit_lines_run(results, visit);
+    results.time = file.doubles("/lines/time");
   }
-  if (stored.results.lines.empty()) throw std::runtime_error("the file '" + h5.string() + "' holds no lines");
+  for (std::size_t i = 0; file.has("/lines/" + std::to_string(i)); ++i) {
+    results.lines.push_back(read_line(file, "/lines/" + std::to_string(i), results.moved));
+  }
   return stored;
 }
 

@@ -1,4 +1,4 @@
-/// Reads results.h5 of lines by themselves.
+/// Reads the results of lines by themselves back.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,16 @@
 namespace overbend {
 
 struct StoredLines {
-  LinesResults results;    ///< The lines at rest; title, assumptions and what a run found are in summary.json.
-  std::string model_text;  ///< As it was read.
+  LinesResults results;
+  std::string model_text;
   std::string model_file;  ///< Its path as it was given.
 };
 
-/// Gives back the lines at rest that write_lines_files wrote, bit for bit. Throws std::runtime_error where the file is
-/// none of ours or holds no lines.
+/// Whether results.h5 is one of lines by themselves.
+bool has_lines(const std::filesystem::path& h5);
+
+/// Gives back what write_lines_files wrote, bit for bit. Throws std::runtime_error that says what is missing where the
+/// file is none of ours.
 StoredLines read_lines_results(const std::filesystem::path& h5);
 
 }  // namespace overbend

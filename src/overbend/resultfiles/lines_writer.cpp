@@ -26,10 +26,12 @@ void write_lines_hdf5(const LinesResults& results, const Description& descriptio
   file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
   file.attribute("/", "title", results.title);
   file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  file.group("/model", "Model and program version");
-  write_model_text(file, description.source_text);
+  write_model_group(file, description);
   file.group("/lines", "Lines between two ends, by their number in the model, from 0");
+  ValueWriter heading{file, "/lines"};
+  visit_heading(results, heading);
   if (results.moved) {
+    visit_lines_run(results, heading);
     file.write("/lines/time", ResultField{"time", "s", "Time of the histories"}, results.time, {results.time.size()});
   }
   for (std::size_t i = 0; i < results.lines.size(); ++i) {
@@ -50,6 +52,9 @@ void write_lines_hdf5(const LinesResults& results, const Description& descriptio
     }
     nodes.write(file, group + "/nodes", "Nodes from the first end");
     if (!results.moved) continue;
+    file.group(group + "/in_time", "Tensions over time, all steps");
+    ValueWriter in_time{file, group + "/in_time"};
+    visit_line_in_time(line, in_time);
     for (const auto& [name, values_of] :
          {std::pair{"first_tension", &line.first_history}, {"second_tension", &line.second_history}}) {
       file.write(group + "/" + name, ResultField{name, "N", "Tension at the end over time"}, *values_of,

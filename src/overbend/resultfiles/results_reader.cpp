@@ -89,6 +89,11 @@ StoredStatics read_static_results(const std::filesystem::path& h5) {
   return stored;
 }
 
+bool has_moorings_alone(const std::filesystem::path& h5) {
+  const Hdf5Reader file(h5);
+  return file.has("/moorings") && !file.has("/static");
+}
+
 StoredMoorings read_mooring_results(const std::filesystem::path& h5) {
   const Hdf5Reader file(h5);
   StoredMoorings stored;

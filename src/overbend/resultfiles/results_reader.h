@@ -26,6 +26,9 @@ struct StoredMoorings {
   std::string model_file;  ///< Its path as it was given.
 };
 
+/// Whether results.h5 is one of hull and moorings without a pipe.
+bool has_moorings_alone(const std::filesystem::path& h5);
+
 /// Gives back what write_mooring_files wrote, bit for bit; throws likewise.
 StoredMoorings read_mooring_results(const std::filesystem::path& h5);
 

@@ -39,10 +39,18 @@ void visit_line_in_time(Row& r, Visit& visit) {
         r.least_in_time);
   visit(ResultField{"largest_tension", "N", "Largest effective tension along the line over time"}.summary(),
         r.largest_in_time);
-  visit.spread(ResultField{"first_tension", "N", "Tension at the first end"}.summary("first_tension/*"),
-               r.first.in_time);
-  visit.spread(ResultField{"second_tension", "N", "Tension at the second end"}.summary("second_tension/*"),
-               r.second.in_time);
+  visit_spread(ResultField{"first_tension", "N", "Tension at the first end"}.summary("first_tension/*"),
+               r.first.in_time, visit);
+  visit_spread(ResultField{"second_tension", "N", "Tension at the second end"}.summary("second_tension/*"),
+               r.second.in_time, visit);
+}
+
+/// The run as a whole.
+template <class Results, class Visit>
+void visit_lines_run(Results& r, Visit& visit) {
+  visit(ResultField{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged"}.summary(),
+        r.energy_drift);
+  visit(ResultField{"steps", "1", "Number of time steps"}.summary(), r.steps);
 }
 
 /// A node: a row of lines.csv.
