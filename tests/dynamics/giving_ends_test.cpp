@@ -126,8 +126,8 @@ TEST(winch, whose_brake_renders_keeps_the_tension_it_bears_and_the_line_is_longe
   one.fairlead().winch = law;
   SystemRun& run = one.run(45.0);
   ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
-  EXPECT_LT(one.rows.most, 1.0001 * law.brake);
-  EXPECT_GT(one.rows.most, 0.9999 * law.brake);
+  EXPECT_LT(one.rows.most, 1.01 * law.brake);  // half a percent for every 0.1 m/s
+  EXPECT_GT(one.rows.most, law.brake);
   EXPECT_GT(one.way(1).gave_way, 0.5);
   EXPECT_EQ(one.way(1).gave_way, one.way(1).moved);
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan - 2.0).fairlead;

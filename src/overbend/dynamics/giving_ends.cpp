@@ -14,9 +14,9 @@ constexpr double kTensionTolerance = 1e-5;  ///< Of the tension kept.
 constexpr double kStill = 1e-9;             ///< Speed that is none [m/s].
 constexpr int kMostChanges = 6;             ///< Of the stair, in a step.
 constexpr double kShortestElement = 0.1;    ///< Of the last element of a line: no more of it can be hauled in.
-/// Speed of a dragged anchor at which the soil holds twice its holding power: so an anchor that is overloaded at once
-/// starts with a speed and not with a jump. Half a percent at 0.1 m/s.
-constexpr double kSoilSpeed = 20.0;
+/// Speed at which a brake that renders, or the soil around an anchor that drags, bears twice what it bears at rest: so
+/// what is overloaded at once starts with a speed and not with a jump [m/s]. Half a percent at 0.1 m/s.
+constexpr double kDoubleSpeed = 20.0;
 constexpr double kFarthest = 0.5;  ///< That a correction of what gave way may go [m].
 
 std::size_t at(Giving how) {
@@ -85,7 +85,7 @@ void GivingEnds::set_winch(End& end, const SystemState& now, double h) {
   }
   if (law.brake < kEver) {
     const double slowest = hauls ? 0.0 : std::min(after.rate, way / h);
-    end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, law.brake, 0.0, slowest, kEver};
+    end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, law.brake, law.brake / kDoubleSpeed, slowest, kEver};
   }
 }
 
@@ -107,7 +107,8 @@ void GivingEnds::set_keeper(End& end, const SystemState& now, double h) {
     end.stairs[at(Giving::stopped)] = flat(bounds.fastest);
   }
   if (law.brake < kEver) {
-    end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, law.brake, 0.0, std::max(bounds.fastest, 0.0), kEver};
+    end.stairs[at(Giving::yielding)] = {
+        true, true, 0.0, 0.0, law.brake, law.brake / kDoubleSpeed, std::max(bounds.fastest, 0.0), kEver};
   }
 }
 
@@ -115,7 +116,7 @@ void GivingEnds::set_anchor(End& end, const SystemState& now) {
   const Attachment& held = system_->attachments[end.attachment];
   end.along = course(now.lines[static_cast<std::size_t>(held.line)]);
   end.stairs[at(Giving::steady)] = {true, false, now.attachments[end.attachment].way.moved, 0.0, 0.0, 0.0, 0.0, 0.0};
-  end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, held.holding, held.holding / kSoilSpeed, 0.0, kEver};
+  end.stairs[at(Giving::yielding)] = {true, true, 0.0, 0.0, held.holding, held.holding / kDoubleSpeed, 0.0, kEver};
 }
 
 void GivingEnds::begin(const SystemState& now, double h, SystemState& next) {
