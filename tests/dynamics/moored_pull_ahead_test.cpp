@@ -64,7 +64,9 @@ TEST(moored_pull_ahead, has_winches_that_go_through_the_lengths_of_the_plan) {
   EXPECT_LT(std::abs(simulation.energy().drift()), 1e-2);  // of little that has passed so soon
 }
 
-TEST(moored_pull_ahead, begins_alike_on_quasi_static_lines_and_on_lines_of_elements) {
+/// The lengths are 7.5 s ahead of a hull whose surge takes 67 s: (2 pi/67 s)^2 times twice their integral, some 0.06 m,
+/// on lines that follow at once. Lines of elements resist the water on their way up and pull more.
+TEST(moored_pull_ahead, begins_sooner_on_lines_that_the_water_resists) {
   const auto way = [](MooringModel model) {
     const Lay at(pulled(model));
     Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
@@ -75,9 +77,9 @@ TEST(moored_pull_ahead, begins_alike_on_quasi_static_lines_and_on_lines_of_eleme
     EXPECT_FALSE(simulation.failure());
     return simulation.now().state->bodies.at(0).h(0) - first;
   };
-  const double elements = way(MooringModel::elements), quasi_static = way(MooringModel::quasi_static);
-  EXPECT_GT(quasi_static, 0.05);
-  EXPECT_NEAR(elements, quasi_static, 0.1 * quasi_static);  // the mass and the drag of the lines
+  const double quasi_static = way(MooringModel::quasi_static);
+  EXPECT_NEAR(quasi_static, 0.06, 0.01);
+  EXPECT_GT(way(MooringModel::elements), 1.2 * quasi_static);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace {
 Description shifted() {
   Description d = eight_line_barge();
   d.vessel.loads = {vessel_load("pipe", {-60, 0, 0}, {-205.5e3, 0, 0})};
+  d.has_pipe = false;
   d.operation.type = OperationType::anchor_move;
   d.operation.anchor.line = "P1";
   d.operation.anchor.to = std::array{1557.0, 432.0};
