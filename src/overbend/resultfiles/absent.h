@@ -19,8 +19,8 @@ inline bool may_be_absent_in_file(std::string_view path) {
   if (may_be_absent(path)) return true;
   const std::string_view last = path.substr(path.rfind('/') + 1);
   return path.find("/moorings/") != std::string_view::npos &&
-         (last.ends_with("utilisation") || last.ends_with("clearance") || last == "parted_at" || last.ends_with("stiffness") ||
-          last == "mooring_force");
+         (last.ends_with("utilisation") || last.ends_with("clearance") || last == "parted_at" ||
+          last.ends_with("stiffness") || last == "mooring_force");
 }
 
 }  // namespace overbend
