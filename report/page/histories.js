@@ -23,7 +23,7 @@
     const text = (value) => Report.fixed(value, history.digits);
     const spread = history.over_time;
     const all = [`${head}: ${statistics(history)}`, `${head}: ${text(spread.min)} to ${text(spread.max)}, std ${text(spread.std)}`, `${head}: ${text(spread.min)} to ${text(spread.max)}`];
-    return all.find((words) => Report.measured(words, 14) < kHalf - 62) || head;
+    return all.find((words) => Report.measured(words, 15) < kHalf - 62) || head;
   }
 
   function draw(panel, history, small) {

@@ -48,6 +48,19 @@ TEST(dynamic_report, stands_alone_and_stays_below_a_size_that_mail_carries) {
   EXPECT_LT(page.size(), 2'000'000u);
 }
 
+TEST(dynamic_report, gives_the_extremes_of_mooring_lines_a_table_of_their_own) {
+  DynamicResults results = example();
+  EXPECT_EQ(page_of(results).find("extremes of the mooring lines"), std::string::npos);
+  results.extremes.push_back(
+      {"mooring/port bow/fairlead_tension", "N", false, 40, 4e5, 4.2e5, 4e5, 4.4e5, 4.2e5, 4e5, 4.4e5, true});
+  const std::string page = page_of(results);
+  const std::size_t lay = page.find("Most probable extremes in three hours");
+  const std::size_t lines = page.find("Most probable extremes of the mooring lines in three hours");
+  ASSERT_NE(lines, std::string::npos);
+  EXPECT_LT(lay, lines);
+  EXPECT_GT(page.find("Fairlead tension, port bow", lay), lines);
+}
+
 TEST(dynamic_report, says_in_its_head_what_sea_and_motion_it_ran_in) {
   const std::string page = page_of(example());
   const std::string head = page.substr(page.find("<header>"), page.find("</header>") - page.find("<header>"));

@@ -83,11 +83,34 @@ std::string statistics_table(const StaticResults& statics, const DynamicResults&
   return table.str();
 }
 
-std::string extremes_table(const StaticResults& statics, const DynamicResults& r) {
-  if (r.extremes.empty()) {
-    return "";
+bool is_of_moorings(const ExtremeEstimate& extreme) {
+  return extreme.name.rfind("mooring/", 0) == 0;
+}
+
+std::vector<std::string> extreme_cells(const StaticResults& statics, const DynamicResults& r,
+                                       const ExtremeEstimate& e) {
+  const Quantity q = quantity(e.name, e.units);
+  const std::optional<double> before = static_value(statics, r, e.name);
+  const std::optional<Spread> spread = key_spread(r, e.name);
+  const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
+  std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit, before ? q.text(*before) : "",
+                                    q.text(observed), std::to_string(e.peaks)};
+  if (!e.enough) {
+    cells.insert(cells.end(), {"", "not enough peaks", "", "not enough peaks"});
+    return cells;
   }
-  html::Table table("Most probable extremes in three hours",
+  for (const auto& [estimate, low, high] :
+       {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {
+    cells.push_back(q.text(estimate));
+    cells.push_back(q.text(low) + " to " + q.text(high));
+  }
+  return cells;
+}
+
+/// Of the lay, or of the mooring lines, which are many with long names. Empty where there are none.
+std::string extremes_table(const StaticResults& statics, const DynamicResults& r, bool of_moorings) {
+  html::Table table(of_moorings ? "Most probable extremes of the mooring lines in three hours"
+                                : "Most probable extremes in three hours",
                     {{"Quantity", "", true},
                      {"Unit", "", true},
                      {"Static", ""},
@@ -97,27 +120,20 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
                      {"95 % interval", ""},
                      {"estimate", ""},
                      {"95 % interval", ""}},
-                    "plain full");
+                    of_moorings ? "dense" : "plain full");
   table.groups({{"", 5}, {"Weibull", 2}, {"Gumbel", 2}});
+  bool any = false;
   for (const ExtremeEstimate& e : r.extremes) {
-    const Quantity q = quantity(e.name, e.units);
-    const std::optional<double> before = static_value(statics, r, e.name);
-    const std::optional<Spread> spread = key_spread(r, e.name);
-    const double observed = !spread ? e.observed : e.smallest ? spread->min : spread->max;
-    std::vector<std::string> cells = {e.smallest ? q.name + ", smallest" : q.name, q.unit,
-                                      before ? q.text(*before) : "", q.text(observed), std::to_string(e.peaks)};
-    if (e.enough) {
-      for (const auto& [estimate, low, high] :
-           {std::array{e.weibull, e.weibull_low, e.weibull_high}, std::array{e.gumbel, e.gumbel_low, e.gumbel_high}}) {
-        cells.push_back(q.text(estimate));
-        cells.push_back(q.text(low) + " to " + q.text(high));
-      }
-    } else {
-      cells.insert(cells.end(), {"", "not enough peaks", "", "not enough peaks"});
-    }
-    table.row(cells);
+    if (is_of_moorings(e) != of_moorings) continue;
+    table.row(extreme_cells(statics, r, e));
+    any = true;
   }
-  return table.str() +
+  return any ? table.str() : "";
+}
+
+std::string extremes(const StaticResults& statics, const DynamicResults& r) {
+  if (r.extremes.empty()) return "";
+  return extremes_table(statics, r, false) + extremes_table(statics, r, true) +
          "<p class=\"small\">Interval: 95 % confidence. Peaks are the maxima between mean up-crossings after the "
          "build-up. If there are too few of them no distribution is fitted, and only the observed value is given. "
          "Observed: maximum of this run, whose duration may differ from three hours.</p>\n";
@@ -127,7 +143,7 @@ std::string extremes_table(const StaticResults& statics, const DynamicResults& r
 
 std::string dynamic_statistics_section(const StaticResults& statics, const DynamicResults& results) {
   return html::section("statistics", "Statistics and extremes",
-                       statistics_table(statics, results) + extremes_table(statics, results));
+                       statistics_table(statics, results) + extremes(statics, results));
 }
 
 }  // namespace overbend
