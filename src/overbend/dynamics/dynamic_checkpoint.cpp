@@ -175,8 +175,7 @@ void restore_body(const std::vector<double>& in, HullState& body) {
   }
   for (double& value : body.radiation.values) value = in.at(next++);
   for (LineEndForces& line : body.lines) {
-    for (double* value :
-         {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
+    for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
       *value = in.at(next++);
     }
   }
