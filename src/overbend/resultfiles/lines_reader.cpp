@@ -30,7 +30,6 @@ StoredLines read_lines_results(const std::filesystem::path& h5) {
   StoredLines stored;
   ValueReader visit{file, "/model"};
   visit(ResultField{"text"}, stored.model_text);
-  visit(ResultField{"file"}, stored.model_file);
   for (std::string group = "/lines/0"; file.has(group);
        group = "/lines/" + std::to_string(stored.results.lines.size())) {
     stored.results.lines.push_back(read_line(file, group));

@@ -11,7 +11,6 @@ namespace overbend {
 struct StoredLines {
   LinesResults results;    ///< The lines at rest; title, assumptions and what a run found are in summary.json.
   std::string model_text;  ///< As it was read.
-  std::string model_file;  ///< Its path as it was given.
 };
 
 /// Gives back the lines at rest that write_lines_files wrote, bit for bit. Throws std::runtime_error where the file is

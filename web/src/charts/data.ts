@@ -98,7 +98,8 @@ export function lineShape(line: { name: string; shape: Vector[] }, scene: Scene 
   if (!from || !to) return null;
   const ux = to[0] - from[0], uy = to[1] - from[1], size = Math.hypot(ux, uy) || 1;
   const x = line.shape.map((p) => ((p[0] - from[0]) * ux + (p[1] - from[1]) * uy) / size);
-  const off = line.shape.map((p) => ((p[0] - from[0]) * uy - (p[1] - from[1]) * ux) / size);
+  // what rounding leaves of a straight line is straight
+  const off = line.shape.map((p) => Math.round((1e3 * ((p[0] - from[0]) * uy - (p[1] - from[1]) * ux)) / size) / 1e3 || 0);
   return {
     title: `${plan ? 'Plan' : 'Elevation'} of ${line.name}`, xName: 'horizontal distance along the line [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: x,
     lines: [{ name: line.name, colour: ink.now, values: plan ? off : line.shape.map((p) => p[2]), width: 2.2 }], marks: [],

@@ -92,8 +92,8 @@ function Slot({ index }: { index: number }) {
   const history = asked.startsWith('history:');
   const missing = history ? !columns.value.some((c) => `history:${c.name}` === asked) : !['elevation', 'plan', 'reactions'].includes(asked) && !quantity(asked);
   // without a pipe: what is known of lines
-  const lay = calmLay.value, bare = lay !== null && lay.pipe.s.length === 0 && !history;
-  const what = missing ? 'effective_tension' : bare && !['elevation', 'plan'].includes(asked) ? (lay.lines.length ? 'effective_tension' : 'plan') : asked;
+  const lay = calmLay.value, lines = lay !== null && lay.lines.length > 0 && lay.pipe.s.length === 0 && !history;
+  const what = missing || (lines && !['elevation', 'plan'].includes(asked)) ? 'effective_tension' : asked;
   const inTime = what.startsWith('history:');
   const fetched = useHistory(what, zoom, pixels);
   const data = inTime ? fetched : statics(what);

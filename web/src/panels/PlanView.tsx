@@ -10,7 +10,7 @@ import { offsetsInTime, type OffsetsInTime } from '../state/offsets';
 import { calmLay, shownDrawn, shownScene } from '../state/shown';
 import { MooringTable, StageChoice } from './Moorings';
 
-const tableWidth = 440, roomForTable = 1040; // px
+const tableWidth = 540, roomForTable = 1080; // px
 
 interface Screen { width: number; height: number; scale: number; x: (east: number) => number; y: (north: number) => number }
 
