@@ -109,6 +109,15 @@ TEST(serve_moored, static_runs_of_models_without_a_pipe_leave_their_files) {
   }
 }
 
+TEST(serve_moored, a_run_of_a_moored_hull_is_looked_at_as_it_was_computed) {
+  const Serving serving(kMoored);
+  const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");
+  ASSERT_EQ(serving.wait_for(id)["state"], "done");
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["moorings"],
+            serving.post("/api/static", json::object()).json["moorings"]);
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json, serving.get("/api/scene").json);
+}
+
 TEST(serve_moored, a_run_of_lines_is_looked_at_as_it_was_computed) {
   const Serving serving(kLines);
   const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");

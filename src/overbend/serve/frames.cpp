@@ -1,4 +1,5 @@
 #include "report/json_number.h"
+#include "resultfiles/dynamic_reader.h"
 #include "resultfiles/long_data_reader.h"
 #include "serve/base64.h"
 #include "serve/run_data.h"
@@ -26,6 +27,34 @@ Json pose(const SnapshotBlock& block, std::size_t frame) {
   return numbers;
 }
 
+/// Mooring lines with the number of their points.
+Json lines(const std::vector<MooringLineDynamics>& moorings) {
+  Json list = Json::array();
+  for (const MooringLineDynamics& line : moorings)
+    list.push_back({{"name", line.name}, {"points", line.points.size()}});
+  return list;
+}
+
+/// The points of the lines of every frame, line by line from the fairlead to the anchor, as float32 in base64; the
+/// file has them the other way round.
+std::string line_places(const SnapshotBlock& block, const std::vector<MooringLineDynamics>& moorings) {
+  std::vector<float> numbers;
+  const auto count = static_cast<std::size_t>(block.line_points);
+  numbers.reserve(3 * block.time.size() * count);
+  for (std::size_t frame = 0; frame < block.time.size(); ++frame) {
+    std::size_t first = frame * count;
+    for (const MooringLineDynamics& line : moorings) {
+      for (std::size_t i = line.points.size(); i-- > 0;) {
+        for (const auto* part : {&block.line_x, &block.line_y, &block.line_z}) {
+          numbers.push_back(static_cast<float>((*part)[first + i]));
+        }
+      }
+      first += line.points.size();
+    }
+  }
+  return base64_floats(numbers);
+}
+
 }  // namespace
 
 Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64_t count) {
@@ -35,14 +64,20 @@ Json frames_json(const std::filesystem::path& h5, std::int64_t first, std::int64
     times.push_back(seven_digits(block.time[frame]));
     poses.push_back(pose(block, frame));
   }
-  return {{"total", block.total},
-          {"from", first},
-          {"stations", block.stations},
-          {"time", times},
-          {"pose", poses},
-          {"place", stations(block, {&block.x, &block.y, &block.z})},
-          {"effective_tension", stations(block, {&block.effective_tension})},
-          {"von_mises", stations(block, {&block.von_mises})}};
+  Json answer = {{"total", block.total},
+                 {"from", first},
+                 {"stations", block.stations},
+                 {"time", times},
+                 {"pose", poses},
+                 {"place", stations(block, {&block.x, &block.y, &block.z})},
+                 {"effective_tension", stations(block, {&block.effective_tension})},
+                 {"von_mises", stations(block, {&block.von_mises})}};
+  if (block.line_points > 0) {
+    const std::vector<MooringLineDynamics> moorings = read_dynamic_results(h5).results.moorings;
+    answer["lines"] = lines(moorings);
+    answer["line_place"] = line_places(block, moorings);
+  }
+  return answer;
 }
 
 }  // namespace overbend

@@ -27,9 +27,12 @@ DynamicResults still(const StaticResults& statics) {
   return r;
 }
 
-/// Whether the file is that of a lay; the table of its pipe lies beside it.
+/// Whether the file is that of a lay, of lines by themselves: their tables lie beside it.
 bool has_pipe(const std::filesystem::path& h5) {
   return std::filesystem::exists(h5.parent_path() / "pipe.csv");
+}
+bool has_lines(const std::filesystem::path& h5) {
+  return std::filesystem::exists(h5.parent_path() / "lines.csv");
 }
 
 Json envelopes(const DynamicResults& r, bool over_time) {
@@ -79,7 +82,8 @@ Json run_statics_json(const std::filesystem::path& h5) {
     answer.update(
         static_json(has_dynamic(h5) ? read_dynamic_results(h5).statics.results : read_static_results(h5).results));
   } else {
-    answer.update(static_json(read_lines_results(h5).results));
+    answer.update(has_lines(h5) ? static_json(read_lines_results(h5).results)
+                                : static_json(read_mooring_results(h5).results));
   }
   return answer;
 }
@@ -88,7 +92,7 @@ Json run_scene_json(const std::filesystem::path& h5, const std::string& file) {
   std::string text;
   std::optional<std::uint64_t> seed;
   if (!has_pipe(h5)) {
-    text = read_lines_results(h5).model_text;
+    text = has_lines(h5) ? read_lines_results(h5).model_text : read_mooring_results(h5).model_text;
   } else if (has_dynamic(h5)) {
     StoredDynamics stored = read_dynamic_results(h5);
     text = std::move(stored.statics.model_text);
