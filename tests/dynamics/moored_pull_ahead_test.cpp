@@ -64,8 +64,8 @@ TEST(moored_pull_ahead, has_winches_that_go_through_the_lengths_of_the_plan) {
   EXPECT_LT(std::abs(simulation.energy().drift()), 1e-2);  // of little that has passed so soon
 }
 
-/// The lengths are 7.5 s ahead of a hull whose surge takes 67 s: (2 pi/67 s)^2 times twice their integral, some 0.06 m,
-/// on lines that follow at once. Lines of elements resist the water on their way up and pull more.
+/// On lines that follow at once the hull, whose surge takes 67 s, has gone (2 pi/67 s)^2 times the way of the plan,
+/// integrated twice over 7.5 s: some 0.06 m. Lines of elements resist the water on their way up and pull more.
 TEST(moored_pull_ahead, begins_sooner_on_lines_that_the_water_resists) {
   const auto way = [](MooringModel model) {
     const Lay at(pulled(model));
