@@ -173,9 +173,9 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {
-      StaticSolution{at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}},
-      std::nullopt};
+  return {StaticSolution{
+              at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}},
+          std::nullopt};
 }
 
 }  // namespace overbend
