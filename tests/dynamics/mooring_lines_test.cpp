@@ -203,8 +203,13 @@ TEST(mooring_lines, are_refused_in_time_where_more_is_asked_of_them_than_they_do
     return dynamic_obstacle(build_model(d)).has_value();
   };
   EXPECT_FALSE(refused([](Description&) {}));
-  EXPECT_TRUE(refused([](Description& d) { d.moorings->model = MooringModel::quasi_static; }));
-  EXPECT_TRUE(refused([](Description& d) { d.operation.type = OperationType::pull_ahead; }));
+  EXPECT_FALSE(refused([](Description& d) { d.moorings->model = MooringModel::quasi_static; }));
+  EXPECT_FALSE(refused([](Description& d) { d.operation.type = OperationType::pull_ahead; }));
+  EXPECT_TRUE(refused([](Description& d) { d.operation.type = OperationType::anchor_move; }));
+  EXPECT_TRUE(refused([](Description& d) {
+    d.moorings->model = MooringModel::quasi_static;
+    d.moorings->lines.front().fails_at = 100.0;
+  }));
   EXPECT_FALSE(refused([](Description& d) { d.moorings->winches.front().mode = WinchMode::tension; }));
   EXPECT_FALSE(refused([](Description& d) { d.moorings->lines.front().fails_at = 100.0; }));
   EXPECT_FALSE(refused([](Description& d) { d.vessel.motion = VesselMotion::fixed; }));
