@@ -27,12 +27,9 @@ DynamicResults still(const StaticResults& statics) {
   return r;
 }
 
-/// Whether the file is that of a lay, of lines by themselves: their tables lie beside it.
+/// Whether the file is that of a lay: its table lies beside it.
 bool has_pipe(const std::filesystem::path& h5) {
   return std::filesystem::exists(h5.parent_path() / "pipe.csv");
-}
-bool has_lines(const std::filesystem::path& h5) {
-  return std::filesystem::exists(h5.parent_path() / "lines.csv");
 }
 
 Json envelopes(const DynamicResults& r, bool over_time) {
