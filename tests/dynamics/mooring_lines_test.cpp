@@ -121,6 +121,7 @@ Description busy() {
   moorings.lines[0].winch = "mover";
   moorings.lines[1].winch = "keeper";
   moorings.lines[2].fails_at = 0.1;
+  d.statics.mean_drift = false;
   return d;
 }
 

@@ -40,7 +40,7 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(WaveDrift::newman);
   expect_one_word_each(WaveDriftDamping::aranha);
   expect_one_word_each(Ballast::as_given);
-  expect_one_word_each(HullCurrentForm::table);
+  expect_one_word_each(HullCurrentForm::ufc);
   expect_one_word_each(CurrentRelativeTo::earth);
   expect_one_word_each(CoefficientAxes::from_stern_ocimf);
   expect_one_word_each(RopeCore::fibre);
@@ -51,7 +51,8 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(MooringModel::quasi_static);
   expect_one_word_each(WinchMode::tension);
   expect_one_word_each(FindMooring::lengths);
-  expect_one_word_each(OperationType::pull_ahead);
+  expect_one_word_each(OperationType::anchor_plan);
+  expect_one_word_each(MoveShape::zero_vibration);
   expect_one_word_each(true);
 }
 

@@ -53,7 +53,8 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   EXPECT_EQ(extremes * sizeof(DynamicExtreme), sizeof(DynamicRegion));
   // supports, hardest_impacts, histories, spectra, extremes
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 3 * sizeof(DynamicRegion) +
-                sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks),
+                sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks) +
+                sizeof(results.vessel) + sizeof(results.moorings),
             sizeof(DynamicResults));
 }
 

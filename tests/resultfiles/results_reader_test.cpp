@@ -57,7 +57,7 @@ TEST(field_lists, hold_every_single_value) {
   visit_region(results.sagbend, [&](const ResultField&, const Extreme&) { ++extremes; });
   EXPECT_EQ(all.bytes + sizeof(results.touchdown) + sizeof(results.solve) + sizeof(results.overbend) +
                 sizeof(results.tower) + sizeof(results.smallest_tension) + sizeof(results.sagbend) + kListBytes +
-                kListBytes + kListBytes + sizeof(results.checks) + sizeof(results.moorings),
+                kListBytes + kListBytes + sizeof(results.checks) + sizeof(results.moorings) + sizeof(results.hull),
             sizeof(StaticResults));
   EXPECT_EQ(touchdown.bytes, sizeof(Touchdown));
   EXPECT_EQ(solve.bytes, sizeof(SolveReport));
