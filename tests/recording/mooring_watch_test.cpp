@@ -158,6 +158,16 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
   }));
 }
 
+TEST(mooring_watch, says_that_a_long_way_of_a_winch_makes_a_long_element) {
+  const Second second = second_with([](MooringsDescription& moorings) {
+    WinchDescription& winch = moorings.winches.front();
+    winch.mode = WinchMode::length;
+    winch.program = {{100.0, 0.0}, {400.0, 60.0}};
+  });
+  EXPECT_TRUE(says(second.results.warnings, "its shape and tension are less accurate"));
+  EXPECT_FALSE(says(usual().results.warnings, "its shape and tension are less accurate"));
+}
+
 TEST(mooring_watch, a_resumed_run_tells_the_same_bits) {
   Description d = moored_bgl1();
   d.dynamics->duration = 0.375;

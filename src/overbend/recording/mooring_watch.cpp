@@ -130,6 +130,8 @@ void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
     const LineMesh& mesh = assembly.line(i + 1).line().mesh;
     lines_[i].points.clear();
     for (const double s : mesh.s) lines_[i].points.push_back((s - mesh.s.front()) / mesh.total_length());
+    lines_[i].last_element = mesh.length.back();
+    lines_[i].length = mesh.total_length();
   }
   look(state, assembly);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
@@ -259,7 +261,8 @@ void MooringWatch::warn_of_shape(std::size_t line, std::vector<std::string>& lis
 
 void MooringWatch::warn_of_winch(const Watched& line, std::vector<std::string>& list) {
   constexpr double kLeastElement = 0.5, kMostElement = 1.5;
-  constexpr double kLeast = 0.01;  // less is not worth a word [m], [s]
+  constexpr double kLongElement = 0.075;  // half as long again as a cable's longest by its rule
+  constexpr double kLeast = 0.01;         // less is not worth a word [m], [s]
   if (line.rendered > kLeast) {
     list.push_back(
         fmt::format("the winch of mooring line \"{}\" rendered: its brake, set to {:.1f} kN, paid out {:.2f} m",
@@ -281,6 +284,12 @@ void MooringWatch::warn_of_winch(const Watched& line, std::vector<std::string>& 
         "the winch of mooring line \"{}\" changed the length of the line's last element to {:.2f} to {:.2f} "
         "times its own: forces are less accurate beyond a half and one and a half",
         line.name, line.least_element, line.most_element));
+  }
+  if (line.last_element > kLongElement * line.length) {
+    list.push_back(
+        fmt::format("the last element of mooring line \"{}\" is {:.0f} m long, as the way of its winch asks for: its "
+                    "shape and tension are less accurate",
+                    line.name, line.last_element));
   }
   if (line.parted_at) {
     list.push_back(

@@ -58,6 +58,7 @@ class MooringWatch {
     double rendered = 0.0, slipped = 0.0;                ///< So far [m].
     double held_up_for = 0.0;                            ///< The winch, that could not haul in [s].
     double least_element = 1.0, most_element = 1.0;      ///< Length of the last element, of its own.
+    double last_element = 0.0, length = 0.0;             ///< Of the line at the start, and of the whole [m].
     std::vector<Happening> events;
   };
   void note(std::size_t line, const char* what, double time);
