@@ -42,7 +42,7 @@ std::vector<Field> new_place() {
 
 std::vector<Field> anchor_move() {
   using Anchor = AnchorMoveDescription;
-  const auto of = [](Member member) { return through(&Operation::anchor, std::move(member)); };
+  const auto of = [](const Member& member) { return through(&Operation::anchor, member); };
   std::vector<Field> rows = {otherwise(row_of_kind(FieldKind::text, "operation.line", of(fills(&Anchor::line)),
                                                    "Of anchor_move: name of the line under moorings.lines."),
                                        "not used")};

@@ -167,8 +167,9 @@ void check_operation(Checker& check, const std::vector<FieldValue>& lines) {
     }
   };
   if (type != OperationType::pull_ahead) {
-    for (const char* key : {"speed", "acceleration_time", "start", "wait", "shape", "loads"})
+    for (const char* key : {"speed", "acceleration_time", "start", "wait", "shape", "loads"}) {
       foreign(key, "pull_ahead");
+    }
   }
   if (type != OperationType::pull_ahead && type != OperationType::anchor_plan) {
     for (const char* key : {"distance", "moves"}) foreign(key, "pull_ahead");

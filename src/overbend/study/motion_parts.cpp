@@ -46,13 +46,13 @@ class Rows {
     const auto& columns = store_.columns();
     const auto found = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c.name == name; });
     if (found == columns.end() || time_.size() < first_ + 2) return;
-    const HistoryColumn column = *found;
     Values values = store_.column(static_cast<std::size_t>(found - columns.begin()));
     Values slow = low_pass(values, step_, cut_off_);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] -= slow[i];
     fill(std::span(slow).subspan(first_), std::span(values).subspan(first_), out);
     if (!slow_name.empty()) {
-      store_.derive({slow_name, column.units, column.description + ", slow part"}, std::move(slow));
+      const HistoryColumn part{slow_name, found->units, found->description + ", slow part"};
+      store_.derive(part, std::move(slow));
     }
   }
 
@@ -165,8 +165,9 @@ void find_clearances(const std::vector<SeabedObjectDescription>& objects, const 
     const double* at = snapshot.data() + first;
     for (MooringLineDynamics& line : lines) {
       points.clear();
-      for (std::size_t k = 0; k < line.points.size(); ++k, at += kPointNumbers)
+      for (std::size_t k = 0; k < line.points.size(); ++k, at += kPointNumbers) {
         points.emplace_back(at[0], at[1], at[2]);
+      }
       keep_clearance(objects, points, line);
     }
   }
