@@ -30,8 +30,9 @@ Json pose(const SnapshotBlock& block, std::size_t frame) {
 /// Mooring lines with the number of their points.
 Json lines(const std::vector<MooringLineDynamics>& moorings) {
   Json list = Json::array();
-  for (const MooringLineDynamics& line : moorings)
+  for (const MooringLineDynamics& line : moorings) {
     list.push_back({{"name", line.name}, {"points", line.points.size()}});
+  }
   return list;
 }
 
