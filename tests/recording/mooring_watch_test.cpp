@@ -36,9 +36,7 @@ Description moored_bgl1() {
   return d;
 }
 
-Second second_with(const std::function<void(MooringsDescription&)>& change) {
-  Description d = moored_bgl1();
-  change(*d.moorings);
+Second second_of(const Description& d) {
   Model model = build_model(d);
   const LayOutcome lay = solve_lay(model);
   Second second;
@@ -47,6 +45,12 @@ Second second_with(const std::function<void(MooringsDescription&)>& change) {
                                               nullptr, [](const DynamicProgress&) { return DynamicControl::go_on; });
   second.results = outcome.results.value();
   return second;
+}
+
+Second second_with(const std::function<void(MooringsDescription&)>& change) {
+  Description d = moored_bgl1();
+  change(*d.moorings);
+  return second_of(d);
 }
 
 /// Run once for all that look at it.
@@ -70,6 +74,17 @@ TEST(mooring_watch, says_which_line_is_beyond_what_it_bears) {
                                         }).results.warnings;
   EXPECT_TRUE(says(weak, "its breaking load of 250.0 kN"));
   EXPECT_TRUE(says(weak, "holding power"));
+}
+
+// The current acts on lines of elements, which have 3 % more or less for it than the catenaries of statics.
+TEST(mooring_watch, begins_with_the_tensions_of_statics_where_there_is_no_current) {
+  Description d = moored_bgl1();
+  d.environment.current.clear();
+  const Second second = second_of(d);
+  for (std::size_t i = 0; i < second.results.moorings.size(); ++i) {
+    const double at_rest = second.statics.moorings->rest.moorings[i].fairlead_tension;
+    EXPECT_NEAR(second.results.moorings[i].start_fairlead_tension, at_rest, 0.003 * at_rest) << i;
+  }
 }
 
 TEST(mooring_watch, tells_of_lines_what_statics_tells_while_little_moves) {
