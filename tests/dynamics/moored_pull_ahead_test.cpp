@@ -6,39 +6,25 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/mooring_tension.h"
 #include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
+#include "support/moored_lay.h"
 
 namespace overbend {
 namespace {
 
 /// A short way at once, in calm water, on a coarse mesh.
 Description pulled(MooringModel model) {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-pull-ahead.yaml").description.value();
+  Description d = testing::coarse_example("bgl1-pull-ahead", 8.0, 1.0);
   d.moorings->model = model;
   d.environment.waves.type = WaveType::none;
   d.environment.current.clear();
-  d.mesh.overbend_element = 1.0;
-  d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
   d.operation.distance = 0.6;
   d.operation.acceleration_time = 2.0;
   d.operation.start = 0.5;
-  d.dynamics = DynamicSettings{};
-  d.dynamics->duration = 8.0;
-  d.dynamics->build_up = 1.0;
   return d;
 }
 
-struct Lay {
-  explicit Lay(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
-  Model model;
-  LayOutcome lay;
-  double tension() const { return model.description.tensioner.tension.value(); }
-};
-
 TEST(moored_pull_ahead, has_winches_that_go_through_the_lengths_of_the_plan) {
-  const Lay at(pulled(MooringModel::elements));
+  const testing::SolvedLay at(pulled(MooringModel::elements));
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
@@ -68,7 +54,7 @@ TEST(moored_pull_ahead, has_winches_that_go_through_the_lengths_of_the_plan) {
 /// integrated twice over 7.5 s: some 0.06 m. Lines of elements resist the water on their way up and pull more.
 TEST(moored_pull_ahead, begins_sooner_on_lines_that_the_water_resists) {
   const auto way = [](MooringModel model) {
-    const Lay at(pulled(model));
+    const testing::SolvedLay at(pulled(model));
     Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
     EXPECT_FALSE(simulation.failure());
     const double first = simulation.now().state->bodies.at(0).h(0);

@@ -5,31 +5,15 @@
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
 #include "support/line_cases.h"
+#include "support/moored_lay.h"
 
 namespace overbend {
 namespace {
 
 Description moored() {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
-  d.environment.waves.components = 40;
-  d.mesh.overbend_element = 1.0;
-  d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
-  d.dynamics = DynamicSettings{};
-  d.dynamics->duration = 1.0;
-  d.dynamics->build_up = 2.0;
-  return d;
+  return testing::coarse_example("bgl1-moored", 1.0, 2.0);
 }
-
-struct Moored {
-  explicit Moored(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
-  Model model;
-  LayOutcome lay;
-  double tension() const { return model.description.tensioner.tension.value(); }
-};
 
 double fairlead_tension(const Simulation& simulation, std::size_t line) {
   const std::array<double, 6>& force = simulation.now().assembly->line(line).end_force(LineEnd::last);
@@ -40,7 +24,7 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   Description d = moored();
   d.environment.waves.type = WaveType::none;
   d.environment.current.clear();
-  const Moored at(d);
+  const testing::SolvedLay at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
@@ -62,7 +46,7 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
 TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea) {
   Description d = moored();
   d.environment.current.clear();
-  const Moored at(d);
+  const testing::SolvedLay at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   const auto start_of = [&](std::optional<bool> mean_drift) {
     Model model = at.model;
@@ -84,7 +68,7 @@ TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea)
 }
 
 TEST(mooring_lines, go_with_the_barge_through_waves_and_keep_account_of_their_energy) {
-  const Moored at(moored());
+  const testing::SolvedLay at(moored());
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
@@ -126,7 +110,7 @@ Description busy() {
 }
 
 TEST(mooring_lines, whose_winches_move_part_and_drag_and_a_resumed_run_is_the_same) {
-  Moored at(busy());
+  testing::SolvedLay at(busy());
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   at.model.description.moorings->lines[3].anchor_holding = {0.95 * at.lay.moorings->rest.moorings[3].anchor_tension,
                                                             true};  // it drags from the start
@@ -169,7 +153,7 @@ TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselve
   for (MooringLineDescription& line : d.moorings->lines) {
     for (LineSegmentDescription& segment : line.segments) segment.type.friction = 0.0;
   }
-  const Moored at(d);
+  const testing::SolvedLay at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));

@@ -4,31 +4,16 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/mooring_tension.h"
 #include "dynamics/simulation.h"
-#include "modelfile/yaml_reader.h"
-#include "statics/moored_lay.h"
+#include "support/moored_lay.h"
 
 namespace overbend {
 namespace {
 
 Description quasi_static() {
-  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-moored.yaml").description.value();
+  Description d = testing::coarse_example("bgl1-moored", 1.0, 2.0);
   d.moorings->model = MooringModel::quasi_static;
-  d.environment.waves.components = 40;
-  d.mesh.overbend_element = 1.0;
-  d.mesh.touchdown_element = 3.0;
-  d.mesh.longest_element = 8.0;
-  d.dynamics = DynamicSettings{};
-  d.dynamics->duration = 1.0;
-  d.dynamics->build_up = 2.0;
   return d;
 }
-
-struct Lay {
-  explicit Lay(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
-  Model model;
-  LayOutcome lay;
-  double tension() const { return model.description.tensioner.tension.value(); }
-};
 
 double tension_of(const Simulation& simulation, std::size_t mooring, LineEnd end) {
   const Instant now = simulation.now();
@@ -39,7 +24,7 @@ TEST(quasi_static_lay, begins_with_the_tensions_of_statics_and_stays_there_in_ca
   Description d = quasi_static();
   d.environment.waves.type = WaveType::none;
   d.environment.current.clear();
-  const Lay at(d);
+  const testing::SolvedLay at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
@@ -61,7 +46,7 @@ TEST(quasi_static_lay, begins_with_the_tensions_of_statics_and_stays_there_in_ca
 }
 
 TEST(quasi_static_lay, goes_through_waves_and_resumes_bit_for_bit) {
-  const Lay at(quasi_static());
+  const testing::SolvedLay at(quasi_static());
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;

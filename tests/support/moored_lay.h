@@ -1,0 +1,29 @@
+/// BGL-1 on its moorings for tests in time: coarse, and solved.
+#pragma once
+
+#include "modelfile/yaml_reader.h"
+#include "statics/moored_lay.h"
+
+namespace overbend::testing {
+
+/// An example on a coarse mesh, with few waves, for a run of `duration` after `build_up` [s].
+inline Description coarse_example(const char* name, double duration, double build_up) {
+  Description d = read_model(std::string(OVERBEND_SOURCE_DIR "/examples/") + name + ".yaml").description.value();
+  d.environment.waves.components = 40;
+  d.mesh.overbend_element = 1.0;
+  d.mesh.touchdown_element = 3.0;
+  d.mesh.longest_element = 8.0;
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = duration;
+  d.dynamics->build_up = build_up;
+  return d;
+}
+
+struct SolvedLay {
+  explicit SolvedLay(const Description& d) : model(build_model(d)), lay(solve_lay(model)) {}
+  Model model;
+  LayOutcome lay;
+  double tension() const { return model.description.tensioner.tension.value(); }
+};
+
+}  // namespace overbend::testing
