@@ -1,7 +1,10 @@
 /// Solves many random but sensible lays from nothing and reports the share solved, the reasons of the rest, and the
 /// times.
 ///
-///     overbend_robustness [COUNT] [SEED] [FILE.csv] [yields]
+///     overbend_robustness [COUNT] [SEED] [FILE.csv] [yields | routes]
+///
+/// With `routes` every lay has lateral friction, three of four a current and every other a route that bends, with 0.6
+/// to 3 times the radius that friction holds; it says, too, how often no line of steady laying was found.
 ///
 /// With `yields` the steel is X65, Ramberg-Osgood of an exponent between 8 and 40, which these stingers bend past
 /// yield.
@@ -153,7 +156,28 @@ Description random_lay(std::uint64_t seed) {
   return d;
 }
 
+/// From the same seed, so that lays without `routes` stay what they are.
+void put_on_route(std::uint64_t seed, Description& d) {
+  Dice dice(seed + 1000003);
+  d.environment.seabed.friction_lateral = dice.between(0.3, 0.8);
+  if (d.environment.current.empty() && dice.chance(0.6)) {
+    const double towards = dice.between(0.0, 2.0 * std::numbers::pi), speed = dice.between(0.1, 0.8);
+    d.environment.current = {{0.0, speed, towards}, {d.environment.water_depth, 0.2 * speed, towards}};
+  }
+  if (dice.chance(0.5)) return;
+  const Section pipe = derive_section("pipe", d.pipe.section, d.environment.water_weight_density);
+  const double least = pipe.weight_submerged * d.environment.water_depth;
+  const double held = std::max(*d.tensioner.tension - least, 0.05 * least) /
+                      (d.environment.seabed.friction_lateral * pipe.weight_submerged);
+  const double sharpest = 1000.0 * d.pipe.section.steel.outside_diameter;  // no one bends a pipe more on purpose
+  const double length = dice.between(1.0, 4.0) * std::sqrt(held * d.environment.water_depth);
+  d.route.legs = {{length, 0.0, 0.0},
+                  {0.0, std::max(dice.between(0.6, 3.0) * held, sharpest),
+                   (dice.chance(0.5) ? 1.0 : -1.0) * dice.between(2.0, 40.0) * kDegree}};
+}
+
 struct Tally {
+  int beside = 0;  ///< For which no line of steady laying was found.
   int solved = 0, wrong = 0;
   int missed = 0;             ///< Whose recovered tension misses the wanted one by more than 0.1 %.
   double largest_miss = 0.0;  ///< Over the wanted tension [-].
@@ -169,9 +193,10 @@ MaterialDescription random_material(std::uint64_t seed) {
   return material;
 }
 
-void run_one(std::uint64_t seed, bool yields, Tally& tally, fmt::ostream& csv) {
+void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ostream& csv) {
   Description d = random_lay(seed);
-  if (yields) d.pipe.section.steel.material = random_material(seed);
+  if (kind == "routes") put_on_route(seed, d);
+  if (kind == "yields") d.pipe.section.steel.material = random_material(seed);
   const Model model = build_model(d);
   const StaticOutcome outcome = solve_statics(model);
   const double diameter = d.pipe.section.steel.outside_diameter / kInch;
@@ -189,6 +214,12 @@ void run_one(std::uint64_t seed, bool yields, Tally& tally, fmt::ostream& csv) {
       results.force_residual < 1e-9 && results.global_residual < 1e-8 && std::isfinite(results.sagbend.von_mises.value);
   tally.solved += sound ? 1 : 0;
   tally.wrong += sound ? 0 : 1;
+  const bool beside = std::ranges::any_of(
+      results.warnings, [](const std::string& warning) { return warning.starts_with("steady laying"); });
+  if (beside) {
+    ++tally.beside;
+    fmt::print("lay {}: no line of steady laying\n", seed);
+  }
   const double miss = std::abs(results.top_tension / *d.tensioner.tension - 1.0);
   tally.missed += miss > 1e-3 ? 1 : 0;
   tally.largest_miss = std::max(tally.largest_miss, miss);
@@ -209,14 +240,15 @@ int main(int count, char** words) {
   const std::uint64_t seed = count > 2 ? std::stoull(words[2]) : 1;
   auto csv = fmt::output_file(count > 3 ? words[3] : "robustness.csv");
   csv.print("seed,diameter [in],depth [m],tension [kN],boxes,rows,outcome,method,time [ms],residual,global residual\n");
-  const bool yields = count > 4 && std::string(words[4]) == "yields";
+  const std::string kind = count > 4 ? words[4] : "";
   overbend::Tally tally;
   for (int i = 0; i < lays; ++i) {
-    overbend::run_one(seed + static_cast<std::uint64_t>(i), yields, tally, csv);
+    overbend::run_one(seed + static_cast<std::uint64_t>(i), kind, tally, csv);
   }
   std::sort(tally.times.begin(), tally.times.end());
   fmt::print("{} of {} lays solved ({:.2f} %), {} unsound\n", tally.solved, lays, 100.0 * tally.solved / lays,
              tally.wrong);
+  fmt::print("{} without a line of steady laying\n", tally.beside);
   fmt::print("{} miss the wanted tension by more than 0.1 %, the largest miss is {:.2g} %\n", tally.missed,
              100.0 * tally.largest_miss);
   for (const auto& [reason, times] : tally.reasons) {

@@ -8,7 +8,7 @@ set -euo pipefail
 build_packages=(
   ca-certificates g++ cmake ninja-build
   libeigen3-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libhdf5-dev libudunits2-dev
-  libcpp-httplib-dev pkgconf
+  libcpp-httplib-dev libxlsxwriter-dev pkgconf
 )
 test_packages=(
   libgtest-dev libbenchmark-dev

@@ -7,7 +7,7 @@ jobs="$(nproc)"
 step() { echo; echo "== $* [$((SECONDS / 60)) min $((SECONDS % 60)) s]"; }
 
 build_preset() {
-  cmake --preset "$1" -DOVERBEND_TESTS=ON "${@:2}"
+  cmake --preset "$1" -DOVERBEND_TESTS=ON -DOVERBEND_UNITS=ON "${@:2}"
   cmake --build --preset "$1" --parallel "$jobs"
 }
 

@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "dynamics": {"statics", "system"} | ENGINE,
     "recording": {"dynamics", "statics", "system", "checks"} | ENGINE,
     "seafiles": {"model", "base"},
-    "modelfile": {"seafiles", "checks", "model", "base"},
+    "modelfile": {"seafiles", "checks", "resultfiles", "model", "base"},
     "runstore": PLAIN,
     "resultfiles": {"runstore"} | PLAIN,
     "study": EVERYTHING - {"app", "serve"},
@@ -51,12 +51,13 @@ LIBRARIES = [
     ("hdf5", {"resultfiles", "seafiles"}),
     ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve"}),
     ("httplib.h", {"serve"}),
+    ("xlsxwriter.h", {"resultfiles"}),
     ("udunits2.h", {"base"}),
     ("CLI/", {"app"}),
 ]
 
 # Headers of the operating system, for files, terminals, signals and sockets.
-SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
+SYSTEM_HEADER = re.compile(r"^(sys/\w+|unistd|spawn|fcntl|signal|termios|csignal|poll|arpa/\w+)\.h$")
 SYSTEM_LAYERS = {"base", "runstore", "resultfiles", "study", "serve", "app"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"(?P<own>[^"]+)"|<(?P<angle>[^>]+)>)')

@@ -1,23 +1,21 @@
 #!/usr/bin/env python3
-"""Writes the compile commands that the linter reads: sources of one layer together in units.
+"""Writes the compile commands that the linter reads: sources together in units.
 
     tools/tidy_units.py COMPILE_COMMANDS DIRECTORY [EXPRESSION ...]
 
 Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources.
-A unit that does not compile, because two sources have helpers of one name, is halved until it does. Kernels, which are
-compiled once per instruction set, are looked at once each. With expressions, only sources whose path matches one.
+Kernels, which are compiled once per instruction set, are looked at once each. With expressions, only sources whose path
+matches one.
 """
 
-import concurrent.futures
 import json
-import os
 import pathlib
 import re
-import shlex
-import subprocess
 import sys
 
-LARGEST_UNIT = 8
+from units import units
+
+LARGEST_UNIT = 32
 
 
 def sources(commands, expressions):
@@ -35,14 +33,13 @@ def sources(commands, expressions):
 
 
 def groups(chosen):
-    """Sources that may share a unit: of one folder, compiled with the same options."""
+    """Sources that may share a unit: compiled with the same options, with names that get along."""
     together = {}
     for path, command in sorted(chosen.items()):
         options = re.sub(r"\S+\.(cpp|o)\b", "", command["command"])
-        together.setdefault((path.parent, options), []).append(path)
+        together.setdefault(options, []).append(path)
     for paths in together.values():
-        count = -(-len(paths) // LARGEST_UNIT)
-        yield from (paths[i::count] for i in range(count))
+        yield from units(paths, LARGEST_UNIT)
 
 
 def unit_command(paths, chosen, directory):
@@ -57,31 +54,13 @@ def unit_command(paths, chosen, directory):
     return command
 
 
-def compiles(command):
-    arguments = shlex.split(command["command"])
-    arguments[arguments.index("-o") + 1] = os.devnull
-    return subprocess.run(arguments + ["-fsyntax-only", "-w"], cwd=command["directory"], capture_output=True,
-                          check=False).returncode == 0
-
-
-def units(paths, chosen, directory):
-    """Commands for `paths` in units that compile."""
-    command = unit_command(paths, chosen, directory)
-    if len(paths) == 1 or compiles(command):
-        return [command]
-    half = len(paths) // 2
-    return units(paths[:half], chosen, directory) + units(paths[half:], chosen, directory)
-
-
 def main():
     commands = json.loads(pathlib.Path(sys.argv[1]).read_text())
     directory = pathlib.Path(sys.argv[2])
     chosen = sources(commands, sys.argv[3:])
     if not chosen:
         sys.exit("tools/tidy_units.py: no source matches")
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = pool.map(lambda paths: units(paths, chosen, directory), groups(chosen))
-        result = [command for part in found for command in part]
+    result = [unit_command(paths, chosen, directory) for paths in groups(chosen)]
     (directory / "compile_commands.json").write_text(json.dumps(result))
     print(f"linting {len(chosen)} sources in {len(result)} units")
 

@@ -74,7 +74,7 @@ Table impacts() {
   };
   const nlohmann::json rows = benchmark("B11-impact-restitution");
   for (const auto& row : rows) {
-    const testing::Impact impact = testing::roller_impact(1e3 * row[2].get<double>(), kStep);
+    const testing::RollerImpact impact = testing::roller_impact(1e3 * row[2].get<double>(), kStep);
     const std::string name = fmt::format("textbook, e = {:g}", row[0].get<double>());
     add(name, "rebound", "m/s", impact.rebound, -row[6].get<double>());
     add(name, "contact time", "ms", 1e3 * impact.duration, 1e3 * row[5].get<double>());

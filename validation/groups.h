@@ -15,5 +15,9 @@ Group code_checks();
 Group dynamic();
 Group convergence();
 Group lines();
+Group lay_operations();
+Group uneven_beds();
+Group stingers();
+Group fatigue();
 
 }  // namespace overbend::validation

@@ -20,7 +20,8 @@ Lay::Lay(Model model) : model_(std::make_unique<Model>(std::move(model))) {
 
 Station Lay::station(int element, double xi) const {
   const CutForces cut = cut_at(*system_, solution_.state, cuts_, element, xi);
-  return finish_stations(*model_, {make_station(*system_, solution_.state, cut, element, xi)}).front();
+  return finish_stations(*model_, {make_station(*system_, solution_.state, cut, element, xi)}, system_->mesh(), {})
+      .front();
 }
 
 Station Lay::at(double from_top) const {

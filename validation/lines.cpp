@@ -10,10 +10,11 @@ namespace overbend::validation {
 namespace {
 
 Table at_rest() {
-  Table table{"Lines at rest",
-              "Chains of MoorDyn's tests (410, 760 and 1,700 m, 390 kg/m) on a bed without friction at rest, against the "
-              "elastic catenary; the flexible jumper of Lowe and Langley (2006). Elements by the rule of the mesh.",
-              {}};
+  Table table{
+      "Lines at rest",
+      "Chains of MoorDyn's tests (410, 760 and 1,700 m, 390 kg/m) on a bed without friction at rest, against the "
+      "elastic catenary; the flexible jumper of Lowe and Langley (2006). Elements by the rule of the mesh.",
+      {}};
   const double chains[][3] = {{50.0, 1002.0, 835.9}, {200.0, 2070.8, 1406.6}, {600.0, 5237.9, 3248.3}};
   for (const auto& [depth, fairlead, anchor] : chains) {
     const testing::RestingLines lines(testing::chain_case(depth, 0.0));
@@ -40,11 +41,12 @@ double extreme(const std::vector<double>& values, bool largest) {
 }
 
 Table in_time() {
-  Table table{"Lines in motion",
-              "The chains with their fairlead heaving every 10 s, against OrcaFlex (validation/moordyn); the jumper with "
-              "its top moving by 10 m every 27 s along and across its plane, against the published record "
-              "(validation/lowe_langley). Extremes of the tension.",
-              {}};
+  Table table{
+      "Lines in motion",
+      "The chains with their fairlead heaving every 10 s, against OrcaFlex (validation/moordyn); the jumper with "
+      "its top moving by 10 m every 27 s along and across its plane, against the published record "
+      "(validation/lowe_langley). Extremes of the tension.",
+      {}};
   DynamicOptions options;
   options.output_step = 0.1;
   options.max_step = 0.1;
@@ -54,9 +56,9 @@ Table in_time() {
   };
   options.duration = 20.0;
   options.build_up = 10.0;
-  for (const Chain& one : {Chain{"WD0050_Chain_ZZP1_A1.txt", 50.0, 2.0}, Chain{"WD0050_Chain_ZZP1_A2.txt", 50.0, 5.0},
-                           Chain{"WD0200_Chain_ZZP1_A1.txt", 200.0, 2.0},
-                           Chain{"WD0200_Chain_ZZP1_A2.txt", 200.0, 5.0}}) {
+  for (const Chain& one :
+       {Chain{"WD0050_Chain_ZZP1_A1.txt", 50.0, 2.0}, Chain{"WD0050_Chain_ZZP1_A2.txt", 50.0, 5.0},
+        Chain{"WD0200_Chain_ZZP1_A1.txt", 200.0, 2.0}, Chain{"WD0200_Chain_ZZP1_A2.txt", 200.0, 5.0}}) {
     const LineHistory line = testing::run_lines(testing::chain_case(one.depth, one.amplitude), options).front();
     const auto reference = testing::number_columns(std::string("moordyn/") + one.file);
     const std::string name = fmt::format("chain in {:g} m, heave {:g} m", one.depth, one.amplitude);
@@ -88,10 +90,11 @@ Table in_time() {
 }  // namespace
 
 Group lines() {
-  return {"Lines by themselves",
-          "Cables, chains and flexibles between two ends ([theory](theory/lines.md)): rest and motion of the same element "
-          "with their own numbers.",
-          {at_rest(), in_time()}};
+  return {
+      "Lines by themselves",
+      "Cables, chains and flexibles between two ends ([theory](theory/lines.md)): rest and motion of the same element "
+      "with their own numbers.",
+      {at_rest(), in_time()}};
 }
 
 }  // namespace overbend::validation

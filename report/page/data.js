@@ -19,7 +19,9 @@ var Report = {};
     }
 
     // The pipe laid on the seabed is the same all along; show enough of it to see that.
-    const beyond = Math.max(30, 0.15 * data.touchdown.s);
+    const spans = data.bed ? data.bed.spans.filter((span) => span.largest_gap > 0.05) : [];
+    const spanned = spans.length > 0 ? spans[spans.length - 1].s_to + 20 - data.touchdown.s : 0;
+    const beyond = Math.max(30, 0.15 * data.touchdown.s, spanned);
     data.whole_end = Math.min(st.s[st.count - 1], data.touchdown.s + beyond);
 
     Report.indices = function (s_end) {

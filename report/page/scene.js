@@ -10,10 +10,11 @@
 
   function sea(painter, x0, x1, wide) {
     const bed = (x, y) => [x, y, Report.bed(x)];
-    painter.face(kLayer.bed, [bed(x0, -wide), bed(x1, -wide), bed(x1, wide), bed(x0, wide)], 'fill="#efe8d8" stroke="#cfc3a6"');
+    const along = Report.bed_places(x0, x1);
+    painter.face(kLayer.bed, [...along.map((x) => bed(x, -wide)), ...along.slice().reverse().map((x) => bed(x, wide))], 'fill="#efe8d8" stroke="#cfc3a6"');
     const step = d3.tickStep(x0, x1, 10);
     for (const x of d3.range(Math.ceil(x0 / step) * step, x1, step)) painter.line(kLayer.bed, [bed(x, -wide), bed(x, wide)], 'stroke="#d9ceb4" stroke-width="0.8"', 1e6);
-    for (const y of d3.range(Math.ceil(-wide / step) * step, wide, step)) painter.line(kLayer.bed, [bed(x0, y), bed(x1, y)], 'stroke="#d9ceb4" stroke-width="0.8"', 1e6);
+    for (const y of d3.range(Math.ceil(-wide / step) * step, wide, step)) painter.line(kLayer.bed, along.map((x) => bed(x, y)), 'stroke="#d9ceb4" stroke-width="0.8"', 1e6);
     painter.face(kLayer.water, [[x0, -wide, 0], [x1, -wide, 0], [x1, wide, 0], [x0, wide, 0]], 'fill="#7fb2d6" fill-opacity="0.16" stroke="#7fb2d6" stroke-width="0.8"');
   }
 

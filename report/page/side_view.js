@@ -12,8 +12,20 @@
     return [0, 1, 2].map((k) => v.origin[k] + local[0] * v.axes[0][k] + local[1] * v.axes[1][k] + local[2] * v.axes[2][k]);
   };
 
-  // Height of the seabed below a place: the plane through the bed under the stern shoe and under touchdown.
+  // Places where the height of the seabed is known, between two; none of a plane but these two.
+  Report.bed_places = function (x0, x1) {
+    const inner = data.bed ? data.bed.heights.map((h) => h.x).filter((x) => x > x0 && x < x1) : [];
+    return [x0, ...inner, x1];
+  };
+
+  // Height of the seabed below a place: of an uneven one between the heights known, else the plane through the bed under the stern shoe and under touchdown.
   Report.bed = function (x) {
+    if (data.bed) {
+      const heights = data.bed.heights;
+      const i = Math.min(Math.max(d3.bisector((h) => h.x).left(heights, x), 1), heights.length - 1);
+      const [a, b] = [heights[i - 1], heights[i]];
+      return a.z + (b.z - a.z) * Math.min(Math.max((x - a.x) / (b.x - a.x || 1), 0), 1);
+    }
     const touch = data.touchdown.p;
     const z0 = -data.water_depth;
     const z1 = touch[2] - data.pipe_outer_diameter / 2;
@@ -34,7 +46,7 @@
     const [y0, y1] = frame.y.domain();
     const group = frame.plot.append('g');
     group.append('polygon').attr('points', polygon(frame, [[x0, 0], [x1, 0], [x1, y0], [x0, y0]])).attr('fill', '#eaf3f9').attr('opacity', 0.75);
-    group.append('polygon').attr('points', polygon(frame, [[x0, Report.bed(x0)], [x1, Report.bed(x1)], [x1, y0 - 1], [x0, y0 - 1]])).attr('fill', '#e4dac6');
+    group.append('polygon').attr('points', polygon(frame, [...Report.bed_places(x0, x1).map((x) => [x, Report.bed(x)]), [x1, y0 - 1], [x0, y0 - 1]])).attr('fill', '#e4dac6');
     if (y1 > 0 && y0 < 0) {
       group.append('line').attr('x1', frame.x(x0)).attr('x2', frame.x(x1)).attr('y1', frame.y(0)).attr('y2', frame.y(0)).attr('stroke', '#6fa8cc').attr('stroke-width', 1.2);
     }
@@ -188,7 +200,7 @@
     const room = 0.07 * (highest - lowest);
     const head = Math.max(1.6 * room, overbend ? 0 : 0.036 * (last - bow));  // for the word above the tensioner
     const frame = Report.frame(panel, { ...labels, equal: !overbend, height: 330, x: [bow, last + 0.02 * (last - bow)],
-      y: [(overbend ? lowest : Math.min(lowest, Report.bed(last))) - room, highest + head],
+      y: [(overbend ? lowest : Math.min(lowest, d3.min(Report.bed_places(bow, last), Report.bed))) - room, highest + head],
       title: overbend ? 'Elevation, overbend (heights enlarged)' : 'Elevation, whole line (true to scale)' });
     surroundings(frame);
     if (overbend) {

@@ -154,5 +154,40 @@ TEST(compare, neighbouring_rows_of_one_state_are_one_span) {
   EXPECT_EQ(spans[1].state, 2);
 }
 
+/// Two folders of statics of the small lay, the tension of the second raised.
+void two_statics(const TemporaryFolder& folder) {
+  testing::write_file(folder / "a.yaml", kSmallLay);
+  testing::write_file(folder / "b.yaml", with(kSmallLay, "tension: 300 kN", "tension: 330 kN"));
+  for (const char* name : {"a", "b"}) {
+    const std::string stem = (folder / name).string();
+    ASSERT_EQ(run_program("static " + stem + ".yaml -o " + stem).code, 0);
+  }
+}
+
+TEST(compare, result_folders_are_put_beside_each_other) {
+  const TemporaryFolder folder;
+  two_statics(folder);
+  const std::string a = (folder / "a").string(), b = (folder / "b").string(), out = (folder / "out").string();
+  const ProgramRun run = run_program("compare " + a + " " + b + " -o " + out);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("tensioner.tension: 300 kN | 330 kN"), std::string::npos) << run.out;
+  EXPECT_TRUE(fs::exists(folder / "out/comparison.html"));
+  EXPECT_TRUE(fs::exists(folder / "out/comparison.csv"));
+}
+
+TEST(compare, folders_that_cannot_be_compared_end_with_a_sentence) {
+  const TemporaryFolder folder;
+  two_statics(folder);
+  const std::string a = (folder / "a").string(), b = (folder / "b").string();
+  EXPECT_EQ(run_program("compare " + a).code, 2);
+  EXPECT_EQ(run_program("compare " + a + " " + b + " --of tensioner").code, 2);
+  EXPECT_EQ(run_program("compare " + a + ".yaml").code, 2);
+  const ProgramRun missing = run_program("compare " + a + " " + (folder / "none").string());
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.err.find("none: no results.h5"), std::string::npos) << missing.err;
+  EXPECT_EQ(run_program("compare " + a + " " + b + " -o " + b).code, 2);  // its results would be lost
+  EXPECT_TRUE(fs::exists(folder / "b/results.h5"));
+}
+
 }  // namespace
 }  // namespace overbend

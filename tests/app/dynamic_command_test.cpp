@@ -46,6 +46,7 @@ TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {
   const TemporaryFolder folder;
   const ProgramRun run = run_dynamic_model(folder, kSmallLay);
   EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err.find("is finished after"), std::string::npos) << run.err;  // that is said of an earlier run
   for (const char* file : {"summary.json", "pipe.csv", "supports.csv", "impacts.csv", "results.h5", "report.html"}) {
     EXPECT_TRUE(fs::is_regular_file(folder / "out" / file)) << file;
   }

@@ -114,7 +114,7 @@ TEST(dynamic_benchmarks, textbook_damping_on_a_roller_that_cannot_pull_rebounds_
                              {0.7, 0.718201361008, 0.00927883209105, 0.00267992791136},
                              {0.9, 0.902026068717, 0.0097280254536, 0.00300337488289}};
   for (const auto& row : rows) {
-    const Impact impact = roller_impact(damping(damping_ratio(row[0], RestitutionForm::textbook)), kImpactStep);
+    const RollerImpact impact = roller_impact(damping(damping_ratio(row[0], RestitutionForm::textbook)), kImpactStep);
     EXPECT_NEAR(impact.rebound, row[1], kImpactShare * row[1]) << row[0];
     EXPECT_NEAR(impact.duration, row[2], kImpactStep) << row[0];  // seen at the ends of steps only
     EXPECT_NEAR(impact.penetration, row[3], kImpactShare * row[3]) << row[0];
@@ -123,7 +123,7 @@ TEST(dynamic_benchmarks, textbook_damping_on_a_roller_that_cannot_pull_rebounds_
 
 TEST(dynamic_benchmarks, damping_made_for_a_roller_that_cannot_pull_gives_the_restitution_asked) {
   for (const double e : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    const Impact impact = roller_impact(damping(damping_ratio(e, RestitutionForm::clipped)), kImpactStep);
+    const RollerImpact impact = roller_impact(damping(damping_ratio(e, RestitutionForm::clipped)), kImpactStep);
     // The heaviest damping, 1.2 times critical, jumps most: 1 % of 0.1.
     EXPECT_NEAR(impact.rebound, e, std::max(kImpactShare * e, 1e-3)) << e;
   }

@@ -66,5 +66,14 @@ TEST(line_load, is_force_over_length_and_none_where_nothing_can_be_crushed) {
   EXPECT_EQ(line_load(100e3, 0.0), 0.0);
 }
 
+TEST(contact_damage, a_cable_has_no_wall_to_dent) {
+  CableDescription cable;
+  cable.diameter = 0.076;
+  cable.weight_in_air = 240.0;
+  cable.weight_submerged = 205.0;
+  cable.axial_stiffness = 270e6;
+  EXPECT_EQ(dent_depth(50e3, cable_section(cable, 10.05e3)), 0.0);
+}
+
 }  // namespace
 }  // namespace overbend

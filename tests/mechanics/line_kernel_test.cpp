@@ -2,10 +2,19 @@
 
 #include <cmath>
 
+#include "mechanics/point_load.h"
+#include "mechanics/quadrature.h"
 #include "support/fixtures.h"
 
 namespace overbend {
 namespace {
+
+/// Height of the line, and what it may meet there.
+struct Place {
+  double z = 0.0;
+  bool uneven = false;
+  SoilModel soil = SoilModel::linear;
+};
 
 using testing::dense;
 
@@ -19,12 +28,16 @@ struct Setting {
 
 /// A line that crosses the surface or lies on the bed, in a turning current, with contents under pressure and Poisson's
 /// ratio.
-Setting setting(double z, bool loads) {
+Setting setting(const Place& place, bool loads) {
   Description d = testing::plain_description();
   if (loads) {
     d.environment.seabed.slope = 0.05;
+    if (place.uneven) d.environment.seabed.bathymetry = testing::hummocks();
+    d.environment.seabed.soil = place.soil;
+    d.environment.seabed.bearing_force = 40e3;
     d.environment.seabed.slope_towards = 1.0;
     d.environment.seabed.friction_lateral = 0.5;
+    d.environment.seabed.friction_axial = 0.3;
     d.environment.current = {{0.0, 1.0, 0.3}, {20.0, 0.7, 1.0}, {89.0, 0.3, 2.0}};
     d.pipe.section.contents_weight_density = 5e3;
     d.pipe.section.internal_pressure = 2e6;
@@ -42,7 +55,7 @@ Setting setting(double z, bool loads) {
   }
   s.elements = line_elements(s.model, lengths, std::vector<int>(lengths.size(), 0));
   s.env = line_environment(s.model, LayRoute(Vec3(0.0, 0.01, 0.0), -Vec3::UnitX()));
-  s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, z), 5);
+  s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, place.z), 5);
   return s;
 }
 
@@ -57,7 +70,7 @@ std::vector<double> residual(const Setting& s, const std::vector<double>& q, Blo
 }
 
 TEST(line_kernel, agrees_with_the_scalar_rod_element) {
-  const Setting s = setting(50.0, false);
+  const Setting s = setting({50.0}, false);
   BlockTridiagonal tangent(s.nodes);
   const std::vector<double> force = residual(s, s.q, &tangent, best_isa());
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(6 * s.nodes);
@@ -74,10 +87,10 @@ TEST(line_kernel, agrees_with_the_scalar_rod_element) {
   EXPECT_LT((dense(tangent) - stiffness).cwiseAbs().maxCoeff(), 1e-12 * stiffness.cwiseAbs().maxCoeff());
 }
 
-class line_kernel_loads : public ::testing::TestWithParam<double> {};
+class line_kernel_loads : public ::testing::TestWithParam<Place> {};
 
-TEST_P(line_kernel_loads, tangent_is_the_derivative_of_the_force) {
-  const Setting s = setting(GetParam(), true);
+/// Against central differences of forces.
+void expect_exact_tangent(const Setting& s) {
   BlockTridiagonal tangent(s.nodes);
   residual(s, s.q, &tangent, best_isa());
   const Eigen::MatrixXd exact = dense(tangent);
@@ -101,10 +114,56 @@ TEST_P(line_kernel_loads, tangent_is_the_derivative_of_the_force) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, line_kernel_loads, ::testing::Values(3.0, -1.2, -30.0, -90.0));
+TEST_P(line_kernel_loads, tangent_is_the_derivative_of_the_force) {
+  expect_exact_tangent(setting(GetParam(), true));
+}
+
+INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, line_kernel_loads,
+                         ::testing::Values(Place{3.0}, Place{-1.2}, Place{-30.0}, Place{-90.0}, Place{-90.0, true},
+                                           Place{-90.0, true, SoilModel::hyperbolic},
+                                           Place{-90.0, false, SoilModel::bilinear}));
+
+/// Of the route 6 m long arcs, so that its bend matters beside the stiffness of the bed.
+Setting on_bent_route(const LayRoute& route, double friction) {
+  Setting s = setting({-92.5}, true);  // partly in the bed, which slopes
+  s.env = line_environment(s.model, route);
+  s.env.bed_friction_lateral = friction;
+  return s;
+}
+
+TEST(line_kernel, tangent_on_a_bent_route_is_the_derivative_of_the_force_sticking_and_sliding) {
+  const LayRoute route(Vec3(-4.0, 0.3, 0.0), Vec3::UnitX(), 4.0, {{0.0, 9.0, 0.6}, {2.0, 0.0, 0.0}, {0.0, 7.0, -0.5}});
+  expect_exact_tangent(on_bent_route(route, 0.5));
+  expect_exact_tangent(on_bent_route(route, 1e3));
+}
+
+TEST(line_kernel, friction_on_a_bent_route_is_that_of_the_point_load) {
+  const LayRoute route(Vec3(-4.0, 0.3, 0.0), Vec3::UnitX(), 4.0, {{0.0, 9.0, 0.6}, {2.0, 0.0, 0.0}, {0.0, 7.0, -0.5}});
+  Setting s = on_bent_route(route, 0.5), none = on_bent_route(route, 0.0);
+  const std::vector<double> with = residual(s, s.q, nullptr, best_isa()),
+                            without = residual(none, s.q, nullptr, best_isa());
+  Vec3 kernel = Vec3::Zero(), points = Vec3::Zero();
+  for (int node = 0; node < s.nodes; ++node) {
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t dof = static_cast<std::size_t>(6 * node + i);
+      kernel(i) -= with[dof] - without[dof];
+    }
+  }
+  for (int e = 0; e + 1 < s.nodes; ++e) {
+    const double h = s.elements.length[static_cast<std::size_t>(e)];
+    for (int i = 0; i < kGaussPoints; ++i) {
+      const CentrelinePoint at = centreline(testing::element_dofs(s.q, e), kGaussXi[i], h);
+      points += kGaussWeight[i] * h *
+                (point_load(s.elements, s.env, e, at.r, at.a).seabed -
+                 point_load(none.elements, none.env, e, at.r, at.a).seabed);
+    }
+  }
+  EXPECT_GT(points.norm(), 1e3);
+  EXPECT_LT((kernel - points).norm(), 1e-9 * points.norm());
+}
 
 TEST(line_kernel, gives_the_same_on_every_instruction_set) {
-  const Setting s = setting(-1.2, true);
+  const Setting s = setting({-1.2}, true);
   BlockTridiagonal reference(s.nodes);
   const std::vector<double> expected = residual(s, s.q, &reference, Isa::baseline);
   const double largest = dense(reference).cwiseAbs().maxCoeff();
@@ -122,7 +181,7 @@ TEST(line_kernel, gives_the_same_on_every_instruction_set) {
 }
 
 TEST(line_kernel, rigid_rotation_of_a_bent_line_makes_no_other_force) {
-  const Setting s = setting(50.0, false);
+  const Setting s = setting({50.0}, false);
   const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(0.3, -0.5, 0.8).normalized()).toRotationMatrix();
   std::vector<double> turned = s.q;
   for (std::size_t i = 0; i < turned.size(); i += 3) {
@@ -142,8 +201,8 @@ TEST(line_kernel, rigid_rotation_of_a_bent_line_makes_no_other_force) {
 }
 
 TEST(line_kernel, a_line_described_from_its_other_end_feels_the_same_forces) {
-  const Setting s = setting(-1.2, true);
-  Setting reversed = setting(-1.2, true);
+  const Setting s = setting({-1.2}, true);
+  Setting reversed = setting({-1.2}, true);
   const std::size_t n = static_cast<std::size_t>(s.nodes);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {

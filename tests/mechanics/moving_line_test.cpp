@@ -10,6 +10,13 @@
 namespace overbend {
 namespace {
 
+/// Height of the line, and what it may meet there.
+struct Place {
+  double z = 0.0;
+  bool uneven = false;
+  SoilModel soil = SoilModel::linear;
+};
+
 using testing::dense;
 
 /// A soft line in waves and current, moving at random; velocities and accelerations follow the unknowns like those of
@@ -32,9 +39,12 @@ std::vector<double> random_values(std::size_t n, double size, unsigned seed) {
   return values;
 }
 
-MovingSetting setting(double z) {
+MovingSetting setting(const Place& place) {
   Description d = testing::plain_description();
   d.environment.seabed.slope = 0.05;
+  if (place.uneven) d.environment.seabed.bathymetry = testing::hummocks();
+  d.environment.seabed.soil = place.soil;
+  d.environment.seabed.bearing_force = 40e3;
   d.environment.seabed.slope_towards = 1.0;
   d.environment.seabed.friction_lateral = 0.5;
   d.environment.seabed.friction_axial = 0.3;
@@ -50,7 +60,7 @@ MovingSetting setting(double z) {
   }
   s.elements = line_elements(s.model, lengths, std::vector<int>(lengths.size(), 0));
   s.env = line_environment(s.model, LayRoute(Vec3(0.0, 0.01, 0.0), -Vec3::UnitX()));
-  s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, z), 5);
+  s.q = testing::wavy_line(s.nodes, 1.1, Vec3(0.0, 0.0, place.z), 5);
   s.v = random_values(s.q.size(), 1.5, 1);
   s.acc = random_values(s.q.size(), 2.0, 2);
   s.water = random_values(static_cast<std::size_t>(kWaterValues * s.nodes), 1.0, 3);
@@ -79,7 +89,7 @@ std::vector<double> residual(const MovingSetting& s, const std::vector<double>& 
   return r;
 }
 
-class moving_line : public ::testing::TestWithParam<double> {};
+class moving_line : public ::testing::TestWithParam<Place> {};
 
 TEST_P(moving_line, tangent_is_the_total_derivative_of_the_force) {
   const MovingSetting s = setting(GetParam());
@@ -102,10 +112,13 @@ TEST_P(moving_line, tangent_is_the_total_derivative_of_the_force) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, moving_line, ::testing::Values(3.0, -1.2, -30.0, -90.0));
+INSTANTIATE_TEST_SUITE_P(from_air_to_seabed, moving_line,
+                         ::testing::Values(Place{3.0}, Place{-1.2}, Place{-30.0}, Place{-90.0}, Place{-90.0, true},
+                                           Place{-90.0, true, SoilModel::hyperbolic},
+                                           Place{-90.0, false, SoilModel::bilinear}));
 
 TEST(moving_line_kernel, at_rest_in_calm_water_gives_the_static_forces) {
-  MovingSetting s = setting(-5.0);
+  MovingSetting s = setting({-5.0});
   s.v.assign(s.v.size(), 0.0);
   s.acc.assign(s.acc.size(), 0.0);
   s.water.assign(s.water.size(), 0.0);
@@ -118,7 +131,7 @@ TEST(moving_line_kernel, at_rest_in_calm_water_gives_the_static_forces) {
 }
 
 TEST(moving_line_kernel, gives_the_same_on_every_instruction_set) {
-  const MovingSetting s = setting(-90.0);
+  const MovingSetting s = setting({-90.0});
   const std::vector<double> zero(s.q.size(), 0.0);
   const std::vector<double> expected = residual(s, zero, nullptr, Isa::baseline);
   for (const Isa isa : {Isa::avx2, Isa::avx512}) {

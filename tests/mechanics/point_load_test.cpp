@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "mechanics/stress.h"
@@ -53,6 +54,19 @@ TEST(stress, a_thin_pipe_under_inner_pressure_has_the_boiler_stress) {
   loads.internal_pressure = 1e5;
   const SectionStress stress = section_stress(section, loads);
   EXPECT_NEAR(stress.hoop, 1e5 * 0.5 / (2 * 0.0005), 0.003 * stress.hoop);  // t/D = 1/1000
+}
+
+TEST(stress, a_cable_has_the_pressure_of_the_water_across_it) {
+  CableDescription cable;
+  cable.diameter = 0.076;
+  cable.weight_in_air = 240.0;
+  cable.weight_submerged = 205.0;
+  cable.axial_stiffness = 270e6;
+  SectionLoads loads;
+  loads.external_pressure = 0.9e6;
+  const SectionStress stress = section_stress(cable_section(cable, 10.05e3), loads);
+  EXPECT_DOUBLE_EQ(stress.hoop, -0.9e6);  // Lame for a solid bar
+  EXPECT_TRUE(std::isfinite(stress.von_mises));
 }
 
 TEST(stress, a_closed_end_under_water_with_no_effective_tension_is_in_hydrostatic_balance) {

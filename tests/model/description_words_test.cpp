@@ -27,9 +27,14 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(RollerDamping::textbook);
   expect_one_word_each(RollerStiffness::penalty);
   expect_one_word_each(Structure::stinger);
+  expect_one_word_each(LayTableVary::depth);
+  expect_one_word_each(RouteTension::least);
   expect_one_word_each(SupportContact::gap_springs);
   expect_one_word_each(StaticMethod::dynamic_relaxation);
   expect_one_word_each(LayHistory::monotonic);
+  expect_one_word_each(Laying::pulled_across);
+  expect_one_word_each(RollerFriction::haul);
+  expect_one_word_each(SoilModel::bilinear);
   expect_one_word_each(CheckCodes::api);
   expect_one_word_each(SafetyClass::high);
   expect_one_word_each(Manufacture::uoe);
@@ -51,7 +56,8 @@ TEST(description_words, every_enumerator_has_one_word_of_its_own) {
   expect_one_word_each(MooringModel::quasi_static);
   expect_one_word_each(WinchMode::tension);
   expect_one_word_each(FindMooring::lengths);
-  expect_one_word_each(OperationType::anchor_plan);
+  expect_one_word_each(OperationType::ballast);
+  expect_one_word_each(StageTension::seek);
   expect_one_word_each(MoveShape::zero_vibration);
   expect_one_word_each(true);
 }

@@ -34,6 +34,19 @@ int mentions(const Description& d, const std::string& words) {
                                         [&](const std::string& s) { return s.find(words) != std::string::npos; }));
 }
 
+TEST(dynamic_assumptions, of_a_stinger_are_told_where_it_turns_by_itself) {
+  Description d = moving();
+  d.supports.boxes.front().structure = Structure::stinger;
+  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 0);
+  StingerSectionDescription& section = d.supports.sections.emplace_back();
+  section.body = StingerBodyDescription{};
+  section.limits = StingerLimits{-0.1, 0.1};
+  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 1);
+  EXPECT_EQ(mentions(d, "Stops of the stinger"), 1);
+  section.angle = 0.02;
+  EXPECT_EQ(mentions(d, "The stinger turns on its hinges in time"), 0);
+}
+
 TEST(dynamic_assumptions, are_told_of_a_model_with_dynamics_alone) {
   Description d = moving();
   const std::size_t with = assumptions(build_model(d)).size();

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "support/solved_case.h"
+
 namespace overbend::testing {
 
 /// A valid model whose parts the bad corpus spoils one at a time.
@@ -107,17 +109,11 @@ inline int line_of(const std::string& text, const std::string& part) {
 /// Every class of fault.
 const std::vector<Spoiling>& bad_corpus();
 
-inline std::string file_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// The examples and the reference cases of the repository.
 inline std::vector<std::filesystem::path> good_files() {
   std::vector<std::filesystem::path> files;
-  for (const char* folder : {"examples", "validation/static_cases", "validation/mooring_cases"}) {
+  for (const char* folder :
+       {"examples", "validation/static_cases", "validation/mooring_cases", "validation/operation_cases"}) {
     for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(OVERBEND_SOURCE_DIR) / folder)) {
       if (entry.path().extension() == ".yaml") files.push_back(entry.path());
     }

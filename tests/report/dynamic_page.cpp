@@ -1,13 +1,18 @@
-/// Writes the report of made-up results: dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines
+/// Writes the report of made-up results: dynamic_page FILE.html
+/// rough|calm|jlay|moored|moorings|pull_ahead|lines|abandonment|start_up|study_SHAPE
 #include <functional>
 #include <iostream>
 #include <map>
 #include <string>
 
 #include "report/bgl1_results.h"
+#include "report/operation_report.h"
 #include "report/report.h"
+#include "report/study_page.h"
 #include "report/synthetic_dynamics.h"
 #include "report/synthetic_moorings.h"
+#include "report/synthetic_operation.h"
+#include "report/synthetic_study.h"
 
 namespace {
 
@@ -46,9 +51,19 @@ int main(int count, char** words) {
       {"moored", [](const std::string& file) { write_lay("moored", file); }},
       {"moorings", [](const std::string& file) { write_moorings(synthetic_stages(), file); }},
       {"pull_ahead", [](const std::string& file) { write_moorings(synthetic_pull_ahead(), file); }},
-      {"lines", [](const std::string& file) { write_report(synthetic_lines(true), example_text("jumper"), file); }}};
+      {"lines", [](const std::string& file) { write_report(synthetic_lines(true), example_text("jumper"), file); }},
+      {"abandonment",
+       [](const std::string& file) { write_operation_report(synthetic_abandonment(), abandonment_text(), file); }},
+      {"start_up",
+       [](const std::string& file) { write_operation_report(synthetic_start_up(), bgl1().model_text, file); }}};
+  const std::string study = "study_";
+  if (count == 3 && std::string(words[2]).starts_with(study)) {
+    write_study_report(synthetic_study(std::string(words[2]).substr(study.size())), words[1]);
+    return 0;
+  }
   if (count != 3 || kinds.count(words[2]) == 0) {
-    std::cerr << "dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines\n";
+    std::cerr << "dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines|abandonment|start_up|"
+                 "study_SHAPE\n";
     return 2;
   }
   kinds.at(words[2])(words[1]);

@@ -6,7 +6,7 @@ import h5py
 import numpy
 
 offences = []
-UNITS = {"1", "m", "rad", "N", "N m", "1/m", "Pa", "N/m", "N m2", "m2", "m4", "kg/m", "s", "m/s", "N s", "J", "Hz", "(N)^2/Hz",
+UNITS = {"1", "m", "rad", "rad/s", "N", "N m", "1/m", "Pa", "N/m", "N m2", "m2", "m4", "kg/m", "s", "m/s", "N s", "J", "Hz", "(N)^2/Hz",
          "see column units"}
 
 

@@ -33,6 +33,9 @@ TEST(dynamic_field_lists, hold_every_member_of_the_tables) {
   EXPECT_EQ(roller.bytes - kPadding, sizeof(RollerDynamics));  // the word shares eight bytes with an int
   EXPECT_EQ(impact.bytes + kPadding, sizeof(Impact));
   EXPECT_EQ(estimate.bytes - kPadding, sizeof(ExtremeEstimate));  // a flag shares eight bytes with an int
+  SizeVisitor section;
+  visit_stinger_dynamics<const StingerSectionDynamics>(StingerSectionDynamics{}, section);
+  EXPECT_EQ(section.bytes, sizeof(StingerSectionDynamics));
 }
 
 TEST(dynamic_field_lists, hold_every_single_value) {
@@ -54,7 +57,7 @@ TEST(dynamic_field_lists, hold_every_single_value) {
   // supports, hardest_impacts, histories, spectra, extremes
   EXPECT_EQ(keys.bytes + energy.bytes + tensioner.bytes + run.bytes + stations.bytes + 3 * sizeof(DynamicRegion) +
                 sizeof(results.smallest_tension) + 5 * kListBytes + sizeof(results.design) + sizeof(results.checks) +
-                sizeof(results.vessel) + sizeof(results.moorings),
+                sizeof(results.vessel) + sizeof(results.moorings) + sizeof(results.stinger) + sizeof(results.fatigue),
             sizeof(DynamicResults));
 }
 
@@ -75,6 +78,7 @@ std::string bits_of(const DynamicResults& r) {
     for (const RollerDynamics& roller : support.rollers) visit_dynamic_roller(roller, bits);
   }
   for (const Impact& impact : r.hardest_impacts) visit_impact(impact, bits);
+  for (const StingerSectionDynamics& section : r.stinger) visit_stinger_dynamics(section, bits);
   for (const ExtremeEstimate& estimate : r.extremes) visit_estimate(estimate, bits);
   for (const HistorySummary& history : r.histories) {
     for (const std::string& text : {history.name, history.units, history.description}) bits(ResultField{"text"}, text);

@@ -38,7 +38,7 @@ void expect_common_keys(const Json& json) {
   expect_numbers(statics,
                  {"top_tension", "bottom_tension", "largest_tension", "lay_back", "suspended_length", "departure_angle",
                   "top_to_touchdown", "length_top_to_touchdown", "total_length", "iterations", "wall_time",
-                  "roller_stiffness", "largest_penetration"},
+                  "roller_stiffness", "largest_penetration", "top_inclination"},
                  "static");
   expect_keys(statics, {"stinger_tip_clearance", "overbend", "largest_reaction", "method", "history"}, "static");
   expect_numbers(statics["touchdown"], {"x", "y", "z", "s"}, "touchdown");
@@ -60,6 +60,25 @@ TEST(summary_json, has_every_key_of_the_contract_in_s_lay) {
     ASSERT_EQ(support["rows"].size(), 1U);
     expect_numbers(support["rows"][0]["bottom"], {"reaction", "separation"}, "bottom");
   }
+}
+
+TEST(summary_json, tells_of_the_laid_pipe_on_an_uneven_bed) {
+  StaticResults results = solved_case("S16-T300").results;
+  EXPECT_FALSE(Json::parse(static_summary(results))["static"].contains("seabed"));
+  BedResults& bed = results.bed.emplace();
+  bed.contacts.resize(2);
+  bed.spans.resize(1);
+  bed.hogging_moment = 91e3;
+  const Json seabed = Json::parse(static_summary(results))["static"]["seabed"];
+  expect_numbers(seabed, {"tail_tension", "max_penetration", "max_penetration_x"}, "static.seabed");
+  EXPECT_EQ(seabed["max_hogging_moment"]["value"], 91e3);
+  expect_numbers(seabed["max_sagging_moment"], {"value", "x"}, "static.seabed.max_sagging_moment");
+  ASSERT_EQ(seabed["contacts"].size(), 2U);
+  expect_numbers(seabed["contacts"][0], {"x_from", "x_to"}, "contacts");
+  ASSERT_EQ(seabed["free_spans"].size(), 1U);
+  expect_numbers(seabed["free_spans"][0],
+                 {"x_from", "x_to", "length", "max_gap", "max_gap_x", "max_sagging_moment", "max_sagging_moment_x"},
+                 "free_spans");
 }
 
 TEST(summary_json, has_nulls_in_j_lay_where_supports_are_asked_for) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -51,6 +52,22 @@ TEST(seeds_gather, few_or_equal_values_are_not_fitted) {
   const SeedStatistics one = seed_statistics(std::vector<double>{3.0}, SeedExtreme::largest, 600.0);
   EXPECT_EQ(one.mean, 3.0);
   EXPECT_EQ(one.std, 0.0);
+}
+
+TEST(seeds_gather, damage_of_welds_is_that_of_the_worst_spot_and_has_no_extreme) {
+  DynamicResults run;
+  run.fatigue.emplace().spots.resize(2);
+  run.fatigue->spots[0].path_damage = 0.01;
+  run.fatigue->spots[1].path_damage = 0.03;
+  const std::vector<SeedQuantity> quantities = seed_quantities(StaticResults{}, true);
+  const auto at = std::find_if(quantities.begin(), quantities.end(),
+                               [](const SeedQuantity& quantity) { return quantity.name == "fatigue_path_damage"; });
+  ASSERT_NE(at, quantities.end());
+  EXPECT_EQ(at->extreme, SeedExtreme::none);
+  const std::vector<double> values = seed_values(StaticResults{}, run, true);
+  ASSERT_EQ(values.size(), quantities.size());
+  EXPECT_EQ(values[static_cast<std::size_t>(at - quantities.begin())], 0.03);
+  EXPECT_EQ(seed_quantities(StaticResults{}).size(), quantities.size() - 1);
 }
 
 TEST(seeds_gather, the_deviation_is_that_of_a_sample) {

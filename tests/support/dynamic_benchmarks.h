@@ -205,12 +205,12 @@ inline SinkingPipe sinking_pipe(double h) {
 }
 
 /// A pipe of 0.5 t that meets a roller of 5e4 kN/m at 1 m/s, without gravity.
-struct Impact {
+struct RollerImpact {
   double rebound = 0.0;                   ///< Speed away from the roller [m/s].
   double duration = 0.0;                  ///< Of the force [s].
   double penetration = 0.0, force = 0.0;  ///< Largest [m], [N].
 };
-inline Impact roller_impact(double damping, double h) {
+inline RollerImpact roller_impact(double damping, double h) {
   constexpr double kStiffness = 5e7, kMass = 500.0;
   // As short and stiff as a point: its first own frequency is 500 times that of the contact.
   System system = rod_system({1e12, 2.5e10, kMass}, 1.0, 1);
@@ -223,7 +223,7 @@ inline Impact roller_impact(double damping, double h) {
   MovingRod rod(system, straight(system, Vec3::Zero(), Vec3::UnitX()));
   push(rod.now, Vec3(0.0, 0.0, -1.0));
   rod.begin();
-  Impact impact;
+  RollerImpact impact;
   rod.run(h, static_cast<int>(0.02 / h), [&] {
     const RollerContact& contact = rod.contacts()[0];
     if (contact.normal > 0.0) impact.duration = rod.now.time;

@@ -7,6 +7,7 @@
 
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/stinger_dynamics_fields.h"
 #include "runstore/dynamic_histories.h"
 #include "runstore/run_store.h"
 
@@ -107,6 +108,8 @@ inline DynamicResults filled_dynamics(const StaticResults& statics) {
   fill_supports(results, statics, fill);
   results.hardest_impacts.resize(statics.supports.empty() ? 0 : 5);
   for (Impact& impact : results.hardest_impacts) visit_impact(impact, fill);
+  results.stinger.resize(2);
+  for (StingerSectionDynamics& section : results.stinger) visit_stinger_dynamics(section, fill);
   results.extremes.resize(2);
   for (ExtremeEstimate& estimate : results.extremes) visit_estimate(estimate, fill);
   results.spectra = {{"top_tension", "N", {0.0, 0.1}, {3.0, 1.0 / 3.0}}, {"support/b 8/reaction", "N", {0.2}, {7.0}}};

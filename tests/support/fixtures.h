@@ -1,6 +1,7 @@
 /// Small models and lines that several tests share.
 #pragma once
 
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -53,6 +54,22 @@ inline std::vector<double> wavy_line(int nodes, double h, const Vec3& start, uns
     }
   }
   return q;
+}
+
+/// Hummocks around the depth of 89 m, a grid of metres over the places of a wavy line.
+inline Bathymetry hummocks() {
+  Bathymetry bed;
+  bed.columns = 9;
+  bed.rows = 7;
+  for (int row = 0; row < bed.rows; ++row) {
+    for (int column = 0; column < bed.columns; ++column) {
+      const double east = 2.5 * column - 3.0, north = 1.5 * row - 4.3;
+      bed.east.push_back(east);
+      bed.north.push_back(north);
+      bed.depth.push_back(89.0 + 0.8 * std::sin(0.9 * east + 0.4 * north) + 0.3 * std::cos(1.3 * north));
+    }
+  }
+  return bed;
 }
 
 inline ElementVector element_dofs(const std::vector<double>& q, int element) {

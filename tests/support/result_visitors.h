@@ -42,7 +42,7 @@ struct BitsVisitor {
   }
   void operator()(const ResultField& field, bool value) { (*this)(field, value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { text += field.name + "=" + value + "\n"; }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   void operator()(const ResultField& field, Enum value) {
     (*this)(field, std::string(word(value)));
   }

@@ -268,6 +268,83 @@ TEST(body_border, of_rollers_that_rub_is_the_derivative_as_far_as_the_lines_own_
   expect_exact(rod_on_rollers(rubbing(0.01)), 2e-3, kPressed, 1.0);  // slides
 }
 
+/// A section with mass, drag, water and a wire, on a hinge of body `carrier` at `place_V`.
+FreeBody section_on(int carrier, const Vec3& place_V) {
+  FreeBody free;
+  HingedBody& hinged = free.hinge.emplace();
+  hinged.carrier = carrier;
+  hinged.hinge.place_V = place_V;
+  hinged.hinge.axis_V = Vec3(0.1, -1.0, 0.05).normalized();
+  hinged.section.mass = 12.0;
+  hinged.section.center_V = place_V + Vec3(-0.8, 0.05, -0.2);
+  hinged.section.inertia_V = Vec3(2.0, 5.0, 6.0).asDiagonal();
+  hinged.section.strips.push_back({place_V + Vec3(-0.2, 0.1, -0.1), place_V + Vec3(-1.2, 0.1, -0.5), 0.1, 1.0, 1.0, 0});
+  hinged.section.immersed = ImmersedBody{place_V + Vec3(-1.0, 0.0, 0.0), Vec3::UnitZ(), 0.002, 3.0, 0.05};
+  hinged.section.springs.push_back({place_V + Vec3(0.5, 0.0, 1.0), place_V + Vec3(-1.0, 0.0, 0.1), 3000.0, 1.2, true});
+  hinged.law.down = -0.5;  // it leans on the stop, however it is shaken
+  hinged.law.stop_stiffness = 900.0;
+  hinged.law.stop_damping = 2.0;
+  hinged.law.friction = 4.0;
+  auto sea = std::make_shared<SectionSea>();
+  sea->weight_density = 10.05e3;
+  hinged.sea = std::move(sea);
+  free.force_scale = 100.0;
+  return free;
+}
+
+/// Two sections that hang on the body beside the rod, one on the other, both with a roller under the rod.
+System rod_on_sections(const ContactLaw& law, bool free_vessel) {
+  System system = rod_on_body(true, true);
+  if (!free_vessel) {
+    system.bodies[0].free.reset();
+  }
+  for (int i = 0; i < 2; ++i) {
+    Body& section = system.bodies.emplace_back();
+    section.free = section_on(i, Vec3(3.6 - 2.0 * i, 0.1, -0.3));
+    BodyRoller roller = roller_under(i == 0 ? 3.3 : 1.3, 0.01, law);
+    roller.center_V.z() += 0.12;
+    section.rollers = {roller};
+    section.cells = endless_cells();
+  }
+  return system;
+}
+
+// Forces of the sections themselves are differentiated by differences: at rest the slope of the drag, which is square
+// in the speed, comes out as that of 1e-4 rad/s, 1e-5 of the whole.
+TEST(body_border, of_rollers_on_hinged_sections_is_the_derivative) {
+  ContactLaw smooth = rubbing(0.0);
+  smooth.tangential_stiffness = smooth.tangential_damping = 0.0;
+  for (const bool free_vessel : {false, true}) {
+    SCOPED_TRACE(free_vessel);
+    expect_exact(rod_on_sections(smooth, free_vessel), 5e-5, kPressed);
+    expect_exact(rod_on_sections(rubbing(50.0), free_vessel), 5e-5, kPressed);
+  }
+}
+
+// Whatever stands still together: what holds the sections and what the rod does to them is all that the vessel feels.
+TEST(body_border, hinged_sections_hand_their_rollers_forces_on_to_a_free_vessel) {
+  ContactLaw smooth = rubbing(0.0);
+  System system = rod_on_sections(smooth, true);
+  for (Body& body : system.bodies) {
+    if (body.free && body.free->hinge) {
+      body.free->hinge->section = SectionBody{};  // weightless
+      body.free->hinge->law = HingeLaw{};
+    }
+  }
+  System rigid = rod_on_body(true, true);
+  rigid.bodies[0].rollers = {system.bodies[1].rollers[0], system.bodies[2].rollers[0]};
+  rigid.bodies[0].cells = endless_cells();
+  const auto force_on_vessel = [](const System& of) {
+    Tangent at(of, 0.0, 0.0, 1, 0.0);
+    at.assembly().set_time(0.0, at.state);
+    SystemState now = at.state;
+    at.evaluate(now, false);
+    return Vec6(Eigen::Map<const Vec6>(at.assembly().body_residual().data()));
+  };
+  const Vec6 difference = force_on_vessel(system) - force_on_vessel(rigid);
+  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-9 * force_on_vessel(rigid).cwiseAbs().maxCoeff());
+}
+
 TEST(body_border, with_renewed_contacts_gives_the_step_of_a_full_tangent) {
   ContactLaw law = rubbing(0.3);
   law.tangential_stiffness = 30.0;

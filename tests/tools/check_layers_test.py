@@ -13,7 +13,7 @@ CLEAN = {
     "model/model.h": ['#include "base/vec.h"', "#include <Eigen/Core>"],
     "mechanics/rod.cpp": ['#include "model/model.h"', '#include "mechanics/rod.h"'],
     "modelfile/reader.cpp": ["#include <yaml-cpp/yaml.h>", "#include \"seafiles/rao.h\""],
-    "resultfiles/writer.cpp": ["#include <hdf5.h>", "#include \"results/fields.h\""],
+    "resultfiles/writer.cpp": ["#include <hdf5.h>", "#include <xlsxwriter.h>", "#include \"results/fields.h\""],
     "app/main.cpp": ['#include "statics/statics.h"', "#include <CLI/CLI.hpp>"],
 }
 

@@ -43,6 +43,34 @@ test('motion is chosen: harmonic, fixed, a file of the folder, a file of this ma
   await bench.shot(page, 'motion');
 });
 
+/** Answers to what is set come late. */
+const late = async (seen: () => void): Promise<void> => {
+  await page.route((url) => url.pathname === '/api/model/set', async (route) => {
+    seen();
+    await new Promise((done) => setTimeout(done, 700));
+    await route.continue().catch(() => undefined);
+  });
+};
+
+test('what is chosen while the answer to the choice before is on its way stays chosen', async () => {
+  const kind = page.locator('#motion-kind');
+  let held = 0;
+  await late(() => { ++held; });
+  await kind.selectOption('fixed');
+  await kind.selectOption('history');
+  await expect.poll(text).toMatch(/motion: fixed/);
+  await solved(page);
+  expect(await kind.inputValue()).toBe('history');
+  await page.unrouteAll();
+  expect(held).toBe(1);
+  await kind.selectOption('fixed');
+  await expect.poll(() => page.locator('[aria-label="Upload a file"]').count()).toBe(0);
+  await kind.selectOption('raos');
+  await page.setInputFiles('[aria-label="Upload a file"]', join(bench.folder, '../data/bgl1/rao.csv'));
+  await expect.poll(text).toMatch(/raos: rao\.csv/);
+  await solved(page);
+});
+
 test('a new model offers motion and waves without being searched', async () => {
   const before = await text();
   await put(before.replace(/\n *motion:.*/, '').replace(/\n *waves:(.*\n)( {4,}.*\n)*/, '\n'));
@@ -119,6 +147,29 @@ test('a number without unit takes the unit that stood there, in the dialogue as 
   expect(await page.locator('#n-depth').inputValue()).toBe('290 ft');
   expect(await page.locator('dialog .fault').count()).toBe(0);
   await page.keyboard.press('Escape');
+});
+
+test('what is typed while the answer to the value before is on its way stays, with the unit of that value', async () => {
+  let held = 0;
+  await late(() => { ++held; });
+  const depth = page.locator(id('environment.water_depth'));
+  await depth.fill('302 ft');
+  await depth.press('Enter');
+  await depth.fill('291');
+  await expect.poll(text).toContain('water_depth: 302 ft');
+  await expect.poll(() => depth.getAttribute('data-written')).toBe('302 ft');
+  expect(await depth.inputValue()).toBe('291');
+  await depth.press('Enter');
+  await expect.poll(text, { timeout: 5000 }).toContain('water_depth: 291 ft');
+  await depth.fill('92 m');
+  await depth.press('Enter');
+  await depth.fill('93');
+  await depth.press('Enter');
+  await expect.poll(text, { timeout: 5000 }).toContain('water_depth: 93 m');
+  await expect.poll(() => depth.inputValue()).toBe('93 m');
+  await page.unrouteAll();
+  expect(held).toBeGreaterThanOrEqual(4);
+  await solved(page);
 });
 
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

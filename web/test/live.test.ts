@@ -34,5 +34,10 @@ describe('sliders', () => {
     expect(alone[0]).toEqual({ path: 'supports.stinger.radius', value: '200 m' });
     expect(alone.some((c) => c.path.startsWith('supports.stinger.boxes[0]'))).toBe(false);
   });
+  test('of boxes told as a row the radius alone is dragged', () => {
+    const row = readBase([{ path: 'supports.stinger.radius', si: 150 }, { path: 'supports.stinger.boxes.count', si: 8 }]);
+    expect(row).toMatchObject({ radius: 150, row: true, boxes: [] });
+    expect(liveChanges(row, { radius: 200 })).toEqual([{ path: 'supports.stinger.radius', value: '200 m' }]);
+  });
   test('round ends', () => expect(span(250, 0.4, 2)).toEqual([100, 500]));
 });

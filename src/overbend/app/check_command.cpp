@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/stage_lines.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
@@ -132,6 +133,7 @@ int run_check(const std::string& model_file) {
     print_places(model);
     print_supports(model);
   }
+  std::cout << planned_stages(*description);
   std::vector<std::string> warnings = description->warnings;
   const std::vector<std::string> doubts = print_raos(model);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());

@@ -4,7 +4,10 @@
 
 #include "app/check_lines.h"
 #include "app/commands.h"
+#include "resultfiles/operation_reader.h"
+#include "results/worst_stage.h"
 #include "runstore/staged_folder.h"
+#include "study/operation_run.h"
 #include "study/recheck.h"
 
 namespace overbend {
@@ -27,7 +30,23 @@ std::string output_obstacle(const fs::path& output, std::size_t runs) {
   return "";
 }
 
+/// The stages of an operation on the line, one after the other.
+ExitCode check_operation(const fs::path& h5, const CheckResultsArguments& arguments) {
+  const RecheckedOperation again = recheck_operation(h5, arguments.changes);
+  std::cout << again.results.title << "\n";
+  for (const StageResult& stage : again.results.stages) {
+    std::cout << stage.stage.name << "\n" << (stage.lay ? check_lines(stage.lay->checks) : "  no equilibrium\n");
+  }
+  if (!arguments.output.empty()) {
+    write_operation_run(again.results, again.description, arguments.output);
+    std::cout << "Results are in " << arguments.output << "\n";
+  }
+  const StageResult* worst = worst_stage(again.results);
+  return worst != nullptr ? strict_code(worst->lay->checks, arguments.strict) : kDone;
+}
+
 ExitCode check_run(const fs::path& h5, const CheckResultsArguments& arguments, bool named) {
+  if (has_lay_operation(h5)) return check_operation(h5, arguments);
   const Rechecked again = recheck(h5, arguments.changes);
   std::cout << again.statics.title << (named ? ", " + h5.parent_path().filename().string() : "") << "\n";
   std::cout << check_lines(again.checks());

@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/described_commands.h"
 #include "app/exit_code.h"
+#include "app/study_command.h"
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -20,6 +21,7 @@ namespace overbend {
 namespace {
 
 constexpr const char* kStrictHelp = "Exit code 4 if a code check is exceeded; the results are still written";
+constexpr const char* kStageHelp = "One stage of the model's operation on the line alone, by its number or name";
 
 void add_check(CLI::App& program, int& code) {
   CLI::App* command =
@@ -30,20 +32,34 @@ void add_check(CLI::App& program, int& code) {
 }
 
 void add_static(CLI::App& program, int& code) {
-  CLI::App* command = program.add_subcommand("static", "Static equilibrium of a model; writes a folder of results.");
+  CLI::App* command = program.add_subcommand(
+      "static", "Static equilibrium of a model, or of every stage of its operation; writes a folder of results.");
+  auto arguments = std::make_shared<StaticArguments>();
+  command->add_option("MODEL", arguments->model_file, "Model file (YAML)")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the results; default: MODEL's name with .results, here");
+  command->add_option("--stage", arguments->stage, kStageHelp);
+  command->add_flag("--sensitivities", arguments->sensitivities,
+                    "Derivatives of the results by every number of the model, and what its tolerance does to them");
+  command->add_flag("--strict", arguments->strict, kStrictHelp);
+  command->callback([arguments, &code] { code = run_static(*arguments); });
+}
+
+void add_seek(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "seek", "Find the values of keys with which results are as wanted (key `seek`); writes a folder of results.");
   auto model = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
-  auto strict = std::make_shared<bool>(false);
   command->add_option("MODEL", *model, "Model file (YAML)")->required();
   command->add_option("-o,--output", *output, "Folder for the results; default: MODEL's name with .results, here");
-  command->add_flag("--strict", *strict, kStrictHelp);
-  command->callback([model, output, strict, &code] { code = run_static(*model, *output, *strict); });
+  command->callback([model, output, &code] { code = run_seek_command(*model, *output); });
 }
 
 /// Options common to dynamic runs; `what` works in threads.
 template <class Arguments>
-void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what) {
-  command->add_option("MODEL", arguments.model_file, "Model file (YAML)")->required();
+void add_run_options(CLI::App* command, Arguments& arguments, const std::string& what,
+                     const char* model = "Model file (YAML)") {
+  command->add_option("MODEL", arguments.model_file, model)->required();
   command->add_option("--duration", arguments.duration, "Simulated time instead of the model's: '600 s'");
   CLI::Option* resume = command->add_flag("--resume", arguments.take_up.resume, "Continue from the last checkpoint");
   command->add_flag("--restart", arguments.take_up.restart, "Discard an unfinished run and start again")
@@ -62,6 +78,7 @@ void add_dynamic(CLI::App& program, int& code) {
   auto arguments = std::make_shared<DynamicArguments>();
   command->add_option("-o,--output", arguments->output,
                       "Folder for the results; default: MODEL's name with .results, here");
+  command->add_option("--stage", arguments->stage, kStageHelp);
   add_run_options(command, *arguments, "Seeds");
   command->add_flag("--strict", arguments->strict, kStrictHelp);
   command->callback([arguments, &code] { code = run_dynamic(*arguments); });
@@ -70,15 +87,85 @@ void add_dynamic(CLI::App& program, int& code) {
 void add_compare(CLI::App& program, int& code) {
   CLI::App* command = program.add_subcommand(
       "compare",
-      "Dynamic analysis of variants of a model, compared; writes a folder with a page. Ctrl-C leaves checkpoints.");
+      "Dynamic analysis of variants of a model, compared, or results of two or more folders beside each other; writes "
+      "a folder with a page. Ctrl-C leaves checkpoints.");
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("--of", arguments->of, "tensioner: off, controlled, constant; contact: rollers, gap springs")
-      ->required()
       ->check(CLI::IsMember({"tensioner", "contact"}));
   command->add_option("-o,--output", arguments->output,
                       "Folder for the variants and the page; default: MODEL's name with .comparison, here");
-  add_run_options(command, *arguments, "Variants");
+  add_run_options(command, *arguments, "Variants", "Model file (YAML), with --of; or a folder of results");
+  command->add_option("RESULTS", arguments->others, "Further folders of results, compared with the first");
   command->callback([arguments, &code] { code = run_compare(*arguments); });
+}
+
+void add_slurm(CLI::App& command, StudyArguments& arguments) {
+  command.add_option("--on", arguments.on, "Where the cases run: slurm submits a job array; default: here")
+      ->check(CLI::IsMember({"slurm"}));
+  command.add_option("--partition", arguments.slurm.partition, "Slurm: partition; default: the cluster's");
+  command.add_option("--time", arguments.slurm.time, "Slurm: time limit of a task; default: the partition's");
+  command.add_option("--cases-per-task", arguments.slurm.cases_per_task,
+                     "Slurm: cases that a task runs one after the other; default: such that there are 200 tasks");
+  command.add_option("--array-limit", arguments.slurm.array_limit, "Slurm: tasks at work at the same time");
+  command.add_flag("--watch", arguments.watch, "Slurm: tell how far the study is until its tasks have ended");
+  command.add_flag("--resubmit", arguments.resubmit, "Slurm: submit cases that failed or never finished once more");
+}
+
+void add_study(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "study",
+      "Cases of a model with keys set anew, side by side; writes a table. A study that was interrupted or killed "
+      "goes on when it is started again.");
+  auto arguments = std::make_shared<StudyArguments>();
+  command->add_option("STUDY", arguments->study_file, "Study file (YAML); with --gather also the folder of a study")
+      ->required();
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the study; default: STUDY's name with .study, here");
+  command->add_option("--threads", arguments->threads, "Cases run in parallel; default: one per core")
+      ->check(CLI::Range(1, 4096));
+  command->add_option("--checkpoint", arguments->checkpoint_every, "Seconds between checkpoints of a dynamic analysis")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  CLI::Option* dry = command->add_flag("--dry-run", arguments->dry_run,
+                                       "List the cases and estimate the time from a few of them; writes nothing");
+  CLI::Option* only =
+      command->add_option("--case", arguments->only, "Run this case alone, with all its files")->excludes(dry);
+  command->add_flag("--retry-failed", arguments->retry_failed, "Run cases that failed before once more");
+  CLI::Option* tasks = command
+                           ->add_option("--tasks", arguments->tasks,
+                                        "I/N: only cases I, I + N, I + 2 N, ... of the study; I from 0 to N - 1. "
+                                        "Processes may share the folder; --gather makes the table in the end")
+                           ->excludes(dry)
+                           ->excludes(only);
+  command->add_flag("--gather", arguments->gather, "Make the tables from the cases there are; runs none")
+      ->excludes(dry)
+      ->excludes(only)
+      ->excludes(tasks);
+  command->add_flag("--strict", arguments->strict, "Exit code 4 if a case exceeds a code check or has no solution");
+  add_slurm(*command, *arguments);
+  command->callback([arguments, &code] { code = run_study_command(*arguments); });
+}
+
+void add_lay_table(CLI::App& program, int& code) {
+  CLI::App* command = program.add_subcommand(
+      "lay-table", "Table of lays over tension, lay-back, depth or a route; writes CSV, XLSX and a page.");
+  auto arguments = std::make_shared<LayTableArguments>();
+  command->add_option("MODEL", arguments->model_file, "Model file (YAML)")->required();
+  command->add_option("-o,--output", arguments->output,
+                      "Folder for the table; default: MODEL's name with .lay-table, here");
+  std::vector<CLI::Option*> varied;
+  const auto vary = [&](const char* name, std::string& value, const char* text) {
+    varied.push_back(command->add_option(name, value, text));
+    for (std::size_t i = 0; i + 1 < varied.size(); ++i) varied.back()->excludes(varied[i]);
+    return varied.back();
+  };
+  vary("--tension", arguments->tension,
+       "Tension, from..to/steps: '200 kN..400 kN/20'; default: lay_table of the model");
+  vary("--lay-back", arguments->lay_back, "Lay-back, the tension follows: '120 m..180 m/12'");
+  vary("--depth", arguments->depth, "Water depth, at the model's tension: '60 m..120 m/12'");
+  vary("--depths", arguments->depths_file, "Depths along a route: CSV of distance_m or kp_km, and depth_m");
+  command->add_flag("--least", arguments->least, "Along a route: the least tension that passes every check");
+  command->callback([arguments, &code] { code = run_lay_table(*arguments); });
 }
 
 void add_report(CLI::App& program, int& code) {
@@ -193,8 +280,11 @@ int run_command_line(int count, const char* const* words) {
   program.failure_message(CLI::FailureMessage::simple);
   add_check(program, code);
   add_static(program, code);
+  add_seek(program, code);
   add_dynamic(program, code);
   add_compare(program, code);
+  add_study(program, code);
+  add_lay_table(program, code);
   add_report(program, code);
   add_check_results(program, code);
   add_new(program, code);

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/unfinished_run.h"
 #include "model/description.h"
@@ -18,14 +19,27 @@ std::optional<double> duration_of(const std::string& text);
 std::optional<Description> load_model(const std::string& path);
 
 int run_check(const std::string& model_file);
-/// Statics of a model into the folder `output`; empty: "<stem>.results" in the current folder.
-/// With `strict` it returns kCheckExceeded where a governing check is exceeded; the results are written all the same.
-int run_static(const std::string& model_file, const std::string& output, bool strict);
+
+struct StaticArguments {
+  std::string model_file;
+  std::string output;   ///< Folder; empty: "<stem>.results" in the current folder.
+  std::string stage;    ///< Of an operation on the line, by number or name: this one alone; empty: all.
+  bool strict = false;  ///< kCheckExceeded where a governing check is exceeded; results are written all the same.
+  bool sensitivities = false;  ///< Derivatives of the results by the numbers of the model.
+};
+
+/// Statics of a model, or of all stages of its operation on the line.
+int run_static(const StaticArguments& arguments);
+
+/// Goal seek of a model into the folder `output`; empty: "<stem>.results" in the current folder. Returns kNoSolution
+/// where nothing within the bounds is an answer; what was seen on the way is written all the same.
+int run_seek_command(const std::string& model_file, const std::string& output);
 
 struct DynamicArguments {
   std::string model_file;
   std::string output;              ///< Folder; empty: "<stem>.results" in the current folder.
   std::string duration;            ///< With its unit; empty: the model's.
+  std::string stage;               ///< Of an operation on the line, by number or name; empty: the lay as such.
   TakeUp take_up;                  ///< An unfinished run in `output`.
   double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
   int threads = 0;                 ///< Seeds at work at the same time; 0: as many as there are cores.
@@ -38,17 +52,33 @@ int run_dynamic(const DynamicArguments& arguments);
 
 struct CompareArguments {
   std::string model_file;
-  std::string of;                  ///< "tensioner" or "contact".
-  std::string output;              ///< Folder; empty: "<stem>.comparison" in the current folder.
-  std::string duration;            ///< With its unit; empty: the model's.
-  TakeUp take_up;                  ///< Unfinished runs in `output`.
-  double checkpoint_every = 30.0;  ///< Time between checkpoints [s].
-  int threads = 0;                 ///< Variants at work at the same time; 0: as many as there are cores.
+  std::vector<std::string> others;  ///< Folders of results that are compared with `model_file`, then such a folder.
+  std::string of;                   ///< "tensioner" or "contact"; empty where folders are compared.
+  std::string output;               ///< Folder; empty: "<stem>.comparison" in the current folder.
+  std::string duration;             ///< With its unit; empty: the model's.
+  TakeUp take_up;                   ///< Unfinished runs in `output`.
+  double checkpoint_every = 30.0;   ///< Time between checkpoints [s].
+  int threads = 0;                  ///< Variants at work at the same time; 0: as many as there are cores.
 };
 
 /// Dynamic runs of variants of one model, each in a separate folder, and their comparison. Interrupted, it
-/// leaves checkpoints and returns kInterrupted.
+/// leaves checkpoints and returns kInterrupted. Without `of`: results of folders beside each other.
 int run_compare(const CompareArguments& arguments);
+
+/// Differences of inputs and results of two or more folders of results, written to the folder `output`; empty:
+/// "<name of the first>.comparison" in the current folder.
+int run_compare_folders(const std::vector<std::string>& places, const std::string& output);
+
+struct LayTableArguments {
+  std::string model_file;
+  std::string output;                    ///< Folder; empty: "<stem>.lay-table" in the current folder.
+  std::string tension, lay_back, depth;  ///< At most one: "200 kN..400 kN/20". None: the model's lay_table.
+  std::string depths_file;               ///< Or CSV of depths along a route.
+  bool least = false;                    ///< Along a route the least tension that passes, not that of the model.
+};
+
+/// A table of lays with its files and page.
+int run_lay_table(const LayTableArguments& arguments);
 
 /// Writes report.html beside a results.h5, given that file or its folder.
 int run_report(const std::string& place);

@@ -35,6 +35,22 @@ void print(const Comparison& comparison) {
 }  // namespace
 
 int run_compare(const CompareArguments& arguments) {
+  std::error_code ignored;
+  const bool folders = !arguments.others.empty() || fs::is_directory(arguments.model_file, ignored) ||
+                       fs::path(arguments.model_file).extension() == ".h5";
+  if (folders && !arguments.of.empty()) {
+    return tell({RunEnding::wrong_input, "--of is for a model file; folders of results are compared without it"});
+  }
+  if (folders) {
+    std::vector<std::string> places = {arguments.model_file};
+    places.insert(places.end(), arguments.others.begin(), arguments.others.end());
+    return run_compare_folders(places, arguments.output);
+  }
+  if (arguments.of.empty()) {
+    return tell({RunEnding::wrong_input,
+                 "compare: found a model file, expected --of tensioner or --of contact with it, or two or more "
+                 "folders of results"});
+  }
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
   std::variant<StudyPlan, std::string> planned;

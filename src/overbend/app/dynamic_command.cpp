@@ -6,6 +6,7 @@
 
 #include "app/check_lines.h"
 #include "app/commands.h"
+#include "app/fatigue_lines.h"
 #include "app/follow_study.h"
 #include "app/lines_command.h"
 #include "app/mooring_lines.h"
@@ -13,6 +14,8 @@
 #include "app/warning_lines.h"
 #include "resultfiles/dynamic_reader.h"
 #include "study/lines_run.h"
+#include "study/run_folder.h"
+#include "study/stage_choice.h"
 
 namespace overbend {
 namespace {
@@ -48,6 +51,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   }
   std::cout << moored_dynamics_lines(r);
   if (statics.hull) std::cout << hull_lines(*statics.hull);
+  std::cout << fatigue_lines(r);
   std::cout << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
@@ -82,6 +86,29 @@ StudyPlan plan_of(const Description& description, const DynamicArguments& argume
   return std::get<StudyPlan>(plan);
 }
 
+/// The stage that is asked for; of a run that is resumed, the one that it was begun with.
+std::string wanted_stage(const DynamicArguments& arguments, const std::vector<fs::path>& folders) {
+  if (!arguments.stage.empty() || !arguments.take_up.resume) return arguments.stage;
+  for (const fs::path& folder : folders) {
+    if (const std::optional<RunRecord> record = read_record(folder)) return record->stage;
+  }
+  return "";
+}
+
+/// Puts the stage of the operation on the line in place of the lay as such; says where none was chosen.
+std::optional<RunEnd> take_stage(const std::string& wanted, Description& description) {
+  if (wanted.empty()) {
+    if (!is_lay_operation(description.operation.type)) return std::nullopt;
+    description.warnings.push_back(no_stage_warning(description));
+    std::cout << warning_lines({description.warnings.back()});
+    return std::nullopt;
+  }
+  std::variant<Description, RunEnd> chosen = choose_stage(description, wanted);
+  if (const RunEnd* fault = std::get_if<RunEnd>(&chosen)) return *fault;
+  description = std::get<Description>(std::move(chosen));
+  return std::nullopt;
+}
+
 int run_plan(const Description& description, const StudyPlan& plan, const fs::path& folder,
              const DynamicArguments& arguments) {
   const std::optional<bool> resume = goes_on(case_folders(plan, folder), arguments.take_up);
@@ -95,18 +122,20 @@ int run_plan(const Description& description, const StudyPlan& plan, const fs::pa
 }  // namespace
 
 int run_dynamic(const DynamicArguments& arguments) {
-  const std::optional<Description> description = load_model(arguments.model_file);
+  std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".results")
                               : fs::path(arguments.output);
   StudyPlan plan;
   try {
-    if (is_lines_alone(*description)) {
+    if (is_lines_alone(*description) && arguments.stage.empty()) {
       return run_dynamic_lines(*description, duration_of(arguments.duration), folder, arguments.take_up,
                                arguments.checkpoint_every);
     }
     plan = plan_of(*description, arguments);
+    const std::string stage = wanted_stage(arguments, case_folders(plan, folder));
+    if (const std::optional<RunEnd> fault = take_stage(stage, *description)) return tell(*fault);
   } catch (const std::invalid_argument& fault) {
     return tell({RunEnding::wrong_input, fault.what()});
   }

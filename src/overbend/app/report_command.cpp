@@ -1,3 +1,4 @@
+#include "report/operation_report.h"
 #include "report/report.h"
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include "app/exit_code.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/lines_reader.h"
+#include "resultfiles/operation_reader.h"
 #include "resultfiles/results_reader.h"
 
 namespace overbend {
@@ -16,7 +18,10 @@ namespace fs = std::filesystem;
 namespace {
 
 void write_again(const fs::path& h5, const fs::path& file) {
-  if (has_lines(h5)) {
+  if (has_lay_operation(h5)) {
+    const StoredOperation stored = read_operation_results(h5);
+    write_operation_report(stored.results, stored.model_text, file);
+  } else if (has_lines(h5)) {
     const StoredLines stored = read_lines_results(h5);
     write_report(stored.results, stored.model_text, file);
   } else if (has_dynamic(h5)) {
@@ -27,7 +32,8 @@ void write_again(const fs::path& h5, const fs::path& file) {
     write_report(stored.results, stored.model_text, file);
   } else {
     const StoredStatics stored = read_static_results(h5);
-    write_report(stored.results, stored.model_text, file);
+    write_report(stored.results, stored.model_text, file,
+                 {.sensitivities = stored.sensitivities ? &*stored.sensitivities : nullptr});
   }
 }
 

@@ -6,8 +6,12 @@
 #include "app/check_lines.h"
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/friction_lines.h"
 #include "app/lines_command.h"
 #include "app/mooring_lines.h"
+#include "app/operation_command.h"
+#include "app/sensitivity_lines.h"
+#include "app/stinger_lines.h"
 #include "app/warning_lines.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
@@ -16,6 +20,8 @@
 #include "study/lines_run.h"
 #include "study/mooring_run.h"
 #include "study/prepared_case.h"
+#include "study/sensitivities.h"
+#include "study/stage_choice.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -41,6 +47,19 @@ void print_region(const char* name, const StaticResults& r, const RegionResult& 
   line(fmt::format("{} von Mises stress", name), stress(region.von_mises));
 }
 
+void print_laid_pipe(const BedResults& bed) {
+  const auto moment = [&](double value, double x) {
+    return fmt::format("{:>12.1f} kNm, {:.1f} m astern of the stern shoe", value / 1e3, x);
+  };
+  number("tension at the far end", bed.tail_tension / 1e3, "kN");
+  line("laid pipe, hogging moment", moment(bed.hogging_moment, bed.hogging_x));
+  line("laid pipe, sagging moment", moment(bed.sagging_moment, bed.sagging_x));
+  for (const FreeSpanResult& span : bed.spans) {
+    line("free span", fmt::format("{:>12.2f} m, {:.1f} to {:.1f} m astern of the stern shoe, gap {:.3f} m", span.length,
+                                  span.x_from, span.x_to, span.largest_gap));
+  }
+}
+
 void print_results(const StaticResults& r) {
   std::cout << r.title << "\n";
   number("top tension", r.top_tension / 1e3, "kN");
@@ -51,12 +70,15 @@ void print_results(const StaticResults& r) {
   if (r.overbend) print_region("overbend", r, *r.overbend);
   if (r.tower) print_region("tower", r, *r.tower);
   print_region("sagbend", r, r.sagbend);
+  if (r.bed) print_laid_pipe(*r.bed);
   if (r.residual_curvature > 0.0) number("residual curvature", r.residual_curvature, "1/m, at touchdown", 5);
   if (r.stinger_tip_clearance) number("stinger tip clearance", *r.stinger_tip_clearance, "m", 3);
   if (!r.supports.empty()) {
     line("largest roller reaction",
          fmt::format("{:>12.2f} kN at {}", r.largest_reaction / 1e3, r.largest_reaction_support));
   }
+  std::cout << stinger_lines(r);
+  std::cout << friction_lines(r);
   if (r.moorings) std::cout << moored_state_lines(*r.moorings);
   if (r.hull) std::cout << hull_lines(*r.hull);
   std::cout << check_lines(r.checks);
@@ -87,25 +109,39 @@ int run_static_moorings(const Description& description, const Model& model, cons
 
 }  // namespace
 
-int run_static(const std::string& model_file, const std::string& output, bool strict) {
-  const std::optional<Description> description = load_model(model_file);
+int run_static(const StaticArguments& arguments) {
+  std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
-  const fs::path folder = output.empty() ? default_folder(model_file) : fs::path(output);
+  const fs::path folder = arguments.output.empty() ? default_folder(arguments.model_file) : fs::path(arguments.output);
+  if (!arguments.stage.empty()) {
+    std::variant<Description, RunEnd> chosen = choose_stage(*description, arguments.stage);
+    if (const RunEnd* fault = std::get_if<RunEnd>(&chosen)) return tell(*fault);
+    description = std::get<Description>(std::move(chosen));
+  } else if (is_lay_operation(description->operation.type)) {
+    return run_static_operation(*description, folder, arguments.strict);
+  }
   if (is_lines_alone(*description)) return run_static_lines(*description, folder);
   Model model = build_model(*description);
   if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
   const LayOutcome outcome = solve_lay(model);
   if (outcome.failure) return tell(failed_end(*outcome.failure));
   StaticResults results = checked_statics(model, outcome);
+  tell_friction(model, outcome, results);
   tell_hull(model, results);
+  std::optional<SensitivityResults> sensitivities;
+  if (arguments.sensitivities) {
+    sensitivities = find_sensitivities(model, *outcome.solution);
+    if (!sensitivities) results.warnings.emplace_back(kNoSensitivities);
+  }
   try {
-    write_static_run(results, *description, folder);
+    write_static_run(results, *description, folder, sensitivities ? &*sensitivities : nullptr);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
     return tell({RunEnding::wrong_input, fault.what()});
   }
   print_results(results);
+  if (sensitivities) std::cout << sensitivity_lines(*sensitivities);
   std::cout << "Results are in " << folder.string() << "\n";
-  return strict_code(results.checks, strict);
+  return strict_code(results.checks, arguments.strict);
 }
 
 }  // namespace overbend

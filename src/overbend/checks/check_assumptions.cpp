@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "model/description_words.h"
@@ -66,6 +67,7 @@ void assume_material(std::vector<std::string>& list, const CheckStations& all, c
   }
   for (std::size_t i = 0; i < all.sections.size(); ++i) {
     const CheckSection& section = all.sections[i];
+    if (section.cable) continue;
     const std::string where = i == 0 ? "" : fmt::format(" of '{}'", section.name);
     if (!section.grade_of_smts.empty()) {
       list.push_back(fmt::format(
@@ -93,6 +95,10 @@ void assume_api(std::vector<std::string>& list, const CheckStations& all, const 
 
 std::vector<std::string> check_assumptions(const CheckStations& all, const CheckSettings& settings) {
   std::vector<std::string> list;
+  if (std::any_of(all.sections.begin(), all.sections.end(), [](const CheckSection& s) { return s.cable; })) {
+    list.emplace_back(
+        "Code checks: the codes are applied to pipe and head; the cable is held to its breaking load only.");
+  }
   assume_sources(list, settings);
   if (settings.codes != CheckCodes::api) assume_dnv(list, all, settings);
   assume_material(list, all, settings);

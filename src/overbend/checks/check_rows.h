@@ -19,6 +19,9 @@ std::vector<CheckRow> api_rows(const CheckStations& all, const CheckSettings& se
 /// Rollers, coating, tensioner, stinger tip: those that have a limit. `dynamics` may be null.
 std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics);
 
+/// Fatigue of welds while the pipe is laid, where the run counted it.
+std::vector<CheckRow> fatigue_rows(const DynamicResults& dynamics);
+
 /// Utilisation by API RP 1111 for bending and external pressure at a station [-].
 double api_bending_at(const CheckStations& all, const CheckStation& station, const CheckSettings& settings);
 

@@ -74,6 +74,7 @@ std::vector<CheckSection> check_sections(const Model& model) {
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
     sections.push_back(make_check_section(model.description_of(i), model.description.checks));
     sections.back().name = model.sections[i].name;
+    sections.back().cable = model.sections[i].kind == SectionKind::cable;
   }
   return sections;
 }

@@ -16,6 +16,7 @@ namespace overbend {
 
 struct CheckSection {
   std::string name;           ///< As in Model::sections.
+  bool cable = false;         ///< A cable: no code for pipes is about it.
   Wall wall;                  ///< With t2, the nominal wall.
   double thinnest = 0.0;      ///< t1 [m].
   double smys = 0.0;          ///< [Pa]

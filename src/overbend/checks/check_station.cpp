@@ -112,8 +112,10 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
   const std::vector<double> rollers = roller_forces(statics);
   for (std::size_t i = 0; i < statics.stations.size(); ++i) {
     const Station& at = statics.stations[i];
+    if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
     CheckStation station = station_of(model, limits, statics.stations.back().s, at.s, at.p_W);
     const CheckSection& section = out.section_of(station);
+    if (section.cable) continue;
     const StillEffects still = still_effects(at, model.sections[station.section], out.current_separate);
     station.moment = still.functional.norm();
     station.force = at.effective_tension - still.tension;
@@ -138,8 +140,10 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
   const Regions limits = regions(statics);
   const StationDesign& design = dynamics.design;
   for (std::size_t i = 0; i < dynamics.station_s.size(); ++i) {
+    if (model.kind_at(dynamics.station_s.back() - dynamics.station_s[i]) == SectionKind::structure) continue;
     CheckStation station =
         station_of(model, limits, dynamics.station_s.back(), dynamics.station_s[i], dynamics.static_place[i]);
+    if (out.section_of(station).cable) continue;
     station.moment = dynamics.static_moment[i];
     station.force = dynamics.static_tension[i];
     if (out.current_separate) {

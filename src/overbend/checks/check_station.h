@@ -44,10 +44,10 @@ struct CheckStations {
   const CheckSection& section_of(const CheckStation& station) const { return sections[station.section]; }
 };
 
-/// Stations of the static state: design load effects are the factored static ones.
+/// Stations of the static state, those of a cable left out: design load effects are the factored static ones.
 CheckStations static_stations(const Model& model, const StaticResults& statics);
 
-/// Stations of a run: design load effects as the run gathered them.
+/// Stations of a run, those of a cable left out: design load effects as the run gathered them.
 CheckStations dynamic_stations(const Model& model, const StaticResults& statics, const DynamicResults& dynamics);
 
 }  // namespace overbend

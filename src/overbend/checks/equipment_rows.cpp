@@ -2,6 +2,8 @@
 
 #include "checks/check_row.h"
 #include "checks/check_rows.h"
+#include "model/lay_route.h"
+#include "model/lay_stage.h"
 
 namespace overbend {
 namespace {
@@ -108,6 +110,63 @@ void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& sta
   rows.push_back(row);
 }
 
+/// The largest tension of the cable with its place: of the static state, or over a run.
+struct CableLoad {
+  double tension = 0.0, s = 0.0;
+  Vec3 p_W = Vec3::Zero();
+};
+
+CableLoad cable_load(const Model& model, const StaticResults& statics, const DynamicResults* dynamics) {
+  CableLoad load;
+  const double total = statics.stations.back().s;
+  const std::size_t count = dynamics != nullptr ? dynamics->station_s.size() : statics.stations.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double s = dynamics != nullptr ? dynamics->station_s[i] : statics.stations[i].s;
+    const double tension =
+        dynamics != nullptr ? dynamics->effective_tension.max[i] : statics.stations[i].effective_tension;
+    if (tension <= load.tension || model.kind_at(total - s) != SectionKind::cable) continue;
+    load = {tension, s, dynamics != nullptr ? dynamics->static_place[i] : statics.stations[i].p_W};
+  }
+  return load;
+}
+
+void add_cable(std::vector<CheckRow>& rows, const Model& model, const StaticResults& statics,
+               const DynamicResults* dynamics) {
+  static constexpr CheckTitle kTitle = {"cable_load", "Tension of the cable", "breaking load",
+                                        "",           "effective tension",    "N"};
+  const CheckRow row = row_of(kTitle, CheckRegion::line);
+  const std::optional<double> breaking_load = model.description.operation.lay.cable->breaking_load;
+  if (!breaking_load) {
+    rows.push_back(not_done(row, "the cable's breaking load is not given (operation.cable.breaking_load)"));
+    return;
+  }
+  const CableLoad load = cable_load(model, statics, dynamics);
+  rows.push_back(row);
+  rows.back().s = load.s;
+  rows.back().from_top = statics.stations.back().s - load.s;
+  rows.back().p_W = load.p_W;
+  judge_ratio(rows.back(), load.tension, *breaking_load);
+}
+
+/// A bend of the route behind touchdown: the radius that friction holds with a margin, over its own.
+void add_route(std::vector<CheckRow>& rows, const StaticResults& statics) {
+  static constexpr CheckTitle kTitle = {
+      "route_radius", "Radius of the route", "H / (mu w)", "", "least radius times 1.5", "m"};
+  if (!statics.route || statics.route->radius <= 0.0) return;
+  CheckRow row = row_of(kTitle, CheckRegion::line);
+  row.s = statics.touchdown.s;
+  row.from_top = statics.stations.back().s - statics.touchdown.s;
+  row.p_W = statics.touchdown.p_W;
+  if (statics.route->least_radius <= 0.0) {
+    rows.push_back(not_done(row, "the seabed has no lateral friction, which alone would hold a bend"));
+    return;
+  }
+  judge_ratio(row, kRouteReserve * statics.route->least_radius, statics.route->radius);
+  row.remark = statics.route->holds ? "the bend holds; required is 1.5 times the least radius"
+                                    : "the bend does not hold: the pipe slides towards its chord";
+  rows.push_back(row);
+}
+
 }  // namespace
 
 std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& statics, const DynamicResults* dynamics) {
@@ -116,6 +175,10 @@ std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& st
   add_rollers(rows, model, statics, dynamics);
   if (limits.tension) add_tension(rows, *limits.tension, statics, dynamics);
   if (limits.tip_clearance) add_tip(rows, *limits.tip_clearance, statics, dynamics);
+  if (cable_at_top(model.description) || cable_at_far_end(model.description)) {
+    add_cable(rows, model, statics, dynamics);
+  }
+  add_route(rows, statics);
   return rows;
 }
 

@@ -70,6 +70,7 @@ CheckTable table_of(const Model& model, const StaticResults& statics, const Dyna
       if (row->in_time || row - table.rows.begin() >= pipe_rows) say_duration(*row, dynamics->duration);
     }
   }
+  if (dynamics != nullptr) append(table.rows, fatigue_rows(*dynamics));
   table.along = utilisations_along(all, settings);
   table.assumptions = check_assumptions(all, settings);
   return table;

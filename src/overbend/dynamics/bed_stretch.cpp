@@ -5,6 +5,7 @@
 #include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/rod_element.h"
+#include "mechanics/soil_law.h"
 
 namespace overbend {
 namespace {
@@ -16,7 +17,7 @@ struct StaticStretch {
 
 StaticStretch static_stretch(const LineEnvironment& env, const Vec3& r, double radius, double submerged_weight) {
   const GroundPoint ground = ground_at(env, r);
-  const double force = env.bed_stiffness * std::max(0.0, radius - ground.clearance);
+  const double force = soil_force(env, std::max(0.0, radius - ground.clearance));
   if (force <= 0.0 || env.bed_stick <= 0.0) {
     return {0.0, 0.0};
   }

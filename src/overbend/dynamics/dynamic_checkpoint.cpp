@@ -158,6 +158,7 @@ std::vector<double> body_numbers(const HullState& body) {
     out.insert(out.end(), part->begin(), part->end());
   }
   out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
+  out.push_back(body.hinge_slip);
   for (const LineEndForces& line : body.lines) {
     out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift, line.length, line.on_bed});
   }
@@ -174,6 +175,7 @@ void restore_body(const std::vector<double>& in, HullState& body) {
     for (double& value : *part) value = in.at(next++);
   }
   for (double& value : body.radiation.values) value = in.at(next++);
+  body.hinge_slip = in.at(next++);
   for (LineEndForces& line : body.lines) {
     for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
       *value = in.at(next++);

@@ -5,17 +5,20 @@
 #include <limits>
 
 #include "dynamics/bed_stretch.h"
+#include "model/lay_stage.h"
+#include "statics/steady_laying.h"
 #include "system/vessel_body.h"
 
 namespace overbend {
 namespace {
 
-/// The far end stays where statics put it.
-Attachment anchor_of(const StaticSolution& start) {
+/// The far end stays where statics put it; a cable turns there as it will.
+Attachment anchor_of(const Model& model, const StaticSolution& start) {
   const std::vector<double>& q = start.state.q;
   Attachment anchor;
   anchor.end = LineEnd::first;
-  anchor.hold_place = anchor.hold_direction = true;
+  anchor.hold_place = true;
+  anchor.hold_direction = !cable_at_far_end(model.description);
   anchor.place = Vec3(q[0], q[1], q[2]);
   anchor.direction = Vec3(q[3], q[4], q[5]).normalized();
   return anchor;
@@ -62,7 +65,7 @@ TensionerLaw tensioner_law(const TensionerDescription& tensioner, double static_
 
 System pipe_system(const Model& model, const StaticSolution& solution, double static_tension) {
   System system;
-  Line line = pipe_line(model, solution.mesh, lay_route(model));
+  Line line = pipe_line(model, solution.mesh, laid_route(model, solution));
   choose_levels(line.yielding, solution.state.q.data());
   // Without the laid tail carried on behind the static line: how well forces are balanced does not depend on its
   // length.
@@ -72,7 +75,7 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   const double shortest = *std::min_element(line.mesh.length.begin(), line.mesh.length.end());
   system.bodies.push_back(vessel_body(model, shortest, radius));
   system.lines.push_back(std::move(line));
-  system.attachments = {anchor_of(solution), tensioner_of(model, solution, static_tension)};
+  system.attachments = {anchor_of(model, solution), tensioner_of(model, solution, static_tension)};
   system.machine = 1;
   return system;
 }

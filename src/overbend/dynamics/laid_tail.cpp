@@ -38,7 +38,8 @@ double tail_to_hold(const Model& model, double top_tension) {
 
 StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution, double top_tension, double reach) {
   const double wanted = tail_to_hold(model, top_tension);
-  if (model.description.pipe.length || !std::isfinite(wanted)) {
+  const bool shaped = model.seabed.surface.shape() != nullptr;  // where the pipe would lie beyond is not known
+  if (shaped || model.description.pipe.length || !std::isfinite(wanted)) {
     return solution;
   }
   const std::vector<double> added = added_lengths(solution.mesh.length.front(), reach * std::min(wanted, kLongestTail));

@@ -5,6 +5,7 @@
 
 #include "dynamics/pull_ahead.h"
 #include "dynamics/quasi_static_lines.h"
+#include "dynamics/stinger_setup.h"
 #include "dynamics/water_field.h"
 
 namespace overbend {
@@ -16,6 +17,8 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   setup.sea =
       make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
   setup.system = pipe_system(model, start, static_tension);
+  setup.rollers = setup.system.bodies.front().rollers;
+  hang_stinger(model, setup.sea, options.build_up, setup.system);
   const bool quasi_static = d.moorings && d.moorings->model == MooringModel::quasi_static;
   if (start.moorings) {
     setup.mooring_names = mooring_names(*start.moorings);

@@ -21,6 +21,7 @@ struct RunSetup {
   std::unique_ptr<MadeHull> hull;  ///< Where it does; `system` points to it.
   Ballast ballast = Ballast::trim;
   System system;
+  std::vector<BodyRoller> rollers;  ///< Of the vessel and of the stinger's sections, in the order of the supports.
   std::vector<std::string> mooring_names;
   LineShapes moorings;  ///< First shapes of the mooring lines, which follow the pipe among the lines.
   std::vector<double> wave_numbers_ahead;  ///< Of the terms of `motion`, where the vessel moves ahead.

@@ -10,6 +10,7 @@
 #include "dynamics/laid_tail.h"
 #include "dynamics/parting.h"
 #include "dynamics/step_loop.h"
+#include "dynamics/stinger_setup.h"
 
 namespace overbend {
 namespace {
@@ -26,7 +27,10 @@ StaticFailure step_failure(const StepReport& report, const System& system, doubl
   const char* const why = report.end == StepEnd::singular ? "the equations have no solution there"
                                                           : "the forces do not balance even with the shortest step";
   if (line == kBodyPlace) {
-    return {"the time step cannot be solved", "at t = " + std::to_string(time) + " s, the forces on the hull", why};
+    const int body = free_bodies(system)[static_cast<std::size_t>(node)];
+    const bool hinged = system.bodies[static_cast<std::size_t>(body)].free->hinge.has_value();
+    const std::string what = hinged ? "the moments about the stinger's hinge" : "the forces on the hull";
+    return {"the time step cannot be solved", "at t = " + std::to_string(time) + " s, " + what, why};
   }
   const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
   return {"the time step cannot be solved", place_text(time, s), why};
@@ -67,7 +71,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
-  tracker_.emplace(setup_.system.bodies.front().rollers, options.impacts);
+  tracker_.emplace(setup_.rollers, options.impacts);
   if (setup_.move) conveyor_.emplace(model, setup_.system);
   state_ = static_state(setup_.system, start, setup_.moorings, clock_.time());
   for (std::size_t i = 0; i < setup_.system.lines.size(); ++i) {
@@ -75,7 +79,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
   }
   water_memory_.resize(water_.size());
   chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
-  ended_.reserve(setup_.system.bodies.front().rollers.size());
+  ended_.reserve(setup_.rollers.size());
   if (!begin() && !failure_) {
     failure_ = StaticFailure{"the masses of the line are singular", "", "a section without mass"};
   }
@@ -112,6 +116,7 @@ bool Simulation::begin() {
   }
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(first_drive(tensioner_of(setup_.system), tensioner(state_).machine));
+  lean_on_stops(*assembly_, state_, setup_.system);
   if (!begin_motion(*assembly_, state_)) return false;
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);

@@ -50,6 +50,8 @@ class Simulation {
   const std::optional<StaticFailure>& failure() const { return failure_; }
 
   const System& system() const { return setup_.system; }
+  /// Those of the supports, in their order, whichever body carries them.
+  const std::vector<BodyRoller>& rollers() const { return setup_.rollers; }
   /// Names of the mooring lines, which follow the pipe among the lines of the system.
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
   const DynamicOptions& options() const { return options_; }

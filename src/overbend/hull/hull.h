@@ -85,6 +85,7 @@ struct HullState {
   RadiationMemory radiation;
   SlowMotion slow;
   std::vector<LineEndForces> lines;  ///< Of the quasi-static lines on it.
+  double hinge_slip = 0.0;           ///< Of a body on a hinge: elastic part of its friction [rad].
 };
 
 /// The hull at rest at h in water at rest.

@@ -15,6 +15,11 @@ double dent_depth(double force, double steel_diameter, double wall_thickness, do
   return steel_diameter * share * share;
 }
 
+double dent_depth(double force, const Section& section) {
+  if (section.yield_stress <= 0.0) return 0.0;
+  return dent_depth(force, section.steel_diameter, section.wall_thickness, section.yield_stress);
+}
+
 double line_load(double force, double contact_length) {
   return contact_length > 0.0 ? std::max(force, 0.0) / contact_length : 0.0;
 }

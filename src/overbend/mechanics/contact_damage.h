@@ -3,6 +3,7 @@
 #pragma once
 
 #include "model/contact_stiffness.h"
+#include "model/section.h"
 
 namespace overbend {
 
@@ -11,6 +12,9 @@ namespace overbend {
 /// is rigid-plastic and has no elastic threshold: any force > 0 dents, a small one hardly. It is meant for dents small
 /// against the diameter; beyond a third of it the value says no more than "flattened".
 double dent_depth(double force, double steel_diameter, double wall_thickness, double yield_stress);
+
+/// The same in a section of the line; 0 where there is no wall of known strength that could be dented, as in a cable.
+double dent_depth(double force, const Section& section);
 
 /// Force per length of coating [N/m]; 0 where there is no length, as there is no coating to crush.
 double line_load(double force, double contact_length);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mechanics/element_constants.h"
+#include "model/bed_shape.h"
 
 namespace overbend {
 namespace {
@@ -92,23 +93,37 @@ LineElements line_elements(const Model& model, const std::vector<double>& length
   return elements_of_kinds(lengths, sections, constants);
 }
 
+void set_shape(LineEnvironment& env, const BedSurface& bed) {
+  if (bed.shape() == nullptr) return;
+  env.bed_shape = bed.shape();
+  env.bed_highest = std::max(bed.shape()->highest, bed.offset());
+}
+
 LineEnvironment line_environment(const Model& model, const LayRoute& route) {
   LineEnvironment env;
   const BedSurface& bed = model.seabed.surface;
   const Vec3 start = route.place(0.0);
   const Vec3 along = bed.along(start, route.direction(0.0));
   for (int i = 0; i < 3; ++i) {
-    env.bed_normal[i] = bed.normal(start.x(), start.y())(i);
+    env.bed_normal[i] = bed.plane_normal()(i);
     env.route_normal[i] = route.port(0.0)(i);
     env.bed_along[i] = along(i);
   }
   env.bed_offset = bed.offset();
+  set_shape(env, bed);
   env.bed_stiffness = model.seabed.stiffness;
   env.bed_friction_lateral = model.seabed.friction_lateral;
   env.bed_friction_axial = model.seabed.friction_axial;
   env.bed_stick = model.seabed.stiffness;
+  env.bed_soil = static_cast<int>(model.description.environment.seabed.soil);
+  env.bed_bearing = model.description.environment.seabed.bearing_force.value_or(0.0);
   env.bed_damping = model.description.environment.seabed.damping;
   env.route_offset = route.port_offset();
+  if (!route.straight()) {
+    env.route_pieces = static_cast<int>(route.pieces()->size());
+    env.route = route.pieces()->data();
+    env.route_shift = route.shift();
+  }
   env.current_rows = static_cast<int>(model.current.z.size());
   env.current_z = model.current.z.data();
   env.current_vx = model.current.vx.data();

@@ -39,8 +39,12 @@ struct LineElements {
 /// Fills the constants of elements of the given lengths and sections.
 LineElements line_elements(const Model& model, const std::vector<double>& lengths, const std::vector<int>& sections);
 
-/// The surroundings of a line laid along a route. Points into `model`, which must outlive it.
+/// The surroundings of a line laid along a route. Points into `model` and to the pieces of a
+/// route that bends, which must outlive it.
 LineEnvironment line_environment(const Model& model, const LayRoute& route);
+
+/// A bed's shape, if it has one, into what surrounds a line.
+void set_shape(LineEnvironment& env, const BedSurface& bed);
 
 /// Immersed fraction of a circular section with its centre at height z above the surface, and its derivative in z: the
 /// exact circular segment.

@@ -3,7 +3,11 @@
 /// machine may lack.
 #pragma once
 
+#include "model/route_piece.h"
+
 namespace overbend {
+
+struct BedShape;
 
 /// Element constants, see LineElements.
 struct LineView {
@@ -17,15 +21,26 @@ struct LineView {
 /// ground.h and line_kernel_ground.h.
 struct LineEnvironment {
   double bed_normal[3] = {0.0, 0.0, 1.0};
-  double bed_offset = -1e30;   ///< normal . point of the bed [m].
+  double bed_offset = -1e30;  ///< normal . point of the bed [m].
+  /// Heights of a bed that is not a plane, in place of normal and offset; null for a plane.
+  const BedShape* bed_shape = nullptr;
+  double bed_relief = 1.0;     ///< Factor on the shape's heights over `bed_level`, for continuation.
+  double bed_level = 0.0;      ///< [m]
+  double bed_lowered = 0.0;    ///< How far the shape lies lower, along its normal [m].
+  double bed_highest = -1e30;  ///< No place of the shape is higher, whatever its relief [m].
   double bed_stiffness = 0.0;  ///< [N/m2]
   double bed_friction_lateral = 0.0;
   double bed_friction_axial = 0.0;
   double bed_stick = 0.0;                    ///< Elastic stick per length [N/m2].
+  int bed_soil = 0;                          ///< As SoilModel: linear, hyperbolic, bilinear.
+  double bed_bearing = 0.0;                  ///< Of soil that is not linear [N/m].
   double bed_damping = 0.0;                  ///< On approach, in motion only [N s/m2].
   double route_normal[3] = {0.0, 1.0, 0.0};  ///< Horizontal, across the lay route, to port.
   double bed_along[3] = {1.0, 0.0, 0.0};     ///< Along the laid line on the bed, away from the barge.
   double route_offset = 0.0;                 ///< route_normal . point of the route [m].
+  int route_pieces = 0;                      ///< 0: the route is straight, as the three above have it.
+  const RoutePiece* route = nullptr;         ///< Of one that is not; `route_normal` and `bed_along` are at its start.
+  double route_shift = 0.0;                  ///< How far to port of these the pipe was laid [m].
   double current_scale = 1.0;                ///< Of the current's speed, for continuation.
   int current_rows = 0;                      ///< 0: no current.
   const double* current_z = nullptr;         ///< Rising z [m].

@@ -67,22 +67,77 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
   }
 }
 
+/// Axial friction on a shape: what lies on the bed does not slide down its local slope, up to mu times the normal
+/// force.
+inline void add_downhill_friction(PointLoad& load, const LineEnvironment& env, const Vec& r, const BedUnder& bed,
+                                  const Lanes& touching, const Lanes& normal, const Lanes& stiffness,
+                                  const Lanes& submerged_weight) {
+  const AlongShape along = along_shape(env, r, bed);
+  const Lanes pull = touching * submerged_weight * along.direction.z;
+  const Lanes limit = env.bed_friction_axial * normal;
+  const Lanes sign = pull > 0.0 ? all(1.0) : all(-1.0);
+  const Lanes sliding = sign * pull > limit ? all(1.0) : Lanes{};
+  const Lanes size = sliding * sign * limit + (1.0 - sliding) * pull;
+  load.f = load.f + size * along.direction;
+  add_columns(load.in_r, size, along.turn);
+  add_outer(load.in_r, -sliding * sign * env.bed_friction_axial * stiffness, along.direction, bed.gradient);
+  const Vec rise{along.turn.in_x.z, along.turn.in_y.z, Lanes{}};
+  add_outer(load.in_r, (1.0 - sliding) * touching * submerged_weight, along.direction, rise);
+}
+
+/// Axial friction on a route that bends keeps the laid pipe from sliding downhill as on a straight one, along the
+/// direction of the place.
+inline void add_downhill_friction_in_bend(PointLoad& load, const LineEnvironment& env, const Vec& r, const Vec& n,
+                                          const Lanes& touching, const Lanes& normal, const Lanes& stiffness,
+                                          const Lanes& submerged_weight) {
+  const auto [across, off, curvature] = beside_route(env, r);
+  const Vec level{-1.0 * across.y, across.x, Lanes{}};
+  const Vec along = along_route(env, r);
+  const Lanes pull = submerged_weight * along.z;
+  const Lanes size = pull > 0.0 ? pull : -pull;
+  const Lanes uphill = pull > 0.0 ? all(1.0) : all(-1.0);
+  const Lanes limit = env.bed_friction_axial * normal;
+  const Lanes sliding = size > limit ? all(1.0) : Lanes{};
+  const Lanes force = uphill * (sliding * limit + (touching - sliding * touching) * size);
+  load.f = load.f + force * along;
+  add_outer(load.in_r, -env.bed_friction_axial * uphill * sliding * stiffness, along, n);
+  // going along the bend turns the level direction towards its centre, and `along` as far as it lies on the bed
+  const Vec turned = across - dot(across, n) * n;
+  const Lanes rise = dot(level, n);
+  const Vec turn = (curvature / root(1.0 - rise * rise)) * (turned - dot(along, turned) * along);
+  add_outer(load.in_r, force, turn, level);
+  add_outer(load.in_r, (touching - sliding * touching) * submerged_weight * turn.z, along, level);
+}
+
 /// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
 /// normal force (statics: the pipe was laid on its route and has been pushed off it once).
 inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
                        const Lanes& submerged_weight) {
-  const auto [n, clearance] = bed_under(env, r);
-  const Lanes penetration = radius - clearance;
+  const BedUnder bed = bed_under(env, r, radius);
+  const Vec& n = bed.normal;
+  const Lanes penetration = radius - bed.clearance;
   if (!any(penetration)) {
     return;
   }
   const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
-  const Lanes stiffness = env.bed_stiffness * touching;
-  const Lanes normal = stiffness * penetration;
+  Lanes stiffness = env.bed_stiffness * touching;
+  Lanes normal = stiffness * penetration;
+  if (env.bed_soil != 0) {
+    const SoilForce soil = soil_force(env, touching, penetration);
+    stiffness = soil.slope;
+    normal = soil.force;
+  }
   load.f = load.f + normal * n;
-  add_outer(load.in_r, -stiffness, n, n);
-  if (env.bed_friction_axial > 0.0 &&
-      env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
+  add_outer(load.in_r, -stiffness, n, bed.gradient);
+  if (env.bed_shape != nullptr) {
+    add_columns(load.in_r, normal, bed.turn);
+    if (env.bed_friction_axial > 0.0) {
+      add_downhill_friction(load, env, r, bed, touching, normal, stiffness, submerged_weight);
+    }
+  } else if (env.bed_friction_axial > 0.0 && env.route_pieces > 0) {
+    add_downhill_friction_in_bend(load, env, r, n, touching, normal, stiffness, submerged_weight);
+  } else if (env.bed_friction_axial > 0.0 &&
+             env.bed_along[2] != 0.0) {  // axial friction keeps the laid pipe from sliding downhill
     const Vec along = along_route(env, r);
     const double uphill = env.bed_along[2] > 0.0 ? 1.0 : -1.0;
     const Lanes pull = submerged_weight * (uphill * env.bed_along[2]);
@@ -92,16 +147,21 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
     add_outer(load.in_r, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
   }
   if (env.bed_friction_lateral > 0.0) {
-    const Vec across = across_route(env, r);
-    const Lanes off = off_route(env, r);
+    const auto [across, off, curvature] = beside_route(env, r);
     const Lanes stick = -env.bed_stick * touching * off;
     const Lanes limit = env.bed_friction_lateral * normal;
     const Lanes sign = off > 0.0 ? all(-1.0) : all(1.0);
     const Lanes size = stick > 0.0 ? stick : -stick;
     const Lanes sliding = size > limit ? all(1.0) : Lanes{};
-    load.f = load.f + (sliding * sign * limit + (1.0 - sliding) * stick) * across;
+    const Lanes force = sliding * sign * limit + (1.0 - sliding) * stick;
+    load.f = load.f + force * across;
+    if (env.route_pieces >
+        0) {  // going along a bent route turns the direction across it: d across = -curvature d along
+      const Vec level{-1.0 * across.y, across.x, Lanes{}};
+      add_outer(load.in_r, -1.0 * curvature * force, level, level);
+    }
     add_outer(load.in_r, -(1.0 - sliding) * env.bed_stick * touching, across, across);
-    add_outer(load.in_r, -sliding * sign * env.bed_friction_lateral * stiffness, across, n);
+    add_outer(load.in_r, -sliding * sign * env.bed_friction_lateral * stiffness, across, bed.gradient);
   }
 }
 

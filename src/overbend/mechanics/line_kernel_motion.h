@@ -173,23 +173,83 @@ struct BedSlip {
   Lanes across, along;
 };
 
+/// The bed's normal force at moving points.
+struct NormalForce {
+  Lanes touching, approaching, size;
+  Lanes in_r;       ///< Derivative of its size along the normal of a plane.
+  Lanes stiffness;  ///< Of the soil.
+};
+
+/// What a shape adds to the normal force of a plane, and friction on it: clearance and normal have their own
+/// derivatives, and the direction along the route turns with the bed.
+template <bool kTangent>
+inline BedSlip add_moving_shape(PointLoad& load, const LineEnvironment& env, const LineMotion& motion,
+                                const MovingPoint& at, const BedUnder& bed, const NormalForce& normal,
+                                const BedSlip& slip) {
+  const Vec& n = bed.normal;
+  const Vec more = -normal.stiffness * (bed.gradient - n) -
+                   (env.bed_damping * normal.approaching) * transposed_times(bed.turn, at.v);
+  if constexpr (kTangent) {
+    add_outer(load.in_r, all(1.0), n, more);
+    add_columns(load.in_r, normal.size, bed.turn);
+  }
+  BedSlip next{Lanes{}, Lanes{}};
+  const auto hold = [&](const Vec& direction, double mu, const Lanes& stretch) {
+    const Lanes speed = dot(direction, at.v);
+    const Lanes held = add_bed_friction<kTangent>(load, env, motion, n, direction, mu, normal.touching, normal.size,
+                                                  normal.in_r, speed, stretch);
+    const Lanes trial = normal.touching * (stretch + motion.step * speed);
+    const Lanes sliding = (trial > 0.0 ? trial : -trial) > mu * normal.size / env.bed_stick ? all(1.0) : Lanes{};
+    if constexpr (kTangent) {
+      add_outer(load.in_r, -sliding * (trial > 0.0 ? all(mu) : all(-mu)), direction, more);
+    }
+    return std::pair{held, sliding};
+  };
+  if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
+    next.across = hold(across_route(env, at.r), env.bed_friction_lateral, slip.across).first;
+  }
+  if (env.bed_friction_axial > 0.0 && env.bed_stick > 0.0) {
+    const AlongShape along = along_shape(env, at.r, bed);
+    const auto [held, sliding] = hold(along.direction, env.bed_friction_axial, slip.along);
+    next.along = held;
+    if constexpr (kTangent) {
+      add_columns(load.in_r, -env.bed_stick * held, along.turn);
+      add_outer(load.in_r, (sliding - 1.0) * normal.touching * (env.bed_stick * motion.step), along.direction,
+                transposed_times(along.turn, at.v));
+    }
+  }
+  return next;
+}
+
 /// Normal penalty with damping on approach, never pulling, and friction across and along the route.
 template <bool kTangent>
 inline BedSlip add_moving_seabed(PointLoad& load, const LineEnvironment& env, const LineMotion& motion,
                                  const MovingPoint& at, const Lanes& radius, const BedSlip& slip) {
-  const auto [n, clearance] = bed_under(env, at.r);
-  const Lanes penetration = radius - clearance;
+  const BedUnder bed = bed_under(env, at.r, radius);
+  const Vec& n = bed.normal;
+  const Lanes penetration = radius - bed.clearance;
   if (!any(penetration)) {
     return BedSlip{Lanes{}, Lanes{}};
   }
   const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
   const Lanes speed = -dot(n, at.v);
   const Lanes approaching = speed > 0.0 ? touching : Lanes{};
-  const Lanes normal = touching * env.bed_stiffness * penetration + approaching * env.bed_damping * speed;
-  const Lanes in_r = -(touching * env.bed_stiffness + approaching * (env.bed_damping * motion.velocity_share));
+  Lanes normal = touching * env.bed_stiffness * penetration + approaching * env.bed_damping * speed;
+  Lanes in_r = -(touching * env.bed_stiffness + approaching * (env.bed_damping * motion.velocity_share));
+  Lanes stiffness = touching * env.bed_stiffness;
+  if (env.bed_soil != 0) {
+    const SoilForce soil = soil_force(env, touching, penetration);
+    stiffness = soil.slope;
+    normal = soil.force + approaching * env.bed_damping * speed;
+    in_r = -(stiffness + approaching * (env.bed_damping * motion.velocity_share));
+  }
   load.f = load.f + normal * n;
   if constexpr (kTangent) {
     add_outer(load.in_r, in_r, n, n);
+  }
+  if (env.bed_shape != nullptr) {
+    return add_moving_shape<kTangent>(load, env, motion, at, bed, {touching, approaching, normal, in_r, stiffness},
+                                      slip);
   }
   BedSlip next{Lanes{}, Lanes{}};
   if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
@@ -268,20 +328,33 @@ inline void add_energy(LineEnergy& sum, const Batch& e, const LineEnvironment& e
     add_morison<false>(water, env, motion, at, wet, c, inertia);
     sum.fluid_power += sum_of(w * dot(water.f, at.v), used);
 
-    const auto [n, clearance] = bed_under(env, at.r);
-    const Lanes penetration = c.radius - clearance;
+    const BedUnder bed = bed_under(env, at.r, c.radius);
+    const Vec& n = bed.normal;
+    const Lanes penetration = c.radius - bed.clearance;
     if (!any(penetration)) {
       continue;
     }
     const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
     const Lanes speed = -dot(n, at.v);
     const Lanes damping = speed > 0.0 ? touching * env.bed_damping * speed * speed : Lanes{};
-    sum.seabed += sum_of(0.5 * w * env.bed_stiffness * touching * penetration * penetration, used);
+    Lanes held = touching * env.bed_stiffness * penetration;
+    if (env.bed_soil != 0) {
+      const SoilForce soil = soil_force(env, touching, penetration);
+      held = soil.force;
+      sum.seabed += sum_of(w * soil.energy, used);
+    } else {
+      sum.seabed += sum_of(0.5 * w * env.bed_stiffness * touching * penetration * penetration, used);
+    }
     Lanes loss = damping;
+    Vec along = along_route(env, at.r);
+    if (env.bed_shape != nullptr) {  // the force of a curved bed has no potential: what it is off counts as lost
+      along = along_shape(env, at.r, bed).direction;
+      loss += held * dot(bed.gradient - n, at.v);
+    }
     if (motion.bed_slip != nullptr) {
       double* slips = const_cast<double*>(motion.bed_slip);
       loss += env.bed_stick * (*slip_at(slips, i, 0, padded, first) * dot(across_route(env, at.r), at.v) +
-                               *slip_at(slips, i, 1, padded, first) * dot(along_route(env, at.r), at.v));
+                               *slip_at(slips, i, 1, padded, first) * dot(along, at.v));
     }
     sum.seabed_loss += sum_of(w * loss, used);
   }

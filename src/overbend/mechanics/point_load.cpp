@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/ground.h"
+#include "mechanics/soil_law.h"
 
 namespace overbend {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 void add_seabed(PointLoad& load, const LineEnvironment& env, double radius, double submerged_weight, const Vec3& r) {
   const GroundPoint ground = ground_at(env, r);
   load.penetration = std::max(0.0, radius - ground.clearance);
-  load.seabed_normal = env.bed_stiffness * load.penetration;
+  load.seabed_normal = soil_force(env, load.penetration);
   const double limit = env.bed_friction_lateral * load.seabed_normal;
   const double stick = load.penetration > 0.0 ? -env.bed_stick * ground.off_route : 0.0;
   const double axial_limit = env.bed_friction_axial * load.seabed_normal;

@@ -184,6 +184,7 @@ RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller
     f_xi_q.segment<3>(3 * j) = n.value(j) * pa + n.first(j) * e;
   }
   const double f_xi_xi = point.a.dot(pa) + e.dot(point.b);
+  d.place = -f_xi_q / f_xi_xi;
   d.hessian.noalias() = -f_xi_q * f_xi_q.transpose() / (f_xi_xi * distance.value);
   d.hessian.noalias() -= d.gradient * d.gradient.transpose() / distance.value;
   for (int j = 0; j < 4; ++j) {

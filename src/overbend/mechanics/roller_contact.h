@@ -64,6 +64,7 @@ RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& a
 struct RollerDistanceDerivatives {
   ElementVector gradient = ElementVector::Zero();
   ElementMatrix hessian = ElementMatrix::Zero();
+  ElementVector place = ElementVector::Zero();  ///< How far the closest point goes along the pipe [-], [m].
 };
 RollerDistanceDerivatives roller_distance_derivatives(const PlacedRoller& roller, const ClosestPoint& at,
                                                       const RollerDistance& distance, const ElementVector& q,

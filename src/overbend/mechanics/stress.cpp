@@ -37,6 +37,8 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   const double wall = outer * outer - inner * inner;
   const double mean = (pi * inner * inner - po * outer * outer) / wall;  // Lame: mean -+ difference r_i^2 r_o^2 / r^2
   const double difference = (pi - po) * inner * inner * outer * outer / wall;
+  // A solid bar is under the same pressure all over.
+  const auto differs = [&](double radius) { return radius > 0.0 ? difference / (radius * radius) : 0.0; };
 
   SectionStress stress;
   stress.wall_tension = loads.effective_tension - po * section.pressure_area + pi * section.internal_area;
@@ -44,7 +46,7 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   const double nominal = loads.bending_moment * section.youngs_modulus / section.EI * outer;  // the stress in the steel
   const double largest = std::max(loads.curvature, loads.largest_curvature);
   stress.bending = std::min(nominal, borne(section, largest * outer));
-  stress.hoop = mean + difference / (inner * inner);
+  stress.hoop = mean + differs(inner);
   // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
   const double poisson = 1.0 - 2.0 * section.poissons_ratio;
   const double axial_strain =
@@ -53,8 +55,8 @@ SectionStress section_stress(const Section& section, const SectionLoads& loads) 
   stress.strain =
       std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
   for (const double radius : {outer, inner}) {
-    const double hoop = mean + difference / (radius * radius);
-    const double radial = mean - difference / (radius * radius);
+    const double hoop = mean + differs(radius);
+    const double radial = mean - differs(radius);
     for (const double side : {-1.0, 1.0}) {
       const double most = borne(section, std::abs(axial_strain) + largest * radius);
       const double longitudinal = std::clamp(stress.axial + side * nominal * radius / outer, -most, most);

@@ -5,9 +5,12 @@
 #include <numbers>
 
 #include "model/dynamic_assumptions.h"
+#include "model/lay_stage.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/mooring_assumptions.h"
+#include "model/operation_words.h"
+#include "model/stinger_assumptions.h"
 
 namespace overbend {
 namespace {
@@ -40,6 +43,21 @@ void assume_pipe(std::vector<std::string>& list, const Model& model) {
       1e-3 * model.water_weight_density));
 }
 
+const char* bed_words(const Model& model) {
+  const SeabedDescription& bed = model.description.environment.seabed;
+  if (!bed.profile.empty()) {
+    return "; the seabed is the monotone piecewise cubic through the points of its profile, level beyond its ends and "
+           "across";
+  }
+  if (bed.bathymetry) {
+    return bed.bathymetry->columns > 0
+               ? "; the seabed is bicubic between the depths of its grid, level beyond its edges"
+               : "; the seabed is bicubic on a grid of planes fitted to the scattered depths, "
+                 "level beyond its edges";
+  }
+  return bed.slope == 0.0 ? "; the seabed is horizontal" : "; the seabed is a sloping plane";
+}
+
 void assume_vessel(std::vector<std::string>& list, const Model& model) {
   const VesselDescription& vessel = model.description.vessel;
   if (model.description.has_pipe) {
@@ -57,9 +75,7 @@ void assume_vessel(std::vector<std::string>& list, const Model& model) {
                     degrees(vessel.trim), degrees(vessel.heel)));
   }
   list.push_back(fmt::format("Water depth {:.2f} m applies at {}{}.", model.description.environment.water_depth,
-                             model.description.has_pipe ? "the stern shoe" : "the vessel",
-                             model.description.environment.seabed.slope == 0.0 ? "; the seabed is horizontal"
-                                                                               : "; the seabed is a sloping plane"));
+                             model.description.has_pipe ? "the stern shoe" : "the vessel", bed_words(model)));
 }
 
 void assume_motion(std::vector<std::string>& list, const Model& model) {
@@ -83,6 +99,7 @@ void assume_contact_stiffness(std::vector<std::string>& list, const Model& model
   bool penalty = false;
   for (const Roller& roller : model.supports.rollers) {
     penalty = penalty || roller.stiffness == 0.0;
+    if (model.section_over(roller).kind == SectionKind::structure) continue;  // it met the pipe's
     if (roller.own_stiffness || roller.stiffness == 0.0 ||
         std::find(told.begin(), told.end(), roller.stiffness) != told.end()) {
       continue;
@@ -100,6 +117,17 @@ void assume_contact_stiffness(std::vector<std::string>& list, const Model& model
     list.push_back(
         "Contact with rollers of default_stiffness: penalty has the bending stiffness of a short pipe element, EI/h^3; "
         "the largest penetration is reported.");
+  }
+}
+
+void assume_structures(std::vector<std::string>& list, const Model& model) {
+  for (const Section& section : model.sections) {
+    if (section.kind != SectionKind::structure) continue;
+    list.push_back(fmt::format(
+        "'{}' is a stretch of the line with an even stiffness, weight and diameter and linear steel; its own "
+        "stresses are not checked. Rollers stand as they do for the pipe, with the contact stiffness of the "
+        "pipe.",
+        section.name));
   }
 }
 
@@ -130,22 +158,46 @@ void assume_supports(std::vector<std::string>& list, const Model& model) {
     assume_gap_springs(list, model);
     return;
   }
-  list.push_back(
-      "Rollers are rigid cylinders of finite length; in statics they are frictionless: the pipe moves over them during "
-      "laying and friction has no permanent direction.");
+  const RollerFriction friction = model.description.statics.roller_friction;
+  if (friction == RollerFriction::none) {
+    list.push_back(
+        "Rollers are rigid cylinders of finite length; in statics they are frictionless: the pipe moves over them "
+        "during laying and friction has no permanent direction.");
+  } else {
+    list.push_back(fmt::format(
+        "Rollers are rigid cylinders of finite length; in statics full friction acts along the pipe, against its way "
+        "as it is {}.",
+        friction == RollerFriction::lay ? "paid out" : "hauled in"));
+  }
   assume_contact_stiffness(list, model);
 }
 
 void assume_seabed(std::vector<std::string>& list, const Model& model) {
   list.push_back(fmt::format("The seabed stiffness is {:.4g} kN/m per metre of pipe and penetration, without adhesion.",
                              1e-3 * model.seabed.stiffness));
+  if (model.description.environment.seabed.soil != SoilModel::linear) {
+    list.push_back(fmt::format(
+        "The soil softens {} {:.4g} kN/m (environment.seabed.soil) and follows one curve down and "
+        "up: no trench, no suction.",
+        model.description.environment.seabed.soil == SoilModel::hyperbolic ? "along a hyperbola towards"
+                                                                           : "to a tenth of its stiffness at",
+        1e-3 * model.description.environment.seabed.bearing_force.value_or(0.0)));
+  }
   list.push_back("The laid pipe rests under the lay tension: axial friction is not mobilised in statics.");
   if (model.seabed.friction_lateral > 0.0) {
     list.push_back(
         "Lateral friction resists displacement from the lay route: elastic with the stiffness of the seabed, up to the "
         "coefficient times the normal force.");
+    list.push_back(
+        model.description.statics.laying == Laying::steady
+            ? "Steady laying: the pipe on the seabed lies beside the lay route by as much as it first touches the "
+              "seabed there, and stays; a current's side load goes to the supports."
+            : "The pipe was laid straight on the lay route first and pulled aside by the side load afterwards.");
   }
-  list.push_back("The lay route is the vertical plane through the tensioner along the vessel's axis.");
+  list.push_back(model.description.route.given()
+                     ? "The lay route bends in plan as given; the barge heads along its beginning, and the pipe was "
+                       "laid along it under the bottom tension of this state."
+                     : "The lay route is the vertical plane through the tensioner along the vessel's axis.");
 }
 
 void assume_tensioner(std::vector<std::string>& list, const Model& model) {
@@ -160,6 +212,16 @@ void assume_tensioner(std::vector<std::string>& list, const Model& model) {
   } else {
     list.push_back("The pipe is free to rotate at the tensioner.");
   }
+}
+
+/// The stage of an operation that the model is at, and what its cable is.
+void assume_stage(std::vector<std::string>& list, const Description& d) {
+  if (!d.stage) return;
+  list.push_back("The model is at " + stage_words(*d.stage, d.operation.type) + ".");
+  if (!cable_at_top(d) && !cable_at_far_end(d)) return;
+  list.emplace_back(
+      "The cable has no bending stiffness and is hinged to the head; the head's weight is spread evenly over its "
+      "length.");
 }
 
 }  // namespace
@@ -177,7 +239,10 @@ std::vector<std::string> assumptions(const Model& model) {
   assume_motion(list, model);
   assume_floating(list, model);
   assume_tensioner(list, model);
+  assume_stage(list, model.description);
+  assume_structures(list, model);
   assume_supports(list, model);
+  assume_stinger(list, model);
   assume_seabed(list, model);
   if (!model.current.z.empty()) {
     list.push_back(

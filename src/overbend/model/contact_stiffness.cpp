@@ -59,10 +59,11 @@ double contact_length(double roller_face, double outer_diameter, double steel_di
 
 double Shell::response(double n, double lambda) const {
   const double a = lambda * lambda + n * n;
-  const double bending = youngs_modulus * std::pow(thickness, 3) / (12.0 * (1.0 - poissons_ratio * poissons_ratio));
-  const double r2 = radius * radius;
+  const double bending =
+      youngs_modulus * thickness * thickness * thickness / (12.0 * (1.0 - poissons_ratio * poissons_ratio));
+  const double r2 = radius * radius, lambda2 = lambda * lambda;
   return a * a /
-         (bending / (r2 * r2) * a * a * (a - 1.0) * (a - 1.0) + youngs_modulus * thickness / r2 * std::pow(lambda, 4));
+         (bending / (r2 * r2) * a * a * (a - 1.0) * (a - 1.0) + youngs_modulus * thickness / r2 * lambda2 * lambda2);
 }
 
 double shell_stiffness(const Shell& shell, double bearing) {

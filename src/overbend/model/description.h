@@ -14,79 +14,20 @@
 
 #include "base/vec.h"
 #include "model/check_settings.h"
+#include "model/fatigue_description.h"
 #include "model/hull_description.h"
+#include "model/lay_table_description.h"
 #include "model/line_description.h"
 #include "model/mooring_description.h"
 #include "model/motion_history.h"
 #include "model/rao_table.h"
+#include "model/route_description.h"
+#include "model/seabed_description.h"
+#include "model/section_description.h"
+#include "model/stinger_description.h"
+#include "model/structure_description.h"
 
 namespace overbend {
-
-/// What relates moment to curvature. Beyond `linear` the steel yields, unloads elastically and hardens kinematically.
-enum class MaterialLaw { linear, moment_ramberg_osgood, ramberg_osgood, bilinear, stress_strain, moment_curvature };
-
-/// A point of a user's curve: strain [-] and stress [Pa], or curvature [1/m] and moment [N m].
-struct CurvePoint {
-  double x = 0.0, y = 0.0;
-};
-
-struct MaterialDescription {
-  MaterialLaw law = MaterialLaw::linear;
-  std::optional<double> moment_coefficient;  ///< A of kappa/kappa_y = M/M_y + A (M/M_y)^B; fitted if not given.
-  std::optional<double> moment_exponent;     ///< B of the same.
-  std::optional<double> hardening_exponent;  ///< n of strain = stress/E + plastic part (stress/SMYS)^n.
-  double yield_strain = 0.005;               ///< Total strain at SMYS [-].
-  double hardening_modulus = 0.0;            ///< Slope beyond yield of `bilinear` [Pa].
-  std::vector<CurvePoint> stress_strain;     ///< From the origin on, which is not given.
-  std::vector<CurvePoint> moment_curvature;  ///< The same.
-};
-
-struct SteelDescription {
-  double outside_diameter = 0.0;           ///< [m]
-  double wall_thickness = 0.0;             ///< [m]
-  double youngs_modulus = 207e9;           ///< [Pa]
-  double poissons_ratio = 0.3;             ///< [-]
-  double yield_stress = 0.0;               ///< SMYS [Pa]
-  std::optional<double> tensile_strength;  ///< SMTS [Pa]
-  double weight_density = 77e3;            ///< [N/m3]
-  MaterialDescription material = {};
-};
-
-struct CoatingDescription {
-  std::string name;
-  double thickness = 0.0;                     ///< [m]
-  double weight_density = 0.0;                ///< [N/m3]
-  std::optional<double> youngs_modulus = {};  ///< Against rollers; rigid if not given [Pa].
-};
-
-/// Pipe joint with a bare length at its ends where infill takes the place of the outermost coating.
-struct JointDescription {
-  double length = 12.2;                ///< One pipe joint [m].
-  double field_joint = 0.0;            ///< Length without the outermost coating, per joint [m].
-  double infill_weight_density = 0.0;  ///< [N/m3]
-  double coated_stiffness = 1.0;       ///< EI between the field joints over that of the steel [-].
-  std::optional<double> first = {};  ///< Tensioner to the middle of the first field joint; half a joint if absent [m].
-  /// Strain at a field joint over that of the pipe beside it [-]; 1 with a warning where not given.
-  std::optional<double> strain_factor = {};
-};
-
-struct HydrodynamicsDescription {
-  double drag_normal = 1.2;
-  double drag_axial = 0.0;
-  double added_mass_normal = 1.0;
-  double added_mass_axial = 0.0;
-};
-
-/// Cross-section of a stretch of pipe: steel, coatings from the steel outwards, joint pattern, hydrodynamic
-/// coefficients.
-struct SectionDescription {
-  SteelDescription steel;
-  std::vector<CoatingDescription> coatings;
-  std::optional<JointDescription> joint;
-  HydrodynamicsDescription hydrodynamics;
-  double contents_weight_density = 0.0;  ///< Of what fills the pipe; 0 = empty [N/m3].
-  double internal_pressure = 0.0;        ///< At z = 0 [Pa].
-};
 
 /// A stretch of line with a section of its own, counted from the tensioner astern.
 struct SegmentDescription {
@@ -96,19 +37,11 @@ struct SegmentDescription {
 };
 
 struct PipeDescription {
-  SectionDescription section;                ///< Of the line where no segment says otherwise.
-  std::vector<SegmentDescription> segments;  ///< From the tensioner astern; the rest has `section`.
-  std::optional<double> length;              ///< Unstressed length from tensioner to anchor [m].
-  std::optional<double> anchor;              ///< Horizontal distance of the anchor astern of the stern shoe [m].
-};
-
-struct SeabedDescription {
-  double stiffness = 0.0;         ///< Normal force per length and penetration [N/m2].
-  double friction_axial = 0.0;    ///< Coulomb coefficient [-].
-  double friction_lateral = 0.0;  ///< Coulomb coefficient [-].
-  double damping = 0.0;           ///< Normal damping per length on approach [N s/m2].
-  double slope = 0.0;             ///< Fall of the bed in the direction `slope_towards` [rad].
-  double slope_towards = 0.0;     ///< Azimuth in which the bed falls [rad].
+  SectionDescription section;                    ///< Of the line where no segment says otherwise.
+  std::vector<SegmentDescription> segments;      ///< From the tensioner astern; the rest has `section`.
+  std::vector<StructureDescription> structures;  ///< Built in, over segments and all.
+  std::optional<double> length;                  ///< Unstressed length from tensioner to anchor [m].
+  std::optional<double> anchor;                  ///< Horizontal distance of the anchor astern of the stern shoe [m].
 };
 
 struct CurrentPoint {
@@ -250,6 +183,7 @@ struct BoxDescription {
       incline;         ///< Of the box axis, positive when it dips astern [rad]; tangent of the curve if not given.
   std::string roller;  ///< Name of a roller kind.
   int rows = 1;
+  int section = 0;  ///< Of a stinger on hinges: which of its sections carries the box.
 };
 
 /// Model of the supports: their rollers, or one gap spring for each box.
@@ -260,6 +194,10 @@ struct SupportsDescription {
   std::optional<double> ramp_radius;     ///< For the record and the report; positions rule [m].
   std::optional<double> stinger_radius;  ///< [m]
   std::vector<BoxDescription> boxes;     ///< From the tensioner astern: ramp boxes first, then the stinger's.
+  std::optional<BoxRowDescription> ramp_row, stinger_row;  ///< Boxes told as a row; those in `boxes` are made from it.
+  std::vector<StingerSectionDescription> sections;  ///< On hinges, from the barge astern; empty: a fixed stinger.
+  std::vector<StingerSettingDescription> settings;  ///< Of the angles of the sections.
+  std::string setting;                              ///< The one chosen; empty: none.
 };
 
 enum class StaticMethod { newton, dynamic_relaxation };
@@ -267,6 +205,19 @@ enum class StaticMethod { newton, dynamic_relaxation };
 /// Loading history of a yielding pipe in statics: it came over the supports from the tensioner, or it
 /// was bent to its shape once and only there.
 enum class LayHistory { laying, monotonic };
+
+/// How the pipe on the bed came to lie there, in statics.
+enum class Laying {
+  steady,         ///< At rest on the line on which it was laid: it does not slide back.
+  pulled_across,  ///< Straight along its route first, then pulled sideways.
+};
+
+/// Friction of the rollers in statics.
+enum class RollerFriction {
+  none,  ///< Rollers turn freely, and the pipe slides along them.
+  lay,   ///< Full, against the pipe's way as it is paid out.
+  haul,  ///< Full, against its way as it is hauled in.
+};
 
 struct MeshDescription {
   std::optional<double> overbend_element;   ///< Element length over the supports [m]; rule of the mesh if not given.
@@ -277,6 +228,8 @@ struct MeshDescription {
 struct StaticSettings {
   StaticMethod method = StaticMethod::newton;
   LayHistory history = LayHistory::laying;
+  Laying laying = Laying::steady;
+  RollerFriction roller_friction = RollerFriction::none;
   double tolerance = 1e-9;  ///< Largest unbalanced nodal force over the total weight.
   int max_iterations = 60;  ///< Of one stage.
   /// Whether the waves' mean drift acts on a floating hull at rest; not said: only in the equilibrium that a dynamic
@@ -317,14 +270,19 @@ struct Description {
   TensionerDescription tensioner;
   std::vector<RollerKindDescription> rollers;
   SupportsDescription supports;
+  RouteDescription route;  ///< On which the pipe is laid.
   MeshDescription mesh;
   StaticSettings statics;
   std::optional<DynamicSettings> dynamics;
   CheckSettings checks;
+  std::optional<FatigueDescription> fatigue;
   std::optional<MooringsDescription> moorings;
   std::vector<FreeLineDescription> lines;  ///< Besides the pipe, or alone.
   std::optional<StationKeepingDescription> station_keeping;
   OperationDescription operation;
+  std::optional<LayTableDescription> lay_table;
+  /// The stage of an operation on the line that this is, see model/lay_stage.h; none: the line as laid.
+  std::optional<LayStageDescription> stage;
   std::vector<std::string> warnings;  ///< Unusual input that was accepted.
 };
 

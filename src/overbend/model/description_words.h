@@ -81,6 +81,26 @@ inline constexpr std::array kWords<LayHistory> = {
 };
 
 template <>
+inline constexpr std::array kWords<Laying> = {
+    Word{Laying::steady, "steady"},
+    Word{Laying::pulled_across, "static"},
+};
+
+template <>
+inline constexpr std::array kWords<RollerFriction> = {
+    Word{RollerFriction::none, "none"},
+    Word{RollerFriction::lay, "lay"},
+    Word{RollerFriction::haul, "haul"},
+};
+
+template <>
+inline constexpr std::array kWords<SoilModel> = {
+    Word{SoilModel::linear, "linear"},
+    Word{SoilModel::hyperbolic, "hyperbolic"},
+    Word{SoilModel::bilinear, "bilinear"},
+};
+
+template <>
 inline constexpr std::array kWords<CheckCodes> = {
     Word{CheckCodes::both, "both"},
     Word{CheckCodes::dnv, "dnv"},
@@ -212,6 +232,20 @@ inline constexpr std::array kWords<OperationType> = {
     Word{OperationType::pull_ahead, "pull_ahead"},
     Word{OperationType::anchor_move, "anchor_move"},
     Word{OperationType::anchor_plan, "anchor_plan"},
+    Word{OperationType::abandonment, "abandonment"},
+    Word{OperationType::recovery, "recovery"},
+    Word{OperationType::lay_down, "lay_down"},
+    Word{OperationType::start_up, "start_up"},
+    Word{OperationType::move, "move"},
+    Word{OperationType::passage, "passage"},
+    Word{OperationType::ballast, "ballast"},
+};
+
+template <>
+inline constexpr std::array kWords<StageTension> = {
+    Word{StageTension::hold, "hold"},
+    Word{StageTension::bottom, "bottom"},
+    Word{StageTension::seek, "seek"},
 };
 
 template <>
@@ -219,6 +253,19 @@ inline constexpr std::array kWords<MoveShape> = {
     Word{MoveShape::trapezoid, "trapezoid"},
     Word{MoveShape::minimum_jerk, "minimum_jerk"},
     Word{MoveShape::zero_vibration, "zero_vibration"},
+};
+
+template <>
+inline constexpr std::array kWords<LayTableVary> = {
+    Word{LayTableVary::tension, "tension"},
+    Word{LayTableVary::lay_back, "lay_back"},
+    Word{LayTableVary::depth, "depth"},
+};
+
+template <>
+inline constexpr std::array kWords<RouteTension> = {
+    Word{RouteTension::hold, "hold"},
+    Word{RouteTension::least, "least"},
 };
 
 /// A plain yes or no.

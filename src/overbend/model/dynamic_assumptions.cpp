@@ -186,12 +186,36 @@ void assume_steel(Sentences& list, const Model& model) {
 
 void assume_laid_pipe(Sentences& list, const Model& model) {
   if (model.description.pipe.length) return;
+  if (model.seabed.surface.shape() != nullptr) {
+    list.emplace_back("On an uneven seabed the laid pipe is held at the end of the static line.");
+    return;
+  }
   list.push_back(
       model.seabed.friction_axial > 0.0
           ? "The laid pipe is extended behind the static line by the length over which axial friction balances the "
             "tension at the tensioner, 3 km at most."
           : "The seabed has no axial friction: the laid pipe is held at the end of the static line, and changes of "
             "tension depend on that length (give environment.seabed.friction to have it determined).");
+}
+
+void assume_turning_stinger(Sentences& list, const SupportsDescription& supports) {
+  bool floats = false, stops = false;
+  for (const StingerSectionDescription& section : supports.sections) {
+    floats = floats || (section.floats() && !section.angle);
+    stops = stops || section.limits;
+  }
+  if (!floats) {
+    return;
+  }
+  list.push_back(
+      "The stinger turns on its hinges in time. Its tanks are strips with buoyancy up to the surface at the instant "
+      "and "
+      "Morison's forces across them; the current on them is brought in with the waves. Ballast water does not move in "
+      "its tank; slamming, and the waves that tanks make, are left out.");
+  if (stops) {
+    list.push_back(
+        "Stops of the stinger are springs with 5 % of critical damping: it rebounds with some 85 % of its speed.");
+  }
 }
 
 }  // namespace
@@ -205,6 +229,7 @@ void assume_dynamics(Sentences& list, const Model& model) {
   assume_laid_pipe(list, model);
   assume_held_top(list, model.description.tensioner);
   assume_rollers(list, model, settings);
+  assume_turning_stinger(list, model.description.supports);
   assume_steel(list, model);
 }
 

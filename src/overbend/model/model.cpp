@@ -6,6 +6,9 @@
 #include <tuple>
 
 #include "base/require.h"
+#include "model/bed_shape.h"
+#include "model/lay_stage.h"
+#include "model/structures.h"
 
 namespace overbend {
 namespace {
@@ -19,11 +22,25 @@ Vec3 turn_S_to_V(const Vec3& d_S) {
   return {-d_S.x(), -d_S.y(), d_S.z()};
 }
 
-Seabed resolve_seabed(const EnvironmentDescription& environment, const Vec3& stern_shoe_W) {
+/// Depths of an area, `moved` further in the vessel's frame, which goes ahead of it.
+Bathymetry moved_depths(Bathymetry depths, const Vec3& moved) {
+  for (double& east : depths.east) east += moved.x();
+  for (double& north : depths.north) north += moved.y();
+  return depths;
+}
+
+/// `ahead`: how far a vessel that moves ahead has left the place where its bed is described [m].
+BedSurface resolve_surface(const EnvironmentDescription& environment, const Vec3& stern_shoe_W, const Vec3& astern_W,
+                           double ahead) {
   const SeabedDescription& bed = environment.seabed;
+  const Vec3 moved = ahead * astern_W, origin = stern_shoe_W + moved;
+  if (!bed.profile.empty()) {
+    return {profile_shape(bed.profile, origin.data(), astern_W.data()), -environment.water_depth};
+  }
+  if (bed.bathymetry) return {grid_shape(moved_depths(*bed.bathymetry, moved)), -environment.water_depth};
   const Vec3 point_W(stern_shoe_W.x(), stern_shoe_W.y(), -environment.water_depth);
   const Vec3 normal_W = (std::tan(bed.slope) * azimuth_direction(bed.slope_towards) + Vec3::UnitZ()).normalized();
-  return {BedSurface(point_W, normal_W), bed.stiffness, bed.friction_axial, bed.friction_lateral};
+  return {point_W, normal_W};
 }
 
 CurrentProfile resolve_current(const std::vector<CurrentPoint>& table) {
@@ -37,14 +54,49 @@ CurrentProfile resolve_current(const std::vector<CurrentPoint>& table) {
   return profile;
 }
 
+void add_section(Model& model, Section section, const SectionDescription& described) {
+  model.sections.push_back(std::move(section));
+  model.described.push_back(described);
+}
+
+/// Puts a stretch of the section made last behind `from`, and `from` behind it.
+void add_span(Model& model, double& from, double length) {
+  if (length > 0.0) model.spans.push_back({from, from + length, static_cast<int>(model.sections.size()) - 1});
+  from += length;
+}
+
+void add_cable(Model& model, double& from, double length) {
+  const CableDescription& cable = *model.description.operation.lay.cable;
+  add_section(model, cable_section(cable, model.water_weight_density), model.description.pipe.section);
+  add_span(model, from, length);
+}
+
+void add_head(Model& model, double& from) {
+  const HeadDescription& head = *model.description.operation.lay.head;
+  const SectionDescription& described = head.section ? *head.section : model.description.pipe.section;
+  add_section(model, head_section(head, described, model.water_weight_density), described);
+  add_span(model, from, head.length);
+}
+
+/// Sections and where they lie: a cable and the head before the pipe's segments or behind all of it, as the stage of
+/// the operation has them.
 void resolve_sections(Model& model) {
-  const PipeDescription& pipe = model.description.pipe;
-  model.sections.push_back(derive_section("pipe", pipe.section, model.water_weight_density));
+  const Description& d = model.description;
+  add_section(model, derive_section("pipe", d.pipe.section, model.water_weight_density), d.pipe.section);
   double from = 0.0;
-  for (const SegmentDescription& segment : pipe.segments) {
-    model.sections.push_back(derive_section(segment.name, segment.section, model.water_weight_density));
-    model.spans.push_back({from, from + segment.length, static_cast<int>(model.sections.size()) - 1});
-    from += segment.length;
+  if (cable_at_top(d)) {
+    add_cable(model, from, *d.stage->cable_out);
+    add_head(model, from);
+  }
+  if (d.stage && d.stage->ahead) from += *d.stage->ahead;
+  for (const SegmentDescription& segment : d.pipe.segments) {
+    add_section(model, derive_section(segment.name, segment.section, model.water_weight_density), segment.section);
+    add_span(model, from, segment.length);
+  }
+  if (cable_at_far_end(d)) {
+    from = *d.stage->pipe_out;
+    add_head(model, from);
+    add_cable(model, from, *d.operation.lay.cable->length);
   }
 }
 
@@ -56,6 +108,12 @@ double jointed_length(const Description& d, double joint) {
   return reach > 0.0 ? 1.1 * reach + 3.0 * joint : 0.0;
 }
 
+/// Length from the tensioner to the middle of the first field joint, which goes with the pipe when the barge moves [m].
+double first_joint(const Description& d, const JointDescription& joint) {
+  const double first = joint.first.value_or(0.5 * joint.length);
+  return d.stage && d.stage->ahead ? std::fmod(first + *d.stage->ahead, joint.length) : first;
+}
+
 /// Stiffer pipe between the field joints, behind the segments.
 void resolve_joints(Model& model) {
   const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
@@ -64,10 +122,14 @@ void resolve_joints(Model& model) {
   coated.name = "coated pipe between field joints";
   coated.EI *= joint->coated_stiffness;
   const int section = static_cast<int>(model.sections.size());
-  model.sections.push_back(coated);
-  const double end = jointed_length(model.description, joint->length);
-  double from = model.spans.empty() ? 0.0 : model.spans.back().to;
-  for (double middle = joint->first.value_or(0.5 * joint->length); from < end; middle += joint->length) {
+  add_section(model, coated, model.description.pipe.section);
+  double end = jointed_length(model.description, joint->length);
+  double from = 0.0;
+  for (const SectionSpan& span : model.spans) {
+    if (span.from <= from) from = span.to;
+    if (span.from > from) end = std::min(end, span.from);
+  }
+  for (double middle = first_joint(model.description, *joint); from < end; middle += joint->length) {
     const double to = middle - 0.5 * joint->field_joint;
     if (to > from) model.spans.push_back({from, to, section});
     from = std::max(from, to + joint->field_joint);
@@ -98,6 +160,7 @@ std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, 
 void resolve_bending(Model& model) {
   const double top_z = model.description.vessel.stern_shoe_z + model.description.tensioner.z;
   for (std::size_t i = 0; i < model.sections.size(); ++i) {
+    if (model.sections[i].kind == SectionKind::cable) continue;
     const SteelDescription& steel = model.description_of(i).steel;
     model.sections[i].bending = bending_law(steel, wall_levels(model, model.sections[i], top_z));
   }
@@ -157,16 +220,24 @@ const Section& Model::section_over(const Roller& roller) const {
   return sections[static_cast<std::size_t>(section_at(row.from_top))];
 }
 
+const Section& Model::pipe_over(const Roller& roller) const {
+  const Section& section = section_over(roller);
+  return section.kind == SectionKind::cable ? sections.front() : section;
+}
+
 ContactStiffness Model::contact_parts(const Roller& roller) const {
   const SupportRow& row = supports.rows[static_cast<std::size_t>(roller.row)];
   const std::size_t section = static_cast<std::size_t>(section_at(row.from_top));
-  return contact_stiffness(sections[section], description_of(section), roller.face, roller.structure_stiffness);
+  return contact_stiffness(pipe_over(roller), description_of(section), roller.face, roller.structure_stiffness);
 }
 
 const SectionDescription& Model::description_of(std::size_t section) const {
   require(section < sections.size(), "a section is one of the model's");
-  const PipeDescription& pipe = description.pipe;
-  return section == 0 || section > pipe.segments.size() ? pipe.section : pipe.segments[section - 1].section;
+  return described[section];
+}
+
+SectionKind Model::kind_at(double distance_from_top) const {
+  return sections[static_cast<std::size_t>(section_at(distance_from_top))].kind;
 }
 
 Model build_model(const Description& description) {
@@ -179,13 +250,19 @@ Model build_model(const Description& description) {
     resolve_bending(model);
     resolve_joints(model);
     model.supports = place_supports(description, [&](double from_top) {
-      return model.sections[static_cast<std::size_t>(model.section_at(from_top))].outer_radius();
+      const Section& section = model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+      return (section.kind == SectionKind::cable ? model.sections.front() : section).outer_radius();
     });
     resolve_contact_stiffness(model);
+    add_structures(model);  // rollers stand for the pipe, whatever passes them
   }
   model.mean_pose.R_WV = vessel_axes(description.vessel.heading, description.vessel.trim, description.vessel.heel);
   model.drawn_pose = model.mean_pose;
-  model.seabed = resolve_seabed(description.environment, point_from_ramp(model, model.drawn_pose, Vec3::Zero()));
+  const SeabedDescription& bed = description.environment.seabed;
+  model.seabed = {resolve_surface(description.environment, point_from_ramp(model, model.drawn_pose, Vec3::Zero()),
+                                  astern_direction(model.drawn_pose),
+                                  description.stage ? description.stage->ahead.value_or(0.0) : 0.0),
+                  bed.stiffness, bed.friction_axial, bed.friction_lateral};
   model.current = resolve_current(description.environment.current);
   return model;
 }

@@ -41,9 +41,11 @@ struct SectionSpan {
 
 struct Model {
   Description description;
-  /// [0] the line's own, then the segments', then the coated pipe between joints. None without a pipe, as supports.
+  /// [0] the line's own, then the segments', then the coated pipe between joints, then
+  /// what is built in. None without a pipe, as supports.
   std::vector<Section> sections;
-  std::vector<SectionSpan> spans;  ///< By distance from the tensioner; the rest has section 0.
+  std::vector<SectionDescription> described;  ///< What each of them was made from; of a cable, the pipe's.
+  std::vector<SectionSpan> spans;             ///< By distance from the tensioner; the rest has section 0.
   Supports supports;
   VesselPose mean_pose;   ///< Where the vessel lies.
   VesselPose drawn_pose;  ///< As described: the lay route runs astern from there.
@@ -55,10 +57,14 @@ struct Model {
   int section_at(double distance_from_top) const;
   /// The pipe that lies over a roller as it is laid.
   const Section& section_over(const Roller& roller) const;
+  /// The same, but for a cable, which comes and goes over rollers that are made for the pipe.
+  const Section& pipe_over(const Roller& roller) const;
   /// Stiffness of the contact with a roller that gives none, by its parts.
   ContactStiffness contact_parts(const Roller& roller) const;
   /// What a section was made from: coated pipe between field joints comes from the line's own.
   const SectionDescription& description_of(std::size_t section) const;
+  /// Of the section `distance_from_top` from the tensioner [m].
+  SectionKind kind_at(double distance_from_top) const;
 };
 
 /// Resolves frames and derives properties. The description has been validated by the reader.

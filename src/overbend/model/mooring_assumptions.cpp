@@ -100,6 +100,12 @@ void assume_floating(Sentences& list, const Model& model) {
         "it sinks a little under its lines.");
   }
   if (d.moorings) assume_moorings(list, *d.moorings, told);
+  if (d.moorings && model.seabed.surface.shape() != nullptr) {
+    list.emplace_back(
+        "On an uneven seabed the catenary of a mooring line has its bed on the straight line from below its fairlead "
+        "to "
+        "its anchor; lines of elements lie on the seabed itself.");
+  }
   for (const FreeLineDescription& line : d.lines) assume_types(list, line.segments, told);
   if (d.station_keeping) {
     list.push_back(

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/hull_description.h"
+#include "model/lay_operation.h"
 #include "model/line_description.h"
 
 namespace overbend {
@@ -80,7 +81,20 @@ struct MooringsDescription {
   std::optional<double> bed_friction;                 ///< Of all lines whose type says nothing [-].
 };
 
-enum class OperationType { none, moored, pull_ahead, anchor_move, anchor_plan };
+enum class OperationType {
+  none,
+  moored,
+  pull_ahead,
+  anchor_move,
+  anchor_plan,
+  abandonment,
+  recovery,
+  lay_down,
+  start_up,
+  move,
+  passage,
+  ballast,
+};
 /// How a vessel that is pulled ahead moves: with ramps of its speed; smoothly; with ramps in two parts, half a period
 /// of its surge apart, that leave no surge behind.
 enum class MoveShape { trapezoid, minimum_jerk, zero_vibration };
@@ -114,6 +128,12 @@ struct OperationDescription {
   std::vector<VesselLoadDescription> loads;    ///< Of pull_ahead.
   std::vector<MooredStageDescription> stages;  ///< Of moored.
   AnchorMoveDescription anchor;                ///< Of anchor_move.
+  LayOperationDescription lay;                 ///< Of operations on the line itself.
 };
+
+/// Whether an operation is one on the line itself: abandonment and what follows it in OperationType.
+inline bool is_lay_operation(OperationType type) {
+  return type >= OperationType::abandonment;
+}
 
 }  // namespace overbend

@@ -11,7 +11,16 @@ namespace overbend {
 
 inline constexpr double kGravity = 9.80665;  ///< Standard gravity [m/s2]; turns weights into masses.
 
+/// What a stretch of the line is.
+enum class SectionKind {
+  pipe,
+  head,       ///< Closes the pipe and takes the cable; bends and yields as pipe.
+  cable,      ///< No bending stiffness but what keeps it defined where it is slack; no code checks.
+  structure,  ///< Built into the pipe.
+};
+
 struct Section {
+  SectionKind kind = SectionKind::pipe;
   std::string name;
   double steel_diameter = 0.0;  ///< [m]
   double wall_thickness = 0.0;  ///< [m]
@@ -42,5 +51,16 @@ struct Section {
 /// coating over part of the joint ([silva2009] table 4); buoyancy acts on the outermost diameter.
 /// `water_weight_density` [N/m3].
 Section derive_section(const std::string& name, const SectionDescription& description, double water_weight_density);
+
+/// A cable as a section of the line: lies on rollers and drags by its diameter, displaces what its two weights differ
+/// by. Stresses are those of a bar of steel of its weight; they say nothing of a rope and are not checked.
+Section cable_section(const CableDescription& cable, double water_weight_density);
+/// A head with the stiffness of `described` and its own weight, even over its length.
+Section head_section(const HeadDescription& head, const SectionDescription& described, double water_weight_density);
+
+/// What is built into a pipe of the section `pipe`: its stiffness, weight and diameter where it has any of its own. Its
+/// steel is taken as a ring of the pipe's steel diameter with that stiffness, linear; stresses in it say nothing of a
+/// forging and are not checked.
+Section structure_section(const StructureDescription& structure, const Section& pipe, double water_weight_density);
 
 }  // namespace overbend

@@ -1,10 +1,11 @@
 #include "model/supports.h"
 
-#include "model/contact_stiffness.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "model/contact_stiffness.h"
+#include "model/stinger_turn.h"
 
 namespace overbend {
 namespace {
@@ -137,6 +138,8 @@ Supports place_supports(const Description& description, const std::function<doub
   const std::vector<double> curve = curve_inclinations(points, description.tensioner.incline);
 
   Supports supports;
+  supports.sections = drawn_sections(description.supports);
+  const bool hinged = !supports.sections.empty();
   double from_top = 0.0;
   Vec3 last_S(description.tensioner.x, 0.0, description.tensioner.z);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -144,6 +147,7 @@ Supports place_supports(const Description& description, const std::function<doub
     SupportBox box;
     box.name = given.name;
     box.structure = given.structure;
+    box.section = given.structure == Structure::stinger && hinged ? given.section : -1;
     box.length = given.length;
     box.inclination = given.incline.value_or(curve[i]);
     box.direction_S = Vec3(std::cos(box.inclination), 0.0, -std::sin(box.inclination));
@@ -165,6 +169,7 @@ Supports place_supports(const Description& description, const std::function<doub
     }
     supports.boxes.push_back(box);
   }
+  if (hinged) turn_stinger(supports, set_angles(description.supports));
   return supports;
 }
 

@@ -61,12 +61,21 @@ struct SupportBox {
   double inclination = 0.0;          ///< Positive dipping astern [rad].
   double length = 0.0;               ///< [m]
   int first_row = 0, row_count = 0;
+  int section = -1;  ///< Of the stinger, on whose hinge it turns; -1: fixed to the barge.
+};
+
+/// A section of the stinger where it lies, turned about its hinge and those before it.
+struct StingerSection {
+  Vec3 hinge_S = Vec3::Zero();  ///< [m]
+  double angle = 0.0;           ///< About its own hinge, positive when the tip goes down from where it is drawn [rad].
+  double turned = 0.0;          ///< Together with the sections before it [rad].
 };
 
 struct Supports {
   std::vector<SupportBox> boxes;
   std::vector<SupportRow> rows;
   std::vector<Roller> rollers;
+  std::vector<StingerSection> sections;  ///< Of a stinger on hinges, as in the description.
 };
 
 /// Inclination (positive dipping astern) of the smooth support curve at each point: tangent of the circle through a

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "modelfile/line_resolution.h"
+#include "modelfile/stinger_binding.h"
 
 namespace overbend {
 namespace {
@@ -33,6 +34,16 @@ void bind_value(const FieldNode& node, const FieldValue& value, Target& target, 
   }
 }
 
+/// The head's section begins as the pipe's, which the group of the operation does not know.
+void bind_head_section(const FieldValue& root, const std::string& source_file, Description& description) {
+  const FieldValue* section = root.find("operation.head.section");
+  std::optional<HeadDescription>& head = description.operation.lay.head;
+  if (section == nullptr || section->kind != FieldValue::Kind::map || !section->given || !head) return;
+  head->section = description.pipe.section;
+  head->section->joint.reset();
+  bind_members(field_node("operation.head.section"), *section, &*head->section, source_file);
+}
+
 }  // namespace
 
 // In the order of the table, not of the file: a row may build on what is above it.
@@ -50,6 +61,9 @@ Description bind_model(const FieldValue& root, const std::string& source_file) {
   description.title = std::filesystem::path(source_file).stem().string();
   description.has_pipe = root.find("pipe") != nullptr;
   bind_members(field_tree(), root, &description, source_file);
+  bind_head_section(root, source_file, description);
+  place_box_rows(root, description);
+  choose_stinger_setting(description.supports);
   resolve_lines(description);
   return description;
 }

@@ -56,13 +56,33 @@ std::vector<Field> motion_convention();
 std::vector<Field> tensioner();
 std::vector<Field> rollers();
 std::vector<Field> supports();
+/// Boxes told as a row at `path`, whose group `open` brings to its BoxRowDescription; of a stinger the row `continues`
+/// the ramp where its first box is not given.
+std::vector<Field> box_row(const std::string& path, const Member& open, bool continues);
+/// Table of settings of the stinger at `path`, and the choice among them.
+std::vector<Field> stinger_settings(const std::string& path, const Member& settings, const Member& setting);
+/// The lay route in plan.
+std::vector<Field> route();
 std::vector<Field> moorings();
 std::vector<Field> free_lines();
 std::vector<Field> station_keeping();
 std::vector<Field> operation();
+/// Of operations on the line: cable, head, winch and anchor.
+std::vector<Field> lay_operation();
+/// Stages of an operation, one by one or generated.
+std::vector<Field> operation_stages();
+/// Steel, coatings and hydrodynamics of the head under `p`; what is left out is as in the pipe's main section.
+std::vector<Field> head_section_rows(const std::string& p);
+/// pipe.structures.
+std::vector<Field> structures();
+/// operation.structure.
+Field passing_structure();
+std::vector<Field> lay_table();
 /// Items of a list of loads on the vessel, whose own row is at `p`.
 std::vector<Field> vessel_load_rows(const std::string& p);
+std::vector<Field> seek();
 std::vector<Field> analysis();
 std::vector<Field> checks();
+std::vector<Field> sensitivities();
 
 }  // namespace overbend::field_rows

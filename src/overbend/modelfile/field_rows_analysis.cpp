@@ -155,6 +155,17 @@ std::vector<Field> analysis() {
        .kind = FieldKind::choice,
        .text = "For yielding pipe. laying: every section has passed the supports from the tensioner; monotonic: it is "
                "bent directly to its final shape."},
+      {.path = s + ".laying",
+       .member = defaults(&StaticSettings::laying),
+       .kind = FieldKind::choice,
+       .text =
+           "How the pipe on the seabed came to lie there. steady: at rest on the line on which it was laid, so that "
+           "a current's side load goes to the supports; static: it lay straight on the route and is pulled aside."},
+      {.path = s + ".roller_friction",
+       .member = defaults(&StaticSettings::roller_friction),
+       .kind = FieldKind::choice,
+       .text = "Friction of the rollers on the pipe. none: they turn freely; lay: full friction against the pipe as it "
+               "is paid out; haul: as it is hauled in."},
       {.path = s + ".tolerance",
        .member = defaults(&StaticSettings::tolerance),
        .kind = FieldKind::number,

@@ -9,22 +9,6 @@ namespace {
 
 using Operation = OperationDescription;
 
-std::vector<Field> stages() {
-  using Stage = MooredStageDescription;
-  const std::string s = "operation.stages[]";
-  std::vector<Field> rows = {
-      list_row("operation.stages", enters(&Operation::stages), "Of moored: load cases, each from the vessel as drawn.",
-               "the model as it is"),
-      group_row(s, appends_named<Stage>("stage"), "One stage."),
-      otherwise(row_of_kind(FieldKind::text, s + ".name", fills(&Stage::name), "Name in the results."),
-                "stage 1, 2, ..."),
-      list_row(s + ".parted", enters(&Stage::parted), "Names of mooring lines that are not there.", "none"),
-      row_of_kind(FieldKind::text, s + ".parted[]", appends_value<std::string>(), "A name under moorings.lines."),
-      list_row(s + ".loads", enters(&Stage::loads), "Loads on the vessel besides vessel.loads.", "none")};
-  append(rows, vessel_load_rows(s + ".loads"));
-  return rows;
-}
-
 /// A place on the bed by x and y.
 std::vector<Field> new_place() {
   using Place = std::array<double, 2>;
@@ -74,15 +58,24 @@ std::vector<Field> anchor_move() {
 }  // namespace
 
 std::vector<Field> operation() {
-  Field type =
-      required(row_of_kind(FieldKind::choice, "operation.type", fills(&Operation::type),
-                           "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
-                           "winches; anchor_move: an anchor is taken up and laid down elsewhere; anchor_plan: which "
-                           "anchor has to be moved before which joint."));
-  type.choices = {word_of(OperationType::moored), word_of(OperationType::pull_ahead),
-                  word_of(OperationType::anchor_move), word_of(OperationType::anchor_plan)};
+  Field type = required(
+      row_of_kind(FieldKind::choice, "operation.type", fills(&Operation::type),
+                  "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
+                  "winches; anchor_move: an anchor is taken up and laid down elsewhere; anchor_plan: which "
+                  "anchor has to be moved before which joint; abandonment: the pipe goes down on a cable; "
+                  "recovery: it comes up again, the stages in reverse order; lay_down: the end of the line, "
+                  "as abandonment; start_up: the first pipe is pulled off the vessel by a cable to an anchor; "
+                  "move: the vessel goes ahead and the pipe with its segments leaves it; passage: what is built into "
+                  "the pipe goes down the line; ballast: a tank of the stinger is flooded or emptied."));
+  for (const OperationType operation :
+       {OperationType::moored, OperationType::pull_ahead, OperationType::anchor_move, OperationType::anchor_plan,
+        OperationType::abandonment, OperationType::recovery, OperationType::lay_down, OperationType::start_up,
+        OperationType::move, OperationType::passage, OperationType::ballast}) {
+    type.choices.emplace_back(word_of(operation));
+  }
   std::vector<Field> rows = {
-      otherwise(group_row("operation", enters(&Description::operation), "What is done with the moored vessel."),
+      otherwise(group_row("operation", enters(&Description::operation),
+                          "What is done with the moored vessel, or with the line."),
                 "nothing"),
       type,
       quantity_row("operation.distance", defaults(&Operation::distance),
@@ -108,7 +101,9 @@ std::vector<Field> operation() {
                "none")};
   append(rows, vessel_load_rows("operation.loads"));
   append(rows, anchor_move());
-  append(rows, stages());
+  append(rows, lay_operation());
+  append(rows, operation_stages());
+  rows.push_back(passing_structure());
   return rows;
 }
 

@@ -309,6 +309,16 @@ std::vector<Field> segment_section(const std::string& p) {
 
 }  // namespace
 
+std::vector<Field> head_section_rows(const std::string& p) {
+  std::vector<Field> rows;
+  for (const Field& row : segment_section(p)) {
+    const std::string key = row.path.substr(p.size());
+    const bool part = key.starts_with(".steel") || key.starts_with(".coatings") || key.starts_with(".hydrodynamics");
+    if (part) rows.push_back(row);
+  }
+  return rows;
+}
+
 std::vector<Field> pipe() {
   std::vector<Field> rows = {{.path = "pipe",
                               .member = enters(&Description::pipe),
@@ -355,6 +365,7 @@ std::vector<Field> pipe() {
               .range = {.low = 0.0, .low_open = true}},
          });
   append(rows, section_of<SegmentDescription>("pipe.segments[]", segment_section("pipe.segments[]")));
+  append(rows, structures());
   return rows;
 }
 

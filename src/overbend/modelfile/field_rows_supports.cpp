@@ -1,29 +1,43 @@
+#include <algorithm>
+
 #include "model/contact_stiffness.h"
 #include "model/description_words.h"
-#include "modelfile/field_rows.h"
+#include "modelfile/field_rows_stinger.h"
 
 namespace overbend::field_rows {
 namespace {
 
 constexpr double kDeg = std::numbers::pi / 180.0;
 
-/// Ramp or stinger while its keys are read: the supports hold all boxes in one list.
-struct StructureKeys {
-  SupportsDescription* supports = nullptr;
-  Structure structure = Structure::ramp;
-  std::string roller = {};           ///< Of the boxes that name none.
-  int rows = BoxDescription{}.rows;  ///< Likewise.
-  int boxes = 0;
-};
-
 /// What the structure says of its boxes is bound before them, being above them in the table.
 BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
+  const auto own = [&](const BoxDescription& box) { return box.structure == keys.structure; };
+  const auto number = std::count_if(keys.supports->boxes.begin(), keys.supports->boxes.end(), own) + 1;
   BoxDescription& box = keys.supports->boxes.emplace_back();
-  box.name = std::string(word_of(keys.structure)) + " " + std::to_string(++keys.boxes);
+  box.name = std::string(word_of(keys.structure)) + " " + std::to_string(number);
   box.structure = keys.structure;
   box.roller = keys.roller;
   box.rows = keys.rows;
+  box.section = std::max(keys.section, 0);
   return box;
+}
+
+/// The boxes of a row get their places when ramp and stinger are both bound.
+BoxRowDescription& add_row(StructureKeys& keys, const FieldValue& row) {
+  for (std::int64_t i = row.get_integer("count").value_or(0); i > 0; --i) {
+    add_box(keys, row);
+  }
+  SupportsDescription& supports = *keys.supports;
+  return (keys.structure == Structure::ramp ? supports.ramp_row : supports.stinger_row).emplace();
+}
+
+/// The table of settings, and the choice among them.
+std::vector<Field> settings_of_stinger(const std::string& path) {
+  const auto open = [](StructureKeys& keys, const FieldValue&) -> std::vector<StingerSettingDescription>& {
+    return keys.supports->settings;
+  };
+  const auto choose = [](StructureKeys& keys, const FieldValue& value) { keys.supports->setting = value.text; };
+  return stinger_settings(path, opened_by<StructureKeys>(open), taken_by<StructureKeys>(choose));
 }
 
 RollerKindDescription& add_kind(Description& description, const FieldValue& kind) {
@@ -43,41 +57,16 @@ Field roller_size(const std::string& key, const Member& member, const std::strin
           .range = {.low = 0.0, .high = high, .low_open = true}};
 }
 
-std::vector<Field> structure(Structure which, std::optional<double> SupportsDescription::*radius,
-                             const std::string& text) {
-  const auto open = [which](SupportsDescription& supports, const FieldValue&) {
-    return StructureKeys{.supports = &supports, .structure = which};
-  };
-  const auto take_radius = [radius](StructureKeys& keys, const FieldValue& value) {
-    keys.supports->*radius = value.number;
-  };
-  const std::string p = std::string("supports.") + word_of(which);
-  const std::string b = p + ".boxes[]";
+/// The boxes of a structure, or of a section of it, at `path`.
+std::vector<Field> box_rows(const std::string& path, bool required) {
+  const std::string b = path + "[]";
   const Range rows = {.low = 1.0, .high = 1000.0};
   return {
-      {.path = p, .member = opened_by<SupportsDescription>(open), .text = text},
-      {.path = p + ".radius",
-       .member = taken_by<StructureKeys>(take_radius),
-       .kind = FieldKind::quantity,
-       .text = "Nominal radius, for the report; the geometry is that of the boxes.",
-       .unit = "m",
-       .show = "m",
-       .fallback_text = "not given",
-       .range = {.low = 0.0, .low_open = true}},
-      {.path = p + ".roller",
-       .member = fills(&StructureKeys::roller),
-       .kind = FieldKind::text,
-       .text = "Type of roller row of its boxes, a name under rollers.",
-       .fallback_text = "each box names its own"},
-      {.path = p + ".rows",
-       .member = defaults(&StructureKeys::rows),
-       .kind = FieldKind::integer,
-       .text = "Roller rows per box, evenly over its length.",
-       .range = rows},
-      {.path = p + ".boxes",
+      {.path = path,
        .kind = FieldKind::list,
        .text = "Roller boxes in order from the tensioner astern.",
-       .required = true,
+       .required = required,
+       .fallback_text = required ? "" : "given by sections",
        .least = 1},
       {.path = b, .member = opened_by<StructureKeys>(add_box), .text = "One roller box."},
       {.path = b + ".name",
@@ -133,6 +122,48 @@ std::vector<Field> structure(Structure which, std::optional<double> SupportsDesc
        .fallback_text = "as for the structure",
        .range = rows},
   };
+}
+
+std::vector<Field> structure(Structure which, std::optional<double> SupportsDescription::*radius,
+                             const std::string& text) {
+  const auto open = [which](SupportsDescription& supports, const FieldValue&) {
+    return StructureKeys{.supports = &supports, .structure = which};
+  };
+  const auto take_radius = [radius](StructureKeys& keys, const FieldValue& value) {
+    keys.supports->*radius = value.number;
+  };
+  const std::string p = std::string("supports.") + word_of(which);
+  std::vector<Field> rows = {
+      {.path = p,
+       .member = opened_by<SupportsDescription>(open),
+       .text = text,
+       .least = which == Structure::stinger ? 1 : 0},
+      {.path = p + ".radius",
+       .member = taken_by<StructureKeys>(take_radius),
+       .kind = FieldKind::quantity,
+       .text = "Radius of the arc of boxes told as a row; beside a list of boxes nominal, for the report.",
+       .unit = "m",
+       .show = "m",
+       .fallback_text = "not given",
+       .range = {.low = 0.0, .low_open = true}},
+      {.path = p + ".roller",
+       .member = fills(&StructureKeys::roller),
+       .kind = FieldKind::text,
+       .text = "Type of roller row of its boxes, a name under rollers.",
+       .fallback_text = "each box names its own"},
+      {.path = p + ".rows",
+       .member = defaults(&StructureKeys::rows),
+       .kind = FieldKind::integer,
+       .text = "Roller rows per box, evenly over its length.",
+       .range = {.low = 1.0, .high = 1000.0}},
+  };
+  if (which == Structure::stinger) {
+    append(rows, stinger_section_rows(p));
+    append(rows, stinger_section_list());
+    append(rows, box_rows(p + ".sections[].boxes", true));
+  }
+  append(rows, box_rows(p + ".boxes", which == Structure::ramp));
+  return rows;
 }
 
 }  // namespace
@@ -232,7 +263,10 @@ std::vector<Field> supports() {
        .text = "rollers: contact at each roller; gap_springs: for comparison with traditional models, one gap spring "
                "in the middle of each box, without damping and friction."}};
   append(rows, structure(Structure::ramp, &SupportsDescription::ramp_radius, "Roller boxes on the vessel."));
+  append(rows, box_row("supports.ramp.boxes", opened_by<StructureKeys>(add_row), false));
   append(rows, structure(Structure::stinger, &SupportsDescription::stinger_radius, "Roller boxes on the stinger."));
+  append(rows, box_row("supports.stinger.boxes", opened_by<StructureKeys>(add_row), true));
+  append(rows, settings_of_stinger("supports.stinger"));
   return rows;
 }
 

@@ -1,6 +1,7 @@
 #include "modelfile/field_table.h"
 
 #include "modelfile/field_rows.h"
+#include "modelfile/field_rows_fatigue.h"
 
 namespace overbend {
 namespace {
@@ -50,8 +51,28 @@ std::vector<Field> report() {
 const std::vector<Field>& field_table() {
   static const std::vector<Field> kTable = [] {
     std::vector<Field> table;
-    for (auto* part : {head, report, environment, waves, pipe, vessel, hull, motion_convention, tensioner, rollers,
-                       supports, moorings, free_lines, station_keeping, operation, analysis, checks}) {
+    for (auto* part : {head,
+                       report,
+                       environment,
+                       waves,
+                       pipe,
+                       vessel,
+                       hull,
+                       motion_convention,
+                       tensioner,
+                       rollers,
+                       supports,
+                       route,
+                       moorings,
+                       free_lines,
+                       station_keeping,
+                       operation,
+                       lay_table,
+                       seek,
+                       analysis,
+                       checks,
+                       fatigue,
+                       sensitivities}) {
       append(table, part());
     }
     for (Field& row : table) complete_from_member(row);

@@ -5,6 +5,7 @@
 #include "base/require.h"
 #include "model/description.h"
 #include "modelfile/field_table.h"
+#include "modelfile/make_field_tree.h"
 
 namespace overbend {
 namespace {
@@ -104,13 +105,18 @@ bool FieldNode::has_required_member() const {
 const FieldNode& field_tree() {
   static const FieldNode kTree = [] {
     static const Field kRoot{.path = "", .kind = FieldKind::map, .text = "The model file."};
-    FieldNode root;
-    root.map = &kRoot;
-    for (const Field& field : field_table()) insert(root, field);
+    FieldNode root = make_field_tree(field_table(), kRoot);
     check_types(root, typeid(Description));
     return root;
   }();
   return kTree;
+}
+
+FieldNode make_field_tree(const std::vector<Field>& table, const Field& root) {
+  FieldNode tree;
+  tree.map = &root;
+  for (const Field& field : table) insert(tree, field);
+  return tree;
 }
 
 const FieldNode& field_node(const std::string& path) {

@@ -92,7 +92,8 @@ bool is_given(const FieldValue& root, const std::string& path) {
 
 std::optional<double> level_bed(const FieldValue& root) {
   const auto depth = root.get_number("environment.water_depth");
-  if (!depth || root.get_number("environment.seabed.slope").value_or(0.0) != 0.0) return std::nullopt;
+  const bool shaped = is_given(root, "environment.seabed.profile") || is_given(root, "environment.seabed.bathymetry");
+  if (!depth || shaped || root.get_number("environment.seabed.slope").value_or(0.0) != 0.0) return std::nullopt;
   return depth;
 }
 

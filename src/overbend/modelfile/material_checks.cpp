@@ -101,6 +101,7 @@ void check_materials(const FieldValue& root, const std::string& file, Diagnostic
   if (pipe == nullptr) return;
   check_material(check, *pipe, *pipe);
   for (const FieldValue& segment : Checker::items(*pipe, "segments")) check_material(check, segment, *pipe);
+  if (const FieldValue* head = root.find("operation.head.section")) check_material(check, *head, *pipe);
 }
 
 }  // namespace overbend

@@ -8,8 +8,10 @@
 #include "model/description_words.h"
 #include "modelfile/binding.h"
 #include "modelfile/check_helper.h"
+#include "modelfile/fatigue_checks.h"
 #include "modelfile/field_table.h"
 #include "modelfile/line_checks.h"
+#include "modelfile/tolerances.h"
 
 namespace overbend {
 namespace {
@@ -75,6 +77,9 @@ void check_pipe(Checker& check) {
   for (const FieldValue& segment : Checker::items(*pipe, "segments")) {
     check_section(check, segment, *pipe);
     total += segment.get_number("length").value_or(0.0);
+  }
+  if (const FieldValue* head = check.root().find("operation.head.section"); head != nullptr && head->given) {
+    check_section(check, *head, *pipe);
   }
   const FieldValue* length = pipe->find("length");
   if (length != nullptr && total > length->number) {
@@ -183,11 +188,13 @@ void check_vessel(Checker& check) {
   }
 }
 
-/// Files that only dynamics reads: their absence is told, but statics goes on.
+/// Files that only dynamics reads: their absence is told, but statics goes on. Statics needs depths and hull, whose
+/// readers ask for theirs.
 void check_files(Checker& check, const std::string& file) {
   for (const Field& row : field_table()) {
     const FieldValue* value = row.file ? check.root().find(row.path) : nullptr;
-    if (value == nullptr || row.path.starts_with("vessel.motion.coupled.")) continue;  // check_hull asks for those
+    const bool needed = row.path.starts_with("vessel.motion.coupled.") || row.path.starts_with("environment.seabed.");
+    if (value == nullptr || needed) continue;
     std::error_code fault;
     if (!std::filesystem::exists(resolved_file(value->text, file), fault)) {
       check.warn(*value, "the file " + value->shown + " does not exist; dynamic analysis will require it");
@@ -234,6 +241,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   std::set<std::string> used_types;
   check_parts(check);
   check_current(check);
+  check_seabed(check);
   check_waves(root, file, diagnostics);
   check_pipe(check);
   check_materials(root, file, diagnostics);
@@ -246,10 +254,17 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   check_supports(root, file, diagnostics);
   check_hull(check, file);
   check_moorings(check, used_types);
+  check_operation(check);
   check_free_lines(check, used_types);
   check_line_types(check, used_types);
+  check_structures(check);
+  check_route(check);
+  check_lay_table(check);
   check_dynamics(check);
+  check_fatigue(check);
+  check_seek(check);
   check_files(check, file);
+  check_tolerances(root, file, diagnostics);
 }
 
 }  // namespace overbend

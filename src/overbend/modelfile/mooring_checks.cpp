@@ -123,74 +123,6 @@ void check_count(Checker& check, const std::vector<FieldValue>& lines) {
               "at least three", "or hold the hull: leave out hydrostatics, or give station_keeping");
 }
 
-std::vector<std::string> line_names(const std::vector<FieldValue>& lines) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    names.push_back(lines[i].get_text("name").value_or("line " + std::to_string(i + 1)));
-  }
-  return names;
-}
-
-void check_parted(Checker& check, const std::vector<FieldValue>& lines) {
-  const std::vector<std::string> names = line_names(lines);
-  for (const FieldValue& stage : Checker::items(check.root(), "operation.stages")) {
-    for (const FieldValue& name : Checker::items(stage, "parted")) check_name(check, name, names, "moorings.lines");
-  }
-}
-
-/// Which line, and one way to say where its anchor goes.
-void check_anchor_move(Checker& check, const FieldValue& operation, const std::vector<FieldValue>& lines) {
-  if (const FieldValue* line = operation.find("line"); line != nullptr && line->given) {
-    check_name(check, *line, line_names(lines), "moorings.lines");
-  } else {
-    check.missing(operation, "line", "the name of a mooring line", "its anchor is moved");
-  }
-  const bool to = operation.mentions("to");
-  const bool bearing = operation.mentions("bearing"), distance = operation.mentions("anchor_distance");
-  if (to && (bearing || distance)) {
-    check.error(*operation.find("to"), "the place of the anchor and its direction or distance", "one of them");
-  } else if (!to && !bearing) {
-    check.missing(operation, "to", "the new place of the anchor", "or bearing and anchor_distance");
-  } else if (!to && !distance) {
-    check.missing(operation, "anchor_distance", "a length with its unit", "it goes with bearing");
-  }
-}
-
-void check_operation(Checker& check, const std::vector<FieldValue>& lines) {
-  const FieldValue* operation = check.root().find("operation");
-  if (operation == nullptr) return;
-  const auto type = operation->get_word<OperationType>("type");
-  const auto foreign = [&](const char* key, const char* whose) {
-    const FieldValue* value = operation->find(key);
-    if (value != nullptr && value->given) {
-      check.error(*value, "a key of " + std::string(whose), "none in this type of operation");
-    }
-  };
-  if (type != OperationType::pull_ahead) {
-    for (const char* key : {"speed", "acceleration_time", "start", "wait", "shape", "loads"}) {
-      foreign(key, "pull_ahead");
-    }
-  }
-  if (type != OperationType::pull_ahead && type != OperationType::anchor_plan) {
-    for (const char* key : {"distance", "moves"}) foreign(key, "pull_ahead");
-  }
-  if (type != OperationType::moored) foreign("stages", "moored");
-  if (type != OperationType::anchor_move) {
-    for (const char* key :
-         {"line", "to", "bearing", "anchor_distance", "handling_tension", "working_tension", "test_tension"}) {
-      foreign(key, "anchor_move");
-    }
-  } else {
-    check_anchor_move(check, *operation, lines);
-  }
-  const bool led = type == OperationType::pull_ahead && check.root().mentions("pipe") && !hull_floats(check.root());
-  if (type && lines.empty() && !check.root().mentions("moorings") && !led) {
-    check.missing(check.root(), "moorings", "a group of keys", "the operation is that of a moored vessel");
-  }
-  check_unique_names(check, Checker::items(*operation, "stages"), "stage");
-  check_parted(check, lines);
-}
-
 }  // namespace
 
 void check_moorings(Checker& check, std::set<std::string>& used_types) {
@@ -211,7 +143,6 @@ void check_moorings(Checker& check, std::set<std::string>& used_types) {
   check_winches(check, used_winches);
   check_find(check);
   check_count(check, lines);
-  check_operation(check, lines);
 }
 
 }  // namespace overbend

@@ -37,7 +37,9 @@ double longest(const MooringLineDescription& line) {
 
 void check_reach(const FieldValue& root, const Description& description, Diagnostics& diagnostics) {
   const FieldValue* lines = root.find("moorings.lines");
-  if (!description.moorings || lines == nullptr || description.environment.seabed.slope != 0.0) return;
+  const SeabedDescription& bed = description.environment.seabed;
+  const bool level = bed.slope == 0.0 && bed.profile.empty() && bed.bathymetry_file.empty();
+  if (!description.moorings || lines == nullptr || !level) return;
   for (std::size_t i = 0; i < std::min(lines->children.size(), description.moorings->lines.size()); ++i) {
     const MooringLineDescription& line = description.moorings->lines[i];
     const double way = way_to_anchor(description, line), reach = longest(line);

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "base/text.h"
 #include "model/description_words.h"
+#include "modelfile/box_row_checks.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/model_checks.h"
 
@@ -20,24 +24,63 @@ std::string box_words(const FieldValue& box) {
   return name ? "box '" + for_display(*name) + "'" : "the box before";
 }
 
+/// The support before a box, from the tensioner astern.
+struct Before {
+  double x = 0.0;
+  std::string shown, words;
+};
+
+void check_beyond(Checker& check, const FieldValue& x, const std::optional<Before>& before) {
+  if (before && x.number <= before->x) {
+    check.error(x, x.shown, "more than " + before->shown + " of " + before->words,
+                "supports are listed astern: x increases from box to box");
+  }
+}
+
+/// Those of a ramp, a stinger, or of all sections of a stinger.
+std::vector<const FieldValue*> boxes_of(const FieldValue& structure) {
+  std::vector<const FieldValue*> boxes;
+  for (const FieldValue& box : Checker::items(structure, "boxes")) boxes.push_back(&box);
+  for (const FieldValue& section : Checker::items(structure, "sections")) {
+    for (const FieldValue& box : Checker::items(section, "boxes")) boxes.push_back(&box);
+  }
+  return boxes;
+}
+
 /// Boxes run astern: every x beyond the one before, the first beyond the tensioner, the stinger beyond the ramp.
 void check_order(Checker& check) {
-  const FieldValue* tensioner = check.root().find("tensioner.x");
-  const FieldValue* before = tensioner;
-  std::string before_words = "the tensioner";
+  std::optional<Before> before;
+  if (const FieldValue* tensioner = check.root().find("tensioner.x")) {
+    before = Before{tensioner->number, tensioner->shown, "the tensioner"};
+  }
   for (const auto& [structure, word] : kWords<Structure>) {
     const FieldValue* group = check.root().find(path_of(structure));
     if (group == nullptr) continue;
-    for (const FieldValue& box : Checker::items(*group, "boxes")) {
-      const FieldValue* x = box.find("x");
+    for (const FieldValue* box : boxes_of(*group)) {
+      const FieldValue* x = box->find("x");
       if (x == nullptr) continue;
-      if (before != nullptr && x->number <= before->number) {
-        check.error(*x, x->shown, "more than " + before->shown + " of " + before_words,
-                    "supports are listed astern: x increases from box to box");
-      }
-      before = x;
-      before_words = box_words(box);
+      check_beyond(check, *x, before);
+      before = Before{x->number, x->shown, box_words(*box)};
     }
+    if (const FieldValue* x = group->find("boxes.first.x")) {
+      check_beyond(check, *x, before);
+      if (const std::optional<BoxPlace> end = end_of_row(check.root(), *group)) {
+        before = Before{end->x, fmt::format("{:.2f} m", end->x), "the last box of the row"};
+      }
+    }
+  }
+}
+
+/// The boxes of a row are called ramp 1, 2, ...: a box of the other structure may have taken such a name.
+void check_row_names(Checker& check, const FieldValue& group, const char* word, std::map<std::string, int>& lines) {
+  const FieldValue* row = box_row_of(group);
+  const std::int64_t count = row != nullptr ? row->get_integer("count").value_or(0) : 0;
+  for (std::int64_t i = 1; i <= count; ++i) {
+    const std::string name = std::string(word) + " " + std::to_string(i);
+    const auto [first, fresh] = lines.emplace(name, row->line);
+    if (fresh) continue;
+    check.error(*row, "a row with a box called '" + name + "'", "a name of its own",
+                "it is used already in line " + std::to_string(first->second));
   }
 }
 
@@ -46,14 +89,15 @@ void check_names(Checker& check) {
   for (const auto& [structure, word] : kWords<Structure>) {
     const FieldValue* group = check.root().find(path_of(structure));
     if (group == nullptr) continue;
+    check_row_names(check, *group, word, lines);
     int number = 0;
-    for (const FieldValue& box : Checker::items(*group, "boxes")) {
-      const FieldValue* given = box.find("name");
+    for (const FieldValue* box : boxes_of(*group)) {
+      const FieldValue* given = box->find("name");
       const std::string name = given != nullptr ? given->text : std::string(word) + " " + std::to_string(number + 1);
       ++number;
-      const auto [first, fresh] = lines.emplace(name, box.line);
+      const auto [first, fresh] = lines.emplace(name, box->line);
       if (fresh) continue;
-      check.error(given != nullptr ? *given : box, "the name '" + for_display(name) + "' again", "a name of its own",
+      check.error(given != nullptr ? *given : *box, "the name '" + for_display(name) + "' again", "a name of its own",
                   "it is used already in line " + std::to_string(first->second));
     }
   }
@@ -80,6 +124,7 @@ void check_kind_is_known(Checker& check, const FieldValue& roller, const std::ve
               near.empty() ? "" : "did you mean '" + near + "'?");
 }
 
+/// `box` may stand for all of a row.
 void check_rows_have_room(Checker& check, const FieldValue& box, const FieldValue& structure) {
   const FieldValue* own = box.find("rows");
   const FieldValue* rows = own != nullptr ? own : structure.find("rows");
@@ -105,16 +150,22 @@ void check_rollers(Checker& check) {
       used.insert(common->text);
       check_kind_is_known(check, *common, kinds);
     }
-    for (const FieldValue& box : Checker::items(*group, "boxes")) {
-      const FieldValue* own = box.find("roller");
+    if (const FieldValue* row = box_row_of(*group)) {
+      if (!group->mentions("roller")) {
+        check.missing(*group, "roller", "the name of a type of roller row", "the boxes of a row have the same rollers");
+      }
+      check_rows_have_room(check, *row, *group);
+    }
+    for (const FieldValue* box : boxes_of(*group)) {
+      const FieldValue* own = box->find("roller");
       if (own != nullptr) {
         used.insert(own->text);
         check_kind_is_known(check, *own, kinds);
-      } else if (!group->mentions("roller") && !box.mentions("roller")) {
-        check.missing(box, "roller", "the name of a type of roller row",
+      } else if (!group->mentions("roller") && !box->mentions("roller")) {
+        check.missing(*box, "roller", "the name of a type of roller row",
                       "give it here or once for all boxes under " + path_of(structure));
       }
-      check_rows_have_room(check, box, *group);
+      check_rows_have_room(check, *box, *group);
     }
   }
   const FieldValue* rollers = check.root().find("rollers");
@@ -131,6 +182,11 @@ void check_supports(const FieldValue& root, const std::string& file, Diagnostics
   check_order(check);
   check_names(check);
   check_rollers(check);
+  for (const auto& [structure, word] : kWords<Structure>) {
+    if (const FieldValue* group = root.find(path_of(structure))) check_box_row(check, *group);
+  }
+  check_stinger(check);
+  check_stinger_settings(check);
 }
 
 }  // namespace overbend

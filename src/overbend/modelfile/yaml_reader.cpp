@@ -13,6 +13,7 @@
 #include "modelfile/model_checks.h"
 #include "modelfile/mooring_reach.h"
 #include "modelfile/motion_files.h"
+#include "modelfile/seabed_files.h"
 #include "seafiles/spectrum_reader.h"
 
 namespace overbend {
@@ -61,6 +62,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   if (reading.diagnostics.has_errors()) return;
   reading.description = bind_model(values, path);
   check_reach(values, *reading.description, reading.diagnostics);
+  read_bathymetry_file(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);

@@ -159,9 +159,10 @@ void DesignRecorder::step_times(const DesignInstant& at, std::size_t node) {
 void DesignRecorder::step(const DesignInstant& at) {
   if (model_->description.checks.point_load) find_rollers(at);
   for (std::size_t node = 0; node < stations_.size(); ++node) {
+    step_times(at, node);
+    if (model_->sections[section_[node]].kind == SectionKind::cable) continue;  // no code for pipes is about it
     step_load(at, node);
     if (node >= first_supported_) step_strain(at, node);
-    step_times(at, node);
   }
 }
 

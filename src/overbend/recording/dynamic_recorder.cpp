@@ -65,6 +65,14 @@ std::int64_t snapshot_stride(const DynamicOptions& options) {
   return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMostSnapshots)));
 }
 
+/// What carries a box: the vessel, or its section of a stinger that turns in time, whose body follows the vessel's.
+const RigidMotion& carrier_of(const Instant& at, const SupportBox& box) {
+  if (box.section < 0 || at.assembly->hinged().empty()) {
+    return at.vessel();
+  }
+  return at.assembly->surroundings().bodies[static_cast<std::size_t>(box.section) + 1];
+}
+
 }  // namespace
 
 DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& statics, const Simulation& simulation,
@@ -72,7 +80,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
     : model_(&model),
       statics_(&statics),
       line_(&simulation.system().lines.front()),
-      vessel_(&simulation.system().bodies.front()),
+      body_rollers_(&simulation.rollers()),
       sink_(&sink),
       recovery_(model, *line_, simulation.move() != nullptr),
       design_(model, recovery_.sections()),
@@ -82,12 +90,15 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       boxes_(model.supports.boxes.size()),
       tensioner_(tensioner_of(simulation.system())),
       moorings_(model.description.moorings, simulation.moorings()),
+      stinger_(model),
       floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
-      columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value())),
+      columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value(), sections_in_time(model),
+                                astern_direction(model.mean_pose))),
       snapshot_stride_(snapshot_stride(simulation.options())) {
   const std::vector<double>& s = places();
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
+  if (model.description.fatigue) fatigue_.emplace(model, recovery_.sections(), first_);
   const std::size_t n = s.size() - first_;
   node_sample_.resize(kNodeQuantities * n);
   support_sample_.resize(kBoxQuantities * boxes_ + kRollerQuantities * rollers_);
@@ -124,7 +135,9 @@ void DynamicRecorder::begun(const Instant& at) {
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
   design_.start(design_instant(at));
+  if (fatigue_) fatigue_->start(design_instant(at));
   moorings_.start(*at.state, *at.assembly);
+  stinger_.start(*at.assembly);
   if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
@@ -250,7 +263,7 @@ void DynamicRecorder::find_support_values(const Instant& at) {
   std::size_t roller = 0;
   for (std::size_t box = 0; box < boxes_; ++box) {
     const SupportBox& support = model_->supports.boxes[box];
-    const Vec3 along = direction_from_ramp(at.vessel().pose, support.direction_S);
+    const Vec3 along = direction_from_ramp(carrier_of(at, support).pose, support.direction_S);
     Vec3 force = Vec3::Zero();
     double nearest = std::numeric_limits<double>::infinity();
     for (; roller < rollers_ && rollers[roller].box == static_cast<int>(box); ++roller) {
@@ -279,6 +292,7 @@ void DynamicRecorder::stepped(const Instant& at) {
   recover(at);
   tensioner_.add(*at.tensioner, at.move.paid_out, at.state->time, at.step);
   moorings_.add(*at.state, *at.assembly, at.step);
+  stinger_.add(*at.assembly, at.state->time, at.step);
   if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {
@@ -286,6 +300,7 @@ void DynamicRecorder::stepped(const Instant& at) {
   }
   if (move_ != nullptr) design_.set_sections(recovery_.sections());
   design_.step(design_instant(at));
+  if (fatigue_) fatigue_->step(design_instant(at));
   double* out = node_sample_.data();
   for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
                                             &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {
@@ -343,7 +358,7 @@ void DynamicRecorder::impact(const Impact& ended) {
   Impact impact = ended;
   const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
   const Section& pipe = model_->section_over(roller);
-  impact.dent_depth = dent_depth(impact.peak_force, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+  impact.dent_depth = dent_depth(impact.peak_force, pipe);
   impact.line_load =
       line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
   if (impact.time > 0.0) count(impact);

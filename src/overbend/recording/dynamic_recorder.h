@@ -8,9 +8,11 @@
 #include "numerics/running_quantiles.h"
 #include "numerics/running_statistics.h"
 #include "recording/design_recorder.h"
+#include "recording/fatigue_recorder.h"
 #include "recording/history_columns.h"
 #include "recording/mooring_watch.h"
 #include "recording/moving_stations.h"
+#include "recording/stinger_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
 #include "recording/vessel_watch.h"
@@ -82,10 +84,11 @@ class DynamicRecorder : public SimulationObserver {
   const Model* model_;
   const StaticResults* statics_;
   const Line* line_;
-  const Body* vessel_;
+  const std::vector<BodyRoller>* body_rollers_;
   DynamicSink* sink_;
   MovingStations recovery_;
   DesignRecorder design_;
+  std::optional<FatigueRecorder> fatigue_;  ///< Where the model asks for it.
   NodeValues nodes_, static_nodes_;
   KeyValues key_;
   std::size_t first_ = 0;                   ///< Station that is recorded.
@@ -100,6 +103,7 @@ class DynamicRecorder : public SimulationObserver {
   RunningQuantiles reaction_quantiles_;
   TensionerAccount tensioner_;
   MooringWatch moorings_;
+  StingerWatch stinger_;
   std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   SurfaceCrossing crossing_;
   std::vector<RecordedColumn> columns_;

@@ -22,8 +22,10 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
   put("record/moorings", moorings_.save());
+  put("record/stinger", stinger_.save());
   if (floating_) put("record/vessel", floating_->save());
   put("record/design", design_.save());
+  if (fatigue_) put("record/fatigue", fatigue_->save());
   std::vector<double> peaks, impacts{impact_count_}, hardest;
   const auto put_peak = [&](const RegionPeak& peak) { peaks.insert(peaks.end(), {peak.largest, peak.s, peak.time}); };
   for (const auto* region : {&key_.upper, &key_.sagbend}) {
@@ -57,9 +59,11 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
   moorings_.restore(get("record/moorings"));
+  stinger_.restore(get("record/stinger"));
   if (floating_) floating_->restore(get("record/vessel"));
   crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));
+  if (fatigue_) fatigue_->restore(get("record/fatigue"));
   std::size_t i = 0;
   const std::vector<double>& peaks = get("record/peaks");
   const auto get_peak = [&](RegionPeak& peak) {

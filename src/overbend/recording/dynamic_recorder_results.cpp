@@ -73,7 +73,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
       r.largest_approach_velocity = impacts_[roller].velocity;
       r.largest_impact_force = impacts_[roller].force;
       r.largest_impulse = impacts_[roller].impulse;
-      r.dent_depth = dent_depth(r.reaction.max, pipe.steel_diameter, pipe.wall_thickness, pipe.yield_stress);
+      r.dent_depth = dent_depth(r.reaction.max, pipe);
       r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
       out.impact_count += r.impact_count;
       out.rollers.push_back(r);
@@ -152,13 +152,14 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   fill_tensioner_warnings(results);
   if (move_ != nullptr) warn_of_move(*model_, *move_, results);
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
+  for (std::string& warning : stinger_.warnings()) results.warnings.push_back(std::move(warning));
 }
 
 /// Impact forces hang on a stiffness that is known to a factor: says how much.
 void DynamicRecorder::fill_assumptions(DynamicResults& results) const {
   if (hardest_.empty()) return;
   const double force = 1e-3 * hardest_.front().peak_force;
-  const double stiffness = 1e-6 * vessel_->rollers[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
+  const double stiffness = 1e-6 * (*body_rollers_)[static_cast<std::size_t>(hardest_.front().roller)].law.stiffness;
   results.assumptions.push_back(fmt::format(
       "The hardest impact, {:.1f} kN, was on a contact of {:.3g} MN/m; with half that stiffness it would be "
       "{:.1f} kN, with twice {:.1f} kN (the force is proportional to its cube root at the same approach velocity).",
@@ -214,12 +215,14 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.impact_count = static_cast<std::int64_t>(impact_count_);
   results.tensioner = tensioner_.results();
   results.moorings = moorings_.results();
+  results.stinger = stinger_.results();
   if (floating_) results.vessel = floating_->results();
   fill_assumptions(results);
   if (move_ != nullptr) assume_of_move(*model_, *move_, results);
   fill_slamming(results);
   fill_warnings(results);
   warn_of_slack(*statics_, results);
+  if (fatigue_) fatigue_->fill(results);
 }
 
 }  // namespace overbend

@@ -162,6 +162,12 @@ void NodeRecovery::moments_under_rollers(const LineState& state, const LineAssem
   }
 }
 
+/// A cable has no bending; what keeps it defined where it is slack is not told.
+void NodeRecovery::lay_straight(std::size_t node, NodeValues& values) {
+  bend_[node] = Vec3::Zero();
+  values.bending_moment[node] = values.vertical_moment[node] = values.curvature[node] = 0.0;
+}
+
 void NodeRecovery::recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water,
                            NodeValues& values) {
   carrying_.clear();
@@ -173,6 +179,7 @@ void NodeRecovery::recover(const LineState& state, const LineAssembly& line, con
   moments_under_rollers(state, line, values);
   for (std::size_t node = 0; node < section_.size(); ++node) {
     const Section& section = model_->sections[static_cast<std::size_t>(section_[node])];
+    if (section.kind == SectionKind::cable) lay_straight(node, values);
     const double* q = state.q.data() + 6 * node;
     const double z = q[2];
     const double head = water.empty() ? 0.0 : water[static_cast<std::size_t>(kWaterValues) * node + 7];
@@ -186,9 +193,10 @@ void NodeRecovery::recover(const LineState& state, const LineAssembly& line, con
     loads.internal_pressure = section.internal_pressure - section.contents_weight_density * z;
     const SectionStress stress = section_stress(section, loads);
     values.external_pressure[node] = loads.external_pressure;
-    values.bending_stress[node] = stress.bending;
-    values.von_mises[node] = stress.von_mises;
-    values.strain[node] = stress.strain;
+    const bool pipe = section.kind != SectionKind::cable;  // what is told of a cable is its tension
+    values.bending_stress[node] = pipe ? stress.bending : 0.0;
+    values.von_mises[node] = pipe ? stress.von_mises : 0.0;
+    values.strain[node] = pipe ? stress.strain : 0.0;
     values.x[node] = q[0];
     values.y[node] = q[1];
     values.z[node] = z;

@@ -28,7 +28,8 @@ class NodeRecovery {
   /// what the line above a node exerts on what is below follows from the balance of the element below, inertia and
   /// water included, as in statics. So they are right where the section changes and the strain of neighbouring elements
   /// is not. Where a roller pushes inside an element, the moment under it goes to the nearer node if it is larger
-  /// there. The curvature of steel that yields is that of the shape. Nothing is allocated.
+  /// there. The curvature of steel that yields is that of the shape. A cable has tension alone: its moments, stresses
+  /// and strain are 0. Nothing is allocated.
   void recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water, NodeValues& values);
 
   // Of the state recovered last, at every node, W.
@@ -40,6 +41,7 @@ class NodeRecovery {
   void cut_moments(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
   void shape_curvatures(const LineState& state, NodeValues& values);
   void moments_under_rollers(const LineState& state, const LineAssembly& line, NodeValues& values);
+  void lay_straight(std::size_t node, NodeValues& values);
   Vec3 moment_under(const LineState& state, const LineAssembly& line, const RollerContact& contact) const;
   Vec3 shape_bend(const LineState& state, const RollerContact& contact) const;
 

@@ -2,6 +2,7 @@
 
 #include "dynamics/mooring_tension.h"
 #include "recording/dynamic_recorder_layout.h"
+#include "recording/stinger_watch.h"
 
 namespace overbend {
 namespace {
@@ -114,10 +115,26 @@ void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
       {{"mooring/" + name + "/anchor_tension", "N", "Tension at the anchor", true, false}, tension(LineEnd::first)});
 }
 
+void add_section(Columns& columns, const std::string& name, std::size_t section, const Vec3& astern_W) {
+  const auto reading = [section](const RowSource& row) { return row.now.assembly->hinged().reading(section); };
+  const std::string of = "stinger/" + name + "/";
+  columns.push_back({{of + "angle", "rad", "From where it is drawn, tip down", true, true},
+                     [=](const RowSource& row) { return reading(row).angle; }});
+  columns.push_back({{of + "hinge_longitudinal", "N", "Force of the hinge on the section, level astern", true, false},
+                     [=](const RowSource& row) { return hinge_force(reading(row), astern_W).longitudinal; }});
+  columns.push_back({{of + "hinge_vertical", "N", "Force of the hinge on the section, upwards", true, false},
+                     [=](const RowSource& row) { return hinge_force(reading(row), astern_W).vertical; }});
+  columns.push_back({{of + "stop_moment", "N m", "Of the stops on the section, tip down", false, false},
+                     [=](const RowSource& row) { return reading(row).stop_moment; }});
+  columns.push_back({{of + "draught", "m", "Deepest end of its tanks below the surface there", false, false},
+                     [=](const RowSource& row) { return reading(row).draught; }});
+}
+
 }  // namespace
 
 std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings,
-                                             bool floating) {
+                                             bool floating, const std::vector<std::string>& sections,
+                                             const Vec3& astern_W) {
   Columns columns;
   columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
                      [](const RowSource& row) { return row.now.state->time; }});
@@ -136,6 +153,7 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
   for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
   if (floating) add_floating(columns);
   for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
+  for (std::size_t i = 0; i < sections.size(); ++i) add_section(columns, sections[i], i, astern_W);
   return columns;
 }
 

@@ -28,7 +28,9 @@ struct RecordedColumn {
 
 /// The columns of a run over these supports; the first is time.
 /// `moorings`: names of the mooring lines of the run; `floating`: whether the vessel floats free or lies on lines.
+/// `sections`: names of those of the stinger that turn in time, told along the horizontal unit vector `astern_W`.
 std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {},
-                                             bool floating = false);
+                                             bool floating = false, const std::vector<std::string>& sections = {},
+                                             const Vec3& astern_W = Vec3::UnitX());
 
 }  // namespace overbend

@@ -45,10 +45,11 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
   } else {
     recorder.row(simulation.now(), simulation.row_number());
   }
+  const auto so_far = [&] { return results_of(simulation, recorder); };
   while (!simulation.finished()) {
     if (!simulation.advance(simulation.next_row())) return {std::nullopt, simulation.failure(), false};
     const DynamicControl wanted =
-        control({simulation.time(), simulation.end(), simulation.report().steps, recorder.top_tension()});
+        control({simulation.time(), simulation.end(), simulation.report().steps, recorder.top_tension(), so_far});
     if (wanted != DynamicControl::go_on) sink.checkpoint(simulation.checkpoint());
     if (wanted == DynamicControl::stop && !simulation.finished()) {
       if (simulation.time() <= 0.0) return {std::nullopt, std::nullopt, true};

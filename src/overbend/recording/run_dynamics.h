@@ -14,6 +14,8 @@ struct DynamicProgress {
   double time = 0.0, end = 0.0;  ///< [s]
   std::int64_t steps = 0;
   double top_tension = 0.0;  ///< [N]
+  /// Results up to now, without code checks; after t = 0 only, and only during the call.
+  std::function<DynamicResults()> so_far{};
 };
 
 enum class DynamicControl { go_on, checkpoint, stop };  ///< `stop` leaves a checkpoint.

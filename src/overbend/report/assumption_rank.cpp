@@ -35,6 +35,7 @@ const std::vector<std::string>& assumption_phrases(AssumptionRank rank) {
       "m face and no given stiffness",
       "Hard impacts amplify the smallest differences",
       "The hardest impact, ",
+      "Fatigue: the sea of the run lasts",
       "The vessel does not move.",
       "There are no waves.",
       "In the dynamic analysis the tensioner is a locked brake",

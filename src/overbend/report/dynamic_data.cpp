@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "report/fatigue_section.h"
 #include "report/history_data.h"
 #include "report/mooring_data.h"
 #include "report/places.h"
@@ -132,6 +133,7 @@ json dynamic_figure_data(const StaticResults& statics, const DynamicResults& res
   data["spectra"] = spectrum_data(results);
   data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
   data["impacts"] = impact_data(style, results);
+  data["fatigue"] = fatigue_figure_data(statics, results);
   data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : json(nullptr);
   return data.take();
 }

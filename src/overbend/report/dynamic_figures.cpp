@@ -32,6 +32,13 @@ const std::vector<Figure>& all_figures() {
       {"history",
        "Time history of the clearance at the stinger tip; below zero the pipe is in contact",
        {"separation"}},
+      {"history",
+       "Time history of the stinger on its hinges: angle, positive when the tip goes down from where it is drawn, and "
+       "draught of its tanks",
+       {"stinger_angle"}},
+      {"history",
+       "Time history of the hinges of the stinger: forces on the section, moment of the stops",
+       {"stinger_hinge"}},
       {"history", "Pull-ahead in time: the vessel, the tensioner and the pipe below each other", {"operation"}},
       {"history", "Time history of wave elevation at the stern shoe", {"wave"}},
       {"history", "Time histories of vessel motion", {"motions"}, true},

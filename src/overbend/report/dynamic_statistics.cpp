@@ -77,6 +77,15 @@ std::string statistics_table(const StaticResults& statics, const DynamicResults&
   if (statics.stinger_tip_clearance) {
     table.add("stinger_tip_clearance", "m", r.stinger_tip_clearance);
   }
+  for (const StingerSectionDynamics& section : r.stinger) {
+    const std::string of = "stinger/" + section.name + "/";
+    table.add(of + "angle", "rad", section.angle);
+    table.add(of + "hinge_force", "N", section.hinge_force);
+    table.add(of + "hinge_longitudinal", "N", section.hinge_longitudinal);
+    table.add(of + "hinge_vertical", "N", section.hinge_vertical);
+    table.add(of + "stop_moment", "N m", section.stop_moment);
+    table.add(of + "draught", "m", section.draught);
+  }
   for (const char* name : {"elevation", "surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     table.add_history(name);
   }

@@ -194,6 +194,14 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
   if (statics.stinger_tip_clearance) {
     histories.add("separation", "stinger_tip_clearance");
   }
+  for (const StingerSectionDynamics& section : results.stinger) {
+    const std::string of = "stinger/" + section.name + "/";
+    histories.add("stinger_angle", of + "angle");
+    histories.add("stinger_hinge", of + "hinge_longitudinal");
+    histories.add("stinger_hinge", of + "hinge_vertical");
+    histories.add("stinger_angle", of + "draught");
+    histories.add("stinger_hinge", of + "stop_moment");
+  }
   json all = histories.take();
   for (json& history : mooring_history_data(results)) all.push_back(std::move(history));
   if (statics.moorings && statics.moorings->operation == "pull_ahead") {

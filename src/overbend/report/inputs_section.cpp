@@ -54,6 +54,10 @@ std::string environment_table(const EnvironmentDescription& sea) {
                  fixed(sea.seabed.slope_towards * kDegrees, 1),
              "deg");
   }
+  for (const ProfilePoint& at : sea.seabed.profile) {
+    list.add("Depth of the seabed " + general(at.x) + " m astern of the stern shoe", at.depth, "m");
+  }
+  if (!sea.seabed.bathymetry_file.empty()) list.add("Depths of the seabed", sea.seabed.bathymetry_file);
   for (const CurrentPoint& at : sea.current) {
     list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kDegrees) + " deg", at.speed,
              "m/s");
@@ -71,6 +75,17 @@ Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
       .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg");
 }
 
+/// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
+void add_arc(Listing& list, const std::string& name, const std::optional<double>& radius,
+             const std::optional<BoxRowDescription>& row) {
+  if (radius) {
+    list.add(name + " radius", *radius, "m");
+  }
+  if (row) {
+    list.add(name + " boxes, spacing along the arc", std::to_string(row->count) + ", " + general(row->spacing), "m");
+  }
+}
+
 std::string vessel_table(const Description& model) {
   const VesselDescription& vessel = model.vessel;
   Listing list("Vessel and tensioner");
@@ -82,11 +97,10 @@ std::string vessel_table(const Description& model) {
   if (model.tensioner.tension) {
     list.add("Set tension", 1e-3 * *model.tensioner.tension, "kN");
   }
-  if (model.supports.ramp_radius) {
-    list.add("Ramp radius", *model.supports.ramp_radius, "m");
-  }
-  if (model.supports.stinger_radius) {
-    list.add("Stinger radius", *model.supports.stinger_radius, "m");
+  add_arc(list, "Ramp", model.supports.ramp_radius, model.supports.ramp_row);
+  add_arc(list, "Stinger", model.supports.stinger_radius, model.supports.stinger_row);
+  if (!model.supports.setting.empty()) {
+    list.add("Stinger setting", model.supports.setting);
   }
   return list.str();
 }

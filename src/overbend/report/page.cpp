@@ -38,14 +38,47 @@ std::string page_of(const std::string& title, const std::string& body, const std
 
 std::string whole_page(const std::string& title, const std::string& body, const std::string& data) {
   return page_of(title, body,
-                 scripts(data, {"d3", "data", "chart", "along", "diagrams", "envelopes", "checks", "in_time",
-                                "histories", "bars", "contacts", "moorings", "compared_tensioner", "compared_contact",
-                                "side_view", "painter", "scene", "main"}));
+                 scripts(data, {"d3",
+                                "data",
+                                "chart",
+                                "along",
+                                "diagrams",
+                                "envelopes",
+                                "checks",
+                                "fatigue",
+                                "in_time",
+                                "histories",
+                                "bars",
+                                "contacts",
+                                "moorings",
+                                "seek",
+                                "compared_tensioner",
+                                "compared_contact",
+                                "side_view",
+                                "painter",
+                                "scene",
+                                "main"}));
 }
 
 std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data) {
   return page_of(title, body,
                  scripts(data, {"d3", "data", "chart", "in_time", "histories", "moorings", "lines", "main"}));
+}
+
+std::string operation_page(const std::string& title, const std::string& body, const std::string& data) {
+  return page_of(title, body, scripts(data, {"d3", "data", "chart", "stages", "main"}));
+}
+
+std::string lay_table_frame(const std::string& title, const std::string& body, const std::string& data) {
+  return page_of(title, body, scripts(data, {"d3", "data", "chart", "lay_table", "main"}));
+}
+
+std::string overlay_frame(const std::string& title, const std::string& body, const std::string& data) {
+  return page_of(title, body, scripts(data, {"d3", "data", "chart", "overlay", "main"}));
+}
+
+std::string study_frame(const std::string& title, const std::string& body, const std::string& data) {
+  return page_of(title, body, scripts(data, {"d3", "data", "chart", "study", "operability", "main"}));
 }
 
 void write_page(const std::string& page, const std::filesystem::path& file) {

@@ -12,6 +12,18 @@ std::string whole_page(const std::string& title, const std::string& body, const 
 /// The same of a model without a pipe: only the scripts that need none.
 std::string page_without_pipe(const std::string& title, const std::string& body, const std::string& data);
 
+/// Of an operation on the line, whose figures are those of its stages.
+std::string operation_page(const std::string& title, const std::string& body, const std::string& data);
+
+/// The same of a lay table.
+std::string lay_table_frame(const std::string& title, const std::string& body, const std::string& data);
+
+/// Of results of several folders.
+std::string overlay_frame(const std::string& title, const std::string& body, const std::string& data);
+
+/// The same of a study.
+std::string study_frame(const std::string& title, const std::string& body, const std::string& data);
+
 /// Writes beside the file first and then renames. Throws std::runtime_error where that fails.
 void write_page(const std::string& page, const std::filesystem::path& file);
 

@@ -5,7 +5,9 @@
 
 #include "report/checks_section.h"
 #include "report/dynamic_sections.h"
+#include "report/fatigue_section.h"
 #include "report/figures.h"
+#include "report/friction_section.h"
 #include "report/front_of.h"
 #include "report/html.h"
 #include "report/hull_section.h"
@@ -16,6 +18,9 @@
 #include "report/quantity.h"
 #include "report/report_data.h"
 #include "report/sections.h"
+#include "report/seek_section.h"
+#include "report/sensitivity_section.h"
+#include "report/stinger_section.h"
 
 namespace overbend {
 namespace {
@@ -28,7 +33,9 @@ void require_stations(bool any) {
 
 std::string static_tables(const StaticResults& results) {
   return html::section("summary", "Static summary", static_summary_table(results)) +
-         (results.supports.empty() ? "" : html::section("supports", "Supports", support_table(results)));
+         (results.supports.empty() ? "" : html::section("supports", "Supports", support_table(results))) +
+         stinger_section(results) + structures_section(results) + laid_pipe_section(results) +
+         friction_section(results);
 }
 
 /// Each once, in the order in which they come.
@@ -55,18 +62,22 @@ std::string moorings_part(const StaticResults& results, int& figure) {
 
 }  // namespace
 
-std::string report_html(const StaticResults& results, const std::string& model_text) {
+std::string report_html(const StaticResults& results, const std::string& model_text, const StaticExtras& extras) {
   require_stations(!results.stations.empty());
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;
+  const std::string sought = extras.seek != nullptr ? seek_section(*extras.seek, figure) : "";
   const std::string checks = checks_section(results, results.checks, figure);
   const std::string figures = figures_section(results, "figures", "Figures", figure);
+  const std::string sensitivity =
+      extras.sensitivities != nullptr ? sensitivity_section(*extras.sensitivities, figure) : "";
   const std::string moorings = moorings_part(results, figure);
-  const std::string rest =
-      key_results(results, "results", "Key results") + lay_setting_section(results, description, nullptr) + checks +
-      figures + static_tables(results) + moorings + hull_part(results) + inputs_section(results, description, nullptr) +
-      assumptions_section(results.assumptions) + rollers_section(results) + check_inputs_section(results.checks) +
-      balance_section(results) + model_text_section(model_text);
+  const std::string rest = sought + key_results(results, "results", "Key results") +
+                           lay_setting_section(results, description, nullptr) + checks + figures + sensitivity +
+                           static_tables(results) + moorings + hull_part(results) +
+                           inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
+                           rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
+                           model_text_section(model_text);
   FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   if (results.moorings) front.more = mooring_bars(*results.moorings, working_load_of(description));
@@ -75,7 +86,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
   front.entries.emplace_back("Program", "Overbend " + results.version);
   front.entries.emplace_back("Written", written_now());
   return whole_page(results.title + " - static analysis", front_page(front, results, results.checks, rest),
-                    report_data(results, nullptr, description));
+                    report_data(results, nullptr, description, extras.seek));
 }
 
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
@@ -84,11 +95,12 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
   int figure = 0;
   const std::string checks = checks_section(statics, results.checks, figure);
   const std::string figures = dynamic_figures_section(statics, results, figure);
+  const std::string fatigue = fatigue_section(statics, results, figure);
   const std::string moored = moored_dynamics_section(results, figure);
   const std::string static_figures = figures_section(statics, "figures", "Figures of the static state", figure);
   const std::string moorings = moorings_part(statics, figure);
   const std::string dynamic = dynamic_key_results(statics, results) +
-                              lay_setting_section(statics, description, &results) + checks + figures +
+                              lay_setting_section(statics, description, &results) + checks + figures + fatigue +
                               dynamic_statistics_section(statics, results) + dynamic_supports_section(results) +
                               impacts_section(statics, results) + tensioner_section(statics, results) + moored;
   const std::string before = key_results(statics, "static-results", "Initial static state") + static_figures +
@@ -107,8 +119,9 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                     report_data(statics, &results, description));
 }
 
-void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file) {
-  write_page(report_html(results, model_text), file);
+void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file,
+                  const StaticExtras& extras) {
+  write_page(report_html(results, model_text, extras), file);
 }
 
 void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,

@@ -11,11 +11,20 @@
 #include "results/dynamic_results.h"
 #include "results/line_results.h"
 #include "results/mooring_results.h"
+#include "results/seek_results.h"
+#include "results/sensitivity_results.h"
 
 namespace overbend {
 
+/// What may come with a static analysis; null for none.
+struct StaticExtras {
+  const SensitivityResults* sensitivities = nullptr;
+  const SeekResults* seek = nullptr;  ///< Of statics that a goal seek ended at.
+};
+
 /// The whole page. `model_text` is the model file as the user wrote it; it is printed, and its inputs are listed.
-std::string report_html(const StaticResults& results, const std::string& model_text);
+/// `extras` get sections of their own.
+std::string report_html(const StaticResults& results, const std::string& model_text, const StaticExtras& extras = {});
 
 /// The page of a dynamic run: its own results first, then the static state that it starts from.
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text);
@@ -25,7 +34,8 @@ std::string report_html(const MooringResults& results, const std::string& model_
 std::string report_html(const LinesResults& results, const std::string& model_text);
 
 /// Writes the page to `file`, beside it first and then renamed. Throws std::runtime_error where that fails.
-void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file);
+void write_report(const StaticResults& results, const std::string& model_text, const std::filesystem::path& file,
+                  const StaticExtras& extras = {});
 void write_report(const StaticResults& statics, const DynamicResults& results, const std::string& model_text,
                   const std::filesystem::path& file);
 void write_report(const MooringResults& results, const std::string& model_text, const std::filesystem::path& file);

@@ -13,7 +13,9 @@
 #include "report/mooring_data.h"
 #include "report/places.h"
 #include "report/report_style.h"
+#include "report/seek_section.h"
 #include "report/thinning.h"
+#include "results/fields/ground_fields.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
 
@@ -95,6 +97,21 @@ json region(const ReportStyle& style, const StaticResults& results, const Region
   return all;
 }
 
+/// The bed under the line, and where the laid pipe spans.
+json bed(const ReportStyle& style, const BedResults& bed) {
+  return {{"heights", style.rows(bed.heights,
+                                 [&](const BedHeight& height) {
+                                   JsonWriter<ReportStyle> one(style);
+                                   visit_bed_height(height, one);
+                                   return one.take();
+                                 })},
+          {"spans", style.rows(bed.spans, [&](const FreeSpanResult& span) {
+             JsonWriter<ReportStyle> one(style);
+             visit_free_span(span, one);
+             return one.take();
+           })}};
+}
+
 json static_figure_data(const StaticResults& results) {
   const ReportStyle style(results);
   JsonWriter data(style);
@@ -112,6 +129,7 @@ json static_figure_data(const StaticResults& results) {
   JsonWriter touchdown(style);
   visit_touchdown(results.touchdown, touchdown);
   data["touchdown"] = touchdown.take();
+  if (results.bed) data["bed"] = bed(style, *results.bed);
   data["vessel/origin"] = style.vector(ship_point(results, midship(results)));
   data["north"] = style.vector(ship_direction(results, Vec3::UnitY()));
   return data.take();
@@ -124,8 +142,9 @@ std::string text(const json& data) {
 }  // namespace
 
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic,
-                        const std::optional<Description>& description) {
+                        const std::optional<Description>& description, const SeekResults* seek) {
   json data = static_figure_data(results);
+  if (seek != nullptr) data["seek"] = seek_figure_data(*seek);
   if (results.moorings) {
     data["moorings"] = mooring_figure_data(*results.moorings, mooring_scene(description, results));
   }

@@ -38,6 +38,10 @@ std::string lay_setting_section(const StaticResults& results, const std::optiona
 std::string support_table(const StaticResults& results);
 /// Rollers one by one, for the appendix.
 std::string rollers_section(const StaticResults& results);
+/// What is built into the pipe, and the pipe beside it; empty without any.
+std::string structures_section(const StaticResults& results);
+/// Contacts, free spans and extremes of the pipe on an uneven bed; empty on a plane.
+std::string laid_pipe_section(const StaticResults& results);
 std::string balance_section(const StaticResults& results);
 std::string model_text_section(const std::string& model_text);
 

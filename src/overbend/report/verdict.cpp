@@ -19,13 +19,6 @@ std::string lower_first(std::string text) {
   return text;
 }
 
-/// "laying criterion I, static strain, overbend"; a check of the line or of the tip that says so needs no place.
-std::string what(const CheckRow& row) {
-  const std::string name = lower_first(row.name);
-  const bool placed = row.region == CheckRegion::line || row.name.find(word(row.region)) != std::string::npos;
-  return placed ? name : name + ", " + word(row.region);
-}
-
 std::ptrdiff_t count_of(const CheckTable& table, CheckStatus status) {
   return std::count_if(table.rows.begin(), table.rows.end(),
                        [&](const CheckRow& row) { return row.governing && row.status == status; });
@@ -45,7 +38,7 @@ std::string reasons(const CheckTable& table) {
                          ? "No governing check is exceeded."
                          : fmt::format("{} governing check{} exceeded.", exceeded, exceeded == 1 ? " is" : "s are");
   text += fmt::format(" The largest utilisation is {}: {}, {} m from the tensioner{}.", fixed(worst->utilisation, 3),
-                      what(*worst), fixed(worst->from_top, 1),
+                      check_words(*worst), fixed(worst->from_top, 1),
                       worst->in_time ? ", t = " + fixed(worst->time, 1) + " s" : "");
   if (invalid > 0) {
     text += fmt::format(" {} outside the validity of {}: neither passed nor failed.", invalid,
@@ -73,7 +66,8 @@ Verdict verdict_of(const CheckTable& table, const std::vector<WeighedWarning>& w
   const std::string reserved = reservation(table, serious);
   if (worst == nullptr) return {VerdictKind::open, "NOT JUDGED", reasons(table)};
   if (worst->status == CheckStatus::exceeded) {
-    return {VerdictKind::exceeded, "EXCEEDED " + factor(worst->utilisation) + ", " + what(*worst), reasons(table)};
+    return {VerdictKind::exceeded, "EXCEEDED " + factor(worst->utilisation) + ", " + check_words(*worst),
+            reasons(table)};
   }
   if (!reserved.empty()) return {VerdictKind::reserved, "PASSED WITH RESERVATIONS: " + reserved, reasons(table)};
   return {VerdictKind::passed, "PASSED", reasons(table)};
@@ -92,6 +86,12 @@ const std::vector<CheckRegion>& check_regions() {
   static const std::vector<CheckRegion> kOrder = {CheckRegion::tower,   CheckRegion::overbend, CheckRegion::tip,
                                                   CheckRegion::sagbend, CheckRegion::seabed,   CheckRegion::line};
   return kOrder;
+}
+
+std::string check_words(const CheckRow& row) {
+  const std::string name = lower_first(row.name);
+  const bool placed = row.region == CheckRegion::line || row.name.find(word(row.region)) != std::string::npos;
+  return placed ? name : name + ", " + word(row.region);
 }
 
 std::string region_title(CheckRegion region) {

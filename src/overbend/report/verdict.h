@@ -32,6 +32,9 @@ const CheckRow* governing_check(const CheckTable& table, CheckRegion region);
 /// The regions from the tensioner on, the line as a whole last.
 const std::vector<CheckRegion>& check_regions();
 
+/// "laying criterion I, static strain, overbend"; a check of the line or of the tip that says so needs no place.
+std::string check_words(const CheckRow& row);
+
 /// "Overbend", "Stinger tip", "Line and equipment".
 std::string region_title(CheckRegion region);
 

@@ -37,6 +37,7 @@ const std::vector<std::string>& serious_phrases() {
       "exceeds the yield stress in the dynamic analysis",
       "the pipe has left '",
       "the pipe left '",
+      "the fatigue budget at '",
       "compression: the effective tension falls to",
       "exceeds the yield stress of",
       "rollers are below the seabed",

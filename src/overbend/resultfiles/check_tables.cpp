@@ -40,7 +40,7 @@ struct CheckCells {
   void operator()(const ResultField& f, bool value) {
     if (!f.heading.empty()) table.cell(std::string(value ? "yes" : "for information"));
   }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   void operator()(const ResultField& f, Enum value) {
     if (!f.heading.empty()) table.cell(std::string(word(value)));
   }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "resultfiles/csv_table.h"
@@ -32,6 +33,7 @@ struct CsvHead {
       names.push_back(headed(std::string_view("xyz").substr(axis, 1), shown_unit(f).name));
     }
   }
+  void operator()(const ResultField& f, const std::optional<double>&) { (*this)(f, 0.0); }
   template <class SpreadType>
   void spread(const ResultField& f, const SpreadType&) {
     if (f.heading.empty()) return;
@@ -50,10 +52,13 @@ struct CsvCells {
     const bool absent = f.from_anchor && value < 0.0;  // the pipe does not come there
     table.cell(absent ? std::numeric_limits<double>::quiet_NaN() : value * shown_unit(f).factor);
   }
+  void operator()(const ResultField& f, const std::optional<double>& value) {
+    (*this)(f, value.value_or(std::numeric_limits<double>::quiet_NaN()));
+  }
   void operator()(const ResultField& f, std::int64_t value) { text(f, std::to_string(value)); }
   void operator()(const ResultField& f, int value) { text(f, std::to_string(value)); }
   void operator()(const ResultField& f, const std::string& value) { text(f, value); }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   void operator()(const ResultField& f, const Enum& value) {
     text(f, word(value));
   }

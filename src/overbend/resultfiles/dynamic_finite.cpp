@@ -2,7 +2,9 @@
 #include "resultfiles/finite_visitor.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/fatigue_fields.h"
 #include "results/fields/moored_fields.h"
+#include "results/fields/stinger_dynamics_fields.h"
 
 namespace overbend {
 namespace {
@@ -41,6 +43,18 @@ void check_region(const std::string& name, const DynamicRegion& region) {
     FiniteVisitor visit{"dynamic." + name + "." + field.name + "."};
     visit_dynamic_extreme(field, extreme, visit);
   });
+}
+
+void check_fatigue(const DynamicResults& results) {
+  if (!results.fatigue) return;
+  FiniteVisitor visit{"dynamic.fatigue."};
+  visit_fatigue(*results.fatigue, visit);
+  check_rows("dynamic.fatigue.spots", results.fatigue->spots,
+             [](const auto& row, auto& v) { visit_fatigue_spot(row, v); });
+  for (const FatigueSpot& spot : results.fatigue->spots) {
+    const FiniteLists along{"dynamic.fatigue.along"};
+    visit_fatigue_along(spot, along);
+  }
 }
 
 void check_histories(const DynamicResults& results) {
@@ -90,6 +104,8 @@ void require_finite(const DynamicResults& results) {
     visit_vessel_dynamics(*results.vessel, visit);
   }
   check_rows("dynamic.moorings", results.moorings, [](const auto& row, auto& v) { visit_mooring_dynamics(row, v); });
+  check_rows("dynamic.stinger", results.stinger, [](const auto& row, auto& v) { visit_stinger_dynamics(row, v); });
+  check_fatigue(results);
   check_histories(results);
   const FiniteColumns design{"dynamic.design"};
   visit_station_design(results.design, design);

@@ -1,10 +1,12 @@
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/dynamic_blocks.h"
 #include "resultfiles/dynamic_writer.h"
+#include "resultfiles/fatigue_files.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/static_values.h"
+#include "results/fields/stinger_dynamics_fields.h"
 
 namespace overbend {
 namespace {
@@ -156,6 +158,11 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
              extremes);
   write_moored_dynamics(file, dynamics);
+  if (!dynamics.stinger.empty()) {
+    write_rows(file, "/dynamic/stinger", "Sections of the stinger on their hinges over time", dynamics.stinger,
+               [](const auto& part, auto& visit) { visit_stinger_dynamics(part, visit); });
+  }
+  write_fatigue(file, dynamics);
   write_summaries(file, dynamics.histories);
   write_spectra(file, dynamics.spectra);
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);

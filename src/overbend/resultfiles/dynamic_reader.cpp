@@ -2,9 +2,11 @@
 
 #include "resultfiles/check_hdf5.h"
 #include "resultfiles/dynamic_writer.h"
+#include "resultfiles/fatigue_files.h"
 #include "resultfiles/hdf5_readers.h"
 #include "resultfiles/moored_dynamics_hdf5.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/stinger_dynamics_fields.h"
 
 namespace overbend {
 namespace {
@@ -107,6 +109,10 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
             [](auto& row, auto& t) { visit_impact(row, t); });
   read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
   read_moored_dynamics(file, results);
+  if (file.has("/dynamic/stinger")) {
+    read_rows(file, "/dynamic/stinger", results.stinger, [](auto& row, auto& t) { visit_stinger_dynamics(row, t); });
+  }
+  read_fatigue(file, results);
   read_summaries(file, results.histories);
   read_spectra(file, results.spectra);
   results.design = read_design(file);

@@ -1,14 +1,21 @@
+#include "resultfiles/case_summary.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
 
 namespace overbend {
 
-std::string dynamic_summary(const StaticResults& statics, const DynamicResults& results) {
+Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& results) {
   Json summary = static_summary_json(statics);
   summary["dynamic"] = dynamic_part(SummaryStyle{}, statics, results);
   add_moored_dynamics(results, summary);
-  return summary_text(summary);
+  add_stinger_dynamics(results, summary);
+  add_fatigue(results, summary);
+  return summary;
+}
+
+std::string dynamic_summary(const StaticResults& statics, const DynamicResults& results) {
+  return summary_text(dynamic_summary_json(statics, results));
 }
 
 }  // namespace overbend

@@ -1,6 +1,7 @@
 #include "resultfiles/dynamic_writer.h"
 
 #include "resultfiles/check_tables.h"
+#include "resultfiles/fatigue_files.h"
 #include "resultfiles/finite_check.h"
 #include "resultfiles/mooring_writer.h"
 #include "resultfiles/rechecked_hdf5.h"
@@ -16,6 +17,7 @@ void write_tables(const StaticResults& statics, const DynamicResults& dynamics, 
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
   if (statics.moorings) write_text(folder / "moorings.csv", moorings_table(*statics.moorings, dynamics.moorings));
+  if (dynamics.fatigue) write_text(folder / "fatigue.csv", fatigue_table(dynamics));
   write_text(folder / "checks.csv", checks_table(dynamics.checks));
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));
 }

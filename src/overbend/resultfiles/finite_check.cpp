@@ -3,8 +3,11 @@
 #include "resultfiles/finite_visitor.h"
 #include "resultfiles/mooring_writer.h"
 #include "results/fields/check_fields.h"
+#include "results/fields/ground_fields.h"
+#include "results/fields/lay_operation_fields.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
+#include "results/fields/stinger_fields.h"
 
 namespace overbend {
 namespace {
@@ -42,6 +45,24 @@ void require_finite(const CheckTable& checks, const std::string& place) {
   visit_check_along(checks.along, columns);
 }
 
+void check_bed(const BedResults& bed) {
+  FiniteVisitor visit;
+  visit.place = "bed.";
+  visit_laid_pipe(bed, visit);
+  for (std::size_t i = 0; i < bed.heights.size(); ++i) {
+    visit.place = indexed("bed.heights", i);
+    visit_bed_height(bed.heights[i], visit);
+  }
+  for (std::size_t i = 0; i < bed.contacts.size(); ++i) {
+    visit.place = indexed("bed.contacts", i);
+    visit_bed_contact(bed.contacts[i], visit);
+  }
+  for (std::size_t i = 0; i < bed.spans.size(); ++i) {
+    visit.place = indexed("bed.spans", i);
+    visit_free_span(bed.spans[i], visit);
+  }
+}
+
 void require_finite(const StaticResults& results) {
   FiniteVisitor visit;
   visit_key_results(results, visit);
@@ -61,6 +82,10 @@ void require_finite(const StaticResults& results) {
     visit.place = indexed("sections", i);
     visit_section(results.sections[i], visit);
   }
+  for (std::size_t i = 0; i < results.structures.size(); ++i) {
+    visit.place = indexed("structures", i);
+    visit_structure(results.structures[i], visit);
+  }
   for (std::size_t i = 0; i < results.stations.size(); ++i) {
     visit.place = indexed("stations", i);
     visit_station(results.stations[i], visit);
@@ -68,6 +93,18 @@ void require_finite(const StaticResults& results) {
   for (std::size_t i = 0; i < results.supports.size(); ++i) {
     check_support(results.supports[i], indexed("supports", i));
   }
+  for (std::size_t i = 0; i < results.stinger.size(); ++i) {
+    visit.place = indexed("stinger", i);
+    visit_stinger_section(results.stinger[i], visit);
+    for (const StingerTankResult& tank : results.stinger[i].tanks) visit_stinger_tank(tank, visit);
+  }
+  visit.place = "head.";
+  if (results.head) visit_head(*results.head, visit);
+  visit.place = "cable.";
+  if (results.cable) visit_cable(*results.cable, visit);
+  visit.place = "far_anchor.";
+  if (results.far_anchor) visit_far_anchor(*results.far_anchor, visit);
+  if (results.bed) check_bed(*results.bed);
   require_finite(results.checks, "checks.");
   if (results.moorings) require_finite(*results.moorings);
   if (results.hull) require_finite(*results.hull);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "resultfiles/hdf5_file.h"
+#include "results/static_results.h"
 
 namespace overbend {
 
@@ -26,6 +27,7 @@ struct ValueReader {
   std::string path(const ResultField& field) const { return group + "/" + field.name; }
   void operator()(const ResultField& f, double& value) const { value = element(file.doubles(path(f)), 0, path(f)); }
   void operator()(const ResultField& f, int& value) const { value = element(file.ints(path(f)), 0, path(f)); }
+  void operator()(const ResultField& f, bool& value) const { value = element(file.ints(path(f)), 0, path(f)) != 0; }
   void operator()(const ResultField& f, std::int64_t& value) const {
     value = element(file.counts(path(f)), 0, path(f));
   }
@@ -111,5 +113,8 @@ Owner& owner(const std::vector<Owner*>& owners, int index, const char* what) {
   }
   return *owners[static_cast<std::size_t>(index)];
 }
+
+/// The lay that write_lay_group wrote under `group`; moorings and hull are apart.
+StaticResults read_lay_group(const Hdf5Reader& file, const std::string& group);
 
 }  // namespace overbend

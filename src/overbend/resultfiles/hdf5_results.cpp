@@ -2,8 +2,13 @@
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/mooring_hdf5.h"
 #include "resultfiles/results_writer.h"
+#include "resultfiles/sensitivity_files.h"
+#include "results/fields/ground_fields.h"
+#include "results/fields/lay_operation_fields.h"
+#include "results/fields/route_fields.h"
 #include "results/fields/static_tables.h"
 #include "results/fields/static_values.h"
+#include "results/fields/stinger_fields.h"
 #include "runstore/run_record.h"
 
 namespace overbend {
@@ -44,7 +49,12 @@ void write_supports(Hdf5Writer& file, const std::string& group, const StaticResu
 }
 
 void write_tables(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
-  TableWriter stations, sections;
+  TableWriter stations, sections, structures;
+  for (const StructureResult& structure : results.structures) {
+    structures(index_field("Number of the structure, from 0"), structures.rows());
+    visit_structure(structure, structures);
+    structures.end_row();
+  }
   for (const Station& station : results.stations) {
     visit_station(station, stations);
     stations.end_row();
@@ -56,6 +66,25 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
   }
   stations.write(file, group + "/stations", "Stations of the pipe from the anchor to the tensioner");
   sections.write(file, group + "/sections", "Properties of the sections");
+  structures.write(file, group + "/structures", "What is built into the pipe");
+}
+
+void write_stinger(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+  if (results.stinger.empty()) return;
+  TableWriter sections, tanks;
+  for (const StingerSectionResult& section : results.stinger) {
+    for (const StingerTankResult& tank : section.tanks) {
+      tanks(index_field("Number of the tank, from 0"), tanks.rows());
+      tanks(ResultField{"section", "1", "Index of its section in the table of sections"}, sections.rows());
+      visit_stinger_tank(tank, tanks);
+      tanks.end_row();
+    }
+    sections(index_field("Number of the section, from 0 at the vessel"), sections.rows());
+    visit_stinger_section(section, sections);
+    sections.end_row();
+  }
+  sections.write(file, group + "/stinger", "Sections of the stinger on their hinges");
+  tanks.write(file, group + "/stinger_tanks", "Tanks of the stinger");
 }
 
 template <class Function, class Part>
@@ -64,6 +93,57 @@ void write_part(Hdf5Writer& file, const std::string& group, const std::string& d
   file.group(group, description);
   ValueWriter visit{file, group};
   visit_part(part, visit);
+}
+
+/// Head, cable and anchor of a line with a cable.
+void write_cable_parts(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+  const auto head = [](const auto& part, auto& visit) { visit_head(part, visit); };
+  const auto cable = [](const auto& part, auto& visit) { visit_cable(part, visit); };
+  const auto anchor = [](const auto& part, auto& visit) { visit_far_anchor(part, visit); };
+  if (results.head) write_part(file, group + "/head", "Head of the line", head, *results.head);
+  if (results.cable) write_part(file, group + "/cable", "Cable of the line", cable, *results.cable);
+  if (results.far_anchor) {
+    write_part(file, group + "/far_anchor", "Anchor at the far end of the cable", anchor, *results.far_anchor);
+  }
+}
+
+/// The laid pipe on an uneven bed.
+void write_bed(Hdf5Writer& file, const std::string& group, const BedResults& bed) {
+  write_part(
+      file, group, "Laid pipe on an uneven seabed", [](const auto& part, auto& visit) { visit_laid_pipe(part, visit); },
+      bed);
+  TableWriter contacts, spans, heights;
+  for (const BedHeight& height : bed.heights) {
+    visit_bed_height(height, heights);
+    heights.end_row();
+  }
+  for (const BedContactResult& contact : bed.contacts) {
+    contacts(index_field("Number of the contact, from 0: from touchdown astern"), contacts.rows());
+    visit_bed_contact(contact, contacts);
+    contacts.end_row();
+  }
+  for (const FreeSpanResult& span : bed.spans) {
+    spans(index_field("Number of the span, from 0: from touchdown astern"), spans.rows());
+    visit_free_span(span, spans);
+    spans.end_row();
+  }
+  contacts.write(file, group + "/contacts", "Stretches in contact with the seabed");
+  heights.write(file, group + "/heights", "Heights of the seabed under the line, for figures");
+  spans.write(file, group + "/spans", "Free spans between them");
+}
+
+/// How the pipe lies on its route, and the answers to how it is held by friction.
+void write_route_parts(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+  const auto route = [](const auto& part, auto& visit) { visit_route(part, visit); };
+  if (results.route) write_part(file, group + "/route", "Pipe on its route", route, *results.route);
+  if (results.roller_friction.empty()) return;
+  TableWriter cases;
+  for (const RollerFrictionCase& answer : results.roller_friction) {
+    cases(index_field("Number of the case, from 0"), cases.rows());
+    visit_friction_case(answer, cases);
+    cases.end_row();
+  }
+  cases.write(file, group + "/roller_friction", "Answers to how the pipe is held by friction");
 }
 
 }  // namespace
@@ -76,6 +156,10 @@ void write_model_group(Hdf5Writer& file, const Description& description) {
   visit(ResultField{"version", "1", "Version of the program"}, std::string(OVERBEND_VERSION));
   visit(ResultField{"machine", "1", "Operating system, its release and the architecture"}, machine_name());
   visit(ResultField{"compiler", "1", "Compiler of the program"}, compiler_name());
+  if (!description.stage) return;
+  visit.group = "/model/stage";
+  file.group(visit.group, "Stage of the operation on the line that the results are of");
+  visit_lay_stage(*description.stage, visit);
 }
 
 void write_model_text(Hdf5Writer& file, const std::string& text) {
@@ -84,43 +168,56 @@ void write_model_text(Hdf5Writer& file, const std::string& text) {
   visit(ResultField{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(text));
 }
 
-void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description) {
-  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
-  file.attribute("/", "title", results.title);
-  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  write_model_group(file, description);
+void write_lay_group(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
   const auto keys = [](const auto& part, auto& visit) { visit_key_results(part, visit); };
   const auto touchdown = [](const auto& part, auto& visit) { visit_touchdown(part, visit); };
   const auto sums = [](const auto& part, auto& visit) { visit_sums(part, visit); };
   const auto solve = [](const auto& part, auto& visit) { visit_solve(part, visit); };
   const auto scene = [](const auto& part, auto& visit) { visit_scene(part, visit); };
-  write_part(file, "/static", "Static equilibrium: key results", keys, results);
-  write_part(file, "/static/touchdown", "Touchdown", touchdown, results.touchdown);
-  write_part(file, "/static/sums", "Sums of forces on the line", sums, results);
-  write_part(file, "/static/solve", "Solver statistics", solve, results.solve);
-  write_part(file, "/static/scene", "Geometry for figures", scene, results);
+  write_part(file, group, "Static equilibrium: key results", keys, results);
+  write_part(file, group + "/touchdown", "Touchdown", touchdown, results.touchdown);
+  write_part(file, group + "/sums", "Sums of forces on the line", sums, results);
+  write_part(file, group + "/solve", "Solver statistics", solve, results.solve);
+  write_part(file, group + "/scene", "Geometry for figures", scene, results);
   if (results.overbend) {
-    write_region(file, "/static/overbend", "Extremes from the tensioner to the inflection below the last support",
+    write_region(file, group + "/overbend", "Extremes from the tensioner to the inflection below the last support",
                  *results.overbend);
   }
   const ResultField least = smallest_tension_field();
   const auto smallest = [&](const auto& part, auto& visit) { visit_extreme_fields(least, part, visit); };
-  write_part(file, "/static/" + least.name, std::string(least.description), smallest, results.smallest_tension);
+  write_part(file, group + "/" + least.name, std::string(least.description), smallest, results.smallest_tension);
   if (results.tower) {
-    write_region(file, "/static/tower", "Extremes where the clamped guide bends the pipe", *results.tower);
+    write_region(file, group + "/tower", "Extremes where the clamped guide bends the pipe", *results.tower);
   }
-  write_region(file, "/static/sagbend", "Extremes from there to touchdown", results.sagbend);
-  write_tables(file, "/static", results);
-  write_supports(file, "/static", results);
-  write_checks(file, "/static/checks", results.checks);
+  write_region(file, group + "/sagbend", "Extremes from there to touchdown", results.sagbend);
+  write_tables(file, group, results);
+  write_supports(file, group, results);
+  write_stinger(file, group, results);
+  write_checks(file, group + "/checks", results.checks);
+  write_cable_parts(file, group, results);
+  if (results.bed) write_bed(file, group + "/bed", *results.bed);
+  write_route_parts(file, group, results);
+}
+
+void write_results_heading(Hdf5Writer& file, const std::string& title, const Description& description) {
+  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
+  file.attribute("/", "title", title);
+  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
+  write_model_group(file, description);
+}
+
+void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description) {
+  write_results_heading(file, results.title, description);
+  write_lay_group(file, "/static", results);
   if (results.moorings) write_moorings(file, *results.moorings);
   if (results.hull) write_hull(file, *results.hull);
 }
 
-void write_static_hdf5(const StaticResults& results, const Description& description,
-                       const std::filesystem::path& path) {
+void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& path,
+                       const SensitivityResults* sensitivities) {
   Hdf5Writer file(path);
   write_static_groups(file, results, description);
+  if (sensitivities != nullptr) write_sensitivities(file, *sensitivities);
   file.close();
 }
 

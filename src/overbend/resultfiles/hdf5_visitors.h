@@ -54,7 +54,7 @@ class TableWriter {
   void operator()(const ResultField& field, std::int64_t value) { column(field).counts.push_back(value); }
   void operator()(const ResultField& field, bool value) { column(field).integers.push_back(value ? 1 : 0); }
   void operator()(const ResultField& field, const std::string& value) { column(field).texts.push_back(value); }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   void operator()(const ResultField& field, Enum value) {
     column(field).texts.emplace_back(word(value));
   }
@@ -122,6 +122,12 @@ void write_model_group(Hdf5Writer& file, const Description& description);
 
 /// The model's text and its hash in the group model.
 void write_model_text(Hdf5Writer& file, const std::string& text);
+
+/// What a file of results says about itself, and the group model.
+void write_results_heading(Hdf5Writer& file, const std::string& title, const Description& description);
+
+/// A lay under `group`: key results, regions, tables and checks.
+void write_lay_group(Hdf5Writer& file, const std::string& group, const StaticResults& results);
 
 /// The groups model and static, and what the file says about itself.
 void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description);

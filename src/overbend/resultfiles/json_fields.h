@@ -32,7 +32,7 @@ struct ValueStyle {
   Json count(Integer value) const {
     return value;
   }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   Json word(Enum value) const {
     return overbend::word(value);
   }
@@ -67,10 +67,10 @@ class JsonWriter {
   explicit JsonWriter(Style style = {}) : style_(std::move(style)) {}
 
   void operator()(const ResultField& f, double value) {
-    put(f, [&] { return style_.number(f.from_anchor ? style_.along(value) : value); });
+    put(f, [&] { return number_json(f, f.from_anchor ? style_.along(value) : value); });
   }
   void operator()(const ResultField& f, const std::optional<double>& value) {
-    put(f, [&] { return style_.maybe(value.has_value(), [&] { return style_.number(value.value_or(0.0)); }); });
+    put(f, [&] { return style_.maybe(value.has_value(), [&] { return number_json(f, value.value_or(0.0)); }); });
   }
   void operator()(const ResultField& f, bool value) {
     put(f, [&] { return style_.flag(value); });
@@ -90,7 +90,7 @@ class JsonWriter {
   void operator()(const ResultField& f, const std::vector<std::string>& values) {
     put(f, [&] { return style_.texts(values); });
   }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   void operator()(const ResultField& f, Enum value) {
     put(f, [&] { return style_.word(value); });
   }
@@ -99,11 +99,11 @@ class JsonWriter {
     if (!key) return;
     const Vec3 moved = style_.moved(f, value);
     if (!key->ends_with(kComponents)) {
-      slot(*key) = style_.vector(moved);
+      slot(*key) = vector_json(f, moved);
       return;
     }
     const std::string before = *key == kComponents ? "" : std::string(*key);
-    for (int axis = 0; axis < 3; ++axis) slot(before + "xyz"[axis]) = style_.number(moved(axis));
+    for (int axis = 0; axis < 3; ++axis) slot(before + "xyz"[axis]) = number_json(f, moved(axis));
   }
   void operator()(const ResultField& f, const Mat3& columns) {
     put(f, [&] {
@@ -135,7 +135,7 @@ class JsonWriter {
       JsonWriter members(style_);
       visit_members(members);
       for (const auto& [key, type] : members.object_.items()) object_[key + "?"] = type;
-    } else if (there) {
+    } else if (there || kUnits) {
       visit_members(*this);
     }
   }
@@ -150,6 +150,24 @@ class JsonWriter {
   Json take() { return std::move(object_); }
 
  private:
+  /// Of a style that writes units in the place of values (resultfiles/result_units.cpp).
+  static constexpr bool kUnits = requires(const Style& style, const ResultField& field) { style.unit(field); };
+
+  Json number_json(const ResultField& f, double value) const {
+    if constexpr (kUnits) {
+      return style_.unit(f);
+    } else {
+      return style_.number(value);
+    }
+  }
+  Json vector_json(const ResultField& f, const Vec3& value) const {
+    if constexpr (kUnits) {
+      const Json unit = style_.unit(f);
+      return {{"x", unit}, {"y", unit}, {"z", unit}};
+    } else {
+      return style_.vector(value);
+    }
+  }
   static std::array<std::pair<const char*, double>, 4> parts(const Spread& s) {
     return {{{"min", s.min}, {"max", s.max}, {"mean", s.mean}, {"std", s.std}}};
   }

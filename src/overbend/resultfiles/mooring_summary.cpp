@@ -134,7 +134,7 @@ Json line_in_time(const SummaryStyle& style, const MooringLineDynamics& line) {
 
 }  // namespace
 
-std::string mooring_summary(const MooringResults& results) {
+Json mooring_summary_json(const MooringResults& results) {
   const SummaryStyle style;
   JsonWriter json(style);
   json["status"] = "converged";
@@ -145,7 +145,11 @@ std::string mooring_summary(const MooringResults& results) {
   Json summary = json.take();
   if (results.hull) add_hull(*results.hull, summary);
   add_operation(style, results, summary);
-  return summary_text(summary);
+  return summary;
+}
+
+std::string mooring_summary(const MooringResults& results) {
+  return summary_text(mooring_summary_json(results));
 }
 
 void add_hull(const HullResults& hull, Json& summary) {

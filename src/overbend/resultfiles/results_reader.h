@@ -2,8 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "model/lay_operation.h"
+#include "results/sensitivity_results.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -12,7 +15,9 @@ namespace overbend {
 struct StoredStatics {
   StaticResults results;
   std::string model_text;
-  std::string model_file;  ///< Its path as it was given.
+  std::string model_file;                    ///< Its path as it was given.
+  std::optional<LayStageDescription> stage;  ///< Of an operation on the line, where the results are of one.
+  std::optional<SensitivityResults> sensitivities;
 };
 
 /// Gives back what write_static_results wrote, bit for bit. Throws std::runtime_error that says what is missing where

@@ -6,23 +6,32 @@
 #include "resultfiles/check_tables.h"
 #include "resultfiles/finite_check.h"
 #include "resultfiles/move_table.h"
+#include "resultfiles/sensitivity_files.h"
+#include "resultfiles/span_table.h"
+#include "resultfiles/summary_json.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 
 namespace overbend {
 
 void write_static_files(const StaticResults& results, const Description& description,
-                        const std::filesystem::path& folder) {
+                        const std::filesystem::path& folder, const SensitivityResults* sensitivities) {
   require_finite(results);
-  write_static_hdf5(results, description, folder / "results.h5");
+  write_static_hdf5(results, description, folder / "results.h5", sensitivities);
   write_text(folder / "pipe.csv", pipe_table(results));
   write_text(folder / "supports.csv", supports_table(results));
   write_text(folder / "checks.csv", checks_table(results.checks));
+  if (results.bed) write_text(folder / "spans.csv", span_table(*results.bed));
   if (results.moorings) write_text(folder / "moorings.csv", moorings_table(*results.moorings));
   if (results.moorings && !results.moorings->steps.empty()) {
     write_text(folder / "pull_ahead.csv", move_table(*results.moorings));
   }
-  write_text(folder / "summary.json", static_summary(results));
+  nlohmann::ordered_json summary = static_summary_json(results);
+  if (sensitivities != nullptr) {
+    write_text(folder / "sensitivities.csv", sensitivities_table(*sensitivities));
+    summary["sensitivities"] = sensitivities_json(*sensitivities);
+  }
+  write_text(folder / "summary.json", summary_text(summary));
 }
 
 void write_static_results(const StaticResults& results, const Description& description,

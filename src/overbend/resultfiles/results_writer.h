@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/description.h"
+#include "results/sensitivity_results.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -15,9 +16,9 @@ void write_static_results(const StaticResults& results, const Description& descr
                           const std::filesystem::path& dir);
 
 /// The same files straight into an existing folder, for callers that stage a folder with further files of their
-/// own.
+/// own. With `sensitivities` they say what the results hang on, and sensitivities.csv comes with them.
 void write_static_files(const StaticResults& results, const Description& description,
-                        const std::filesystem::path& folder);
+                        const std::filesystem::path& folder, const SensitivityResults* sensitivities = nullptr);
 
 /// The text of summary.json: key results in SI.
 std::string static_summary(const StaticResults& results);
@@ -28,7 +29,8 @@ std::string pipe_table(const StaticResults& results);
 /// The text of supports.csv: a row per roller, engineering units.
 std::string supports_table(const StaticResults& results);
 
-/// Writes results.h5: groups model and static.
-void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& file);
+/// Writes results.h5: groups model and static, and what results hang on where given.
+void write_static_hdf5(const StaticResults& results, const Description& description, const std::filesystem::path& file,
+                       const SensitivityResults* sensitivities = nullptr);
 
 }  // namespace overbend

@@ -24,6 +24,14 @@ Json statistics_json(const SeedQuantity& quantity, const SeedStatistics& s) {
   if (s.enough) {
     json["gumbel"] = {{"mode", s.mode}, {"scale", s.scale}, {"estimate", s.estimate}, {"low", s.low}, {"high", s.high}};
   }
+  json["acer"] = nullptr;
+  if (s.acer) {
+    json["acer"] = {{"estimate", s.acer->estimate},
+                    {"low", s.acer->low},
+                    {"high", s.acer->high},
+                    {"order", s.acer->order},
+                    {"peaks", s.acer->peaks}};
+  }
   return json;
 }
 

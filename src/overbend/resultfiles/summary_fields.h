@@ -7,7 +7,11 @@
 #include "resultfiles/json_fields.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
+#include "results/fields/ground_fields.h"
+#include "results/fields/lay_operation_fields.h"
+#include "results/fields/route_fields.h"
 #include "results/fields/static_tables.h"
+#include "results/fields/stinger_fields.h"
 
 namespace overbend {
 
@@ -76,6 +80,88 @@ auto summary_checks(const Style& style, const CheckTable& table) {
   return json.take();
 }
 
+/// Head, cable and anchor of a line with a cable. What is told of the anchor stands beside its place.
+template <class Style>
+void put_cable_parts(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
+  json.part(r.head.has_value(), [&](auto& members) {
+    const HeadResult head = r.head.value_or(HeadResult{});
+    JsonWriter<Style> one(style);
+    visit_head(head, one);
+    one["z"] = style.number(head.p_W.z());
+    members["head"] = one.take();
+  });
+  json.part(r.cable.has_value(), [&](auto& members) {
+    const CableResult cable = r.cable.value_or(CableResult{});
+    members["cable"] = object_of(style, [&](auto& one) { visit_cable(cable, one); });
+  });
+  json.part(r.far_anchor.has_value(), [&](auto& members) {
+    const StartUpAnchorResult anchor = r.far_anchor.value_or(StartUpAnchorResult{});
+    const auto told = object_of(style, [&](auto& one) { visit_far_anchor(anchor, one); });
+    for (const auto& [key, value] : told.items()) members["anchor"][key] = value;
+  });
+}
+
+/// The laid pipe on an uneven bed.
+template <class Style>
+auto summary_bed(const Style& style, const BedResults& bed) {
+  JsonWriter<Style> json(style);
+  visit_laid_pipe(bed, json);
+  json["contacts"] = style.rows(bed.contacts, [&](const BedContactResult& contact) {
+    return style.named("BedContact", object_of(style, [&](auto& one) { visit_bed_contact(contact, one); }));
+  });
+  json["free_spans"] = style.rows(bed.spans, [&](const FreeSpanResult& span) {
+    return style.named("FreeSpan", object_of(style, [&](auto& one) { visit_free_span(span, one); }));
+  });
+  return style.named("LaidPipe", json.take());
+}
+
+/// How the pipe lies on its route, and the answers to how it is held by friction.
+template <class Style>
+void put_route_parts(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
+  json.part(r.route.has_value(), [&](auto& members) {
+    const RouteResults route = r.route.value_or(RouteResults{});
+    members["route"] = style.named("RouteSummary", object_of(style, [&](auto& one) { visit_route(route, one); }));
+  });
+  json.part(!r.roller_friction.empty(), [&](auto& members) {
+    members["roller_friction"] = style.rows(r.roller_friction, [&](const RollerFrictionCase& answer) {
+      return style.named("FrictionCase", object_of(style, [&](auto& one) { visit_friction_case(answer, one); }));
+    });
+  });
+}
+
+template <class Style>
+auto summary_structure(const Style& style, const StructureResult& structure) {
+  return style.named("StructureSummary", object_of(style, [&](auto& one) { visit_structure(structure, one); }));
+}
+
+/// A section of a stinger on hinges; the place of its tip from the stern shoe, in the frame of ramp and stinger.
+template <class Style>
+auto summary_stinger_section(const Style& style, const StaticResults& r, const StingerSectionResult& section) {
+  JsonWriter<Style> json(style);
+  visit_stinger_section(section, json);
+  const Vec3 tip_V = r.R_WV.transpose() * (section.tip_W - r.stern_shoe_W);
+  json["tip_roller"]["x"] = style.number(-tip_V.x());
+  json["tip_roller"]["z"] = style.number(tip_V.z());
+  json["tanks"] = style.rows(section.tanks, [&](const StingerTankResult& tank) {
+    return style.named("StingerTank", object_of(style, [&](auto& one) { visit_stinger_tank(tank, one); }));
+  });
+  return json.take();
+}
+
+/// The stinger's first section, and all of them where it has several.
+template <class Style>
+void put_stinger(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
+  json.part(!r.stinger.empty(), [&](auto& members) {
+    auto stinger = summary_stinger_section(style, r, r.stinger.empty() ? StingerSectionResult{} : r.stinger.front());
+    if (r.stinger.size() > 1 || Style::kTypes) {
+      stinger[Style::kTypes ? "sections?" : "sections"] = style.rows(r.stinger, [&](const StingerSectionResult& one) {
+        return style.named("StingerSection", summary_stinger_section(style, r, one));
+      });
+    }
+    members["stinger"] = std::move(stinger);
+  });
+}
+
 /// The key `static`.
 template <class Style>
 auto static_part(const Style& style, const StaticResults& r) {
@@ -93,7 +179,14 @@ auto static_part(const Style& style, const StaticResults& r) {
   json["tower"] =
       style.maybe(r.tower.has_value(), [&] { return summary_region(style, r.tower.value_or(RegionResult{})); });
   json["sagbend"] = summary_region(style, r.sagbend);
+  put_cable_parts(style, r, json);
+  json.part(r.bed.has_value(),
+            [&](auto& members) { members["seabed"] = summary_bed(style, r.bed.value_or(BedResults{})); });
+  put_stinger(style, r, json);
+  put_route_parts(style, r, json);
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return summary_support(style, box); });
+  json["structures"] =
+      style.rows(r.structures, [&](const StructureResult& one) { return summary_structure(style, one); });
   visit_contacts(r, json);
   for (const char* key : {"largest_reaction", "smallest_separation"}) json.or_null(key, !r.supports.empty());
   visit_balance(r, json);

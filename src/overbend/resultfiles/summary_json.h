@@ -13,12 +13,21 @@ using Json = nlohmann::ordered_json;
 /// What a static analysis writes.
 Json static_summary_json(const StaticResults& results);
 
+/// What a static analysis of a vessel on mooring lines without a pipe writes.
+Json mooring_summary_json(const MooringResults& results);
+
 /// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation beside it.
 void add_moorings(const MooringResults& results, Json& summary);
 /// static.hull.
 void add_hull(const HullResults& hull, Json& summary);
 /// dynamic.vessel and dynamic.moorings, where the vessel floats.
 void add_moored_dynamics(const DynamicResults& results, Json& summary);
+
+/// dynamic.stinger, where it turns on its hinges.
+void add_stinger_dynamics(const DynamicResults& results, Json& summary);
+
+/// dynamic.fatigue, where the model asks for it.
+void add_fatigue(const DynamicResults& results, Json& summary);
 
 std::string summary_text(const Json& summary);
 

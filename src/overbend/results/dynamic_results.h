@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "results/fatigue_results.h"
 #include "results/moored_dynamics.h"
 #include "results/spread.h"
 #include "results/static_results.h"
+#include "results/stinger_dynamics.h"
 
 namespace overbend {
 
@@ -182,8 +184,9 @@ struct DynamicResults {
   std::vector<Impact> hardest_impacts;  ///< The 200 with the largest peak force, hardest first.
   std::int64_t impact_count = 0;
   TensionerDynamics tensioner;
-  std::optional<VesselDynamics> vessel;       ///< Of a hull that moves freely.
-  std::vector<MooringLineDynamics> moorings;  ///< In the order of the model; empty without lines in time.
+  std::optional<VesselDynamics> vessel;         ///< Of a hull that moves freely.
+  std::vector<MooringLineDynamics> moorings;    ///< In the order of the model; empty without lines in time.
+  std::vector<StingerSectionDynamics> stinger;  ///< Sections on hinges, from the barge astern; empty: it stands still.
   EnergyBalance energy;
   DynamicRunReport run;
   // From the stored histories, made when the run ends.
@@ -193,6 +196,7 @@ struct DynamicResults {
 
   StationDesign design;
   CheckTable checks;  ///< Of the whole run.
+  std::optional<FatigueResults> fatigue;
 };
 
 }  // namespace overbend

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ struct FailedSeed {
   std::string why;
 };
 
+/// Most probable extreme of three hours by average conditional exceedance rates of the histories of all runs.
+struct SeedAcer {
+  double estimate = 0.0, low = 0.0, high = 0.0;  ///< 95 % confidence.
+  int order = 1;                                 ///< One more than the peaks before, that condition an exceedance.
+  int peaks = 0;                                 ///< Of all runs.
+};
+
 /// A quantity over the runs.
 struct SeedStatistics {
   double mean = 0.0, std = 0.0, min = 0.0, max = 0.0;  ///< `std` of a sample: divided by the number less one.
@@ -42,6 +50,7 @@ struct SeedStatistics {
   // Gumbel distribution of a run's extreme (of its negative, turned back, for a smallest one).
   double mode = 0.0, scale = 0.0;
   double estimate = 0.0, low = 0.0, high = 0.0;  ///< Most probable extreme of three hours, 95 % confidence.
+  std::optional<SeedAcer> acer{};                ///< None where no history belongs to it, or too few peaks.
 };
 
 struct SeedsResults {

@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "model/section.h"
 #include "model/supports.h"
 #include "results/check_results.h"
+#include "results/ground_results.h"
 #include "results/hull_results.h"
 #include "results/mooring_results.h"
+#include "results/stinger_results.h"
 
 namespace overbend {
 
@@ -48,6 +51,7 @@ struct Station {
   double current_vertical_moment = 0.0, current_lateral_moment = 0.0;  ///< [N m]
   double current_tension = 0.0;                                        ///< Effective [N].
   Region region = Region::sagbend;
+  SectionKind kind = SectionKind::pipe;  ///< What the line is here: of a cable, moments and stresses say nothing.
 };
 
 /// Contact of one roller.
@@ -114,6 +118,56 @@ struct Touchdown {
   double astern = 0.0;
 };
 
+/// The head that closes the pipe, where a cable is in the line.
+struct HeadResult {
+  Vec3 p_W = Vec3::Zero();         ///< Where the cable takes it: the axis [m].
+  double astern = 0.0;             ///< Of the stern shoe [m].
+  double inclination = 0.0;        ///< Of the head there, positive dipping astern [rad].
+  double cable_inclination = 0.0;  ///< Of the cable there [rad].
+  double tension = 0.0;            ///< Effective, of the cable there [N].
+  double clearance = 0.0;          ///< Of its underside over the bed, negative where it lies in it [m].
+  double s = 0.0;                  ///< Arc length from the far end [m].
+};
+
+/// The cable of the line.
+struct CableResult {
+  double length = 0.0;                ///< Unstressed [m].
+  double largest_tension = 0.0;       ///< Effective [N].
+  std::optional<double> utilisation;  ///< Over its breaking load, where that is given [-].
+  double winch_inclination = 0.0;     ///< At the winch, positive dipping astern; 0 where it ends at an anchor [rad].
+};
+
+/// What holds the far end of the cable of a start-up.
+struct StartUpAnchorResult {
+  double distance = 0.0;    ///< Astern of the stern shoe [m].
+  double horizontal = 0.0;  ///< Pull [N].
+  double uplift = 0.0;      ///< [N]
+};
+
+/// The pipe beside one end of a structure: the largest within two diameters of it, where stiffness steps.
+struct StructureEndResult {
+  double s = 0.0;               ///< Arc length of the end from the anchor [m].
+  double bending_moment = 0.0;  ///< At the end itself [N m].
+  double bending_stress = 0.0;  ///< Of the pipe [Pa].
+  double von_mises = 0.0;       ///< Of the pipe [Pa].
+  double strain = 0.0;          ///< Of the pipe [-].
+};
+
+/// What is built into the pipe, where it lies.
+struct StructureResult {
+  std::string name;
+  double from_top = 0.0;           ///< Along the line, tensioner to its middle [m].
+  Vec3 p_W = Vec3::Zero();         ///< Of its middle [m].
+  double astern = 0.0;             ///< Of the stern shoe [m].
+  double inclination = 0.0;        ///< Positive dipping astern [rad].
+  double bending_moment = 0.0;     ///< Largest in it [N m].
+  double effective_tension = 0.0;  ///< Largest in it [N].
+  double reaction = 0.0;           ///< Largest of a roller under it; 0 where none carries it [N].
+  std::string support;             ///< Box of that roller; empty where none.
+  StructureEndResult upper;        ///< Towards the tensioner.
+  StructureEndResult lower;        ///< Towards the seabed.
+};
+
 /// How the solver got there.
 struct SolveReport {
   std::string method;  ///< "newton", "dynamic_relaxation + newton", ...
@@ -152,6 +206,7 @@ struct StaticResults {
   double total_length = 0.0;                    ///< Unstressed, tensioner to anchor [m].
   double suspended_length = 0.0;                ///< Last support in contact to touchdown [m].
   double departure_angle = 0.0;                 ///< At the last support in contact, or the tensioner in J-lay [rad].
+  double top_inclination = 0.0;                 ///< At the tensioner, positive dipping astern [rad].
   std::optional<double> stinger_tip_clearance;  ///< Separation at the last row of the stinger [m].
   std::string last_support;                     ///< Name of the last support in contact; empty in J-lay.
   std::string largest_reaction_support;
@@ -172,6 +227,7 @@ struct StaticResults {
 
   std::vector<Station> stations;
   std::vector<SupportResult> supports;
+  std::vector<StructureResult> structures;  ///< From the tensioner astern.
 
   double force_residual = 0.0;   ///< Largest unbalanced nodal force over the total weight.
   double global_residual = 0.0;  ///< |sum of external forces and reactions| over the total weight.
@@ -190,6 +246,15 @@ struct StaticResults {
   double wanted_tension = 0.0;
 
   CheckTable checks;  ///< Of the static state.
+
+  std::optional<HeadResult> head;                 ///< Of a line with a cable.
+  std::optional<CableResult> cable;               ///< Likewise.
+  std::optional<StartUpAnchorResult> far_anchor;  ///< Of a line whose cable is pinned to an anchor.
+
+  std::vector<StingerSectionResult> stinger;        ///< Of a stinger on hinges, from the barge astern.
+  std::optional<BedResults> bed;                    ///< Of a line that touches the bed.
+  std::optional<RouteResults> route;                ///< Likewise.
+  std::vector<RollerFrictionCase> roller_friction;  ///< Where rollers have friction: the limits and the way of laying.
 
   std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.

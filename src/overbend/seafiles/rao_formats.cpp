@@ -32,13 +32,13 @@ class TableFaults {
   int count_ = 0;
 };
 
-std::string quoted(std::string_view cell) {
+std::string in_quotes(std::string_view cell) {
   return "'" + for_display(cell) + "'";
 }
 
 std::optional<double> number(const TextRow& row, std::size_t column, const std::string& name, TableFaults& faults) {
   const std::optional<double> value = cell_number(row.cells[column]);
-  if (!value) faults.error(row.line, quoted(row.cells[column]), "a number for " + name);
+  if (!value) faults.error(row.line, in_quotes(row.cells[column]), "a number for " + name);
   return value;
 }
 
@@ -67,7 +67,7 @@ std::optional<Vec3> point_of(std::string_view text) {
 void read_point(const TextRow& remark, std::optional<Vec3>& point, TableFaults& faults) {
   point = point_of(remark.cells[1]);
   if (!point) {
-    faults.error(remark.line, quoted(remark.cells[1]), "coordinates in metres separated by blanks, '0 0 0.818'");
+    faults.error(remark.line, in_quotes(remark.cells[1]), "coordinates in metres separated by blanks, '0 0 0.818'");
   }
 }
 
@@ -80,7 +80,7 @@ void read_remark(const TextRow& remark, RaoSettings& stated, TableFaults& faults
   for (const ConventionKey& known : convention_keys()) {
     if (key != known.key) continue;
     if (std::find(known.words.begin(), known.words.end(), word) == known.words.end()) {
-      faults.error(remark.line, quoted(word) + " for " + key, one_of(known.words));
+      faults.error(remark.line, in_quotes(word) + " for " + key, one_of(known.words));
     } else {
       stated.words[key] = word;
     }
@@ -146,12 +146,12 @@ void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRec
   const auto phase = number(row, columns.phase, columns.phase_name, faults);
   const int freedom = freedom_of(row.cells[columns.freedom]);
   if (freedom < 0) {
-    faults.error(row.line, quoted(row.cells[columns.freedom]), "a degree of freedom, surge to yaw or 1 to 6");
+    faults.error(row.line, in_quotes(row.cells[columns.freedom]), "a degree of freedom, surge to yaw or 1 to 6");
   }
   if (!heading || !wave || !amplitude || !phase || freedom < 0) return;
   const std::optional<double> omega = frequency(*wave, columns.wave_name);
   if (!omega) {
-    faults.error(row.line, quoted(row.cells[columns.wave]) + " for " + columns.wave_name, "more than 0");
+    faults.error(row.line, in_quotes(row.cells[columns.wave]) + " for " + columns.wave_name, "more than 0");
     return;
   }
   if (!amplitude_is_right(*amplitude, row.line, faults)) return;
@@ -191,7 +191,8 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
     const auto amplitude = number(row, 3, "MOD", faults);
     const auto phase = number(row, 4, "PHA", faults);
     const int freedom = freedom_of(row.cells[2]);
-    if (freedom < 0) faults.error(row.line, quoted(row.cells[2]), "a mode from 1 to 6", "one body, rigid modes only");
+    if (freedom < 0)
+      faults.error(row.line, in_quotes(row.cells[2]), "a mode from 1 to 6", "one body, rigid modes only");
     if (!period || !heading || !amplitude || !phase || freedom < 0) continue;
     if (*period <= 0.0 || !amplitude_is_right(*amplitude, row.line, faults)) continue;
     content.records.push_back({*heading * kDeg, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDeg, row.line});

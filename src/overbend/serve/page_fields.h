@@ -87,6 +87,28 @@ auto page_support(const Style& style, const SupportResult& box) {
   return style.named("Support", json.take());
 }
 
+/// A section of a stinger on hinges.
+template <class Style>
+auto page_stinger(const Style& style, const StingerSectionResult& section) {
+  JsonWriter<Style> json(style);
+  visit_stinger_section(section, json);
+  json["tanks"] = style.rows(section.tanks, [&](const StingerTankResult& tank) {
+    return style.named("StingerTankState", object_of(style, [&](auto& one) { visit_stinger_tank(tank, one); }));
+  });
+  return style.named("StingerSectionState", json.take());
+}
+
+/// The laid pipe on an uneven bed.
+template <class Style>
+auto page_laid_pipe(const Style& style, const BedResults& bed) {
+  JsonWriter<Style> json(style);
+  visit_laid_pipe(bed, json);
+  json["free_spans"] = style.rows(bed.spans, [&](const FreeSpanResult& span) {
+    return style.named("FreeSpanState", object_of(style, [&](auto& one) { visit_free_span(span, one); }));
+  });
+  return style.named("LaidPipeState", json.take());
+}
+
 /// A check in brief, as summary.json has it in full.
 template <class Style>
 auto page_check(const Style& style, const CheckRow& row) {
@@ -116,7 +138,14 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
   json["touchdown"] = style.maybe(laid, [&] {
     return style.named("TouchdownPlace", object_of(style, [&](auto& one) { visit_touchdown(r.touchdown, one); }));
   });
+  json.part(r.bed.has_value(),
+            [&](auto& members) { members["seabed"] = page_laid_pipe(style, r.bed.value_or(BedResults{})); });
+  put_route_parts(style, r, json);
   json["supports"] = style.rows(r.supports, [&](const SupportResult& box) { return page_support(style, box); });
+  json.part(!r.stinger.empty(), [&](auto& members) {
+    members["stinger"] =
+        style.rows(r.stinger, [&](const StingerSectionResult& one) { return page_stinger(style, one); });
+  });
   json["tensioner"] = style.maybe(laid, [&] {
     JsonWriter<Style> tensioner(style);
     tensioner["place"] = style.vector(r.tensioner_W);

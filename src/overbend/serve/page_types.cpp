@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "serve/page_fields.h"
+#include "serve/page_operation.h"
 #include "serve/type_style.h"
 
 namespace overbend {
@@ -105,6 +106,7 @@ std::string page_types() {
   const TypeStyle<Output::summary> summary{&types};
   const DynamicResults dynamics;
   page.named("Statics", page_statics(page, statics, nullptr));
+  page.named("Operation", page_operation(page, OperationResults{}, 0.0));
   page_envelopes(page, dynamics, true);
   page_impact(page, dynamics, Impact{});
   summary.named("DynamicSummary", dynamic_part(summary, statics, dynamics));

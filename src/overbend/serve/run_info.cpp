@@ -48,7 +48,10 @@ void learn(RunInfo& run, const Json& summary) {
 std::optional<RunInfo> find_run(const fs::path& folder) {
   std::error_code none;
   const fs::path compared = folder / "comparison.json";
-  const fs::path summary_file = fs::exists(compared, none) ? compared : folder / "summary.json";
+  const fs::path gathered = folder / kStudyFolder / "summary.json";
+  const fs::path summary_file = fs::exists(compared, none)   ? compared
+                                : fs::exists(gathered, none) ? gathered
+                                                             : folder / "summary.json";
   const std::optional<RunRecord> record = read_record(folder);
   const Json summary = read_json(summary_file);
   if (!record && !summary.is_object()) return std::nullopt;
@@ -56,7 +59,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
   run.id = folder.filename().string();
   if (record) static_cast<RunRecord&>(run) = *record;
   if (summary.is_object()) {
-    learn(run, summary);
+    if (!run.is_matrix()) learn(run, summary);
     run.has_results = true;
     if (!cancelled_on_the_way(run, folder)) {
       run.state = RunState::done;
@@ -144,6 +147,7 @@ Json run_json(const RunInfo& run) {
 bool can_be_resumed(const RunInfo& run, const fs::path& runs) {
   std::error_code ignored;
   if (!fs::exists(folder_of(run, runs) / kModelCopy, ignored)) return false;
+  if (run.is_matrix()) return fs::exists(folder_of(run, runs) / kStudyFolder, ignored);
   if (!run.is_study()) return has_checkpoint(folder_of(run, runs));
   return std::ranges::any_of(cases_of(run), [&](const RunInfo& one) {
     const fs::path folder = folder_of(one, runs);

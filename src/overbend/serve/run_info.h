@@ -28,6 +28,7 @@ struct RunInfo : RunRecord {
 
   bool ended() const { return state != RunState::queued && state != RunState::running; }
   bool is_study() const { return kind == "seeds" || kind == "comparison"; }
+  bool is_matrix() const { return kind == "study"; }  ///< A study file's: its cases are no runs of the list.
 };
 
 /// The cases of a study, with nothing said of how they stand; none of another run.
@@ -40,6 +41,9 @@ Json run_json(const RunInfo& run);
 
 /// In a run's folder: the model text with which the run was started.
 inline constexpr const char* kModelCopy = "model.yaml";
+/// Of a study file's: its text, and the folder within with its cases and tables.
+inline constexpr const char* kStudyCopy = "study.yaml";
+inline constexpr const char* kStudyFolder = "study";
 
 /// Whether the folder below `runs` has what it takes to resume: a sound checkpoint, of a study one of a case or a
 /// finished case, and the model's text.

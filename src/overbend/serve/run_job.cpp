@@ -10,6 +10,7 @@
 #include "study/compare_variants.h"
 #include "study/lines_run.h"
 #include "study/model_statics.h"
+#include "study/stage_choice.h"
 #include "study/study.h"
 
 namespace overbend {
@@ -31,10 +32,14 @@ double worst_stress(const std::vector<HistoryColumn>& columns, std::span<const d
   return worst;
 }
 
-Description description_of(const ModelText& model) {
+/// Of the lay as such, or at the stage of its operation that the run is of.
+Description description_of(const ModelText& model, const std::string& stage) {
   ModelReading reading = read_model_text(model.text, model.path);
   if (!reading.description) throw HttpFault(422, "the model has errors");
-  return std::move(*reading.description);
+  if (stage.empty()) return std::move(*reading.description);
+  std::variant<Description, RunEnd> chosen = choose_stage(*reading.description, stage);
+  if (const RunEnd* end = std::get_if<RunEnd>(&chosen)) throw HttpFault(422, end->why);
+  return std::get<Description>(std::move(chosen));
 }
 
 StudyPlan plan_of(const RunInfo& run, const Description& description) {
@@ -52,8 +57,9 @@ StudyPlan plan_of(const RunInfo& run, const Description& description) {
 std::string command_of(const ModelText& model, const RunInfo& run, const std::string& folder) {
   if (!model.saved || model.name.empty() || run.kind == "seeds") return "";
   const std::string command = run.kind == "comparison" ? "compare --of " + run.of : "dynamic";
+  const std::string stage = run.stage.empty() ? "" : fmt::format(" --stage '{}'", run.stage);
   const std::string time = run.duration > 0.0 ? fmt::format(" --duration '{} s'", run.duration) : "";
-  return fmt::format(", also with: overbend {} '{}' -o '{}'{} --resume", command, model.path, folder, time);
+  return fmt::format(", also with: overbend {} '{}' -o '{}'{}{} --resume", command, model.path, folder, stage, time);
 }
 
 /// Lines by themselves in time: one seed, without progress on the way. Why there are no results; empty where there are.
@@ -183,6 +189,8 @@ void RunQueue::run(const Job& job) {
   try {
     if (job.run.kind == "static") {
       run_static(job);
+    } else if (job.run.is_matrix()) {
+      run_matrix(job);
     } else {
       run_dynamic(job);
     }
@@ -193,7 +201,7 @@ void RunQueue::run(const Job& job) {
 
 void RunQueue::run_static(const Job& job) {
   const std::string& id = job.run.id;
-  const Description description = description_of(job.model);
+  const Description description = description_of(job.model, job.run.stage);
   Model model = build_model(description);
   ModelStatics found = solve_model(model);
   if (found.failure) return end(id, RunState::failed, failure_line(*found.failure));
@@ -207,7 +215,7 @@ void RunQueue::run_static(const Job& job) {
 }
 
 void RunQueue::run_dynamic(const Job& job) {
-  const Description description = description_of(job.model);
+  const Description description = description_of(job.model, job.run.stage);
   if (is_lines_alone(description)) {
     const std::string fault = run_lines_into(folder(job.run), description, job.run, files_);
     return end(job.run.id, fault.empty() ? RunState::done : RunState::failed, fault);

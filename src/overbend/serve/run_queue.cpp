@@ -67,13 +67,14 @@ void RunQueue::close() {
   for (const std::string& id : left) end(id, RunState::cancelled, "the program ended before the run started");
 }
 
-RunInfo RunQueue::add(const ModelText& model, const RunRecord& order) {
+RunInfo RunQueue::add(const ModelText& model, const RunRecord& order, const std::string& study) {
   RunInfo run;
   static_cast<RunRecord&>(run) = order;
   run.id = make_folder(folder_, run.kind);
   run.started = seconds_since_1970();
   run.model_path = model.path;
   write_text(folder(run) / kModelCopy, model.text);
+  if (run.is_matrix()) write_text(folder(run) / kStudyCopy, study);
   keep_record(run, folder(run));
   const std::vector<RunInfo> cases = cases_of(run);
   {

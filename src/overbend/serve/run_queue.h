@@ -28,7 +28,8 @@ class RunQueue {
 
   /// Queues a run of the model as it is now: what `order` says of kind, title, duration, seeds and comparison. Throws
   /// HttpFault when the folder cannot be.
-  RunInfo add(const ModelText& model, const RunRecord& order);
+  /// `study`: text of the study file, where that is the kind.
+  RunInfo add(const ModelText& model, const RunRecord& order, const std::string& study = "");
   /// A stopped dynamic run keeps what it has computed: results so far, and the checkpoint to continue from. So
   /// does every case of a study. HttpFault 409 for a single case.
   RunInfo cancel(const std::string& id);
@@ -57,12 +58,14 @@ class RunQueue {
     ModelText model;
     bool resume = false;
   };
-  class Watch;  ///< How a study is followed.
+  class Watch;        ///< How a study is followed.
+  class MatrixWatch;  ///< The same of a study file's.
 
   void work();
   void run(const Job& job);
   void run_static(const Job& job);
   void run_dynamic(const Job& job);
+  void run_matrix(const Job& job);
   void end_interrupted(const Job& job);
   void update(const std::string& id, const std::function<void(RunInfo&)>& change, bool lasting);
   void end(const std::string& id, RunState state, const std::string& message);

@@ -7,19 +7,22 @@
 #include <iterator>
 #include <string_view>
 
+#include "modelfile/study_reader.h"
 #include "resultfiles/long_data_reader.h"
 #include "serve/diagnose.h"
+#include "serve/matrix_json.h"
 #include "serve/run_data.h"
 #include "serve/study_json.h"
 #include "study/compare_variants.h"
 #include "study/study.h"
+#include "study/study_folder.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kMostPoints = 20000, kMostFrames = 200;
 constexpr std::size_t kMostSeeds = 10000;
-constexpr std::array<std::string_view, 4> kKinds = {"static", "dynamic", "seeds", "comparison"};
+constexpr std::array<std::string_view, 5> kKinds = {"static", "dynamic", "seeds", "comparison", "study"};
 
 double duration_of(const Json& body) {
   if (!body.contains("duration") || body["duration"].is_null()) return 0.0;
@@ -52,6 +55,11 @@ RunRecord order_of(const Json& body, const Description& description) {
   order.kind = body.value("kind", "");
   order.title = description.title;
   order.duration = duration_of(body);
+  order.stage = body.value("stage", "");
+  if (!order.stage.empty()) {
+    if (order.kind != "static" && order.kind != "dynamic") throw HttpFault(422, "stage: of a single run only");
+    order.title += ", stage " + order.stage;
+  }
   std::variant<StudyPlan, std::string> plan;
   if (order.kind == "seeds") {
     order.seeds = seeds_of(body, description);
@@ -66,20 +74,47 @@ RunRecord order_of(const Json& body, const Description& description) {
   return order;
 }
 
+/// The study of this model; HttpFault with the first complaint where the text is none.
+StudyDescription checked_study(const std::string& study, const std::string& path, Description&& base) {
+  StudyReading reading = read_study_of(study, path, std::move(base));
+  if (reading.study) return std::move(*reading.study);
+  const std::vector<Diagnostic> list = reading.diagnostics.sorted();
+  HttpFault fault(422, list.front().key + ": found " + list.front().found + ", expected " + list.front().expected);
+  fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, study);
+  throw fault;
+}
+
+/// "tension x water depth": what changes, behind the model's title.
+std::string title_of(const StudyDescription& study, const std::string& model) {
+  if (!study.title.empty()) return study.title;
+  std::string keys;
+  for (const StudyAxis& axis : study.axes) {
+    std::string last = axis.key.substr(axis.key.rfind('.') + 1);
+    std::ranges::replace(last, '_', ' ');
+    keys += (keys.empty() ? "" : axis.with.empty() ? " x " : " with ") + last;
+  }
+  return keys.empty() ? model : model + ": " + keys;
+}
+
 HttpAnswer start(const OpenModel& model, RunQueue& runs, const HttpRequest& request) {
   const Json body = request.json();
   const std::string kind = body.value("kind", "");
   if (std::ranges::find(kKinds, kind) == kKinds.end()) {
-    throw HttpFault(400, "kind: found '" + kind + "', expected static, dynamic, seeds or comparison");
+    throw HttpFault(400, "kind: found '" + kind + "', expected static, dynamic, seeds, comparison or study");
   }
   const ModelText text = model.now();
-  const ModelReading reading = read_model_text(text.text, text.path);
+  ModelReading reading = read_model_text(text.text, text.path);
   if (!reading.description) {
     HttpFault fault(422, "the model has errors; correct them first");
     fault.beside["diagnostics"] = diagnostics_json(reading.diagnostics, text.text);
     throw fault;
   }
-  return json_answer({{"id", runs.add(text, order_of(body, *reading.description)).id}});
+  RunRecord order = order_of(body, *reading.description);
+  const std::string study = kind == "study" ? body.value("study", "") : "";
+  if (kind == "study") {
+    order.title = title_of(checked_study(study, text.path, std::move(*reading.description)), order.title);
+  }
+  return json_answer({{"id", runs.add(text, order, study).id}});
 }
 
 /// The run, when it has results to be read; 404 before.
@@ -97,14 +132,14 @@ std::string file_text(const std::filesystem::path& file) {
 
 std::filesystem::path h5_of(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  if (run.is_study()) throw HttpFault(404, "a study has no such results", "each of its cases has");
+  if (run.is_study() || run.is_matrix()) throw HttpFault(404, "a study has no such results", "each of its cases has");
   return runs.folder(run) / "results.h5";
 }
 
 HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = runs.find(request.parts[0]);
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
-  if (!run.has_results || run.is_study()) return json_answer(Json::array());
+  if (!run.has_results || run.is_study() || run.is_matrix()) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
   const std::lock_guard<std::mutex> hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
@@ -114,7 +149,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 /// asks with its last known state, and the run may have ended since.
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
-  if (!run.has_results || run.is_study()) return {};
+  if (!run.has_results || run.is_study() || run.is_matrix()) return {};
   const std::lock_guard<std::mutex> hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
@@ -154,7 +189,9 @@ HttpAnswer from_file(RunQueue& runs, const HttpRequest& request, Json (*read)(co
 
 HttpAnswer summary(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  const char* file = run.is_study() ? study_files(run).summary : "summary.json";
+  const char* file = run.is_matrix()  ? "study/summary.json"
+                     : run.is_study() ? study_files(run).summary
+                                      : "summary.json";
   return {200, "application/json; charset=utf-8", file_text(runs.folder(run) / file), ""};
 }
 
@@ -172,16 +209,29 @@ const char* main_table(const std::filesystem::path& folder) {
   return "pipe.csv";
 }
 
+/// Of a study file's, with the cases computed so far while it runs; null before its folder is made.
+HttpAnswer matrix(const RunQueue& runs, const HttpRequest& request) {
+  const RunInfo run = runs.find(request.parts[0]);
+  if (!run.is_matrix()) throw HttpFault(404, "the run is none of a study file");
+  const std::filesystem::path folder = runs.folder(run) / kStudyFolder;
+  std::error_code none;
+  if (!std::filesystem::exists(folder / "study.json", none)) return json_answer(nullptr);
+  return json_answer(matrix_json(read_study(folder)));
+}
+
 HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
-  const std::filesystem::path folder = runs.folder(run);
-  const char* file = run.is_study() ? study_files(run).table : main_table(folder);
+  const std::filesystem::path folder = runs.folder(run) / (run.is_matrix() ? kStudyFolder : "");
+  const char* file = run.is_matrix() ? "study.csv" : run.is_study() ? study_files(run).table : main_table(folder);
   return {200, "text/csv; charset=utf-8", file_text(folder / file), run.id + ".csv"};
 }
 
 HttpAnswer report(const RunQueue& runs, const HttpRequest& request) {
   const RunInfo run = done(runs, request);
   const std::string file = run.is_study() ? study_files(run).page : "report.html";
+  if (run.is_matrix()) {
+    return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / kStudyFolder / file), run.id + ".html"};
+  }
   if (file.empty()) throw HttpFault(404, "several seeds have no report of their own", "each of the cases has one");
   return {200, "text/html; charset=utf-8", file_text(runs.folder(run) / file), run.id + ".html"};
 }
@@ -223,6 +273,7 @@ void add_run_routes(std::vector<HttpRoute>& routes, OpenModel& model, RunQueue& 
   routes.push_back(
       {"POST", "/api/runs/*/resume", [&](Request r) { return json_answer(run_json(runs.resume(r.parts[0]))); }});
   routes.push_back({"GET", "/api/runs/*/summary", [&](Request r) { return summary(runs, r); }});
+  routes.push_back({"GET", "/api/runs/*/matrix", [&](Request r) { return matrix(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/study", [&](Request r) { return study(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/table.csv", [&](Request r) { return table(runs, r); }});
   routes.push_back({"GET", "/api/runs/*/columns", [&](Request r) { return columns(runs, r); }});

@@ -3,6 +3,7 @@
 
 #include "dynamics/dynamics.h"
 #include "mechanics/sea.h"
+#include "model/bed_shape.h"
 #include "report/json_number.h"
 #include "serve/static_json.h"
 
@@ -88,6 +89,47 @@ Json objects(const Description& d) {
   return list;
 }
 
+/// Every so many of the knots that no more than `kMost` are drawn, the last among them.
+std::vector<std::size_t> drawn_knots(std::size_t count) {
+  constexpr std::size_t kMost = 150;
+  const std::size_t step = (count + kMost - 1) / kMost;
+  std::vector<std::size_t> drawn;
+  for (std::size_t i = 0; i + 1 < count; i += step) drawn.push_back(i);
+  drawn.push_back(count - 1);
+  return drawn;
+}
+
+/// Heights of an uneven bed, linear in between for the eye: of a profile along a direction from a place, of a grid at
+/// its knots.
+Json bed_shape(const BedSurface& bed) {
+  const BedShape* shape = bed.shape();
+  if (shape == nullptr) return nullptr;
+  Json json = {{"x", Json::array()}, {"z", Json::array()}};
+  if (shape->y.empty()) {
+    constexpr int kParts = 8;  // of each interval
+    json["origin"] = {seven_digits(shape->origin[0]), seven_digits(shape->origin[1])};
+    json["along"] = {seven_digits(shape->along[0]), seven_digits(shape->along[1])};
+    for (int i = 0; i <= kParts * (static_cast<int>(shape->x.size()) - 1); ++i) {
+      const std::size_t from = std::min(static_cast<std::size_t>(i / kParts), shape->x.size() - 2);
+      const double part = static_cast<double>(i) / kParts - static_cast<double>(from);
+      const double x = shape->x[from] + part * (shape->x[from + 1] - shape->x[from]);
+      json["x"].push_back(seven_digits(x));
+      json["z"].push_back(
+          seven_digits(bed.height(shape->origin[0] + x * shape->along[0], shape->origin[1] + x * shape->along[1])));
+    }
+    return json;
+  }
+  const std::vector<std::size_t> columns = drawn_knots(shape->x.size()), rows = drawn_knots(shape->y.size());
+  for (const std::size_t column : columns) json["x"].push_back(seven_digits(shape->x[column]));
+  for (const std::size_t row : rows) {
+    json["y"].push_back(seven_digits(shape->y[row]));
+    for (const std::size_t column : columns) {
+      json["z"].push_back(seven_digits(shape->z[row * shape->x.size() + column]));
+    }
+  }
+  return json;
+}
+
 /// Without a pipe there is nothing to draw.
 double outer_radius(const Model& model) {
   return model.sections.empty() ? 0.0 : 0.5 * model.sections.front().outer_diameter;
@@ -109,7 +151,8 @@ Json scene_json(const Model& model, std::optional<std::uint64_t> seed) {
           {"water_depth", seven_digits(model.description.environment.water_depth)},
           {"seabed",
            {{"normal", place_json(bed.normal(shoe.x(), shoe.y()))},
-            {"point", place_json({shoe.x(), shoe.y(), bed.height(shoe.x(), shoe.y())})}}},
+            {"point", place_json({shoe.x(), shoe.y(), bed.height(shoe.x(), shoe.y())})},
+            {"shape", bed_shape(bed)}}},
           {"current", current(model)},
           {"waves", waves(model, seed.value_or(dynamic_options(model).seed))},
           {"objects", objects(model.description)},

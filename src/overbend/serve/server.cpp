@@ -1,8 +1,11 @@
 #include "serve/server.h"
 
 #include "serve/data_files.h"
+#include "serve/lay_table_routes.h"
 #include "serve/model_routes.h"
 #include "serve/run_routes.h"
+#include "serve/seek_routes.h"
+#include "serve/sensitivity_routes.h"
 
 namespace overbend {
 
@@ -17,6 +20,10 @@ Server::Server(const ServeOptions& options)
   add_model_routes(routes, model_);
   add_data_routes(routes, model_.folder().path());
   add_static_routes(routes, model_, statics_);
+  add_operation_routes(routes, model_, operation_);
+  add_lay_table_routes(routes, model_, lay_tables_);
+  add_sensitivity_routes(routes, model_);
+  add_seek_routes(routes, model_);
   add_run_routes(routes, model_, runs_);
   http_ = std::make_unique<HttpServer>(std::move(routes), events_, options.port);
 }

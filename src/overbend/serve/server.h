@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "serve/http_server.h"
+#include "serve/lay_table_routes.h"
+#include "serve/live_operation.h"
 #include "serve/live_statics.h"
 #include "serve/open_model.h"
 #include "serve/run_queue.h"
@@ -31,6 +33,8 @@ class Server {
   EventHub events_;
   OpenModel model_;
   LiveStatics statics_;
+  LiveOperation operation_{events_};
+  LayTables lay_tables_;
   RunQueue runs_;
   std::unique_ptr<HttpServer> http_;  ///< The last: its threads use the others.
 };

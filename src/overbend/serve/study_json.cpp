@@ -64,6 +64,7 @@ Json seeds_json(const RunInfo& study, const Json& seeds) {
     Json quantity = quantity_json(name, statistics, seeds["runs"]);
     for (const char* value : {"mean", "std", "min", "max"}) quantity[value] = statistics[value];
     quantity["gumbel"] = statistics.value("gumbel", Json());
+    quantity["acer"] = statistics.value("acer", Json());
     quantities.push_back(std::move(quantity));
   }
   return {{"kind", "seeds"},

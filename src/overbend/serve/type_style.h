@@ -33,7 +33,7 @@ struct TypeStyle {
   Json count(Integer) const {
     return "number";
   }
-  template <HasWords Enum>
+  template <HasResultWords Enum>
   Json word(Enum) const {
     std::string all;
     for (const auto& [value, text] : Words<Enum>::list) {

@@ -36,28 +36,50 @@ class StillLay {
 
 }  // namespace
 
-void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results) {
+bool has_current(const Model& model) {
+  return flows(model.current);
+}
+
+bool needs_still_lay(const Model& model) {
   const CheckSettings& checks = model.description.checks;
-  if (checks.current_load != CurrentLoad::environmental || checks.codes == CheckCodes::api || !flows(model.current)) {
-    return;
-  }
-  Description still = model.description;
-  still.environment.current.clear();
-  const Model still_model = build_model(still);
-  const StaticOutcome outcome = solve_statics(still_model, &solution);
-  if (!outcome.solution) {
-    results.warnings.emplace_back(
-        "there is no equilibrium without the current: the checks treat the load effects of the current as functional");
-    return;
-  }
-  const StaticResults without = recover_statics(still_model, *outcome.solution);
-  const StillLay lay(without);
+  return checks.current_load == CurrentLoad::environmental && checks.codes != CheckCodes::api && has_current(model);
+}
+
+Model without_current(const Model& model) {
+  Model still = model;
+  still.description.environment.current.clear();
+  still.current = {};
+  still.mean_pose = still.drawn_pose;
+  return still;
+}
+
+void set_current_effect(const StaticResults& still, StaticResults& results) {
+  const StillLay lay(still);
   for (Station& at : results.stations) {
     const double from_top = results.total_length - at.s;
     at.current_vertical_moment = at.vertical_moment - lay.at(from_top, &Station::vertical_moment);
     at.current_lateral_moment = at.lateral_moment - lay.at(from_top, &Station::lateral_moment);
     at.current_tension = at.effective_tension - lay.at(from_top, &Station::effective_tension);
   }
+}
+
+void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results) {
+  std::optional<StaticSolution> still;
+  find_current_effect(model, solution, results, still);
+}
+
+void find_current_effect(const Model& model, const StaticSolution& solution, StaticResults& results,
+                         std::optional<StaticSolution>& still) {
+  if (!needs_still_lay(model)) return;
+  const Model still_model = without_current(model);
+  StaticOutcome outcome = solve_statics(still_model, still ? &*still : &solution, solution.past);
+  if (!outcome.solution) {
+    results.warnings.emplace_back(
+        "there is no equilibrium without the current: the checks treat the load effects of the current as functional");
+    return;
+  }
+  set_current_effect(recover_statics(still_model, *outcome.solution), results);
+  still = std::move(outcome.solution);
 }
 
 }  // namespace overbend

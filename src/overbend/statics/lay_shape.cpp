@@ -4,36 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/line_elements.h"
-#include "mechanics/rod_element.h"
+#include "statics/shape_curve.h"
 
 namespace overbend {
 namespace {
-
-/// A point that the guess passes through, in the lay plane.
-struct Guide2 {
-  double distance, z, dip;
-};
-
-/// Weight per length of a section at height z, buoyancy by the wetted share [N/m].
-double weight_at(const Model& model, const Section& pipe, double z) {
-  return pipe.weight_in_air -
-         model.water_weight_density * pipe.external_area * wetted_fraction(z, pipe.outer_radius()).value;
-}
-
-/// Pipe axis over every row of rollers, from the tensioner astern.
-std::vector<Guide2> support_points(const Model& model, const LayPlane& plane, const VesselPose& pose) {
-  std::vector<Guide2> points{{0.0, plane.tensioner_W.z(), plane.guide_dip}};
-  for (const SupportRow& row : model.supports.rows) {
-    const double radius = model.sections[static_cast<std::size_t>(model.section_at(row.from_top))].outer_radius();
-    const SupportBox& box = model.supports.boxes[static_cast<std::size_t>(row.box)];
-    const Vec3 p_W = point_from_ramp(model, pose, row.point_S + radius * box.normal_S);
-    const Vec3 d_W = direction_from_ramp(pose, box.direction_S);
-    const double dip = std::atan2(-d_W.z(), d_W.dot(plane.astern_W));
-    points.push_back({(p_W - plane.tensioner_W).dot(plane.astern_W), p_W.z(), dip});
-  }
-  return points;
-}
 
 /// The free span from touchdown upwards: dense points, first on the bed.
 struct FreeSpan {
@@ -66,73 +40,29 @@ double dip_at_height(const FreeSpan& span, double z) {
   return above == span.z.end() ? span.dip.back() : span.dip[static_cast<std::size_t>(above - span.z.begin())];
 }
 
-void append(LayShape& shape, double distance, double z, double dip) {
-  if (!shape.length.empty()) {
-    const double ds = std::hypot(distance - shape.distance.back(), z - shape.z.back());
-    if (ds < 1e-9) {
-      return;
-    }
-    shape.length.push_back(shape.length.back() + ds);
-    if (shape.waterline < 0.0 && shape.z.back() > 0.0 && z <= 0.0) {
-      shape.waterline = shape.length.back();
-    }
-  } else {
-    shape.length.push_back(0.0);
-  }
-  shape.distance.push_back(distance);
-  shape.z.push_back(z);
-  shape.dip.push_back(dip);
-}
-
-/// Cubic Hermite from the last point to the next, in steps of about a quarter of a metre.
-void append_curve(LayShape& shape, const Guide2& to) {
-  const double x0 = shape.distance.back(), z0 = shape.z.back(), dip0 = shape.dip.back();
-  const double chord = std::hypot(to.distance - x0, to.z - z0);
-  const int steps = std::max(2, static_cast<int>(chord / 0.25));
-  for (int i = 1; i <= steps; ++i) {
-    const double xi = static_cast<double>(i) / steps;
-    const HermiteValues n = hermite(xi, chord);
-    const auto mix = [&](const Eigen::Vector4d& w, double a, double da, double b, double db) {
-      return w(0) * a + w(1) * da + w(2) * b + w(3) * db;
-    };
-    const double dx0 = std::cos(dip0), dz0 = -std::sin(dip0), dx1 = std::cos(to.dip), dz1 = -std::sin(to.dip);
-    const double x = mix(n.value, x0, dx0, to.distance, dx1), z = mix(n.value, z0, dz0, to.z, dz1);
-    const double tx = mix(n.first, x0, dx0, to.distance, dx1), tz = mix(n.first, z0, dz0, to.z, dz1);
-    append(shape, x, z, std::atan2(-tz, tx));
-  }
-}
-
 void append_span(LayShape& shape, const FreeSpan& span) {
   const double x0 = shape.distance.back(), z0 = shape.z.back();
   std::size_t i = static_cast<std::size_t>(std::lower_bound(span.z.begin(), span.z.end(), z0) - span.z.begin());
   i = std::min(i, span.z.size() - 1);
   const double x_top = span.distance[i];
   while (i-- > 0) {
-    append(shape, x0 + x_top - span.distance[i], span.z[i], span.dip[i]);
+    append_point(shape, x0 + x_top - span.distance[i], span.z[i], span.dip[i]);
   }
   shape.touchdown = shape.length.back();
 }
 
-void append_tail(LayShape& shape, const LayPlane& plane, double tail) {
-  const double x0 = shape.distance.back(), z0 = shape.z.back(), bed0 = plane.bed(x0);
-  const double level = std::cos(std::atan(plane.bed_slope(x0)));
-  const int steps = 200;
-  for (int i = 1; i <= steps; ++i) {
-    const double x = x0 + tail * i / steps * level;
-    append(shape, x, z0 + (plane.bed(x) - bed0), -std::atan(plane.bed_slope(x)));
+/// On a shaped bed the span ends where it first meets the bed, which may be a crest before the landing looked for.
+void land_on_shape(LayShape& shape, const LayPlane& plane) {
+  for (std::size_t i = 0; i < shape.length.size(); ++i) {
+    if (shape.length[i] <= shape.last_support || shape.z[i] >= plane.bed(shape.distance[i])) continue;
+    for (std::vector<double>* values : {&shape.length, &shape.distance, &shape.z, &shape.dip}) values->resize(i + 1);
+    shape.touchdown = shape.length.back();
+    return;
   }
-  shape.total = shape.length.back();
-}
-
-/// Long enough that the moment of touchdown has died out at the anchor, and some of the laid line is in the model.
-double tail_length(const Model& model, double H, double suspended) {
-  const Section& pipe = model.sections.front();
-  const double soil = std::pow(4.0 * pipe.EI / model.seabed.stiffness, 0.25);
-  return 12.0 * soil + 2.0 * std::sqrt(pipe.EI / H) + std::clamp(0.25 * suspended, 30.0, 300.0);
 }
 
 /// The last support over which the pipe still bends down no more than the free span would.
-std::size_t departure(const std::vector<Guide2>& points, const FreeSpan& span) {
+std::size_t departure(const std::vector<GuidePoint>& points, const FreeSpan& span) {
   std::size_t last = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (points[i].dip <= dip_at_height(span, points[i].z)) {
@@ -190,7 +120,7 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     shape = LayShape{};
     const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
     shape.bottom_tension = H;
-    const std::vector<Guide2> points = support_points(model, plane, model.mean_pose);
+    const std::vector<GuidePoint> points = support_points(model, plane, model.mean_pose);
     const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
       shape.problem = "the seabed falls away astern faster than the pipe: there is no touchdown";
@@ -198,7 +128,7 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     const std::size_t last = departure(points, span);
     const bool free_top = last == 0 && model.description.tensioner.guide == Guide::pinned;
-    append(shape, 0.0, points[0].z, free_top ? span.dip.back() : points[0].dip);
+    append_point(shape, 0.0, points[0].z, free_top ? span.dip.back() : points[0].dip);
     for (std::size_t i = 1; i <= last; ++i) {
       if (points[i].distance > shape.distance.back() + 1e-6) {
         append_curve(shape, points[i]);
@@ -213,7 +143,14 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     bed_z = touchdown_bed;
   }
-  append_tail(shape, plane, tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support));
+  if (plane.surface.shape() != nullptr) land_on_shape(shape, plane);
+  double tail = tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);
+  if (!plane.route.straight()) {  // what slides in a bend is held by what lies straight behind it
+    constexpr double kBehind = 200.0, kLongest = 3000.0;  // [m]
+    const double bends = plane.route.pieces()->back().s - shape.distance.back();
+    tail = std::clamp(bends + kBehind, tail, std::max(tail, kLongest));
+  }
+  append_tail(shape, plane, tail);
   return shape;
 }
 

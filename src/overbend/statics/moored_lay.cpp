@@ -5,6 +5,7 @@
 
 #include "statics/moored_statics.h"
 #include "statics/pipe_on_hull.h"
+#include "statics/stinger_rest.h"
 
 namespace overbend {
 namespace {
@@ -47,10 +48,11 @@ bool is_moored_lay(const Description& description) {
   return description.has_pipe && description.moorings && !description.moorings->lines.empty();
 }
 
-LayOutcome solve_lay(Model& model, const StaticSolution* start) {
+LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
   model.mean_pose = model.drawn_pose;
   if (!is_moored_lay(model.description)) {
-    StaticOutcome pipe = solve_statics(model, start);
+    StaticOutcome pipe = rest_with_stinger(model, start, past);
+    if (pipe.solution) measure_stinger(model, *pipe.solution);
     return {std::move(pipe.solution), std::nullopt, std::move(pipe.failure)};
   }
   std::variant<MooredHull, StaticFailure> made = moored_hull(model);
@@ -61,7 +63,7 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start) {
   if (start != nullptr) {
     model.mean_pose = start->pose;
   }
-  StaticOutcome pipe = solve_statics(model, start);
+  StaticOutcome pipe = rest_with_stinger(model, start, past);
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (pipe.failure) {
       return fail(*pipe.failure);
@@ -76,10 +78,11 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start) {
     const HullPlace place = place_of(moored.hull, moored.rest.offset);
     const VesselPose pose{place.p_W, place.R_WV};
     if (way_between(place, place_of(model.mean_pose), model.description.vessel.length) < kStill) {
+      measure_stinger(model, *pipe.solution);
       return solved(model, std::move(*pipe.solution), moored, load);
     }
     model.mean_pose = pose;
-    pipe = solve_statics(model, &*pipe.solution);
+    pipe = rest_with_stinger(model, &*pipe.solution, past);
   }
   return fail(
       {"pipe and moored hull do not come to rest together", "the vessel",

@@ -15,13 +15,14 @@ struct LayOutcome {
   std::optional<StaticFailure> failure;
 };
 
-/// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie. Without mooring lines
+/// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie and `model.supports`
+/// to where a stinger on hinges comes to rest (statics/stinger_rest.h). Without mooring lines
 /// it is that of the pipe on the vessel as described.
 ///
 /// With them pipe and hull take turns: what the pipe does to the vessel is a load on the hull on its lines, whose rest
 /// is a new place for the pipe's supports, until nothing moves. The hull's restoring is stiff beside the change of that
-/// load with the pose, so that a few turns do; it does not fail where the pipe on a held vessel does not. `start` as
-/// for solve_statics.
-LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr);
+/// load with the pose, so that a few turns do; it does not fail where the pipe on a held vessel does not. `start`
+/// and `past` as for solve_statics.
+LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
 
 }  // namespace overbend

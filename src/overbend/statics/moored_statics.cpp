@@ -150,7 +150,7 @@ bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull
     case OperationType::anchor_plan:
       results.operation = "anchor_plan";
       return plan_anchors_due(model, start, stages, results);
-    case OperationType::none:
+    default:
       break;
   }
   return true;

@@ -2,7 +2,9 @@
 
 #include <utility>
 
+#include "model/stinger_turn.h"
 #include "statics/recovery.h"
+#include "statics/stinger_forces.h"
 #include "statics/vessel_load.h"
 
 namespace overbend {
@@ -33,7 +35,7 @@ class PipeOnTheWay {
   }
   std::variant<PipeThere, StaticFailure> operator()(const HullPlace& place) {
     model_.mean_pose = {place.p_W, place.R_WV};
-    StaticOutcome pipe = solve_statics(model_, &last_);
+    StaticOutcome pipe = solve_statics(model_, &last_, last_.past);
     if (pipe.failure) return *pipe.failure;
     last_ = std::move(*pipe.solution);
     return PipeThere{pipe_load(model_, last_, hull_), pipe_at_step(recover_statics(model_, last_))};
@@ -45,11 +47,36 @@ class PipeOnTheWay {
   HullAtRest hull_;
 };
 
+/// Weight and buoyancy of the stinger about midship, W.
+Vec6 stinger_wrench(const Model& model) {
+  Vec6 wrench = Vec6::Zero();
+  for (std::size_t i = 0; i < model.supports.sections.size(); ++i) {
+    for (const PointForce& force : floating_forces(model, i)) {
+      wrench.head<3>() += force.force_W;
+      wrench.tail<3>() += (force.at_W - model.mean_pose.p_WV).cross(force.force_W);
+    }
+  }
+  return wrench;
+}
+
+/// What of it is not there where hull and stinger lie as drawn.
+Vec6 stinger_change(const Model& model) {
+  Model drawn;
+  drawn.description.supports = model.description.supports;
+  drawn.description.vessel = model.description.vessel;
+  drawn.water_weight_density = model.water_weight_density;
+  drawn.supports.sections = drawn_sections(model.description.supports);
+  drawn.mean_pose = model.drawn_pose;
+  turn_stinger(drawn.supports, set_angles(model.description.supports));
+  return stinger_wrench(model) - stinger_wrench(drawn);
+}
+
 }  // namespace
 
 Vec6 pipe_load(const Model& model, const StaticSolution& pipe, const HullAtRest& hull) {
-  StaticSystem system(model, model.mean_pose, pipe.mesh);
-  const Vec6 load = load_on_vessel(system, pipe.state);
+  StaticSystem system = system_with_past(model, pipe.mesh, pipe.past);
+  Vec6 load = load_on_vessel(system, pipe.state);
+  if (!model.supports.sections.empty()) load += stinger_change(model);
   Vec6 drawn;
   drawn << hull.axes_WD.transpose() * load.head<3>(), hull.axes_WD.transpose() * load.tail<3>();
   return drawn;

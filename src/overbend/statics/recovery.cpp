@@ -1,5 +1,7 @@
 #include "statics/recovery.h"
 
+#include "statics/recovery_parts.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +11,13 @@
 #include "base/version.h"
 #include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
+#include "statics/bed_contacts.h"
 #include "statics/current_effect.h"
+#include "statics/recovery_bed.h"
+#include "statics/recovery_cable.h"
+#include "statics/recovery_route.h"
+#include "statics/recovery_stinger.h"
+#include "statics/recovery_structures.h"
 #include "statics/recovery_supports.h"
 #include "statics/recovery_target.h"
 #include "statics/static_warnings.h"
@@ -65,6 +73,20 @@ CutForces cut_at(const StaticSystem& system, const LineState& state, const std::
   return {force, start.moment - lever.cross(start.force) - loads.moment};
 }
 
+namespace {
+
+/// A cable without bending stiffness lies as its tension pulls; on a roller, between the directions either side of it.
+Vec3 cable_direction(const StaticSystem& system, const CutForces& cut, int element, double xi) {
+  Vec3 pull = cut.force;
+  for (const RollerContact& roller : system.contacts()) {
+    const bool here = roller.at.element == element && roller.at.xi == xi;
+    if (roller.normal > 0.0 && here) pull -= 0.5 * roller.force();
+  }
+  return pull.normalized();
+}
+
+}  // namespace
+
 StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
                         double xi) {
   const Model& model = system.model();
@@ -72,10 +94,12 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
   const double h = system.mesh().length[e];
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
   const CentrelinePoint at = centreline(q, xi, h);
-  const Vec3 t = at.a.normalized();
+  const bool cable = model.sections[static_cast<std::size_t>(system.mesh().section[e])].kind == SectionKind::cable;
+  const Vec3 t = cable ? cable_direction(system, cut, element, xi) : Vec3(at.a.normalized());
 
   StationCut result;
   result.section = system.mesh().section[e];
+  result.station.kind = model.sections[static_cast<std::size_t>(result.section)].kind;
   result.tangent = t;
   Station& station = result.station;
   station.s = system.mesh().s[e] + xi * h;
@@ -100,9 +124,29 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
 
 namespace {
 
+/// Whether a structure begins or ends between an element and the next.
+bool structure_ends(const StaticSystem& system, int element) {
+  if (element < 0 || element + 1 >= system.mesh().elements()) return false;
+  const auto is_structure = [&](int e) {
+    const auto section = static_cast<std::size_t>(system.mesh().section[static_cast<std::size_t>(e)]);
+    return system.model().sections[section].kind == SectionKind::structure;
+  };
+  return is_structure(element) != is_structure(element + 1);
+}
+
+/// A node's station is one of the element that begins there. Where the pipe ends at something stiffer its strain is
+/// largest right at that node, so both elements get a station close to it.
+void add_places_beside(const StaticSystem& system, int element, double length, std::vector<double>& places) {
+  if (length <= 4.0 * kBesideStep) return;
+  if (structure_ends(system, element - 1)) places.push_back(kBesideStep / length);
+  if (structure_ends(system, element)) places.push_back(1.0 - kBesideStep / length);
+}
+
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
 std::vector<Station> make_stations(const StaticSystem& system, const LineState& state,
-                                   const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown) {
+                                   const std::vector<CutForces>& cuts, const std::optional<LinePlace>& touchdown,
+                                   const std::vector<BendingMemory>& memory) {
+  const std::vector<LinePlace> edges = contact_places(system, state);
   std::vector<StationCut> stations;
   for (int e = 0; e < system.mesh().elements(); ++e) {
     std::vector<double> places{0.0};
@@ -119,6 +163,10 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
     if (touchdown && touchdown->element == e) {
       places.push_back(touchdown->xi);
     }
+    for (const LinePlace& edge : edges) {
+      if (edge.element == e) places.push_back(edge.xi);
+    }
+    add_places_beside(system, e, h, places);
     std::sort(places.begin(), places.end());
     for (const double xi : places) {
       const StationCut station = make_station(system, state, cut_at(system, state, cuts, e, xi), e, xi);
@@ -128,7 +176,7 @@ std::vector<Station> make_stations(const StaticSystem& system, const LineState& 
     }
   }
   stations.push_back(make_station(system, state, cuts.back(), system.mesh().elements() - 1, 1.0));
-  return finish_stations(system.model(), std::move(stations));
+  return finish_stations(system.model(), std::move(stations), system.mesh(), memory);
 }
 
 void keep_larger(Extreme& extreme, double value, const Station& at) {
@@ -137,7 +185,9 @@ void keep_larger(Extreme& extreme, double value, const Station& at) {
   }
 }
 
+/// A cable has no stresses of a pipe, and its tension is told for itself; nor has what is built into the pipe.
 void keep_larger(RegionResult& region, const Station& at) {
+  if (at.kind == SectionKind::cable || at.kind == SectionKind::structure) return;
   keep_larger(region.bending_moment, at.bending_moment, at);
   keep_larger(region.bending_stress, at.bending_stress, at);
   keep_larger(region.von_mises, at.von_mises, at);
@@ -169,8 +219,11 @@ void find_extremes(StaticResults& results, const Regions& regions) {
   if (regions.carried) results.overbend.emplace();
   results.largest_tension = results.stations.front().effective_tension;
   results.smallest_tension.value = std::numeric_limits<double>::infinity();
+  bool pipe_over_supports = false;
   for (Station& station : results.stations) {
     station.region = regions.of(station.s);
+    pipe_over_supports =
+        pipe_over_supports || (station.region == Region::overbend && station.kind != SectionKind::cable);
     if (station.region == Region::tower && !results.tower) results.tower.emplace();
     if (station.region == Region::tower) keep_larger(*results.tower, station);
     if (station.region == Region::overbend) keep_larger(*results.overbend, station);
@@ -178,6 +231,7 @@ void find_extremes(StaticResults& results, const Regions& regions) {
     results.largest_tension = std::max(results.largest_tension, station.effective_tension);
     keep_smaller(results.smallest_tension, station);
   }
+  if (!pipe_over_supports) results.overbend.reset();  // only cable lies there
 }
 
 Station station_at(const std::vector<Station>& stations, double s) {
@@ -258,14 +312,15 @@ void warn_of_roll(StaticResults& results) {
 
 }  // namespace
 
-StaticResults recover_statics(const Model& model, const StaticSolution& solution) {
+StaticResults recover_state(const Model& model, const StaticSolution& solution) {
   StaticResults results;
   copy_model(results, model);
-  StaticSystem system(model, model.mean_pose, solution.mesh);
+  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
   const LineState& state = solution.state;
   const std::vector<CutForces> cuts = cut_forces(system, state);
-  const std::optional<LinePlace> touchdown = find_touchdown(system, state);
-  results.stations = make_stations(system, state, cuts, touchdown);
+  const std::optional<LinePlace> touchdown = landing(system, state);
+  results.stations = make_stations(system, state, cuts, touchdown,
+                                   solution.past.solution ? solution.bending : std::vector<BendingMemory>());
 
   const Station top = results.stations.back();
   const Station landing = touchdown ? station_at(results.stations, touchdown->s) : results.stations.front();
@@ -275,6 +330,7 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   results.total_length = top.s;
   results.length_top_to_touchdown = top.s - landing.s;
   results.top_tension = top.effective_tension;
+  results.top_inclination = top.inclination;
   results.residual_curvature = landing.residual_curvature;
   results.bottom_tension = landing.effective_tension * std::cos(landing.inclination);
   results.anchor_W = results.stations.front().p_W;
@@ -287,12 +343,28 @@ StaticResults recover_statics(const Model& model, const StaticSolution& solution
   find_extremes(results,
                 regions_of(results.stations, landing.s, departure.carried ? std::optional(departure.s) : std::nullopt,
                            model.description.tensioner.guide == Guide::clamped));
+  results.structures = recover_structures(model, results);
+  recover_bed(results, system, state);
   sum_forces(results, system, state);
-  warn_of_roll(results);
-  warn_statics(model, results);
-  warn_of_missed_target(results, model);
+  recover_stinger(results, system, solution);
+  recover_cable(results, system, state);
+  if (touchdown) recover_route(results, system, state);
   results.solve = solution.report;
   results.solve.force_residual = results.force_residual;
+  return results;
+}
+
+StaticResults recover_in_current(const Model& model, const StaticSolution& solution) {
+  StaticResults results = recover_state(model, solution);
+  warn_of_roll(results);
+  warn_statics(model, results);
+  warn_of_uneven_bed(model, results);
+  warn_of_missed_target(results, model);
+  return results;
+}
+
+StaticResults recover_statics(const Model& model, const StaticSolution& solution) {
+  StaticResults results = recover_in_current(model, solution);
   find_current_effect(model, solution, results);
   return results;
 }

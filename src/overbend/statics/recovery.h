@@ -18,6 +18,9 @@ CutForces cut_at(const StaticSystem& system, const LineState& state, const std::
 StationCut make_station(const StaticSystem& system, const LineState& state, const CutForces& cut, int element,
                         double xi);
 
+/// What follows from the equilibrium alone: without what is warned of, and without what the current adds.
+StaticResults recover_state(const Model& model, const StaticSolution& solution);
+
 /// Results of an equilibrium, without code checks: those are made from results, see checks/run_checks.h.
 StaticResults recover_statics(const Model& model, const StaticSolution& solution);
 

@@ -3,8 +3,10 @@
 
 #include <vector>
 
+#include "mechanics/plastic_bending.h"
 #include "model/model.h"
 #include "results/static_results.h"
+#include "system/line_mesh.h"
 
 namespace overbend {
 
@@ -17,7 +19,9 @@ struct StationCut {
 };
 
 /// Curvature, stress and strain of all stations, from the anchor to the tensioner. Where steel yields it is bent from
-/// station to station on its way from the tensioner, by the moments of the cuts.
-std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts);
+/// station to station on its way from the tensioner, by the moments of the cuts; where a line has a past, `memory`
+/// gives what its Gauss points have become, kGaussPoints per element of `mesh`: the nearest one's is taken.
+std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts, const LineMesh& mesh,
+                                     const std::vector<BendingMemory>& memory);
 
 }  // namespace overbend

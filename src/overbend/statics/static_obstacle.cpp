@@ -1,10 +1,24 @@
 #include "statics/static_obstacle.h"
 
+#include "model/lay_stage.h"
+#include "statics/static_start.h"
+
 namespace overbend {
 namespace {
 
 StaticFailure obstacle(const char* what, const char* why) {
   return {what, "", why, true};
+}
+
+std::optional<StaticFailure> bent_route_obstacle(const Description& description) {
+  if (has_cable(description)) {
+    return obstacle("a line with a cable on a route that bends cannot be solved yet", "leave out route");
+  }
+  if (wanted_of(description).kind == LineTargetValue::Kind::anchor_distance) {
+    return obstacle("an anchor's distance on a route that bends cannot be solved yet",
+                    "give tensioner.tension in place of pipe.anchor");
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -22,6 +36,7 @@ std::optional<StaticFailure> static_obstacle(const Description& description) {
     return obstacle("a pipe on a hull that sinks and trims under it cannot be solved yet without mooring lines",
                     "give moorings, vessel.motion.coupled with ballast: trim, or leave out vessel.hydrostatics");
   }
+  if (description.route.given()) return bent_route_obstacle(description);
   return std::nullopt;
 }
 

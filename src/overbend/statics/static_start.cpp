@@ -7,6 +7,9 @@
 #include <limits>
 
 #include "mechanics/rod_element.h"
+#include "model/bed_shape.h"
+#include "model/lay_stage.h"
+#include "statics/stage_shape.h"
 #include "statics/support_line.h"
 #include "statics/touchdown.h"
 
@@ -56,25 +59,70 @@ std::size_t touchdown_index(const LayShape& shape) {
                                   shape.length.begin());
 }
 
+/// Tension between two with which `reach` is the distance wanted.
+template <class Reach>
+double tension_that_reaches(const Reach& reach, double low, double high, double distance) {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(low * high);
+    (reach(middle) < distance ? low : high) = middle;
+  }
+  return std::sqrt(low * high);
+}
+
 /// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it
 /// exactly).
 double tension_for_anchor(const Model& model, const LayPlane& plane, double least, double distance) {
-  double low = 1.001 * least, high = 50.0 * least;
   const double length = *model.description.pipe.length;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::sqrt(low * high);
-    const LayShape shape = lay_shape(model, plane, middle);
+  const auto reach = [&](double tension) {
+    const LayShape shape = lay_shape(model, plane, tension);
     const double slack = length - shape.touchdown;  // the rest lies on the bed
-    const double reach = shape.distance[touchdown_index(shape)] + slack;
-    (reach < distance ? low : high) = middle;
-  }
-  return std::sqrt(low * high);
+    return shape.distance[touchdown_index(shape)] + slack;
+  };
+  return tension_that_reaches(reach, 1.001 * least, 50.0 * least, distance);
 }
 
 /// Unit vector on the bed in the vertical plane of the route, away from the barge.
 Vec3 along_bed(const LayPlane& plane, const Vec3& p_W) {
   const double distance = plane.route.distance(p_W);
   return (plane.route.direction(distance) + plane.bed_slope(distance) * Vec3::UnitZ()).normalized();
+}
+
+/// Height of the line's axis on the highest place that it may meet: of a plane, under the tensioner.
+double highest_bed(const LayPlane& plane) {
+  const BedShape* shape = plane.surface.shape();
+  return shape == nullptr ? plane.bed(0.0) : std::min(shape->highest + plane.radius, 0.9 * plane.tensioner_W.z());
+}
+
+/// A line with a cable in it: its sections hang where they are.
+StartingPoint stage_start(const Model& model, const LayPlane& plane, StartingPoint start) {
+  const Description& d = model.description;
+  start.target = {LineTargetValue::Kind::top_tension, d.tensioner.tension.value_or(0.0)};
+  double tension = start.target.value;
+  if (!d.tensioner.tension) {
+    const double distance = *d.pipe.anchor - d.tensioner.x;
+    start.target = {LineTargetValue::Kind::anchor_distance, distance};
+    const auto reach = [&](double pull) {
+      const LayShape shape = stage_shape(model, plane, pull);
+      return shape.problem.empty() ? shape.distance.back() : 0.0;
+    };
+    const double least = least_stage_tension(model, plane);
+    tension = tension_that_reaches(reach, 0.5 * least, 50.0 * least, distance);
+  }
+  start.shape = stage_shape(model, plane, tension);
+  if (!start.shape.problem.empty()) {
+    start.failure = StaticFailure{"the tension is too low to carry the line", "at the top", start.shape.problem};
+    return start;
+  }
+  start.tail = start.shape.total - start.shape.touchdown;
+  start.zones = {start.shape.total,
+                 start.shape.last_support,
+                 start.shape.touchdown,
+                 start.shape.waterline,
+                 tension,
+                 start.shape.bottom_tension,
+                 {}};
+  start.failure = too_many_elements(model, start.zones);
+  return start;
 }
 
 }  // namespace
@@ -92,12 +140,28 @@ std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZon
                        true};
 }
 
+LineTargetValue wanted_of(const Description& description) {
+  if (description.tensioner.tension || !description.pipe.length || !description.pipe.anchor) {
+    return {LineTargetValue::Kind::top_tension, description.tensioner.tension.value_or(0.0)};
+  }
+  return {LineTargetValue::Kind::anchor_distance, *description.pipe.anchor - description.tensioner.x};
+}
+
 StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   const Description& d = model.description;
   const Section& pipe = model.sections.front();
   StartingPoint start;
   if (pipe.weight_submerged <= 0.0) {
     start.failure = floats(pipe);
+    return start;
+  }
+  const SeabedDescription& bed = d.environment.seabed;
+  if (bed.soil == SoilModel::hyperbolic && pipe.weight_submerged >= bed.bearing_force.value_or(0.0)) {
+    start.failure = StaticFailure{
+        "the seabed does not carry the pipe", "the laid pipe",
+        fmt::format("its submerged weight of {:.4g} N/m is not below the bearing force of the soil, {:.4g} "
+                    "N/m (environment.seabed.soil)",
+                    pipe.weight_submerged, bed.bearing_force.value_or(0.0))};
     return start;
   }
   if (plane.tensioner_W.z() <= plane.bed(0.0)) {
@@ -109,16 +173,11 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     start.failure = std::move(failure);
     return start;
   }
-  const double least = hanging_weight(model, plane, plane.bed(0.0));
-  const bool anchored = !d.tensioner.tension && d.pipe.length && d.pipe.anchor;
-  double tension = d.tensioner.tension.value_or(0.0);
-  if (anchored) {
-    const double distance = *d.pipe.anchor - d.tensioner.x;
-    tension = tension_for_anchor(model, plane, least, distance);
-    start.target = {LineTargetValue::Kind::anchor_distance, distance};
-  } else {
-    start.target = {LineTargetValue::Kind::top_tension, tension};
-  }
+  if (has_cable(d)) return stage_start(model, plane, std::move(start));
+  const double least = hanging_weight(model, plane, highest_bed(plane));
+  start.target = wanted_of(d);
+  const bool anchored = start.target.kind == LineTargetValue::Kind::anchor_distance;
+  const double tension = anchored ? tension_for_anchor(model, plane, least, start.target.value) : start.target.value;
   if (tension <= least) {
     start.failure = too_little_tension(tension, least);
     return start;
@@ -143,8 +202,13 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     }
     start.shape.total = *d.pipe.length;
   }
-  start.zones = {start.shape.total, start.shape.last_support,  start.shape.touchdown, start.shape.waterline,
-                 tension,           start.shape.bottom_tension};
+  start.zones = {start.shape.total,
+                 start.shape.last_support,
+                 start.shape.touchdown,
+                 start.shape.waterline,
+                 tension,
+                 start.shape.bottom_tension,
+                 {}};
   start.failure = too_many_elements(model, start.zones);
   return start;
 }
@@ -163,14 +227,30 @@ LineState sample_shape(const StaticSystem& system, const LayShape& shape) {
     const auto mix = [&](const std::vector<double>& v) { return (1.0 - f) * v[i - 1] + f * v[i]; };
     const double dip = u > shape.length.back() ? shape.dip.back() : mix(shape.dip);
     Eigen::Map<Vec3> r(state.q.data() + 6 * node), t(state.q.data() + 6 * node + 3);
-    r = plane.tensioner_W + mix(shape.distance) * plane.astern_W;
+    const double distance = mix(shape.distance);
+    r = plane.tensioner_W + distance * plane.astern_W;
+    Vec3 astern = plane.astern_W;
+    if (!plane.route.straight()) {
+      const double along = plane.route.distance(plane.tensioner_W) + distance;
+      r = plane.route.place(along);
+      astern = plane.route.direction(along);
+    }
     r.z() = mix(shape.z);
-    t = -std::cos(dip) * plane.astern_W + std::sin(dip) * Vec3::UnitZ();
+    t = -std::cos(dip) * astern + std::sin(dip) * Vec3::UnitZ();
   }
   if (system.held_direction()) {  // a vessel off its course does not guide the pipe along the route
     Eigen::Map<Vec3>(state.q.data() + state.q.size() - 3) = *system.held_direction();
   }
+  pin_far_end(system, state);
   return state;
+}
+
+void pin_far_end(const StaticSystem& system, LineState& state) {
+  if (cable_at_far_end(system.model().description)) state.q[2] = pinned_height(system.model());
+  const LayRoute& route = system.plane().route;
+  if (route.straight() || system.lays_steadily()) return;
+  Eigen::Map<Vec3> far(state.q.data());
+  far -= route.offset(far) * route.port(route.distance(far));
 }
 
 LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane) {
@@ -188,7 +268,9 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
     const double xi = std::clamp((s - from.s[e]) / from.length[e], 0.0, 1.0);
     const CentrelinePoint at = centreline(q, xi, from.length[e]);
     const Vec3 beyond = s < 0.0 ? Vec3(-s * along_bed(plane, at.r)) : Vec3::Zero();
-    Eigen::Map<Vec3>(moved.q.data() + 6 * node) = at.r + beyond;
+    Eigen::Map<Vec3> r(moved.q.data() + 6 * node);
+    r = at.r + beyond;
+    if (s < 0.0 && plane.surface.shape() != nullptr) r.z() = plane.bed(plane.route.distance(r));
     Eigen::Map<Vec3>(moved.q.data() + 6 * node + 3) = at.a;
   }
   return moved;
@@ -200,7 +282,8 @@ void bring_to_ends(const StaticSystem& system, LineState& state) {
   Eigen::Map<Vec3> top(state.q.data() + state.q.size() - 6), tangent(state.q.data() + state.q.size() - 3);
   const Vec3 miss = plane.tensioner_W - top;
   const double along = miss.dot(plane.astern_W), across = miss.dot(plane.port_W);
-  const double far_across = -plane.route.offset(Eigen::Map<const Vec3>(state.q.data()));
+  // steadily laid, it lies beside the route
+  const double far_across = system.lays_steadily() ? 0.0 : -plane.route.offset(Eigen::Map<const Vec3>(state.q.data()));
   if (system.held_direction()) {
     tangent = tangent.norm() * *system.held_direction();
   }

@@ -18,10 +18,16 @@ struct StartingPoint {
   std::optional<StaticFailure> failure;
 };
 
+/// What the model wants of the line: the tension at the tensioner, or else the place of the anchor.
+LineTargetValue wanted_of(const Description& description);
+
 StartingPoint starting_point(const Model& model, const LayPlane& plane);
 
 /// The guess at the nodes of the system's mesh.
 LineState sample_shape(const StaticSystem& system, const LayShape& shape);
+
+/// Puts the far end to the height at which an anchor pins it, where one does.
+void pin_far_end(const StaticSystem& system, LineState& state);
 
 /// A state carried over to another mesh; nodes are matched by their distance from the tensioner, a longer tail goes on
 /// along the bed.

@@ -3,7 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/ground.h"
+#include "mechanics/quadrature.h"
+#include "mechanics/rod_element.h"
+#include "model/lay_stage.h"
+#include "statics/steady_laying.h"
 #include "statics/step_search.h"
+#include "statics/touchdown.h"
 #include "system/vessel_body.h"
 
 namespace overbend {
@@ -16,6 +22,11 @@ Vec3 position(const std::vector<double>& q, int node) {
 }
 Vec3 tangent_at(const std::vector<double>& q, int node) {
   return Vec3(Vec3Map(q.data() + 6 * node + 3));
+}
+
+/// Paid out, the pipe slides astern over the rollers, which hold it back towards the tensioner.
+double rub_along(RollerFriction friction) {
+  return friction == RollerFriction::none ? 0.0 : friction == RollerFriction::lay ? 1.0 : -1.0;
 }
 
 }  // namespace
@@ -51,14 +62,38 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
       parts_(parts_of(model, pose, std::move(mesh), plane_)),
       solver_(std::make_unique<BorderedSystem>(std::vector<BorderedLine>{{parts_->line.mesh.nodes(), {0}}}, 1)),
       assembly_(parts_->line, parts_->bodies, solver_->line(0)) {
+  lays_steadily_ = overbend::lays_steadily(model);
+  easing_.rollers.rub.along = rub_along(model.description.statics.roller_friction);
+  assembly_.ease(easing_);
   hold_ends(pose);
 }
 
+/// At a distance along the route: across it, and where it lies on the bed in its direction.
+void StaticSystem::hold_far_end(double distance) {
+  const Vec3 port = plane_.route.port(distance);
+  far_direction_ = model_->seabed.surface.along(plane_.route.place(distance), plane_.route.direction(distance));
+  held_far_.position = {{port, Vec3::Zero(), Vec3::Zero()}, 1};
+  held_far_.tangent = {};
+  if (model_->seabed.surface.shape() == nullptr) held_far_.tangent = across(far_direction_);
+  if (cable_at_far_end(model_->description)) {
+    far_direction_ = plane_.route.direction(distance);
+    held_far_.position = {{port, Vec3::UnitZ(), Vec3::Zero()}, 2};
+    held_far_.tangent = {};
+  }
+}
+
+/// Where the route bends, its direction at the far end is that of the place; and the pipe lies on the line through it.
+void StaticSystem::follow_far_end(const LineState& state) {
+  constexpr double kRounding = 1e-9;  // [m] of places: no side load moves the pipe as little
+  const Vec3 far = position(state.q, 0);
+  if (!plane_.route.straight()) hold_far_end(plane_.route.distance(far));
+  if (!lays_steadily_) return;
+  const double aside = plane_.route.offset(far);
+  assembly_.lay_beside(std::abs(aside) > kRounding ? aside : 0.0);
+}
+
 void StaticSystem::hold_ends(const VesselPose& pose) {
-  const double far = parts_->line.mesh.total_length();
-  far_direction_ = model_->seabed.surface.along(plane_.route.place(far), plane_.route.direction(far));
-  held_far_.position = {{plane_.port_W, Vec3::Zero(), Vec3::Zero()}, 1};
-  held_far_.tangent = across(far_direction_);
+  hold_far_end(parts_->line.mesh.total_length());
   held_top_.position = all_directions();
   if (model_->description.tensioner.guide == Guide::clamped) {
     const double incline = model_->description.tensioner.incline;
@@ -77,6 +112,12 @@ void StaticSystem::limit_bed_stiffness(double limit) {
   assembly_.ease(easing_);
 }
 
+void StaticSystem::scale_bed_relief(double relief, double level) {
+  easing_.bed_relief = relief;
+  easing_.bed_level = level;
+  assembly_.ease(easing_);
+}
+
 void StaticSystem::use_side_rollers(bool use) {
   easing_.rollers.sides = use;
   assembly_.ease(easing_);
@@ -87,19 +128,43 @@ void StaticSystem::let_yield(double factor) {
   assembly_.ease(easing_);
 }
 
+void StaticSystem::rub_across(double factor) {
+  easing_.rollers.rub.across = factor;
+  assembly_.ease(easing_);
+}
+
 void StaticSystem::scale_current(double scale) {
   easing_.current = scale;
   assembly_.ease(easing_);
 }
 
 void StaticSystem::evaluate(const LineState& state, bool with_tangent) {
+  follow_far_end(state);
+  evaluate_on_line(state, with_tangent);
+}
+
+void StaticSystem::evaluate_on_line(const LineState& state, bool with_tangent) {
   assembly_.evaluate_at_rest(parts_->motions, state, model_->description.statics.history, with_tangent);
+  if (environment().bed_shape != nullptr && !cable_at_far_end(model_->description)) turn_far_end(state, with_tangent);
   for (int i = 0; i < 3; ++i) {
     assembly_.residual()[static_cast<std::size_t>(i)] -= state.far_force * far_direction_(i);
   }
 }
 
+/// The force at the far end lies in the bed wherever that end lies.
+void StaticSystem::turn_far_end(const LineState& state, bool with_tangent) {
+  const GroundPoint ground = ground_at(environment(), position(state.q, 0));
+  far_direction_ = ground.along_route;
+  if (!with_tangent) return;
+  const Mat3 turn = along_route_turn(ground);
+  double* const diag = tangent().diag(0);
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 3; ++k) diag[i * kRowWidth + k] -= state.far_force * turn(i, k);
+  }
+}
+
 std::vector<BendingMemory> StaticSystem::bending_memory(const LineState& state) {
+  follow_far_end(state);
   assembly_.evaluate_at_rest(parts_->motions, state, model_->description.statics.history, false, true);
   return yielding_points().memory;
 }
@@ -156,6 +221,100 @@ bool StaticSystem::solve_step(const LineState& state, const LineTargetValue& tar
     solve_report_.singular_node = wanted_at;
   }
   return solve_report_.solved();
+}
+
+bool StaticSystem::factor(const LineState& state, const LineTargetValue& target) {
+  put_border(state, target);
+  solver_->hold(0, false);
+  solve_report_ = solver_->factor();
+  line_change_.reset();
+  if (solve_report_.solved() && lays_steadily_ && plane_.route.straight()) find_line_change(state);
+  return solve_report_.solved();
+}
+
+void StaticSystem::solve(std::vector<double>& x, double& y, double miss) {
+  double* const unknowns = x.data();
+  solver_->solve({&unknowns, 1}, &y);
+  if (!line_change_) return;
+  const std::size_t first = 6 * static_cast<std::size_t>(landing_element_);
+  double found = 0.0;
+  for (std::size_t i = 0; i < landing_gradient_.size(); ++i) found += landing_gradient_[i] * x[first + i];
+  const double way = (miss - found) / line_change_->miss;
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] += way * line_change_->q[i];
+  y += way * line_change_->far_force;
+}
+
+std::optional<double> StaticSystem::landing_miss(const LineState& state) const {
+  const std::optional<LinePlace> place = find_touchdown(*this, state);
+  if (!place) return std::nullopt;
+  const std::size_t e = static_cast<std::size_t>(place->element);
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+  return ground_at(environment(), centreline(q, place->xi, mesh().length[e]).r).off_route;
+}
+
+/// Where the bed's friction sticks it follows the line by its elastic stretch; exactly as the tangent has it, since a
+/// point that is about to slide would tell by a difference what the tangent does not know.
+void StaticSystem::add_friction_by_line(const LineState& state, std::vector<double>& forces) const {
+  const LineEnvironment& env = environment();
+  for (std::size_t e = 0; e < mesh().length.size(); ++e) {
+    const double h = mesh().length[e];
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    for (int point = 0; point < kGaussPoints; ++point) {
+      const GroundPoint ground = ground_at(env, centreline(q, kGaussXi[point], h).r);
+      const double normal = env.bed_stiffness * (elements().radius[e] - ground.clearance);
+      const bool sticks =
+          normal > 0.0 && env.bed_stick * std::abs(ground.off_route) <= env.bed_friction_lateral * normal;
+      if (!sticks) continue;
+      const HermiteValues n = hermite(kGaussXi[point], h);
+      for (int j = 0; j < 4; ++j) {
+        Eigen::Map<Vec3> force(forces.data() + 6 * e + 3 * static_cast<std::size_t>(j));
+        force += n.value(j) * kGaussWeight[point] * h * env.bed_stick * ground.across_route;
+      }
+    }
+  }
+}
+
+/// The far end and the line move aside: what the end alone puts out of balance is differenced, what the line does comes
+/// from the law of friction, and the tangent answers. The miss changes with the place that lands, which goes along the
+/// pipe as its clearance asks.
+void StaticSystem::find_line_change(const LineState& state) {
+  constexpr double kAside = 1e-4;  // [m]
+  constexpr double kLeast = 1e-9;  // of the way of the line, by which the miss must change
+  const std::optional<LinePlace> place = find_touchdown(*this, state);
+  if (!place) return;
+  const std::size_t e = static_cast<std::size_t>(place->element);
+  const double h = mesh().length[e];
+  const CentrelinePoint at =
+      centreline(ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * e)), place->xi, h);
+  const GroundPoint ground = ground_at(environment(), at.r);
+  const double falls = ground.normal.dot(at.a);
+  if (falls == 0.0) return;
+  const Vec3 way = ground.across_route - ground.across_route.dot(at.a) / falls * ground.normal;
+  const HermiteValues shape = hermite(place->xi, h);
+  landing_element_ = place->element;
+  landing_gradient_.assign(12, 0.0);
+  for (int j = 0; j < 4; ++j) {
+    Eigen::Map<Vec3>(landing_gradient_.data() + 3 * j) = shape.value(j) * way;
+  }
+
+  const Vec3 port = held_far_.position.direction[0];
+  LineChange change{std::vector<double>(state.q.size(), 0.0)};
+  for (const double sign : {-1.0, 1.0}) {
+    LineState moved = state;
+    Eigen::Map<Vec3>(moved.q.data()) += sign * kAside * port;
+    evaluate_on_line(moved, false);
+    hold(false);
+    for (std::size_t i = 0; i < change.q.size(); ++i) change.q[i] -= sign * residual()[i] / (2.0 * kAside);
+  }
+  evaluate(state, false);
+  add_friction_by_line(state, change.q);
+  hold_node(0, held_far_, change.q, nullptr);
+  double* const unknowns = change.q.data();
+  solver_->solve({&unknowns, 1}, &change.far_force);
+  Eigen::Map<Vec3>(change.q.data()) += port;
+  change.miss = -1.0;
+  for (std::size_t i = 0; i < 12; ++i) change.miss += landing_gradient_[i] * change.q[6 * e + i];
+  if (std::abs(change.miss) > kLeast) line_change_ = std::move(change);
 }
 
 double StaticSystem::share_before_entering(const std::vector<double>& dq, double depth) const {

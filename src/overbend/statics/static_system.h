@@ -1,9 +1,9 @@
 /// The equations of statics: a line on its supports, at rest.
 ///
-/// Unknowns: position and tangent of every node, and the horizontal force H that holds the far end. The far end may
-/// slide along the bed under H; the top node stands at the tensioner, held in the guide's direction. The extra equation
-/// says what is wanted: the effective tension at the tensioner, or the place of the anchor. Because the strain at a
-/// node is |t| - 1, the first is local:
+/// Unknowns: position and tangent of every node, and the force H that holds the far end along the bed. The far end may
+/// slide along the bed under H, on a shaped one turning with it; the top node stands at the tensioner, held in the
+/// guide's direction. The extra equation says what is wanted: the effective tension at the tensioner, or the place of
+/// the anchor. Because the strain at a node is |t| - 1, the first is local:
 ///     EA (|t_top| - 1) + pressure part = T
 #pragma once
 
@@ -52,14 +52,20 @@ class StaticSystem {
   void limit_roller_stiffness(double limit);
   /// Stiffness of the bed, normal and in friction, is limited to this [N/m2]: continuation from soft to hard.
   void limit_bed_stiffness(double limit);
+  /// Factor on the heights of a shaped bed over `level` [m]: continuation from level to the shape.
+  void scale_bed_relief(double relief, double level);
   /// Whether side rollers act.
   void use_side_rollers(bool use);
   /// Factor on the plastic moments: 0 is linear steel, 1 is what the model says.
   void let_yield(double factor);
+  /// Factor of the rollers' full lateral friction on the pipe, to port.
+  void rub_across(double factor);
   /// Factor on the current's speed.
   void scale_current(double scale);
   /// Whether steel that may yield keeps what bent it upstream: the tangent does not know that.
   bool remembers() const { return assembly_.remembers(); }
+  /// What the steel was before this state, in place of a loading history.
+  void begin_with(std::vector<BendingMemory> before) { assembly_.begin_with(std::move(before)); }
   /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
 
@@ -78,6 +84,26 @@ class StaticSystem {
   /// `damping` is added to the diagonal per length. False if K is singular.
   bool solve_step(const LineState& state, const LineTargetValue& target, double damping, bool free_far_force,
                   std::vector<double>& dq, double& dH);
+  /// Factors the tangent of the last evaluation, held, together with the extra equation, for solve(). The blocks are
+  /// overwritten. False if it is singular.
+  bool factor(const LineState& state, const LineTargetValue& target);
+  /// Solves K x - far_direction y = x, gradient of what is wanted . x = y with these factors, in place: `x` six per
+  /// node, `y` on its way in the right-hand side of the extra equation, on its way out the change of the far force [N].
+  /// Where the pipe is laid steadily, its line goes along so that the miss of its landing changes by `miss` [m].
+  void solve(std::vector<double>& x, double& y, double miss = 0.0);
+  /// Whether the pipe is laid steadily: then its far end may stand anywhere across the route, and its line goes through
+  /// there.
+  bool lays_steadily() const { return lays_steadily_; }
+  /// By how far the pipe first touches the bed to port of the line on which it lies [m]; 0 in steady laying. From the
+  /// line of the last evaluation; nothing where it does not touch.
+  std::optional<double> landing_miss(const LineState& state) const;
+  /// How the state follows its line to port, per metre, after factor(); null where it is not laid steadily.
+  struct LineChange {
+    std::vector<double> q;
+    double far_force = 0.0;  ///< [N/m]
+    double miss = 0.0;       ///< [-]
+  };
+  const LineChange* line_change() const { return line_change_ ? &*line_change_ : nullptr; }
   int singular_node() const { return solve_report_.singular_node; }
   int negative_blocks() const { return solve_report_.negative_blocks; }
   /// Share of the step `dq` up to which no roller is entered deeper than `depth` beyond where it is now [m].
@@ -89,6 +115,12 @@ class StaticSystem {
 
  private:
   void hold_ends(const VesselPose& pose);
+  void turn_far_end(const LineState& state, bool with_tangent);
+  void hold_far_end(double distance);
+  void follow_far_end(const LineState& state);
+  void find_line_change(const LineState& state);
+  void evaluate_on_line(const LineState& state, bool with_tangent);
+  void add_friction_by_line(const LineState& state, std::vector<double>& forces) const;
   int put_border(const LineState& state, const LineTargetValue& target);
 
   /// What the assembly points to: it stays where it is when the system moves.
@@ -110,6 +142,10 @@ class StaticSystem {
   Vec3 far_direction_ = Vec3::UnitX();
   std::optional<Vec3> guide_;
   HeldDirections held_far_, held_top_;
+  bool lays_steadily_ = false;
+  std::vector<double> landing_gradient_;  ///< Of the miss, by the unknowns of the element that lands.
+  int landing_element_ = 0;
+  std::optional<LineChange> line_change_;
   BorderedReport solve_report_;
 };
 

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <functional>
 
+#include "model/lay_stage.h"
 #include "statics/newton.h"
 #include "statics/relaxation.h"
+#include "statics/stage_shape.h"
 #include "statics/static_start.h"
 
 namespace overbend {
@@ -64,9 +66,25 @@ NewtonSettings loosely(const StaticCase& at) {
   return settings;
 }
 
+/// Of the stiffest roller [N/m].
+double hardest_roller(const StaticCase& at) {
+  double hardest = 0.0;
+  for (int i = 0; i < at.system.rollers().count(); ++i) {
+    hardest = std::max(hardest, at.system.rollers().roller(i).law.stiffness);
+  }
+  return hardest;
+}
+
+/// What the last digit of a place does to the force of a roller, over the weight. It matters to a light line, most of
+/// it cable, on rollers as good as rigid.
+double rounding(const StaticCase& at) {
+  constexpr double kLastDigit = 2e-14;  // of a hundred metres [m]
+  return has_cable(at.model.description) ? kLastDigit * hardest_roller(at) / at.system.total_weight() : 0.0;
+}
+
 NewtonSettings finally(const StaticCase& at) {
   NewtonSettings settings;
-  settings.tolerance = at.model.description.statics.tolerance;
+  settings.tolerance = std::max(at.model.description.statics.tolerance, rounding(at));
   settings.entering = 0.25 * at.model.sections.front().outer_diameter;
   return settings;
 }
@@ -147,9 +165,14 @@ bool harden(StaticCase& at) {
   return run_newton(at, finally(at), "full stiffness") && carried(at);
 }
 
+/// A cable, which does not bend, turns sharply on each roller: from soft rollers to hard ones it takes steps.
+bool cable_on_rollers(const Model& model) {
+  return has_cable(model.description) && !model.supports.rollers.empty();
+}
+
 /// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently.
 bool ease_in_current(StaticCase& at) {
-  if (at.model.current.z.empty() || !settle_in_plane(at)) {
+  if (at.model.current.z.empty() || cable_on_rollers(at.model) || !settle_in_plane(at)) {
     return false;
   }
   at.system.use_side_rollers(true);
@@ -165,37 +188,11 @@ bool ease_in_current(StaticCase& at) {
   return follow(at, "full current") && carried(at);
 }
 
-/// From a much larger tension, where the line is nearly straight, down to the wanted one.
-bool descend(StaticCase& at) {
-  const double wanted = at.target.value;
-  const LayShape high = lay_shape(at.model, at.system.plane(), kHigherTension * wanted);
-  at.state = sample_shape(at.system, high);
-  at.target.value = kHigherTension * wanted;
-  bool solved = harden(at);
-  double ratio = 0.8;
-  while (solved && at.target.value > wanted) {
-    const LineState before = at.state;
-    const double tension_before = at.target.value;
-    at.target.value = std::max(wanted, tension_before * ratio);
-    if (!follow(at, "lower tension")) {
-      at.state = before;
-      at.target.value = tension_before;
-      ratio = std::sqrt(ratio);
-      solved = ratio <= 0.99;
-    }
-  }
-  at.target.value = wanted;  // whatever became of it: no other way may look for three times the tension
-  return solved;
-}
-
 /// Rollers and bed from ten times a soft roller and a soft bed, which the state is the solution of, to what they are.
 bool harden_in_steps(StaticCase& at) {
-  double hardest = 0.0;
-  for (int i = 0; i < at.system.rollers().count(); ++i) {
-    hardest = std::max(hardest, at.system.rollers().roller(i).law.stiffness);
-  }
   const double soft = 10.0 * soft_roller(at, at.target.value), bed = soft_bed(at);
-  const double rollers = std::max(hardest / soft, 1.0), beds = std::max(at.model.seabed.stiffness / bed, 1.0);
+  const double rollers = std::max(hardest_roller(at) / soft, 1.0),
+               beds = std::max(at.model.seabed.stiffness / bed, 1.0);
   return follow_in_steps(at, "hardening in steps", Steps{}, [&](double reached) {
     at.system.limit_roller_stiffness(reached < 1.0 ? soft * std::pow(rollers, reached) : 1e300);
     at.system.limit_bed_stiffness(reached < 1.0 ? bed * std::pow(beds, reached) : 1e300);
@@ -212,6 +209,48 @@ bool ease_in_everything(StaticCase& at) {
   return follow_in_steps(at, "rising current on soft rollers", Steps{},
                          [&](double reached) { at.system.scale_current(reached); }) &&
          harden_in_steps(at) && carried(at);
+}
+
+/// The bed rises from a level one at the height where the first guess lands to its shape.
+bool raise_bed(StaticCase& at) {
+  LayPlane level = at.system.plane();
+  const LayShape landing = lay_shape(at.model, level, at.target.value);
+  if (!landing.problem.empty() || has_cable(at.model.description)) return false;
+  const auto touchdown = std::ranges::lower_bound(landing.length, landing.touchdown);
+  const double height = landing.z[static_cast<std::size_t>(touchdown - landing.length.begin())] - level.radius;
+  level.surface = BedSurface(height * Vec3::UnitZ(), Vec3::UnitZ());
+  at.state = sample_shape(at.system, lay_shape(at.model, level, at.target.value));
+  at.system.scale_bed_relief(0.0, height);
+  const bool risen = harden(at) && follow_in_steps(at, "bed raised to its shape", Steps{}, [&](double reached) {
+                       at.system.scale_bed_relief(reached, height);
+                     });
+  at.system.scale_bed_relief(1.0, 0.0);
+  return risen && carried(at);
+}
+
+/// From a much larger tension, where the line is nearly straight, down to the wanted one.
+bool descend(StaticCase& at) {
+  const double wanted = at.target.value;
+  const double higher = kHigherTension * wanted;
+  const LayShape high = has_cable(at.model.description) ? stage_shape(at.model, at.system.plane(), higher)
+                                                        : lay_shape(at.model, at.system.plane(), higher);
+  at.state = sample_shape(at.system, high);
+  at.target.value = higher;
+  bool solved = cable_on_rollers(at.model) ? ease_in_everything(at) : harden(at);
+  double ratio = 0.8;
+  while (solved && at.target.value > wanted) {
+    const LineState before = at.state;
+    const double tension_before = at.target.value;
+    at.target.value = std::max(wanted, tension_before * ratio);
+    if (!follow(at, "lower tension")) {
+      at.state = before;
+      at.target.value = tension_before;
+      ratio = std::sqrt(ratio);
+      solved = ratio <= 0.99;
+    }
+  }
+  at.target.value = wanted;  // whatever became of it: no other way may look for three times the tension
+  return solved;
 }
 
 bool relax_and_finish(StaticCase& at) {
@@ -274,8 +313,12 @@ bool solve_elastic(StaticCase& at, const LayShape& shape) {
   at.state = sample_shape(at.system, shape);
   if (wanted == StaticMethod::newton) {
     at.report.method = "newton";
-    if (works(harden(at))) {
+    if (!cable_on_rollers(at.model) && works(harden(at))) {
       return true;
+    }
+    if (at.model.seabed.surface.shape() != nullptr && at.target.kind == Target::Kind::top_tension) {
+      at.report.method = "newton, bed raised to its shape";
+      if (works(raise_bed(at))) return true;
     }
     at.report.method = "newton, current raised in steps";
     at.state = sample_shape(at.system, shape);

@@ -6,9 +6,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "statics/bed_contacts.h"
 #include "statics/static_obstacle.h"
 #include "statics/static_start.h"
 #include "statics/static_ways.h"
+#include "statics/steady_laying.h"
 #include "statics/touchdown.h"
 
 namespace overbend {
@@ -16,6 +18,19 @@ namespace {
 
 constexpr int kMeshPasses = 6;         ///< Times the mesh may follow the touchdown found.
 constexpr double kLargestMiss = 0.01;  ///< Of what is wanted; ordinary lays miss it by 2e-4 at most.
+
+/// Whether the nodes of a mesh lie where the sections of the model end.
+bool mesh_fits(const Model& model, const LineMesh& mesh) {
+  for (std::size_t e = 0; e < mesh.section.size(); ++e) {
+    const double middle = mesh.total_length() - 0.5 * (mesh.s[e] + mesh.s[e + 1]);
+    if (mesh.section[e] != model.section_at(middle)) return false;
+  }
+  return std::all_of(model.spans.begin(), model.spans.end(), [&](const SectionSpan& span) {
+    const double end = mesh.total_length() - span.to;
+    const auto node = std::lower_bound(mesh.s.begin(), mesh.s.end(), end - 1e-6);
+    return end < 0.5 || std::abs(*node - end) < 1e-6;
+  });
+}
 
 bool solve_from_shape(StaticCase& at, const LayShape& shape) {
   at.system.let_yield(0.0);
@@ -39,7 +54,7 @@ bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
 MeshZones zones_of(const StaticCase& at, const MeshZones& built) {
   MeshZones zones = built;
   const double total = at.system.mesh().total_length();
-  if (const auto touchdown = find_touchdown(at.system, at.state)) {
+  if (const auto touchdown = landing(at.system, at.state)) {
     zones.touchdown = total - touchdown->s;
   }
   if (const auto waterline = find_waterline(at.system, at.state)) {
@@ -47,7 +62,33 @@ MeshZones zones_of(const StaticCase& at, const MeshZones& built) {
   }
   zones.last_support = std::max(zones.last_support, support_end(at.system));
   zones.bottom_tension = at.state.far_force;
+  if (at.model.seabed.surface.shape() != nullptr) {
+    zones.bed_edges = contact_edges(at.system, bed_contacts(at.system, at.state));
+  }
   return zones;
+}
+
+/// From a solution close by: on its mesh, or on one whose sections lie elsewhere.
+bool solve_from(StaticCase& at, const StaticSolution& start, const LayPlane& plane) {
+  const bool same_line = at.system.mesh().s == start.mesh.s;
+  at.state = same_line ? start.state : interpolate(start.mesh, start.state, at.system.mesh(), plane);
+  pin_far_end(at.system, at.state);
+  bring_to_ends(at.system, at.state);
+  const LineState brought = at.state;
+  if (follow(at, "from the last solution")) return true;
+  if (same_line) return false;
+  at.state = brought;
+  return follow_softly(at) && let_yield(at);
+}
+
+/// Whether every edge of contact on a shaped bed lies well inside the short elements made for one.
+bool edges_serve(const StaticCase& at, const MeshZones& built, const MeshZones& now) {
+  const double reach = 0.5 * soil_length(at.model, at.model.sections.front().EI);
+  return std::ranges::all_of(now.bed_edges, [&](const LineStretch& edge) {
+    return std::ranges::any_of(built.bed_edges, [&](const LineStretch& zone) {
+      return edge.from > zone.from - reach && edge.to < zone.to + reach;
+    });
+  });
 }
 
 /// Whether the fine zone and the tail still stand where the pipe touches down.
@@ -57,7 +98,18 @@ bool mesh_serves(const StaticCase& at, const MeshZones& built, const MeshZones& 
   const bool fine_zone = moved < 0.6 * sizes.touchdown_after && -moved < 0.4 * sizes.touchdown_before;
   const bool supports = now.last_support < built.last_support + 2.0 * sizes.overbend;
   const bool tail = at.model.description.pipe.length || now.total - now.touchdown > 1.5 * sizes.touchdown_after;
-  return fine_zone && supports && tail;
+  return fine_zone && supports && tail && edges_serve(at, built, now);
+}
+
+/// Finds the line on which the pipe is laid, `aside` on a route that bends; where there is none, the state stays as it
+/// was. Whether it was found.
+bool settled_or_kept(StaticCase& at, double aside) {
+  const LineState before = at.state;
+  const bool bends = at.system.lays_steadily() && !at.system.plane().route.straight();
+  if (bends ? move_line(at, aside) : settle_steadily(at)) return true;
+  at.state = before;
+  at.report.history.emplace_back("steady laying: no line found on which the pipe comes to rest");
+  return false;
 }
 
 StaticOutcome fail(StaticFailure failure) {
@@ -111,7 +163,21 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
 
 }  // namespace
 
-StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
+StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past) {
+  StaticSystem system(model, model.mean_pose, std::move(mesh));
+  if (past.across_rollers != 0.0) system.rub_across(past.across_rollers);
+  if (past.solution && system.line().yielding.any) {
+    const StaticSolution& before = *past.solution;
+    system.begin_with(
+        moved_along({before.mesh, before.state.q, before.bending}, past.shift, system.line().yielding, system.mesh()));
+  }
+  return system;
+}
+
+namespace {
+
+/// Without a way round a bend of the route.
+StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, const LinePast& past) {
   const auto begin = std::chrono::steady_clock::now();
   if (const auto obstacle = static_obstacle(model.description)) {
     return fail(*obstacle);
@@ -124,27 +190,28 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
   if (auto failure = too_many_elements(model, from.zones)) {
     return fail(*failure);
   }
+  const bool same_line = start != nullptr && mesh_fits(model, start->mesh);
+  if (same_line) from.zones.total = start->mesh.total_length();
   StaticCase at{model,
-                StaticSystem(model, model.mean_pose, start != nullptr ? start->mesh : build_mesh(model, from.zones)),
+                system_with_past(model, same_line ? start->mesh : build_mesh(model, from.zones), past),
                 {},
                 from.target,
                 {}};
   bool solved = false;
   if (start != nullptr) {
-    from.zones.total = start->mesh.total_length();
-    at.state = start->state;
-    bring_to_ends(at.system, at.state);
     at.report.method = "newton, from the last solution";
-    solved = follow(at, "from the last solution");
+    solved = solve_from(at, *start, plane);
     if (!solved) {
-      return solve_statics(model, nullptr);
+      return solve_at_once(model, nullptr, past);
     }
   } else {
     solved = solve_from_shape(at, from.shape);
   }
+  const double aside = laid_beside(model);
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
+    if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) return solve_at_once(model, nullptr, past);
     const MeshZones now = zones_of(at, from.zones);
-    const bool touches = find_touchdown(at.system, at.state).has_value();
+    const bool touches = landing(at.system, at.state).has_value();
     if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
       return fail(never_touches(model, at.system.mesh().total_length()));
     }
@@ -159,8 +226,9 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     }
     LineMesh mesh = build_mesh(model, from.zones);
     LineState moved = interpolate(at.system.mesh(), at.state, mesh, plane);
-    at.system = StaticSystem(model, model.mean_pose, std::move(mesh));
+    at.system = system_with_past(model, std::move(mesh), past);
     at.state = std::move(moved);
+    pin_far_end(at.system, at.state);
     solved = solve_on_new_mesh(at, from.shape);
   }
   if (!solved) {
@@ -173,9 +241,39 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start) {
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {StaticSolution{
-              at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}},
-          std::nullopt};
+  return {
+      StaticSolution{
+          at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}, past, {}},
+      std::nullopt};
+}
+
+/// A route that bends, from the straight one on: its arcs keep their lengths and turn more and more.
+StaticOutcome bend_in_steps(const Model& model, const LinePast& past) {
+  constexpr int kSteps = 4;
+  const RouteDescription& route = model.description.route;
+  const double radius = route.corner_radius > 0.0 ? route.corner_radius : default_corner_radius(model);
+  Model part = model;
+  part.description.route = {};
+  StaticOutcome found = solve_at_once(part, nullptr, past);
+  for (int step = 1; step <= kSteps && found.solution; ++step) {
+    part.description.route.points.clear();
+    part.description.route.legs = route_legs(route, radius);
+    for (RouteLeg& leg : part.description.route.legs) {
+      leg.angle *= static_cast<double>(step) / kSteps;
+      leg.radius *= static_cast<double>(kSteps) / step;
+    }
+    found = solve_at_once(step < kSteps ? part : model, &*found.solution, past);
+  }
+  return found;
+}
+
+}  // namespace
+
+StaticOutcome solve_statics(const Model& model, const StaticSolution* start, const LinePast& past) {
+  StaticOutcome outcome = solve_at_once(model, start, past);
+  if (outcome.solution || outcome.failure->input || !model.description.route.given()) return outcome;
+  StaticOutcome bent = bend_in_steps(model, past);
+  return bent.solution ? std::move(bent) : std::move(outcome);
 }
 
 }  // namespace overbend

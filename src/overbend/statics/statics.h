@@ -1,14 +1,33 @@
 /// Static equilibrium of the line: the S (or J) from nothing.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "moorings/move_path.h"
 #include "results/static_results.h"
 #include "statics/static_system.h"
 
 namespace overbend {
+
+struct StaticSolution;
+
+/// How the line lay before it came to lie as it is looked for: its steel remembers.
+struct LinePast {
+  std::shared_ptr<const StaticSolution> solution;  ///< None: it has been laid as StaticSettings::history says.
+  double shift = 0.0;                              ///< By how much the line has moved away from the top since [m].
+  double across_rollers = 0.0;  ///< Factor of the rollers' full lateral friction, to port: 1, 0 or -1.
+};
+
+/// A stinger on hinges as it was found.
+struct StingerAtRest {
+  std::vector<double> angles;     ///< Of each section about its own hinge [rad].
+  std::vector<double> stiffness;  ///< Fall of the moments with the angles of the floating ones, row by row [N m/rad].
+  std::vector<double> angle_up, angle_down;  ///< Between which hinge friction may leave each section [rad].
+  std::vector<std::string> warnings;
+};
 
 /// An equilibrium with the mesh it stands on: enough to recover results, to start the next case, to start dynamics.
 struct StaticSolution {
@@ -19,7 +38,12 @@ struct StaticSolution {
   VesselPose pose;                     ///< Of the vessel.
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
   std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
+  LinePast past;                          ///< What it was solved from.
+  StingerAtRest stinger = {};             ///< Of a stinger on hinges, see statics/stinger_rest.h.
 };
+
+/// The equations of a line on a mesh, with its past.
+StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past);
 
 /// Why there is none.
 struct StaticFailure {
@@ -35,6 +59,6 @@ struct StaticOutcome {
 };
 
 /// Finds the equilibrium. `start`, where given, is the solution of a case close by (slider, continuation).
-StaticOutcome solve_statics(const Model& model, const StaticSolution* start = nullptr);
+StaticOutcome solve_statics(const Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
 
 }  // namespace overbend

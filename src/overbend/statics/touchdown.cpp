@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/lay_stage.h"
+
 namespace overbend {
 namespace {
 
@@ -13,8 +15,14 @@ ElementVector dofs_of(const LineState& state, int element) {
 template <class Function>
 std::optional<LinePlace> first_passage(const StaticSystem& system, const Function& value) {
   const LineMesh& mesh = system.mesh();
+  bool was_above = false;
   for (int e = mesh.elements() - 1; e >= 0; --e) {
-    if (value(e, 1.0) <= 0.0 || value(e, 0.0) > 0.0) {
+    const bool starts_above = value(e, 1.0) > 0.0;
+    if (!starts_above && was_above) {  // the line grows thicker between two elements
+      return LinePlace{e, 1.0, mesh.s[static_cast<std::size_t>(e) + 1]};
+    }
+    was_above = starts_above;
+    if (!starts_above || value(e, 0.0) > 0.0) {
       continue;
     }
     double below = 0.0, above = 1.0;
@@ -37,6 +45,12 @@ double bed_clearance(const StaticSystem& system, const LineState& state, int ele
 
 std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state) {
   return first_passage(system, [&](int e, double xi) { return bed_clearance(system, state, e, xi); });
+}
+
+std::optional<LinePlace> landing(const StaticSystem& system, const LineState& state) {
+  const std::optional<LinePlace> touchdown = find_touchdown(system, state);
+  if (touchdown || !cable_at_far_end(system.model().description)) return touchdown;
+  return LinePlace{};
 }
 
 std::optional<LinePlace> find_waterline(const StaticSystem& system, const LineState& state) {

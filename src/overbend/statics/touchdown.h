@@ -20,6 +20,9 @@ double bed_clearance(const StaticSystem& system, const LineState& state, int ele
 /// First place from the tensioner where the underside reaches the bed; none when it never does.
 std::optional<LinePlace> find_touchdown(const StaticSystem& system, const LineState& state);
 
+/// The same; where the line ends at an anchor before it touches the bed, its end.
+std::optional<LinePlace> landing(const StaticSystem& system, const LineState& state);
+
 /// First place from the tensioner where the axis goes under water, none when it starts there or never does.
 std::optional<LinePlace> find_waterline(const StaticSystem& system, const LineState& state);
 

@@ -64,7 +64,7 @@ class WatchedStore : public DynamicSink {
 
 RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
                                const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing, const RowWatch& rows) {
+                               std::mutex& writing, const RowWatch& rows, RunFiles files) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
@@ -84,7 +84,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.stopped) {
-    return {{RunEnding::interrupted, "interrupted"}, std::move(outcome.results)};
+    return {{RunEnding::interrupted, "interrupted"}, {}, std::move(outcome.results)};
   }
   if (outcome.failure) {
     begun->store.remove();
@@ -93,12 +93,16 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
   warn_of_large_motion(shared.description.vessel, *outcome.results);
-  {
+  if (files == RunFiles::all) {
     const std::lock_guard<std::mutex> hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
   }
+  std::vector<HistoryPeaks> peaks;
+  if (files == RunFiles::none) {
+    peaks = peaks_of_run(begun->store.columns(), [&](std::size_t i) { return begun->store.column(i); });
+  }
   begun->store.remove();
-  return {{RunEnding::done}, std::move(outcome.results)};
+  return {{RunEnding::done}, std::move(peaks), std::move(outcome.results)};
 }
 
 void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {

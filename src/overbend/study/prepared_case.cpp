@@ -8,6 +8,7 @@
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
+#include "model/operation_words.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -20,7 +21,8 @@ std::string file_text(const std::string& path) {
 
 /// Those that the model names, of a hull's files of one stem all that may be read.
 std::vector<std::string> named_files(const Description& d) {
-  std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file};
+  std::vector<std::string> files = {d.vessel.motion_file, d.environment.waves.spectrum_file,
+                                    d.environment.seabed.bathymetry_file};
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);
     files.push_back(d.vessel.coupled->wind.table_file);
@@ -41,7 +43,10 @@ std::string input_text(const Description& d) {
   for (const std::string& file : named_files(d)) {
     text += "\n# " + std::to_string(file_text(file).size()) + " bytes\n" + file_text(file);
   }
-  return text + fmt::format("\n# duration {:a}\n", d.dynamics->duration);
+  if (d.stage) {
+    text += fmt::format("\n# {}, {:a} N\n", stage_words(*d.stage, d.operation.type), d.stage->tension.value_or(0.0));
+  }
+  return text + fmt::format("\n# duration {:a}\n", d.dynamics ? d.dynamics->duration : 0.0);
 }
 
 std::string failure_line(const StaticFailure& failure) {

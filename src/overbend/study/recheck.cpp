@@ -3,11 +3,13 @@
 #include "base/yaml_document.h"
 #include "checks/checked_again.h"
 #include "checks/run_checks.h"
+#include "model/lay_stage.h"
 #include "modelfile/yaml_edit.h"
 #include "modelfile/yaml_reader.h"
 #include "report/report.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/dynamic_writer.h"
+#include "resultfiles/operation_reader.h"
 #include "runstore/staged_folder.h"
 #include "runstore/written_files.h"
 #include "study/static_run.h"
@@ -62,6 +64,11 @@ std::string edited(const std::string& text, const std::vector<std::string>& chan
   }
 }
 
+/// The model of the stored results: the lay, or the stage of its operation that they are of.
+Description at_stored_stage(Description description, const StoredStatics& stored) {
+  return stored.stage ? at_stage(description, *stored.stage) : std::move(description);
+}
+
 Rechecked read_results(const fs::path& h5, StoredStatics& stored) {
   Rechecked again;
   if (has_dynamic(h5)) {
@@ -75,23 +82,41 @@ Rechecked read_results(const fs::path& h5, StoredStatics& stored) {
   return again;
 }
 
+/// Throws where a change asks for what the results do not hold.
+void require_same_analysis(const Model& before, const Model& after, bool in_time) {
+  const std::string key = key_for_new_analysis(before, after, in_time);
+  if (key.empty()) return;
+  throw RecheckFault(key + " cannot be changed for these results: they do not hold what the checks need of " +
+                     (in_time ? "every step" : "the lay without its current") + "; run the model again");
+}
+
 }  // namespace
 
 Rechecked recheck(const fs::path& h5, const std::vector<std::string>& changes) {
   StoredStatics stored;
   Rechecked again = read_results(h5, stored);
-  again.description = read_stored(edited(stored.model_text, changes), stored.model_file);
-  const Model before = build_model(read_stored(stored.model_text, stored.model_file));
+  again.description = at_stored_stage(read_stored(edited(stored.model_text, changes), stored.model_file), stored);
+  const Model before = build_model(at_stored_stage(read_stored(stored.model_text, stored.model_file), stored));
   const Model after = build_model(again.description);
-  const std::string key = key_for_new_analysis(before, after, again.dynamics.has_value());
-  if (!key.empty()) {
-    throw RecheckFault(key + " cannot be changed for these results: they do not hold what the checks need of " +
-                       (again.dynamics ? "every step" : "the lay without its current") + "; run the model again");
-  }
+  require_same_analysis(before, after, again.dynamics.has_value());
   fill_checks(after, again.statics);
   if (again.dynamics) {
     take_class(again.dynamics->design, after.description.checks.safety_class);
     fill_checks(after, again.statics, *again.dynamics);
+  }
+  return again;
+}
+
+RecheckedOperation recheck_operation(const fs::path& h5, const std::vector<std::string>& changes) {
+  StoredOperation stored = read_operation_results(h5);
+  const Description before = read_stored(stored.model_text, stored.model_file);
+  RecheckedOperation again{read_stored(edited(stored.model_text, changes), stored.model_file),
+                           std::move(stored.results)};
+  for (StageResult& stage : again.results.stages) {
+    if (!stage.lay) continue;
+    const Model after = build_model(at_stage(again.description, stage.stage));
+    require_same_analysis(build_model(at_stage(before, stage.stage)), after, false);
+    fill_checks(after, *stage.lay);
   }
   return again;
 }

@@ -9,6 +9,7 @@
 
 #include "model/description.h"
 #include "results/dynamic_results.h"
+#include "results/operation_results.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -35,6 +36,15 @@ Rechecked recheck(const std::filesystem::path& h5, const std::vector<std::string
 /// Writes the results as the analysis writes them, with the checks made again; `from` is the results.h5 they come from.
 /// Throws UnusableFolder (runstore/staged_folder.h) when the folder cannot be.
 void write_rechecked(const Rechecked& again, const std::filesystem::path& from, const std::filesystem::path& folder);
+
+/// The stages of an operation on the line with their checks made again.
+struct RecheckedOperation {
+  Description description;  ///< Of the model with the changed keys.
+  OperationResults results;
+};
+
+/// The same as recheck() of every stage that has an equilibrium.
+RecheckedOperation recheck_operation(const std::filesystem::path& h5, const std::vector<std::string>& changes);
 
 /// Files results.h5 of a folder: its own, or those of the runs within (several seeds, a comparison); none where it
 /// holds no results.

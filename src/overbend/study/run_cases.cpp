@@ -37,6 +37,16 @@ void look_back(CaseRun& run) {
   }
 }
 
+/// What a run in that folder is of has to be known when it is resumed.
+void keep_stage(const CaseRun& run) {
+  const std::optional<LayStageDescription>& stage = run.prepared->description.stage;
+  const std::string name = stage ? stage->name : "";
+  if (name.empty() && !read_record(run.folder)) return;
+  std::error_code fault;  // a folder that cannot be is told by the run
+  std::filesystem::create_directories(run.folder, fault);
+  if (!fault) change_record(run.folder, [&](RunRecord& record) { record.stage = name; });
+}
+
 /// The threads' common work.
 class CaseWork {
  public:
@@ -61,7 +71,7 @@ class CaseWork {
       one.end = run(i);
       one.ended = one.end.ending != RunEnding::interrupted;
       watch_.ended(i, one);
-      one.end.results.reset();
+      if (runs_.size() > 1) one.end.results.reset();  // of many there is not memory enough
     }
   }
 
@@ -94,6 +104,7 @@ class CaseWork {
       watch_.row(index, columns, values);
     };
     if (!options_.resume) unmark(one.folder);
+    keep_stage(one);
     RealisationEnd end = run_realisation(*one.prepared, one.folder, one.seed, options_.resume, control, files_, rows);
     if (end.ending == RunEnding::done) {
       const std::lock_guard<std::mutex> hold(files_);

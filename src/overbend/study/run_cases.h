@@ -20,7 +20,7 @@ struct CaseRun {
   double from = 0.0;             ///< Where it is taken up [s]; the end where it was finished before.
   bool begun_before = false;     ///< There is a checkpoint to go on from, or it is finished.
   bool ended = false;            ///< Well or not, now or before.
-  RealisationEnd end{};          ///< Without the results, which are in its folder.
+  RealisationEnd end{};          ///< Of several without the results, which are in their folders.
 };
 
 struct CaseOptions {

@@ -33,7 +33,8 @@ Json record_json(const RunRecord& r) {
           {"state", word(r.state)}, {"progress", r.progress},
           {"started", r.started},   {"message", r.message},
           {"name", r.name},         {"note", r.note},
-          {"input", r.input},       {"program", r.program}};
+          {"stage", r.stage},       {"input", r.input},
+          {"program", r.program}};
 }
 
 RunRecord record_of(const Json& json) {
@@ -42,6 +43,7 @@ RunRecord record_of(const Json& json) {
   r.of = json.value("of", "");
   r.seeds = json.value("seeds", r.seeds);
   r.title = json.value("title", "");
+  r.stage = json.value("stage", "");
   r.duration = json.value("duration", 0.0);
   r.model_path = json.value("model_path", "");
   r.state = state_of(json.value("state", ""));

@@ -19,6 +19,7 @@ struct RunRecord {
   std::string of;                    ///< Of a comparison: "tensioner" or "contact".
   std::vector<std::uint64_t> seeds;  ///< Of several seeds.
   std::string title;
+  std::string stage;       ///< Of an operation on the line, its name; empty: the lay as such.
   double duration = 0.0;   ///< Asked for instead of the model's [s]; 0: the model's.
   std::string model_path;  ///< Of the model's file, or where it would lie: files it mentions lie beside.
   RunState state = RunState::queued;

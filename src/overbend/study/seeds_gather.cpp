@@ -48,7 +48,15 @@ double worst_utilisation(const DynamicResults& r) {
   return worst == nullptr ? 0.0 : worst->utilisation;
 }
 
-std::vector<Rule> rules(const StaticResults& statics) {
+/// Of the worst spot. The mean over the seeds is that of the sea state; the largest is chance.
+double fatigue_on_the_way(const DynamicResults& r) {
+  double largest = 0.0;
+  if (!r.fatigue) return largest;
+  for (const FatigueSpot& spot : r.fatigue->spots) largest = std::max(largest, spot.path_damage);
+  return largest;
+}
+
+std::vector<Rule> rules(const StaticResults& statics, bool fatigue) {
   constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
   using Results = DynamicResults;
   std::vector<Rule> list = {{{"top_tension_max", "N", "Largest effective tension at the tensioner", kLargest},
@@ -100,6 +108,10 @@ std::vector<Rule> rules(const StaticResults& statics) {
         largest_mooring_utilisation);
   }
   add({"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest}, worst_utilisation);
+  if (fatigue) {
+    add({"fatigue_path_damage", "1", "Fatigue damage of a weld on its way, of the worst spot; its mean counts", kNone},
+        fatigue_on_the_way);
+  }
   add({"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},
       [](const Results& r) { return r.energy.drift(); });
   return list;
@@ -123,15 +135,15 @@ void fit(SeedStatistics& statistics, std::span<const double> values, bool larges
 
 }  // namespace
 
-std::vector<SeedQuantity> seed_quantities(const StaticResults& statics) {
+std::vector<SeedQuantity> seed_quantities(const StaticResults& statics, bool fatigue) {
   std::vector<SeedQuantity> quantities;
-  for (const Rule& rule : rules(statics)) quantities.push_back(rule.quantity);
+  for (const Rule& rule : rules(statics, fatigue)) quantities.push_back(rule.quantity);
   return quantities;
 }
 
-std::vector<double> seed_values(const StaticResults& statics, const DynamicResults& results) {
+std::vector<double> seed_values(const StaticResults& statics, const DynamicResults& results, bool fatigue) {
   std::vector<double> values;
-  for (const Rule& rule : rules(statics)) values.push_back(rule.value(results));
+  for (const Rule& rule : rules(statics, fatigue)) values.push_back(rule.value(results));
   return values;
 }
 
@@ -160,6 +172,16 @@ void fill_statistics(SeedsResults& results) {
     }
     if (values.empty()) values.push_back(results.runs.front().values.at(i));
     results.statistics.push_back(seed_statistics(values, results.quantities[i].extreme, results.duration));
+  }
+}
+
+void add_acer(SeedsResults& results, std::span<const std::vector<HistoryPeaks>> peaks) {
+  for (std::size_t i = 0; i < results.statistics.size(); ++i) {
+    if (results.quantities.at(i).extreme == SeedExtreme::none) continue;
+    const std::optional<AcerFit> fit = acer_of_result(peaks, results.quantities[i].name);
+    if (!fit) continue;
+    results.statistics[i].acer =
+        SeedAcer{fit->estimate.value, fit->estimate.low, fit->estimate.high, fit->order, fit->peaks};
   }
 }
 

@@ -8,6 +8,7 @@
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/staged_folder.h"
+#include "statics/friction_cases.h"
 #include "statics/hull_account.h"
 #include "statics/recovery.h"
 #include "statics/side_rollers.h"
@@ -37,6 +38,11 @@ StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
   return results;
 }
 
+void tell_friction(Model model, const LayOutcome& lay, StaticResults& results) {
+  model.mean_pose = lay.solution->pose;
+  find_friction_cases(model, *lay.solution, results);
+}
+
 namespace {
 
 /// Its results, where the hull has any; what it warns of and assumes goes to `into`.
@@ -64,11 +70,11 @@ void tell_hull(const Model& model, MooringResults& results) {
   results.hull = told_hull(model, &results.rest, results);
 }
 
-void write_static_run(const StaticResults& results, const Description& description,
-                      const std::filesystem::path& folder) {
+void write_static_run(const StaticResults& results, const Description& description, const std::filesystem::path& folder,
+                      const SensitivityResults* sensitivities) {
   StagedFolder staged(folder);
-  write_static_files(results, description, staged.path());
-  write_report(results, description.source_text, staged.path() / "report.html");
+  write_static_files(results, description, staged.path(), sensitivities);
+  write_report(results, description.source_text, staged.path() / "report.html", {.sensitivities = sensitivities});
   staged.commit("summary.json");
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "model/description.h"
+#include "results/sensitivity_results.h"
 #include "results/static_results.h"
 #include "statics/moored_lay.h"
 
@@ -12,14 +13,18 @@ namespace overbend {
 /// Results of an equilibrium with the table of code checks.
 StaticResults checked_statics(const Model& model, const LayOutcome& lay);
 
+/// Adds what friction decides: statics/friction_cases.h. Solves some more lays, each from this one.
+void tell_friction(Model model, const LayOutcome& lay, StaticResults& results);
+
 /// Adds what is told of a floating hull: radiation, damping, steady loads; with its warnings and assumptions. Takes a
 /// part of a second for a hull with hydrodynamic coefficients.
 void tell_hull(const Model& model, StaticResults& results);
 void tell_hull(const Model& model, MooringResults& results);
 
-/// Writes the files of a static analysis and its report, whole or not at all. Throws UnusableFolder
+/// Writes the files of a static analysis and its report, with what the results hang on where given, whole or not at
+/// all. Throws UnusableFolder
 /// (runstore/staged_folder.h) when the folder cannot be.
-void write_static_run(const StaticResults& results, const Description& description,
-                      const std::filesystem::path& folder);
+void write_static_run(const StaticResults& results, const Description& description, const std::filesystem::path& folder,
+                      const SensitivityResults* sensitivities = nullptr);
 
 }  // namespace overbend

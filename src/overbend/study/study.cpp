@@ -48,18 +48,23 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
   const PreparedCase& shared = *runs.front().prepared;
   SeedsResults results;
   results.build_up = shared.description.dynamics->build_up;
-  results.quantities = seed_quantities(shared.statics);
+  results.quantities = seed_quantities(shared.statics, shared.description.fatigue.has_value());
+  std::vector<std::vector<HistoryPeaks>> peaks;
   for (const CaseRun& run : runs) {
     if (run.end.ending != RunEnding::done) {
       results.failed.push_back({run.seed, run.end.why});
       continue;
     }
-    DynamicResults read = read_dynamic_results(run.folder / "results.h5").results;
+    const fs::path h5 = run.folder / "results.h5";
+    DynamicResults read = read_dynamic_results(h5).results;
+    peaks.push_back(peaks_of_run(h5));
     results.duration = read.duration;
-    results.runs.push_back({run.seed, run.name, seed_values(shared.statics, read), read.warnings});
+    results.runs.push_back(
+        {run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()), read.warnings});
     keep_worse(worst, std::move(read.checks));
   }
   fill_statistics(results);
+  add_acer(results, peaks);
   const WaveType type = shared.description.environment.waves.type;
   if (type == WaveType::none || type == WaveType::airy || type == WaveType::stokes5) {
     results.warnings.emplace_back("the sea is not random: all seeds give the same results");

@@ -102,9 +102,20 @@ Assembly::Assembly(const System& system)
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
     lines_.emplace_back(system.lines[i], system.bodies, solver_.line(static_cast<int>(i)));
   }
+  for (const int body : overbend::free_bodies(system)) {
+    hold_hinged(body);
+  }
   surroundings_.bodies.resize(system.bodies.size());
   surroundings_.ends.resize(system.attachments.size());
   surroundings_.water.resize(system.lines.size());
+}
+
+/// A body on a hinge has one freedom, which the ship may hold as well.
+void Assembly::hold_hinged(int body) {
+  const std::optional<HingedBody>& hinge = system_->bodies[static_cast<std::size_t>(body)].free->hinge;
+  for (int freedom = 0; freedom < (hinge ? 6 : 0); ++freedom) {
+    hold_body(body, freedom, freedom != kHingeFreedom || hinge->held);
+  }
 }
 
 Increments Assembly::increments() const {
@@ -154,6 +165,7 @@ void Assembly::set_time(double time, const SystemState& near) {
   system_->surroundings(time, surroundings_);
   if (!border_.empty()) {
     border_.lead(near.bodies, surroundings_);
+    border_.meet_water(time);
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
@@ -243,7 +255,7 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
     lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], with_tangent, contacts);
   }
   if (!border_.empty()) {
-    border_.evaluate(state, before, weights, lines_);
+    border_.evaluate(state, before, weights, lines_, with_tangent);
     if (with_tangent) {
       put_border(state, weights);
     }
@@ -425,6 +437,12 @@ void Assembly::add_winch_power(const SystemState& state, InstantEnergy& now) con
 
 /// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
 void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
+  if (!border_.hinged().empty()) {
+    const BodyEnergy hinged = border_.hinged().energy();
+    now.bodies.kinetic += hinged.kinetic;
+    now.bodies.stored += hinged.stored;
+    now.bodies.power += hinged.power;
+  }
   for (std::size_t k = 0; k < border_.count(); ++k) {
     const BodyEnergy springs = spring_energy(border_.body(k), state.bodies[k], state.time);
     now.bodies.stored += springs.stored;
@@ -521,7 +539,7 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
     of_end.guide = {Vec3(at[tangent], at[tangent + 1], at[tangent + 2]).norm(), 0.0, 0.0, 0.0};
     state.attachments.push_back(of_end);
   }
-  for (const int body : free_bodies(system)) {
+  for (const int body : overbend::free_bodies(system)) {
     state.bodies.push_back(system.bodies[static_cast<std::size_t>(body)].free->rest);
   }
   return state;

@@ -42,6 +42,8 @@ class Assembly {
   /// How many bodies are free: the size of SystemState::bodies.
   std::size_t free_bodies() const { return border_.count(); }
   const FreeBody& free_body(std::size_t number) const { return border_.body(number); }
+  /// Sections of a stinger on hinges, as the last evaluation left them.
+  const HingedSections& hinged() const { return border_.hinged(); }
 
   std::uint64_t contact_signature() const;
   bool contacts_settled() const;
@@ -97,6 +99,7 @@ class Assembly {
   void take_residual(Increments& dq);
   void point_solution_at(Increments& dq);
   double* border_of(Increments& dq) const { return border_.empty() ? nullptr : dq.back().data(); }
+  void hold_hinged(int body);
   void lead_bodies(const SystemState& state);
   void put_border(const SystemState& state, const Weights& weights);
   void add_body_energy(const SystemState& state, InstantEnergy& now) const;

@@ -23,6 +23,28 @@ bool touches(const System& system, std::size_t line, int body) {
   return held || (system.lines[line].on_rollers && !system.bodies[to_size(body)].rollers.empty());
 }
 
+/// Whether a body carries another on a hinge, or one that carries it, which a line touches.
+bool touches_beyond(const System& system, std::size_t line, int body) {
+  for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const std::optional<FreeBody>& free = system.bodies[i].free;
+    if (free && free->hinge && free->hinge->carrier == body &&
+        (touches(system, line, static_cast<int>(i)) || touches_beyond(system, line, static_cast<int>(i)))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Numbers of the free bodies by their index, -1 where one is not free.
+std::vector<int> free_numbers(const System& system) {
+  std::vector<int> numbers(system.bodies.size(), -1);
+  int next = 0;
+  for (const int index : free_bodies(system)) {
+    numbers[to_size(index)] = next++;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<int> free_bodies(const System& system) {
@@ -35,16 +57,16 @@ std::vector<int> free_bodies(const System& system) {
   return free;
 }
 
-BodyBorder::BodyBorder(const System& system) : system_(&system), number_(system.bodies.size(), -1) {
+BodyBorder::BodyBorder(const System& system)
+    : system_(&system), number_(free_numbers(system)), hinged_(system, number_) {
   for (const int index : free_bodies(system)) {
-    number_[to_size(index)] = static_cast<int>(bodies_.size());
     bodies_.push_back({&*system.bodies[to_size(index)].free, index, {}, {}, {}});
   }
   residual_.assign(to_size(unknowns()), 0.0);
   for (std::size_t line = 0; line < system.lines.size(); ++line) {
     LinePart part;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
-      if (touches(system, line, bodies_[k].index)) {
+      if (touches(system, line, bodies_[k].index) || touches_beyond(system, line, bodies_[k].index)) {
         part.bodies.push_back(static_cast<int>(k));
       }
     }
@@ -75,8 +97,13 @@ BodyBorder::Place BodyBorder::place_of(int line, int number) const {
 
 void BodyBorder::lead(const std::vector<HullState>& at, Surroundings& now) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    bodies_[k].pose = pose_of(at[k].h);
-    now.bodies[to_size(bodies_[k].index)] = rigid_motion(*bodies_[k].body, at[k]);
+    if (!bodies_[k].body->hinge) {
+      bodies_[k].pose = pose_of(at[k].h);
+      now.bodies[to_size(bodies_[k].index)] = rigid_motion(*bodies_[k].body, at[k]);
+    }
+  }
+  if (!hinged_.empty()) {
+    hinged_.lead(at, now);
   }
   for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
     const Attachment& attachment = system_->attachments[i];
@@ -92,6 +119,10 @@ void BodyBorder::add_contact_forces(const LineAssembly& line) {
     const int number = number_of(contacts.body_of(i));
     if (number >= 0 && contacts.carries(i)) {
       const RollerContact& contact = contacts.contacts()[to_size(i)];
+      if (hinged_.has(number)) {
+        hinged_.add_roller(number, contact.point, contact.force(), residual_);
+        continue;
+      }
       const BodyPose& pose = bodies_[to_size(number)].pose;
       Eigen::Map<Vec6>(residual_.data() + 6 * number) +=
           generalised_force(pose, contact.point - pose.place, contact.force());
@@ -112,12 +143,19 @@ double BodyBorder::power_of_end(const Attachment& held, const LineAssembly& line
 }
 
 void BodyBorder::evaluate(SystemState& state, const SystemState& before, const Weights& weights,
-                          const std::vector<LineAssembly>& lines) {
+                          const std::vector<LineAssembly>& lines, bool with_tangent) {
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Member& member = bodies_[k];
+    if (member.body->hinge) {
+      Eigen::Map<Vec6>(residual_.data() + 6 * k).setZero();
+      continue;
+    }
     member.body->balance(state.bodies[k], before.bodies[k], weights, state.time, member.own);
     add_springs(*member.body, before.bodies[k], state.time, state.bodies[k], member.own);
     Eigen::Map<Vec6>(residual_.data() + 6 * k) = member.own.residual;
+  }
+  if (!hinged_.empty()) {
+    hinged_.evaluate(state.bodies, before.bodies, weights, with_tangent, residual_);
   }
   for (const LineAssembly& line : lines) {
     add_contact_forces(line);
@@ -146,6 +184,10 @@ void BodyBorder::put_contacts(int index, const LineAssembly& line, const LineSta
     if (number < 0 || !contacts.carries(i)) {
       continue;
     }
+    if (hinged_.has(number)) {
+      put_hinged_contact(index, number, i, line, state, weights, solver);
+      continue;
+    }
     const Place place = place_of(index, number);
     const int node = contacts.contacts()[to_size(i)].at.element;
     const ContactBorder border =
@@ -158,6 +200,61 @@ void BodyBorder::put_contacts(int index, const LineAssembly& line, const LineSta
                    border.rows.middleRows<6>(6 * half));
     }
     add_corner(place, border.corner);
+  }
+}
+
+/// As for a body with six unknowns, for each motion that carries the roller along: those of the hinges and, of a free
+/// vessel, its own. How a hinge's place and axis move with one that carries it is in the corner.
+void BodyBorder::put_hinged_contact(int index, int number, int roller, const LineAssembly& line, const LineState& state,
+                                    const Weights& weights, BorderedSystem& solver) {
+  const RollerContacts& contacts = line.contacts();
+  const int node = contacts.contacts()[to_size(roller)].at.element;
+  const ElementVector q = dofs_of(state.q, node), residual = contacts.residual_of(roller);
+  const ElementMatrix tangent = contacts.tangent_of(roller, state.q.data(), weights);
+  const Eigen::Matrix<double, 12, 3> turning = contacts.turning_of(roller, weights);
+  const int vessel = hinged_.vessel();
+  LinePart& part = lines_[to_size(index)];
+  const int width = part.unknowns();
+  const auto panel = [&](int half, int column, bool of_rows) {
+    return (of_rows ? solver.rows(index, node + half) : solver.columns(index, node + half)) + column;
+  };
+  const auto corner = [&](int row, int column) -> double& { return part.corner[to_size(row * width + column)]; };
+  const auto hinge_column = [&](int turned) { return place_of(index, turned).first + kHingeFreedom; };
+  for (const int turned : hinged_.chain(number)) {
+    const Twist& twist = hinged_.twist(turned);
+    const TwistBorder by = twist_border(twist, q, residual, tangent, turning);
+    const int column = hinge_column(turned);
+    for (int k = 0; k < 12; ++k) {
+      panel(k / 6, column, false)[(k % 6) * solver.stride(index)] += by.column(k);
+      panel(k / 6, column, true)[(k % 6) * solver.stride(index)] += by.row(k);
+    }
+    const CarrierMotion motion{Vec3::Zero(), twist.axis, twist.at};
+    for (const int other : hinged_.chain(number)) {
+      const bool carries = turned < other;  // numbers run astern
+      corner(hinge_column(other), column) +=
+          twist_corner(hinged_.twist(other), carries ? &motion : nullptr, q, residual, by.column);
+    }
+    for (int k = 0; k < (vessel < 0 ? 0 : 6); ++k) {
+      corner(place_of(index, vessel).first + k, column) -=
+          element_motion(carrier_motion(bodies_[to_size(vessel)].pose, k), q).dot(by.column);
+    }
+  }
+  if (vessel < 0) {
+    return;
+  }
+  const Place place = place_of(index, vessel);
+  const ContactBorder border = contact_border(*place.pose, q, residual, tangent, turning);
+  for (int half = 0; half < 2; ++half) {
+    add_to_panel(panel(half, 0, false), solver.stride(index), place.first, border.columns.middleRows<6>(6 * half));
+    add_to_panel(panel(half, 0, true), solver.stride(index), place.first, border.rows.middleRows<6>(6 * half));
+  }
+  add_corner(place, border.corner);
+  for (const int other : hinged_.chain(number)) {
+    for (int k = 0; k < 6; ++k) {
+      const CarrierMotion motion = carrier_motion(*place.pose, k);
+      corner(hinge_column(other), place.first + k) +=
+          twist_corner(hinged_.twist(other), &motion, q, residual, border.columns.col(k));
+    }
   }
 }
 
@@ -213,10 +310,16 @@ void BodyBorder::put_line(int index, const LineAssembly& line, const SystemState
 
 void BodyBorder::put_corner(BorderedSystem& solver) const {
   solver.clear_corner();
+  for (int i = 0; i < (hinged_.empty() ? 0 : unknowns()); ++i) {
+    for (int j = 0; j < unknowns(); ++j) {
+      solver.corner(i, j) = hinged_.tangent()[to_size(i * unknowns() + j)];
+    }
+  }
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (bodies_[k].body->hinge) continue;
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) {
-        solver.corner(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) = bodies_[k].own.tangent(i, j);
+        solver.corner(6 * static_cast<int>(k) + i, 6 * static_cast<int>(k) + j) += bodies_[k].own.tangent(i, j);
       }
     }
   }

@@ -10,6 +10,7 @@
 
 #include "numerics/bordered_system.h"
 #include "system/free_body.h"
+#include "system/hinged_sections.h"
 #include "system/line_assembly.h"
 #include "system/system.h"
 
@@ -30,13 +31,17 @@ class BodyBorder {
   /// Which of the free bodies, -1 where a body is none of them.
   int number_of(int body) const { return body < 0 ? -1 : number_[static_cast<std::size_t>(body)]; }
   const FreeBody& body(std::size_t number) const { return *bodies_[number].body; }
+  /// Those of the bodies that are sections of a stinger on hinges.
+  const HingedSections& hinged() const { return hinged_; }
 
   /// Brings free bodies and the ends they hold to a state.
   void lead(const std::vector<HullState>& at, Surroundings& now);
+  /// Takes the water around bodies on hinges at a time, where they are now.
+  void meet_water(double time) { hinged_.meet_water(time); }
 
   /// Sums the forces on the bodies, after the lines have been evaluated; quasi-static lines leave theirs in `state`.
   void evaluate(SystemState& state, const SystemState& before, const Weights& weights,
-                const std::vector<LineAssembly>& lines);
+                const std::vector<LineAssembly>& lines, bool with_tangent);
   /// Puts one line's border into the solver, from blocks that hold_node() has not been at.
   void put_line(int index, const LineAssembly& line, const SystemState& state, const Weights& weights,
                 const std::vector<HeldDirections>& held, BorderedSystem& solver);
@@ -83,12 +88,15 @@ class BodyBorder {
                     BorderedSystem& solver);
   void put_end(const Attachment& held, const LineAssembly& line, const LineState& state, BorderedSystem& solver);
   void add_corner(const Place& place, const Mat6& part);
+  void put_hinged_contact(int index, int number, int roller, const LineAssembly& line, const LineState& state,
+                          const Weights& weights, BorderedSystem& solver);
 
   const System* system_;
   std::vector<int> number_;  ///< By body.
   std::vector<Member> bodies_;
   std::vector<LinePart> lines_;
   std::vector<double> residual_;
+  HingedSections hinged_;
 };
 
 }  // namespace overbend

@@ -94,7 +94,7 @@ double soil_under(const Model& model, double width) {
 LineEnvironment cable_environment(const Model& model, const CableParts& parts, const Vec3& from, const Vec3& to) {
   const Vec3 ahead = horizontal_direction(from, to), across = Vec3::UnitZ().cross(ahead);
   const BedSurface& bed = model.seabed.surface;
-  const Vec3 normal = bed.normal(from.x(), from.y());
+  const Vec3 normal = bed.plane_normal();
   double heaviest = 0.0, thickest = 0.0;
   std::optional<double> friction;
   for (const LineSegmentDescription& segment : parts.segments) {
@@ -107,6 +107,8 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   put(env.route_normal, across);
   put(env.bed_along, bed.along(from, ahead));
   env.bed_offset = bed.offset() - thickest;
+  set_shape(env, bed);
+  env.bed_lowered = thickest;
   env.route_offset = across.dot(from);
   const double soil = soil_under(model, 2.0 * thickest);
   env.bed_stiffness = std::max(soil, heaviest / kBedSink);

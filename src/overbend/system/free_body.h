@@ -2,9 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "hull/hull.h"
+#include "mechanics/hinge.h"
+#include "mechanics/hinge_law.h"
+#include "mechanics/stinger_section.h"
 #include "system/weights.h"
 
 namespace overbend {
@@ -32,6 +37,19 @@ struct BodySpring {
   bool has_energy = true;  ///< Else (friction, a winch) its work on the body comes from outside.
 };
 
+/// The one of six coordinates that a body on a hinge has: its angle. The others stand still.
+inline constexpr int kHingeFreedom = 4;
+
+/// A section of a stinger on its hinge.
+struct HingedBody {
+  int carrier = 0;  ///< Which body carries the hinge, by its index: the vessel, or the section before.
+  Hinge hinge;
+  HingeLaw law;
+  bool held = false;  ///< The ship holds its angle.
+  SectionBody section;
+  std::shared_ptr<const SectionSea> sea;
+};
+
 /// What makes a body free: the coordinates of hull/body_kinematics.h are unknowns. Its functions are called in the time
 /// loop and must not allocate.
 struct FreeBody {
@@ -42,6 +60,7 @@ struct FreeBody {
   Vec6 inertia = Vec6::Ones();      ///< Mass and moments, with those of the water, for the estimate of errors.
   std::vector<BodySpring> springs;  ///< Quasi-static lines.
   HullState rest;                   ///< As drawn, its memories of their sizes.
+  std::optional<HingedBody> hinge;  ///< Of a body that hangs on another: its angle alone is free.
 
   /// Balance of the body by itself, as balance_hull().
   std::function<void(const HullState& at, const HullState& before, const Weights& weights, double time,

@@ -73,6 +73,57 @@ ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const
   return border;
 }
 
+CarrierMotion carrier_motion(const BodyPose& pose, int k) {
+  CarrierMotion motion;
+  motion.at = pose.place;
+  if (k < 3) {
+    motion.velocity(k) = 1.0;
+  } else {
+    motion.axis = pose.E.col(k - 3);
+  }
+  return motion;
+}
+
+ElementMotion element_motion(const CarrierMotion& motion, const ElementVector& q) {
+  ElementMotion out;
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at = q.segment<3>(3 * i);
+    out.segment<3>(3 * i) =
+        i % 2 == 0 ? Vec3(motion.velocity + motion.axis.cross(at - motion.at)) : Vec3(motion.axis.cross(at));
+  }
+  return out;
+}
+
+TwistBorder twist_border(const Twist& twist, const ElementVector& q, const ElementVector& residual,
+                         const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning) {
+  const ElementMotion motion = element_motion({Vec3::Zero(), twist.axis, twist.at}, q);
+  ElementMotion turned;  // the forces go with the body
+  for (int i = 0; i < 4; ++i) {
+    turned.segment<3>(3 * i) = twist.axis.cross(Vec3(residual.segment<3>(3 * i)));
+  }
+  TwistBorder border;
+  border.column = turned + turning * twist.axis - tangent * motion;
+  border.row = turned - tangent.transpose() * motion;
+  return border;
+}
+
+double twist_corner(const Twist& twist, const CarrierMotion* by, const ElementVector& q, const ElementVector& residual,
+                    const ElementMotion& column) {
+  double sum = -element_motion({Vec3::Zero(), twist.axis, twist.at}, q).dot(column);
+  if (by == nullptr) {
+    return sum;
+  }
+  const Vec3 axis_turned = by->axis.cross(twist.axis);
+  const Vec3 at_moved = by->velocity + by->axis.cross(twist.at - by->at);
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 at = q.segment<3>(3 * i), part = residual.segment<3>(3 * i);
+    const Vec3 change =
+        i % 2 == 0 ? Vec3(axis_turned.cross(at - twist.at) - twist.axis.cross(at_moved)) : Vec3(axis_turned.cross(at));
+    sum -= change.dot(part);
+  }
+  return sum;
+}
+
 void add_to_panel(double* panel, int stride, int first, const Mat6& part) {
   for (int i = 0; i < 6; ++i) {
     for (int j = 0; j < 6; ++j) {

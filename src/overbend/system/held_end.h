@@ -2,6 +2,7 @@
 #pragma once
 
 #include "system/free_body.h"
+#include "system/hinged_sections.h"
 #include "system/line_assembly.h"
 #include "system/system.h"
 
@@ -36,6 +37,29 @@ struct ContactBorder {
 /// `turning` as RollerContacts::turning_of.
 ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const ElementVector& residual,
                              const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning);
+
+using ElementMotion = Eigen::Matrix<double, 12, 1>;
+
+/// The same of a contact with a body that turns about a hinge: one column and one row.
+struct TwistBorder {
+  ElementMotion column = ElementMotion::Zero(), row = ElementMotion::Zero();
+};
+TwistBorder twist_border(const Twist& twist, const ElementVector& q, const ElementVector& residual,
+                         const ElementMatrix& tangent, const Eigen::Matrix<double, 12, 3>& turning);
+
+/// Motion of what may carry a hinge: a velocity of the point `at`, and a turning about it.
+struct CarrierMotion {
+  Vec3 velocity = Vec3::Zero(), axis = Vec3::Zero(), at = Vec3::Zero();
+};
+
+/// How the force on a hinge changes with another coordinate, whose column is `column`. `by` is its motion where it
+/// carries the hinge, which moves and turns with it; else null.
+double twist_corner(const Twist& twist, const CarrierMotion* by, const ElementVector& q, const ElementVector& residual,
+                    const ElementMotion& column);
+
+/// Motion of the vessel with its coordinate `k`, and of the nodes of an element that went with it.
+CarrierMotion carrier_motion(const BodyPose& pose, int k);
+ElementMotion element_motion(const CarrierMotion& motion, const ElementVector& q);
 
 /// Adds six rows of six columns to a panel of the border, from column `first` on.
 void add_to_panel(double* panel, int stride, int first, const Mat6& part);

@@ -15,6 +15,7 @@ Line pipe_line(const Model& model, LineMesh mesh, const LayRoute& route) {
   line.mesh = std::move(mesh);
   line.elements = line_elements(model, line.mesh.length, line.mesh.section);
   line.environment = line_environment(model, route);
+  line.route = route.pieces();
   line.yielding = yielding_elements(model, line.mesh);
   line.force_scale = weight_from(line.mesh, line.elements, line.mesh.s.front());
   return line;

@@ -1,6 +1,9 @@
 /// A line: what stands still of it.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "mechanics/line_elements.h"
 #include "system/line_mesh.h"
 #include "system/line_points.h"
@@ -16,9 +19,10 @@ struct Line {
   LineElements elements;
   LineEnvironment environment;
   YieldingElements yielding;
-  std::vector<LinePoint> points;  ///< Clumps and buoys.
-  bool on_rollers = true;         ///< Whether it may meet the rollers of bodies.
-  double force_scale = 1.0;       ///< What unbalanced forces are measured against: the weight in air [N].
+  std::vector<LinePoint> points;                         ///< Clumps and buoys.
+  bool on_rollers = true;                                ///< Whether it may meet the rollers of bodies.
+  std::shared_ptr<const std::vector<RoutePiece>> route;  ///< What `environment` points to, of a route that bends.
+  double force_scale = 1.0;  ///< What unbalanced forces are measured against: the weight in air [N].
 };
 
 /// The pipe of a model on a mesh, its levels of yielding not chosen yet. Points into `model`, which must outlive the

@@ -24,7 +24,14 @@ void LineAssembly::ease(const Easing& easing) {
   contacts_.ease(easing.rollers);
   environment_.bed_stiffness = std::min(line_->environment.bed_stiffness, easing.most_bed_stiffness);
   environment_.bed_stick = std::min(line_->environment.bed_stick, easing.most_bed_stiffness);
+  environment_.bed_relief = easing.bed_relief;
+  environment_.bed_level = easing.bed_level;
   environment_.current_scale = easing.current * line_->environment.current_scale;
+}
+
+void LineAssembly::lay_beside(double to_port) {
+  environment_.route_offset = line_->environment.route_offset + to_port;
+  environment_.route_shift = line_->environment.route_shift + to_port;
 }
 
 void LineAssembly::set_last_element(double length) {
@@ -73,9 +80,10 @@ void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, cons
                                     bool with_tangent, bool keep_memory) {
   const LineTarget target = clear(with_tangent);
   add_line_forces(elements(), environment_, state.shape(), target, best_isa());
-  if (remembers()) {
+  if (yielding_.any && easing_.yielding > 0.0) {
     choose_levels(yielding_, state.q.data());
-    add_static_yielding(yielding_, line_->mesh, {history, easing_.yielding}, state.shape(), keep_memory, resting_,
+    const StaticYield how{history, easing_.yielding, before_.empty() ? nullptr : before_.data()};
+    add_static_yielding(yielding_, line_->mesh, how, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
   add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),

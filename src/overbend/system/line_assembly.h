@@ -15,6 +15,8 @@ namespace overbend {
 struct Easing {
   ContactEasing rollers;
   double most_bed_stiffness = 1e300;  ///< Limit of the bed's stiffness, normal and in friction [N/m2].
+  double bed_relief = 1.0;            ///< Factor on the heights of a shaped bed over `bed_level`.
+  double bed_level = 0.0;             ///< [m]
   double current = 1.0;               ///< Factor on the current's speed.
   double yielding = 1.0;              ///< Factor on the plastic moments: 0 is linear steel.
 };
@@ -53,8 +55,12 @@ class LineAssembly {
   const BlockTridiagonal& tangent() const { return *tangent_; }
 
   void ease(const Easing& easing);
+  /// The pipe has been laid beside the route of the line, everywhere `to_port` metres away.
+  void lay_beside(double to_port);
   /// Whether steel that may yield keeps what bent it upstream: the tangent at rest does not know that.
-  bool remembers() const { return yielding_.any && easing_.yielding > 0.0; }
+  bool remembers() const { return yielding_.any && easing_.yielding > 0.0 && before_.empty(); }
+  /// What the Gauss points were before, in place of a loading history; empty for none.
+  void begin_with(std::vector<BendingMemory> before) { before_ = std::move(before); }
 
   /// At rest: damping and mass have no weight. The bodies are where contacts().place() put them last; elements that
   /// rollers may meet are looked for anew. `keep_memory` leaves the memories of the steel in yielding_at_rest().
@@ -93,6 +99,7 @@ class LineAssembly {
   Easing easing_;
   RollerContacts contacts_;
   StaticYielding resting_;
+  std::vector<BendingMemory> before_;
   std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
   std::vector<double> residual_, cuts_;
   std::array<double, 6> first_{}, last_{};

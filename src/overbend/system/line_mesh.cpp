@@ -10,6 +10,10 @@ namespace overbend {
 namespace {
 
 constexpr double kShortestElement = 0.1;  ///< [m]
+/// Of a cable beside its head: an element so short turns the tangent from that of the one to that of the other without
+/// a moment worth the name, as a hinge would [m].
+constexpr double kHinge = 2e-3;
+constexpr double kHeadZone = 10.0;  ///< Fine either way of the end of a cable [m].
 
 /// Closest distance of two rows of rollers along the supports [m].
 double row_spacing(const Supports& supports) {
@@ -20,8 +24,10 @@ double row_spacing(const Supports& supports) {
   return least;
 }
 
+/// What bends at a place: where a cable is, the pipe, whose sizes serve it too.
 const Section& section_of(const Model& model, double from_top) {
-  return model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+  const Section& section = model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+  return section.kind == SectionKind::cable ? model.sections.front() : section;
 }
 
 /// Least EI of the pipe at the tensioner and over the rows of rollers.
@@ -31,23 +37,42 @@ double softest_over_supports(const Model& model) {
   return EI;
 }
 
+/// On a shaped bed the laid line bends all along, most where contact begins and ends.
+void refine_laid_line(MeshPlan& plan, const Model& model, const MeshZones& zones, const MeshSizes& sizes) {
+  const double soil = soil_length(model, section_of(model, zones.touchdown).EI);
+  plan.fine.push_back({zones.touchdown, zones.total, std::max(sizes.touchdown, 0.25 * soil)});
+  for (const LineStretch& edge : zones.bed_edges) {
+    plan.fine.push_back({edge.from - soil, edge.to + soil, sizes.touchdown});
+  }
+}
+
 MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
   const MeshSizes sizes = mesh_sizes(model, zones);
   MeshPlan plan;
   plan.longest = sizes.longest;
   plan.fine = {{0.0, zones.last_support, sizes.overbend},
                {zones.touchdown - sizes.touchdown_before, zones.touchdown + sizes.touchdown_after, sizes.touchdown}};
+  if (model.seabed.surface.shape() != nullptr) refine_laid_line(plan, model, zones, sizes);
   if (zones.waterline > zones.last_support) {
     const double diameter = section_of(model, zones.waterline).outer_diameter;
     plan.fine.push_back({zones.waterline - diameter, zones.waterline + diameter, std::max(sizes.overbend, diameter)});
   }
   for (const SectionSpan& span : model.spans) {
-    for (const double end : {span.from, span.to}) {
+    if (model.sections[static_cast<std::size_t>(span.section)].kind == SectionKind::structure) {
+      plan.fine.push_back({span.from - sizes.overbend, span.to + sizes.overbend, sizes.overbend});
+    }
+    const bool cable = model.sections[static_cast<std::size_t>(span.section)].kind == SectionKind::cable;
+    // At the top a cable ends at its winch, at an anchor where the line does.
+    const bool hinge_before = cable && span.from > 0.0, hinge_behind = cable && span.from == 0.0;
+    for (const double end :
+         {span.from, hinge_before ? span.from + kHinge : 0.0, hinge_behind ? span.to - kHinge : 0.0, span.to}) {
       const double last = plan.fixed.empty() ? 0.0 : plan.fixed.back();
       if (end > last && end < zones.total - kShortestElement) {
         plan.fixed.push_back(end);
       }
     }
+    if (cable) plan.fine.push_back({span.from - kHeadZone, span.from + kHeadZone, sizes.overbend});
+    if (cable) plan.fine.push_back({span.to - kHeadZone, span.to + kHeadZone, sizes.overbend});
   }
   plan.fixed.push_back(zones.total);
   return plan;
@@ -55,13 +80,17 @@ MeshPlan plan_mesh(const Model& model, const MeshZones& zones) {
 
 }  // namespace
 
+double soil_length(const Model& model, double EI) {
+  return std::pow(4.0 * EI / model.seabed.stiffness, 0.25);
+}
+
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   const MeshDescription& given = model.description.mesh;
   const double top_EI = softest_over_supports(model);
   const double bottom_EI = section_of(model, zones.touchdown).EI;
   const double top_bending = std::sqrt(top_EI / zones.top_tension);
   const double bottom_bending = std::sqrt(bottom_EI / std::max(zones.bottom_tension, 0.02 * zones.top_tension));
-  const double soil = std::pow(4.0 * bottom_EI / model.seabed.stiffness, 0.25);
+  const double soil = soil_length(model, bottom_EI);
 
   MeshSizes sizes;
   sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.4 * row_spacing(model.supports)));

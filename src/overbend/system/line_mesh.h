@@ -7,6 +7,11 @@
 
 namespace overbend {
 
+/// A stretch of the line, by distance from the tensioner [m].
+struct LineStretch {
+  double from = 0.0, to = 0.0;
+};
+
 struct LineMesh {
   std::vector<double> s;       ///< Of the nodes [m].
   std::vector<double> length;  ///< Of the elements [m].
@@ -25,6 +30,9 @@ struct MeshZones {
   double waterline = 0.0;       ///< From the tensioner; negative when the pipe starts under water [m].
   double top_tension = 0.0;     ///< [N]
   double bottom_tension = 0.0;  ///< [N]
+  /// Stretches of the laid line on a shaped bed that touchdown's element length serves too: where contact begins and
+  /// ends, and crests.
+  std::vector<LineStretch> bed_edges = {};
 };
 
 /// Element sizes the rule arrives at [m].
@@ -34,10 +42,15 @@ struct MeshSizes {
          touchdown_after = 0.0;  ///< Extent of the fine zone, towards the tensioner and the anchor.
 };
 
+/// Length over which a line on the bed bends, (4 EI/k)^(1/4) [m] (Winkler 1867).
+double soil_length(const Model& model, double EI);
+
 /// The rule. Over the supports: a twenty-fifth of the bending length sqrt(EI/T) or two fifths of the closest distance
 /// of two rows of rollers, whichever is less. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of the soil
 /// length (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of sqrt(EI/H), or what
-/// gives 300 elements in the suspended part where that is more. Values of `analysis.mesh` take precedence.
+/// gives 300 elements in the suspended part where that is more. On a shaped bed the laid line has elements of at most a
+/// quarter of the soil length, beside every edge of contact those of touchdown. Values of `analysis.mesh` take
+/// precedence.
 MeshSizes mesh_sizes(const Model& model, const MeshZones& zones);
 
 /// Elements that a mesh may have. Memory and time grow with them: some gigabytes and minutes beyond.

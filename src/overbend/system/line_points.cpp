@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/ground.h"
 #include "mechanics/point_load.h"
 
 namespace overbend {
@@ -54,16 +55,31 @@ Graded wetted(const LinePoint& point, const PointState& at) {
   return {wet.share, wet.slope * Vec3::UnitZ()};
 }
 
+/// How deep a point is in the bed, negative over it, with the normal there and how both change with its place.
+struct BedDepth {
+  double value = 0.0;
+  Vec3 normal = Vec3::UnitZ(), gradient = -Vec3::UnitZ();
+  Mat3 turn = Mat3::Zero();
+};
+
+BedDepth bed_depth(const LineEnvironment& env, const Vec3& r, double tether) {
+  if (env.bed_shape != nullptr) {
+    const GroundPoint ground = ground_at(env, r + tether * Vec3::UnitZ());
+    return {-ground.clearance, ground.normal, -ground.gradient, ground.turn};
+  }
+  const Vec3 n(Vec3Map(env.bed_normal));
+  return {env.bed_offset - n.dot(r) - n.z() * tether, n, -n, Mat3::Zero()};
+}
+
 /// Upward force of the bed.
 Graded bed_force(const LinePoint& point, const LineEnvironment& env, const PointState& at, double velocity_share) {
-  const Vec3 n(Vec3Map(env.bed_normal));
-  const double penetration = env.bed_offset - n.dot(at.r) - n.z() * point.tether;
-  if (penetration <= 0.0) return {};
-  const double approach = -n.dot(at.v);
-  Graded force{point.bed_stiffness * penetration, -point.bed_stiffness * n};
+  const BedDepth depth = bed_depth(env, at.r, point.tether);
+  if (depth.value <= 0.0) return {};
+  const double approach = -depth.normal.dot(at.v);
+  Graded force{point.bed_stiffness * depth.value, point.bed_stiffness * depth.gradient};
   if (approach > 0.0) {
     force.value += point.bed_damping * approach;
-    force.slope -= point.bed_damping * velocity_share * n;
+    force.slope -= point.bed_damping * (velocity_share * depth.normal + depth.turn.transpose() * at.v);
   }
   return force;
 }
@@ -161,14 +177,17 @@ void add_point_energy(std::span<const LinePoint> points, const LineEnvironment& 
     }
     const Graded wet = wetted(point, at);
     const Graded bed = bed_force(point, env, at, 0.0);
-    const Vec3 n(Vec3Map(env.bed_normal));
-    const double penetration = std::max(0.0, env.bed_offset - n.dot(at.r));
+    const BedDepth depth = bed_depth(env, at.r, 0.0);
+    const double penetration = std::max(0.0, depth.value);
     sum.kinetic += 0.5 * point.mass * at.v.squaredNorm();
     sum.gravity += point.weight * at.r.z();
     sum.fluid_power +=
         wet.value * (water_force(point, env, at, motion).value + point.buoyancy * Vec3::UnitZ()).dot(at.v);
     sum.seabed += 0.5 * point.bed_stiffness * penetration * penetration;
     sum.seabed_loss -= (bed.value - point.bed_stiffness * penetration) * at.v.z();
+    if (env.bed_shape != nullptr) {  // the force is upright, the depth is not: what both are off counts as lost
+      sum.seabed_loss -= point.bed_stiffness * penetration * (depth.gradient + Vec3::UnitZ()).dot(at.v);
+    }
   }
 }
 

@@ -51,6 +51,24 @@ void turn_to_actual_side(RollerDistance& distance) {
   distance.direction = -distance.direction;
 }
 
+/// Radius of the line where it meets a roller. Where it grows thicker from one element to the next, by a head or by
+/// what is built into the pipe, the thick part begins with a cone of one in two, so that no roller meets a step; how it
+/// pushes the line along is left out [m].
+double contact_radius(const Line& line, std::size_t element, double xi) {
+  constexpr double kConeSlope = 0.5;
+  const AlignedDoubles& radius = line.elements.radius;
+  const double own = radius[element], h = line.mesh.length[element];
+  double found = own;
+  const auto taper = [&](double thinner, double away) {
+    const double step = own - thinner;
+    const double cone = std::min(step / kConeSlope, h);
+    if (away < cone) found = std::min(found, thinner + step * away / cone);
+  };
+  if (element > 0 && radius[element - 1] < own) taper(radius[element - 1], xi * h);
+  if (element + 1 < line.mesh.length.size() && radius[element + 1] < own) taper(radius[element + 1], (1.0 - xi) * h);
+  return found;
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
   return (hash ^ value) * 0x100000001b3ull;
 }
@@ -129,9 +147,24 @@ RollerDistance RollerContacts::measure(std::size_t index, const double* q, bool 
   if (!on_meant_side && distance.value < 0.0) {
     turn_to_actual_side(distance);
   }
-  contact.penetration = line_->elements.radius[e] + rollers_[index].roller->radius - distance.value;
+  contact.penetration = contact_radius(*line_, e, contact.at.xi) + rollers_[index].roller->radius - distance.value;
   contact.normal_direction = distance.direction;
   return distance;
+}
+
+/// Full friction of a line at rest.
+void RollerContacts::rub(std::size_t index, const RollerDistance& distance, const CentrelinePoint& point,
+                         const NormalForce& normal) {
+  const BodyRoller& roller = *rollers_[index].roller;
+  RollerContact& contact = contacts_[index];
+  const double across = roller.position == RollerPosition::bottom ? easing_.rub.across : 0.0;
+  const RubForce force{easing_.rub.along * roller.law.friction_axial, across * roller.law.friction_lateral,
+                       normal.force, normal.by_penetration};
+  contact.axial_direction = point.a.normalized();  // square to the distance at the closest point
+  contact.lateral_direction = distance.direction.cross(contact.axial_direction);
+  contact.axial = force.along * normal.force;
+  contact.lateral = force.across * normal.force;
+  carrying_[index].rub = force;
 }
 
 void RollerContacts::push(std::size_t index, const HermiteValues& n, const ContactTarget& target) {
@@ -175,8 +208,12 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   }
   const HermiteValues n = hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]);
   contact.point = at_point(n, dofs_of(q, contact.at.element));
-  push(index, n, target);
   carrying_[index] = {true, distance, normal, {}, {}};
+  if (easing_.rub.any()) {
+    const double h = length[static_cast<std::size_t>(contact.at.element)];
+    rub(index, distance, centreline(dofs_of(q, contact.at.element), contact.at.xi, h), normal);
+  }
+  push(index, n, target);
 }
 
 void RollerContacts::evaluate(const double* q, const double* v, const Weights& weights,
@@ -312,6 +349,9 @@ ElementMatrix RollerContacts::tangent_of(int roller, const double* q, const Weig
   add_friction(carrying.axial, contact.axial_direction);
   add_friction(carrying.lateral, contact.lateral_direction);
   add_point_stiffness(k, n, a);
+  if (carrying.rub.along != 0.0 || carrying.rub.across != 0.0) {
+    k += rub_tangent(placed_[index], contact.at, carrying.distance, d, dofs_of(q, contact.at.element), h, carrying.rub);
+  }
   return k;
 }
 

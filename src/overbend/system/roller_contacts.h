@@ -6,6 +6,7 @@
 
 #include "mechanics/contact_law.h"
 #include "mechanics/roller_contact.h"
+#include "mechanics/roller_rub.h"
 #include "mechanics/vessel_motion.h"
 #include "numerics/block_tridiagonal.h"
 #include "system/body.h"
@@ -45,6 +46,7 @@ enum class ContactMode { free, kept };
 struct ContactEasing {
   double most_stiffness = 1e300;  ///< Limit of the normal stiffness [N/m].
   bool sides = true;              ///< Whether side rollers act.
+  RollerRub rub = {};             ///< Full friction in statics, which is no continuation but what is asked for.
   bool friction = true;           ///< Whether rollers rub where evaluate() looks at them.
 };
 
@@ -74,8 +76,8 @@ class RollerContacts {
 
   void ease(const ContactEasing& easing) { easing_ = easing; }
 
-  /// Forces on a line at rest: normal springs alone, every roller on the side that it is meant for, wherever along the
-  /// line the closest point is. Rollers out of reach are not looked at.
+  /// Forces on a line at rest: normal springs, and full friction where the easing says so; every roller on the side
+  /// that it is meant for, wherever along the line the closest point is. Rollers out of reach are not looked at.
   void evaluate_at_rest(const double* q, const ContactTarget& target);
 
   /// Forces of all rollers that a moving line may meet, added to the line's. `before` is the memory at the start of the
@@ -123,6 +125,7 @@ class RollerContacts {
     RollerDistance distance;
     NormalForce normal;
     FrictionForce axial, lateral;
+    RubForce rub = {};
   };
   struct SlipStates {
     Slip axial = Slip::stick, lateral = Slip::stick;
@@ -133,6 +136,7 @@ class RollerContacts {
   }
   void search(std::size_t body, const double* q, double reach);
   RollerDistance measure(std::size_t index, const double* q, bool on_meant_side);
+  void rub(std::size_t index, const RollerDistance& distance, const CentrelinePoint& point, const NormalForce& normal);
   void push(std::size_t index, const HermiteValues& n, const ContactTarget& target);
   void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
   void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,

@@ -60,7 +60,7 @@ std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_eleme
   std::vector<BodyRoller> rollers;
   DampingRatios ratios;
   for (const Roller& roller : model.supports.rollers) {
-    const Section& pipe = model.section_over(roller);
+    const Section& pipe = model.pipe_over(roller);
     const Vec3 center = point_from_ramp(model, mean, roller.center_S);
     const double stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty_stiffness(pipe, shortest_element);
     BodyRoller of_body;

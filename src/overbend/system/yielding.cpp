@@ -1,6 +1,8 @@
 #include "system/yielding.h"
 
 #include <algorithm>
+
+#include <algorithm>
 #include <array>
 
 namespace overbend {
@@ -128,7 +130,10 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
       const CentrelinePoint at = point_at(at_nodes, shape);
       const Vec3 tangent = at.a.normalized();
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      if (law == nullptr || law != last || how.history == LayHistory::monotonic) {
+      if (how.before != nullptr) {
+        memory = how.before[index];
+        bring_along(memory, tangent);
+      } else if (law == nullptr || law != last || how.history == LayHistory::monotonic) {
         memory = fresh_memory(tangent);
         last = law;
       } else {
@@ -145,6 +150,69 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
     }
     sum.scatter_to(static_cast<int>(e), target);
   }
+}
+
+namespace {
+
+/// The Gauss points of a line that lay still, from its top down.
+struct PassedPoint {
+  double from_top = 0.0;  ///< [m]
+  double z = 0.0;         ///< Of the middle of its element [m].
+  Vec3 tangent, curvature;
+  std::size_t index = 0;
+};
+
+std::vector<PassedPoint> points_passed(const BentLine& line) {
+  std::vector<PassedPoint> points;
+  for (std::size_t e = line.mesh.length.size(); e-- > 0;) {
+    const ElementVector at_nodes = dofs({line.q.data(), nullptr}, e);
+    for (int i = kGaussPoints - 1; i >= 0; --i) {
+      const CentrelinePoint at = point_at(at_nodes, gauss_shape(i, line.mesh.length[e]));
+      const double s = line.mesh.s[e] + kGaussXi[i] * line.mesh.length[e];
+      points.push_back({line.mesh.total_length() - s, 0.5 * (line.q[6 * e + 2] + line.q[6 * e + 8]), at.a.normalized(),
+                        curvature_vector(at), kGaussPoints * e + static_cast<std::size_t>(i)});
+    }
+  }
+  return points;
+}
+
+/// Index of the point nearest to a distance from the top.
+std::size_t nearest_point(const std::vector<PassedPoint>& points, double from_top) {
+  const auto after = std::lower_bound(points.begin(), points.end(), from_top,
+                                      [](const PassedPoint& a, double u) { return a.from_top < u; });
+  const std::size_t i = static_cast<std::size_t>(after - points.begin());
+  if (i == points.size()) return i - 1;
+  return i > 0 && from_top - points[i - 1].from_top < points[i].from_top - from_top ? i - 1 : i;
+}
+
+void pass(const BendingLaw& law, const PassedPoint& at, BendingMemory& memory) {
+  bring_along(memory, at.tangent);
+  bend(law, level_at(law, at.z), in_axes(memory, at.curvature), memory);
+}
+
+}  // namespace
+
+std::vector<BendingMemory> moved_along(const BentLine& before, double shift, const YieldingElements& elements,
+                                       const LineMesh& mesh) {
+  const std::vector<PassedPoint> points = points_passed(before);
+  std::vector<BendingMemory> moved(kGaussPoints * elements.law.size());
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    for (int i = 0; i < kGaussPoints; ++i) {
+      BendingMemory& memory = moved[kGaussPoints * e + static_cast<std::size_t>(i)];
+      const double to = mesh.total_length() - (mesh.s[e] + kGaussXi[i] * mesh.length[e]);
+      const double from = to - shift;
+      const std::size_t end = nearest_point(points, to);
+      std::size_t at = nearest_point(points, std::max(from, 0.0));
+      const bool known = from >= 0.0 && !before.memory.empty();
+      memory = known ? before.memory[points[at].index] : fresh_memory(points[at].tangent);
+      if (elements.law[e] == nullptr) continue;
+      while (at != end) {
+        at = at < end ? at + 1 : at - 1;
+        pass(*elements.law[e], points[at], memory);
+      }
+    }
+  }
+  return moved;
 }
 
 double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,

@@ -37,6 +37,8 @@ struct YieldingTarget {
 struct StaticYield {
   LayHistory history = LayHistory::laying;
   double share = 1.0;  ///< Of the plastic moments that acts, for continuation.
+  /// What every Gauss point was before, in place of a history; null for none.
+  const BendingMemory* before = nullptr;
 };
 
 /// What the Gauss points of a line in statics came to, kGaussPoints per element. In use only where steel yields.
@@ -50,6 +52,19 @@ struct StaticYielding {
 /// it. The tangent takes what happened upstream as given.
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
                          const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
+
+/// A line whose steel may have been bent.
+struct BentLine {
+  const LineMesh& mesh;
+  const std::vector<double>& q;
+  const std::vector<BendingMemory>& memory;
+};
+
+/// What the Gauss points of `mesh` were when the line has moved along itself by `shift`, away from its top [m], from
+/// how it lay before: each through all curvatures between its place and the one it came to, as the line lay. What had
+/// not left the top yet begins there unbent. `elements`: of `mesh`.
+std::vector<BendingMemory> moved_along(const BentLine& before, double shift, const YieldingElements& elements,
+                                       const LineMesh& mesh);
 
 /// Adds those of a line in motion: `after` becomes what `before` was, bent on to `q`. Returns the heat made [J].
 double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,

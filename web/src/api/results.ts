@@ -44,6 +44,55 @@ export interface TouchdownPlace {
   s: number;
 }
 
+export interface FreeSpanState {
+  x_from: number;
+  x_to: number;
+  s_from: number;
+  s_to: number;
+  length: number;
+  largest_gap: number;
+  gap_x: number;
+  sagging_moment: number;
+  moment_x: number;
+  bending_stress: number;
+}
+
+export interface LaidPipeState {
+  largest_penetration: number;
+  penetration_x: number;
+  hogging_moment: number;
+  hogging_x: number;
+  sagging_moment: number;
+  sagging_x: number;
+  bending_stress: number;
+  tail_tension: number;
+  free_spans: FreeSpanState[];
+}
+
+export interface RouteSummary {
+  radius: number;
+  least_radius: number;
+  holds: boolean;
+  largest_offset: number;
+  offset_x: number;
+  slid_length: number;
+  laid_offset: number;
+  side_load_bed: number;
+  side_load_supports: number;
+}
+
+export interface FrictionCase {
+  name: string;
+  top_tension: number;
+  bottom_tension: number;
+  lay_back: number;
+  tip_side: number;
+  off_roller: number;
+  overbend_stress: number;
+  sagbend_stress: number;
+  largest_reaction: number;
+}
+
 export interface Roller {
   position: 'bottom' | 'port' | 'starboard';
   reaction: number;
@@ -63,6 +112,34 @@ export interface Support {
   structure: 'ramp' | 'stinger';
   contact: boolean;
   rollers: Roller[];
+}
+
+export interface StingerTankState {
+  name: string;
+  weight: number;
+  buoyancy: number;
+  submerged: number;
+  draught: number;
+}
+
+export interface StingerSectionState {
+  name: string;
+  angle: number;
+  floats: boolean;
+  hinge: Vector;
+  roller_moment: number;
+  hinge_longitudinal: number;
+  hinge_vertical: number;
+  hinge_force: number;
+  stop_moment: number;
+  at_stop: boolean;
+  angle_up: number;
+  angle_down: number;
+  stiffness: number;
+  natural_period: number;
+  draught: number;
+  tip: Vector;
+  tanks: StingerTankState[];
 }
 
 export interface TensionerPlace {
@@ -164,11 +241,73 @@ export interface Statics {
   key: KeyResults | null;
   pipe: PipeLists;
   touchdown: TouchdownPlace | null;
+  seabed?: LaidPipeState;
+  route?: RouteSummary;
+  roller_friction?: FrictionCase[];
   supports: Support[];
+  stinger?: StingerSectionState[];
   tensioner: TensionerPlace | null;
   moorings: Moorings | null;
   lines: LineAtRest[];
   checks: Check[];
+  warnings: string[];
+}
+
+export interface StageValues {
+  top_tension: number;
+  bottom_tension: number;
+  head_x: number | null;
+  head_z: number | null;
+  head_clearance: number | null;
+  cable_tension: number | null;
+  cable_utilisation: number | null;
+  sagbend_von_mises: number;
+  sagbend_strain: number;
+  overbend_strain: number | null;
+  stinger_tip_clearance: number | null;
+  largest_reaction: number | null;
+  largest_reaction_support: string;
+  lay_back: number;
+  utilisation: number | null;
+  check: string;
+}
+
+export interface LineParts {
+  head_from: number;
+  head_to: number;
+  cable_at_far_end: boolean;
+}
+
+export interface StageFailure {
+  what: string;
+  where: string;
+  why: string;
+  least_tension: number | null;
+}
+
+export interface OperationStage {
+  name: string;
+  out: number | null;
+  tension: number | null;
+  barge_ahead: number;
+  governing: string;
+  values: StageValues | null;
+  parts: LineParts | null;
+  failure: StageFailure | null;
+  warnings: string[];
+}
+
+export interface HoldPoint {
+  stage: number;
+  what: string;
+  out: number | null;
+}
+
+export interface Operation {
+  title: string;
+  out_name: string;
+  stages: OperationStage[];
+  hold_points: HoldPoint[];
   warnings: string[];
 }
 

@@ -48,6 +48,9 @@ export interface Structure { name: string; place: Vector; direction: Vector; len
 
 export interface Vessel { name: string; length: number; beam: number; height: number; draught: number; pose: number[] }
 
+/** Heights at knots, linear in between: `z` along `x` from `origin`, or row by row over `x` east and `y` north. */
+export interface BedShape { x: number[]; z: number[]; y?: number[]; origin?: [number, number]; along?: [number, number] }
+
 export interface Scene {
   status: 'ok';
   /** Null where the model speaks of none. The pose is that of the vessel as described. */
@@ -56,7 +59,8 @@ export interface Scene {
   /** Null without a pipe. */
   stern_shoe: Vector | null; tensioner: Vector | null;
   water_depth: number;
-  seabed: { normal: Vector; point: Vector };
+  /** `shape`: null for a plane. */
+  seabed: { normal: Vector; point: Vector; shape?: BedShape | null };
   current: { depth: number; velocity: Vector }[];
   waves: { amplitude: number; number: number; frequency: number; phase: number; direction: number }[];
   /** On the bed, to be kept clear of. */
@@ -65,7 +69,7 @@ export interface Scene {
 }
 
 export interface Run {
-  id: string; title: string; kind: 'static' | 'dynamic' | 'seeds' | 'comparison'; state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
+  id: string; title: string; kind: 'static' | 'dynamic' | 'seeds' | 'comparison' | 'study'; state: 'queued' | 'running' | 'done' | 'failed' | 'cancelled';
   progress: number; started: number; message: string;
   /** Of a case: the study that it belongs to. */
   parent?: string;
@@ -91,6 +95,28 @@ export interface StudyQuantity {
   name: string; text: string; unit: string; factor: number; values: (number | null)[];
   mean?: number | null; std?: number | null; min?: number | null; max?: number | null;
   gumbel?: { estimate: number; low: number; high: number } | null;
+  acer?: { estimate: number; low: number; high: number } | null;
+}
+
+/** A study of many cases: the keys that change, the results gathered, a row per case. Numbers are in the units shown. */
+export interface Matrix {
+  title: string; analysis: string;
+  inputs: { key: string; unit: string; with: string; sampled: boolean; words: string[]; values: (number | null)[] }[];
+  outputs: { name: string; unit: string }[];
+  cases: MatrixCase[];
+  operability: MatrixLimits | null;
+  warnings: string[];
+}
+export interface MatrixCase {
+  number: number; at: number[]; words: string[]; inputs: (number | null)[]; seed: number | null; state: 'open' | 'done' | 'failed';
+  values: (number | null)[]; passed: boolean; governing: string; utilisation: number | null; reason: string;
+}
+/** The largest value of one key with which every check is passed, for every combination of the others. */
+export interface MatrixLimits {
+  over: string; unit: string; alpha: number | null;
+  axes: { key: string; unit: string; words: string[]; values: (number | null)[] }[];
+  cells: { at: number[]; limit: number | null; beyond: boolean; decided: boolean; governing: string; reason: string }[];
+  months: number[]; year: number | null;
 }
 
 export interface Column { name: string; unit: string; text: string }
@@ -107,11 +133,15 @@ export interface MooringInTime {
   events: { time: number; what: string }[];
 }
 
+export interface FatigueSpot {
+  name: string; curve: string; stress_factor: number; path_damage: number; worst_rate: number; worst_s: number; standby: number;
+}
+
 /** What is read of summary.json. */
 export interface RunSummary {
   warnings?: string[];
   checks?: { list: Check[] };
-  dynamic?: DynamicSummary & { vessel?: VesselInTime; moorings?: MooringInTime[] };
+  dynamic?: DynamicSummary & { vessel?: VesselInTime; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
 }
 
 export interface NewOffer {
@@ -120,3 +150,29 @@ export interface NewOffer {
   vessels: { name: string; title: string; length: number; beam: number; depth: number; draught: number }[];
   defaults: Record<string, string | number>;
 }
+
+export type LayTableVary = 'tension' | 'lay_back' | 'depth';
+
+/** Curves of a lay table in shown units; `least` and `largest` bound what passes every check. */
+export interface LayTableCurves {
+  axis: string;
+  panels: { title: string; series: { name: string; points: [number, number][] }[]; limit: number | null }[];
+  least: number | null; largest: number | null;
+}
+
+export interface LayTable {
+  status: 'ok';
+  columns: { heading: string; digits: number }[];
+  rows: { kind: 'step' | 'least' | 'largest'; verdict: 'passed' | 'exceeded' | 'no lay'; cells: (string | number | null)[] }[];
+  curves: LayTableCurves;
+  warnings: string[];
+  wall_time: number;
+}
+export type LayTableAnswer = LayTable | { status: 'invalid'; diagnostics: Diagnostic[] };
+
+/** An input whose tolerance moves a result; `up` and `down` are effects over that of the foremost. */
+export interface SensitivityInput { key: string; name: string; text: string; tolerance: string; usual: boolean; up: number; down: number; up_text: string; down_text: string; contact: string }
+export type SensitivityAnswer =
+  | { status: 'converged'; results: { name: string; text: string; value: string; inputs: SensitivityInput[] }[]; assumptions: string[]; elapsed_ms: number }
+  | { status: 'failed'; what: string; where: string; why: string }
+  | { status: 'invalid'; diagnostics: Diagnostic[] };

@@ -1,6 +1,8 @@
 // What a diagram along the pipe shows: lists ready to be drawn, in engineering units.
-import type { Check, Envelopes, Lay, LineAtRest, RunSummary, Scene, Vector } from '../api/types';
+import type { Check, Envelopes, Lay, LineAtRest, LineParts, RunSummary, Scene, Vector } from '../api/types';
+import { bedHeight } from '../logic/bed';
 import { resample } from '../logic/decimate';
+import { partAt, type PartName } from '../logic/operation';
 import { quantity } from '../logic/show';
 import type { Line } from '../logic/table';
 
@@ -15,7 +17,7 @@ export interface ChartData {
   names?: string[];
 }
 
-const ink = { now: '#0b66c2', band: '#e07b1a', mean: '#8a96a3', run: '#5d7f2f' };
+const ink = { now: '#0b66c2', band: '#e07b1a', mean: '#8a96a3', run: '#5d7f2f', bed: '#a8905a' };
 
 function distance(s: Lay): number[] {
   const { x, y } = s.pipe;
@@ -24,14 +26,31 @@ function distance(s: Lay): number[] {
   return out;
 }
 
-/** Diagrams end a little behind touchdown: the long rest on the seabed says nothing. */
+/** Diagrams end a little behind touchdown, or behind the last free span: the long rest on the seabed says nothing. */
 function shownCount(s: Lay): number {
-  const end = (s.touchdown?.s ?? Infinity) + 60;
+  const spans = s.seabed?.free_spans ?? [];
+  const end = Math.max(s.touchdown?.s ?? Infinity, ...spans.map((span) => span.s_to)) + 60;
   const n = s.pipe.s.findIndex((v) => v > end);
   return n < 0 ? s.pipe.s.length : n + 1;
 }
 
-export function shape(s: Lay, scene: Scene | null, plan: boolean): ChartData {
+/** Water and seabed behind an elevation; a bed that is not level is a line of its heights under the places. */
+function surroundings(scene: Scene | null, plan: boolean, places: { x: number[]; y: number[] }): Pick<ChartData, 'lines' | 'level'> {
+  if (plan || !scene) return { lines: [], level: [] };
+  const water = { y: 0, label: 'water', kind: 'water' as const };
+  const { shape: uneven, normal } = scene.seabed;
+  if (!uneven && normal[0] === 0 && normal[1] === 0) return { lines: [], level: [water, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }] };
+  return { lines: [{ name: 'seabed', colour: ink.bed, values: places.x.map((x, i) => bedHeight(scene.seabed, x, places.y[i]!)), width: 1.4 }], level: [water] };
+}
+
+/** Pipe, head and cable as lines of their own; each goes on to the first point of the next. */
+function partLines(arc: number[], values: number[], parts: LineParts): ChartData['lines'] {
+  const names = arc.map((at) => partAt(parts, at));
+  const only = (name: PartName): (number | null)[] => values.map((v, i) => (names[i] === name || names[i - 1] === name ? v : null));
+  return [{ name: 'pipe', colour: ink.now, values: only('pipe'), width: 2.2 }, { name: 'head', colour: '#8e24aa', values: only('head'), width: 5 }, { name: 'cable', colour: ink.mean, values: only('cable'), dash: true }];
+}
+
+export function shape(s: Lay, scene: Scene | null, plan: boolean, parts: LineParts | null = null): ChartData {
   const n = shownCount(s);
   const x = distance(s).slice(0, n);
   const arc = s.pipe.s.slice(0, n);
@@ -43,11 +62,12 @@ export function shape(s: Lay, scene: Scene | null, plan: boolean): ChartData {
     values = s.pipe.x.slice(0, n).map((px, i) => ((px - s.pipe.x[0]!) * uy - (s.pipe.y[i]! - s.pipe.y[0]!) * ux) / size);
   }
   const at = (place: number): number => resample(arc, x, [place])[0] ?? 0;
+  const around = surroundings(scene, plan, { x: s.pipe.x.slice(0, n), y: s.pipe.y.slice(0, n) });
   return {
     title: plan ? 'Plan of the pipe' : 'Elevation of the pipe', xName: 'horizontal distance from the tensioner [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: arc,
-    lines: [{ name: 'pipe', colour: ink.now, values, width: 2.2 }],
+    lines: [...around.lines, ...(parts ? partLines(arc, values, parts) : [{ name: 'pipe', colour: ink.now, values, width: 2.2 }])],
     marks: plan ? [] : s.supports.map((b) => ({ x: at(b.s), y: b.place[2], label: b.name })),
-    level: plan || !scene ? [] : [{ y: 0, label: 'water', kind: 'water' }, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }],
+    level: around.level,
   };
 }
 
@@ -100,10 +120,11 @@ export function lineShape(line: { name: string; shape: Vector[] }, scene: Scene 
   const x = line.shape.map((p) => ((p[0] - from[0]) * ux + (p[1] - from[1]) * uy) / size);
   // what rounding leaves of a straight line is straight
   const off = line.shape.map((p) => Math.round((1e3 * ((p[0] - from[0]) * uy - (p[1] - from[1]) * ux)) / size) / 1e3 || 0);
+  const around = surroundings(scene, plan, { x: line.shape.map((p) => p[0]), y: line.shape.map((p) => p[1]) });
   return {
     title: `${plan ? 'Plan' : 'Elevation'} of ${line.name}`, xName: 'horizontal distance along the line [m]', yName: plan ? 'off line [m]' : 'height above water [m]', x, s: x,
-    lines: [{ name: line.name, colour: ink.now, values: plan ? off : line.shape.map((p) => p[2]), width: 2.2 }], marks: [],
-    level: plan || !scene ? [] : [{ y: 0, label: 'water', kind: 'water' }, { y: -scene.water_depth, label: 'seabed', kind: 'bed' }],
+    lines: [...around.lines, { name: line.name, colour: ink.now, values: plan ? off : line.shape.map((p) => p[2]), width: 2.2 }], marks: [],
+    level: around.level,
   };
 }
 

@@ -12,6 +12,7 @@ export interface LiveBase {
   depth: number | null; // m
   radius: number | null; // m, nominal or fitted
   hasRadius: boolean; // the model names a nominal radius
+  row: boolean; // the stinger's boxes are told as a row, which follows from the radius
   trim: number; // rad
   current: number[]; // m/s by row
   boxes: LiveBox[];
@@ -43,9 +44,10 @@ export function readBase(fields: Known[]): LiveBase {
   const stinger = boxes.filter((b) => b.structure === 'stinger');
   const fitted = fitCircle(stinger);
   const nominal = si('supports.stinger.radius');
+  const row = si('supports.stinger.boxes.count') !== null;
   return {
     tension: si('tensioner.tension'), depth: si('environment.water_depth'),
-    radius: fitted ? nominal ?? fitted.radius : null, hasRadius: nominal !== null,
+    radius: fitted ? nominal ?? fitted.radius : row ? nominal : null, hasRadius: nominal !== null, row,
     trim: si('vessel.trim') ?? 0, current, boxes,
   };
 }
@@ -62,7 +64,7 @@ export function liveChanges(base: LiveBase, values: LiveValues): { path: string;
 
   const stinger = base.boxes.filter((b) => b.structure === 'stinger');
   const moved: Box[] | null = radius !== undefined && base.radius ? withRadius(stinger, radius / base.radius) : null;
-  if (radius !== undefined && moved && base.hasRadius) out.push({ path: 'supports.stinger.radius', value: metres(radius) });
+  if (radius !== undefined && (moved || base.row) && base.hasRadius) out.push({ path: 'supports.stinger.radius', value: metres(radius) });
   for (const box of base.boxes) {
     const raise = values[box.key] ?? 0;
     const on = moved && box.structure === 'stinger' ? moved[box.index]! : box;

@@ -36,6 +36,7 @@ const table: Record<string, Unit> = {
   s: { family: 'time', factor: 1 },
   min: { family: 'time', factor: 60, twin: 's' },
   h: { family: 'time', factor: 3600, twin: 's' },
+  'kN*m': { family: 'moment', factor: 1e3 },
   'kN/m': { family: 'stiffness', factor: 1e3, twin: 'kip/ft' },
   'kip/ft': { family: 'stiffness', factor: 14593.902937206, twin: 'kN/m' },
 };

@@ -10,17 +10,23 @@ import { Diagrams } from './Diagrams';
 import { ConflictDialog, OpenDialog, OverwriteDialog, SaveAsDialog, UnsavedDialog } from './Files';
 import { Form } from './Form';
 import { Header, saveNow } from './Header';
+import { MatrixResults } from './MatrixResults';
+import { OperationTab } from './Operation';
+import { LayTablePanel } from './LayTable';
 import { Picture } from './Picture';
 import { Results } from './Results';
 import { RunResults } from './RunResults';
 import { StudyResults } from './StudyResults';
+import { StudyTab } from './StudyTab';
 import { Runs } from './Runs';
 import { Sliders } from './Sliders';
+import { SeekDialog } from './SeekDialog';
 import { SpreadDialog } from './SpreadDialog';
+import { StageBar } from './StageBar';
 import { StartDialog } from './StartDialog';
 import { Yaml } from './Yaml';
 
-const tabs = [['form', 'Form'], ['yaml', 'YAML'], ['runs', 'Runs']] as const;
+const tabs = [['form', 'Form'], ['yaml', 'YAML'], ['operation', 'Operation'], ['laytable', 'Lay table'], ['study', 'Study'], ['runs', 'Runs']] as const;
 
 function Left() {
   const going = runs.value.filter((r) => r.state === 'running' || r.state === 'queued').length;
@@ -36,7 +42,7 @@ function Left() {
         {tabs.map(([id, name]) => <button key={id} id={`tab-${id}`} type="button" role="tab" tabIndex={leftTab.value === id ? 0 : -1} aria-selected={leftTab.value === id} aria-controls="tabpanel" onClick={() => { leftTab.value = id; }}>{name}{id === 'runs' && going ? <span class="dot" title="running" /> : null}</button>)}
       </div>
       <div id="tabpanel" role="tabpanel" aria-labelledby={`tab-${leftTab.value}`} class={`panel ${leftTab.value}`}>
-        {leftTab.value === 'runs' ? <Runs /> : !hasModel.value ? <p class="empty">No model yet.</p> : leftTab.value === 'form' ? <Form /> : <Yaml />}
+        {leftTab.value === 'runs' ? <Runs /> : !hasModel.value ? <p class="empty">No model yet.</p> : leftTab.value === 'form' ? <Form /> : leftTab.value === 'operation' ? <OperationTab /> : leftTab.value === 'laytable' ? <LayTablePanel /> : leftTab.value === 'study' ? <StudyTab /> : <Yaml />}
       </div>
     </aside>
   );
@@ -95,11 +101,11 @@ export function App() {
       <main data-pane={pane.value} style={leftWidth.value ? { '--left': `${clampLeft(leftWidth.value)}px` } : undefined}>
         <Left />
         <Handle />
-        <div class="centre"><Picture /><AnimationBar /></div>
-        <aside class="right" aria-label="Results and sliders">{selected.value && isStudy(selected.value) ? <StudyResults run={selected.value} /> : selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
+        <div class="centre"><Picture /><AnimationBar /><StageBar /></div>
+        <aside class="right" aria-label="Results and sliders">{selected.value?.kind === 'study' ? <MatrixResults run={selected.value} /> : selected.value && isStudy(selected.value) ? <StudyResults run={selected.value} /> : selected.value ? <><RunResults /><Checks /></> : <><Results /><Checks /><Sliders /></>}</aside>
         <Diagrams />
       </main>
-      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : dialog.value === 'spread' ? <SpreadDialog /> : null}
+      {dialog.value === 'start' ? <StartDialog /> : dialog.value === 'open' ? <OpenDialog /> : dialog.value === 'saveas' ? <SaveAsDialog /> : dialog.value === 'spread' ? <SpreadDialog /> : dialog.value === 'seek' ? <SeekDialog /> : null}
       <ConflictDialog />
       <OverwriteDialog />
       <UnsavedDialog />

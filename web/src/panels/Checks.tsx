@@ -3,6 +3,7 @@ import { governing, level, ranked, regionName } from '../logic/checks';
 import { tidy } from '../logic/units';
 import { calm, failure } from '../state/live';
 import { cursor } from '../state/look';
+import { stageLay } from '../state/operation';
 import { runChecks, selected } from '../state/runs';
 import type { Check } from '../api/types';
 
@@ -34,7 +35,7 @@ function Row({ check }: { check: Check }) {
 export function Checks() {
   const run = selected.value;
   const ofRun = run ? runChecks.value ?? [] : null;
-  const checks = ofRun ?? calm.value?.checks ?? [];
+  const checks = ofRun ?? stageLay.value?.checks ?? calm.value?.checks ?? [];
   if (checks.length === 0) return null;
   const deciding = governing(checks);
   const worst = ranked(deciding)[0];

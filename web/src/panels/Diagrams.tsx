@@ -6,6 +6,7 @@ import { along, colours, lineShape, lineTension, reactions, shape, type ChartDat
 import { display, quantities, quantity } from '../logic/show';
 import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
+import { shownStage } from '../state/operation';
 import { calmLay, ofRun, shownFailure, shownScene } from '../state/shown';
 import { cursor, slots, theme } from '../state/look';
 import { active, seek, time } from '../state/animation';
@@ -33,7 +34,7 @@ function statics(what: string): ChartData | null {
     if (alone && what === 'effective_tension') return lineTension(alone);
     return line && (what === 'elevation' || what === 'plan') ? lineShape(line, shownScene.value, what === 'plan') : null;
   }
-  if (what === 'elevation' || what === 'plan') return shape(s, shownScene.value, what === 'plan');
+  if (what === 'elevation' || what === 'plan') return shape(s, shownScene.value, what === 'plan', ofRun.value ? null : shownStage.value?.parts ?? null);
   if (what === 'reactions') return s.supports.length ? reactions(s, runSummary.value?.dynamic) : null;
   return quantities.some((q) => q.key === what && s.pipe[q.key]?.length) ? along(what, s, ofRun.value ? envelopes.value : null, (ofRun.value ? runChecks.value : null) ?? s.checks) : null;
 }

@@ -1,5 +1,5 @@
 // One value of the form: as it is written in the model, and beside it the same in the other system of units.
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
@@ -14,7 +14,14 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const written = value(field);
   const [typed, setTyped] = useState(written);
   const [fault, setFault] = useState('');
-  useEffect(() => { setTyped(written); setFault(''); }, [written, field.path]);
+  // what is on its way into the model: its arrival does not take away what was typed meanwhile
+  const sent = useRef<{ typed: string; value: string } | null>(null);
+  useEffect(() => {
+    const own = sent.current;
+    sent.current = null;
+    setTyped((now) => (own && written === own.value && now !== own.typed ? now : written));
+    setFault('');
+  }, [written, field.path]);
 
   const about = diagnostics.value.filter((d) => d.key === field.path);
   const told = about.find((d) => d.severity === 'error') ?? about[0];
@@ -30,16 +37,18 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
     if (next === '') next = null;
     else if (field.kind === 'quantity') {
       if (!parseQuantity(text)) { setFault('A number and a unit, like "12 m".'); return; }
-      next = complete(text, parseQuantity(written)?.unit || field.unit);
+      next = complete(text, parseQuantity(sent.current?.value ?? written)?.unit || field.unit);
     } else if (field.kind === 'number' || field.kind === 'integer') {
       const n = Number(text);
       if (!Number.isFinite(n)) { setFault('A number, without unit.'); return; }
       next = n;
     }
+    sent.current = { typed: text, value: String(next ?? '') };
     try {
       setFault('');
       await setKeys([{ path: field.path, value: next }]);
     } catch (error) {
+      sent.current = null;
       setFault(error instanceof ApiError ? error.message : String(error));
     }
   };

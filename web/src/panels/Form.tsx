@@ -70,7 +70,7 @@ function copyOf(node: FieldNode): unknown {
 function Items({ node }: { node: FieldNode }) {
   const items = node.children.filter((c) => /\[\d+\]$/.test(c.path) && c.given);
   const last = items.at(-1);
-  const first = firstItem(node.path, byPath.value.get('environment.water_depth')?.si ?? 0);
+  const first = firstItem(node.path, byPath.value.get('environment.water_depth')?.si ?? 0, String(byPath.value.get('operation.type')?.value ?? ''));
   return (
     <>
       {items.map((item) => {

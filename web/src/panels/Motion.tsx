@@ -1,6 +1,6 @@
 // Vessel motion: fixed, by a file of response amplitude operators, by a motion history, or by harmonics.
 import type { ComponentChildren } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { get, post } from '../api/client';
 import type { Field } from '../api/types';
 import type { Node } from '../logic/formTree';
@@ -55,13 +55,20 @@ export function Motion({ node, show }: { node: Node<Field>; show: (n: Node<Field
   const present = motionKind(byPath.value);
   // a kind that needs a file is only chosen here until there is one
   const [wanted, setWanted] = useState<MotionKind | null>(null);
-  useEffect(() => setWanted(null), [present]);
+  // the kind on its way into the model: its arrival does not undo what was chosen meanwhile
+  const written = useRef<MotionKind | null>(null);
+  useEffect(() => {
+    if (present === written.current) written.current = null;
+    else setWanted(null);
+  }, [present]);
   const kind = wanted ?? present;
   const file = kind === 'raos' || kind === 'history' || kind === 'coupled' ? kind : null;
   const choose = (next: MotionKind): void => {
-    if (next === present) { setWanted(null); return; }
-    if (next === 'fixed' || next === 'harmonic') void write(motionValue(next, '', byPath.value));
-    else setWanted(next);
+    const needsFile = next !== 'fixed' && next !== 'harmonic';
+    setWanted(needsFile && next !== present ? next : null);
+    if (needsFile || (next === present && !written.current)) return;
+    written.current = next;
+    void write(motionValue(next, '', byPath.value));
   };
   const harmonic = node.children.find((c) => c.path === `${path}.harmonic`);
   const convention = node.children.find((c) => c.path === `${path}.convention`);

@@ -8,14 +8,16 @@ import { tidy } from '../logic/units';
 import { dragging, roundTrip } from '../state/live';
 import { keyName, withoutPaths } from '../logic/warnings';
 import { leadToFault } from '../state/lead';
-import { errors, hasModel, opened } from '../state/model';
+import { byPath, errors, hasModel, opened } from '../state/model';
 import { colourBy, cursor, dialog, picked, theme, type ColourBy } from '../state/look';
 import { tensionerState } from '../logic/tensioner';
 import { histories, largestReaction, peakAt, shown as frame, valueAt } from '../state/animation';
 import { envelopes, impacts, runName, select, selected } from '../state/runs';
+import { shownStage } from '../state/operation';
 import { calmLay, ofRun, shownDrawn, shownFailure, shownLay, shownScene } from '../state/shown';
 import { chosenLine, mooredState, planShown, stage } from '../state/moorings';
 import { poseAt } from '../logic/moorings';
+import { partColours } from '../logic/operation';
 import { shownViews } from '../logic/views';
 import { LineValues } from './Moorings';
 import { PlanView } from './PlanView';
@@ -74,6 +76,12 @@ function Values() {
   );
 }
 
+/** Diameter of the cable, of that of the pipe. */
+function cableThickness(): number {
+  const cable = byPath.value.get('operation.cable.diameter')?.si, pipe = shownScene.value?.pipe.outer_radius;
+  return cable && pipe ? cable / (2 * pipe) : 0.3;
+}
+
 /** Impacts that light up at the moment. */
 const flashing = signal(0);
 const animating = computed(() => frame.value !== null);
@@ -110,6 +118,7 @@ export function Picture() {
           v.setStage(stage.value >= 0 && state && lay?.moorings && drawn ? { state, pose: poseAt(drawn, state.vessel) } : null);
         }),
         effect(() => v.choose(chosenLine.value)),
+        effect(() => { const parts = ofRun.value ? null : shownStage.value?.parts ?? null; v.setParts(parts ? { parts, cable: cableThickness() } : null); }),
         effect(() => { if (shownLay.value) v.setSolution(shownLay.value); }),
         effect(() => {
           const f = frame.value;
@@ -164,6 +173,7 @@ export function Picture() {
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
         <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class={animated ? 'pale' : 'hollow'} /> clear</>}</div>
+        {!ofRun.value && shownStage.value?.parts ? <div class="rollerkey"><i style={{ background: partColours(theme.value === 'dark').head }} /> head <i style={{ background: partColours(theme.value === 'dark').cable }} /> cable</div> : null}
       </div> : null}
       {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
       {planShown.value ? null : <Values />}

@@ -4,6 +4,7 @@ import { bullets, withoutPaths } from '../logic/warnings';
 import { fromSi, tidy } from '../logic/units';
 import { calmLay, ofRun } from '../state/shown';
 import { cancelRun, runName, runSummary, select, selected } from '../state/runs';
+import { FatigueResults } from './FatigueResults';
 import { LineTable, MooringResults } from './Moorings';
 import { Warnings } from './Warnings';
 
@@ -83,7 +84,7 @@ export function RunResults() {
       <h2>{runName(run)} <small>{run.kind === 'dynamic' ? 'dynamic run' : 'static run'}</small></h2>
       {run.note ? <p class="note">{run.note}</p> : null}
       <Standing run={run} />
-      {loading ? <p class="brief">Loading…</p> : <><Table /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
+      {loading ? <p class="brief">Loading…</p> : <><Table /><FatigueResults /><MooringResults /><LineTable lines={calmLay.value?.lines ?? []} /></>}
       <Warnings list={bullets(said, boxes)} />
       {run.parent ? <button type="button" class="back" onClick={() => select(run.parent!)}>Back to the study</button> : null}
       <button type="button" class="back" onClick={() => select(null)}>Back to the model</button>

@@ -36,7 +36,7 @@ function Delete({ run }: { run: Run }) {
   return <><button type="button" class="danger" onClick={() => void deleteRun(run.id)}>Delete with all files</button><button type="button" onClick={() => setSure(false)}>Keep</button></>;
 }
 
-const kindWords = (run: Run): string => (run.kind === 'static' ? 'static' : run.kind === 'dynamic' ? 'dynamic' : run.kind === 'seeds' ? 'several seeds' : `comparison, ${run.of}`);
+const kindWords = (run: Run): string => (run.kind === 'static' ? 'static' : run.kind === 'dynamic' ? 'dynamic' : run.kind === 'seeds' ? 'several seeds' : run.kind === 'study' ? 'study' : `comparison, ${run.of}`);
 
 /** The cases of a study, each a run that can be looked at. */
 function Cases({ study }: { study: Run }) {

@@ -28,10 +28,11 @@ function orderOf(kind: Kind, duration: number, seeds: number[] | null): Order {
 export function StartRun() {
   const given = byPath.value.get('analysis.dynamic.duration');
   const [kind, setKind] = useState<Kind>('dynamic');
-  const [typed, setTyped] = useState('');
-  const [typedSeeds, setTypedSeeds] = useState('');
   const offered = givenSeeds();
-  useEffect(() => { setTyped(given?.value ? String(given.value) : '120 s'); }, [given?.value]);
+  const lasting = given?.value ? String(given.value) : '120 s';
+  const [typed, setTyped] = useState(lasting);
+  const [typedSeeds, setTypedSeeds] = useState(offered);
+  useEffect(() => { setTyped(lasting); }, [lasting]);
   useEffect(() => { setTypedSeeds(offered); }, [offered]);
   const q = parseQuantity(typed);
   const seconds = q ? (q.unit ? toSi(q.number, q.unit) : q.number) : Number.NaN;

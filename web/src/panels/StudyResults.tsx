@@ -23,7 +23,8 @@ function Table({ of }: { of: Study }) {
         <tbody key={q.name}>
           <tr class="group"><th scope="rowgroup" colSpan={columns.head.length}>{q.text}{q.unit === '-' ? null : <>{'\u00a0'}<small>{q.unit}</small></>}</th></tr>
           <tr>{columns.values(q).map((v, i) => <td key={i}>{shown(v, q)}</td>)}</tr>
-          {q.gumbel ? <tr><th colSpan={columns.head.length} title="Most probable extreme of three hours by a Gumbel distribution, with its 95 % confidence interval">3 h: {shown(q.gumbel.estimate, q)} ({shown(q.gumbel.low, q)} to {shown(q.gumbel.high, q)})</th></tr> : null}
+          {q.gumbel ? <tr><th colSpan={columns.head.length} title="Most probable extreme of three hours by a Gumbel distribution, with its 95 % confidence interval">3 h, Gumbel: {shown(q.gumbel.estimate, q)} ({shown(q.gumbel.low, q)} to {shown(q.gumbel.high, q)})</th></tr> : null}
+          {q.acer ? <tr><th colSpan={columns.head.length} title="Most probable extreme of three hours by average conditional exceedance rates of the histories of all seeds, with its 95 % confidence interval">3 h, ACER: {shown(q.acer.estimate, q)} ({shown(q.acer.low, q)} to {shown(q.acer.high, q)})</th></tr> : null}
         </tbody>
       ))}
     </table>

@@ -16,7 +16,7 @@ export const theme = kept<Theme>('theme', matchMedia('(prefers-color-scheme: dar
 export type ColourBy = 'von_mises' | 'bending_stress' | 'effective_tension' | 'strain' | 'utilisation' | 'checks';
 export const colourBy = kept<ColourBy>('colour', 'von_mises');
 if (!quantity(colourBy.value)) colourBy.value = 'von_mises';  // kept from a visit when it had another name
-export const leftTab = kept<'form' | 'yaml' | 'runs'>('tab', 'form');
+export const leftTab = kept<'form' | 'yaml' | 'operation' | 'laytable' | 'study' | 'runs'>('tab', 'form');
 /** Below 1,100 px the panes are tabs: which of them is shown. */
 export const pane = kept<'model' | 'picture' | 'results' | 'diagrams'>('pane', 'picture');
 /** Width of the left pane in px; 0 as the page has it. */
@@ -26,7 +26,7 @@ export const slots = kept<string[]>('diagrams', ['elevation', 'bending_stress', 
 /** Arc length from the tensioner that pointer and diagrams share; null when the pointer is elsewhere. */
 export const cursor = signal<number | null>(null);
 export const picked = signal<Picked>(null);
-export type DialogName = 'start' | 'open' | 'saveas' | 'spread' | null;
+export type DialogName = 'start' | 'open' | 'saveas' | 'spread' | 'seek' | null;
 export const dialog = signal<DialogName>(null);
 /** The dialog that opens when it is settled what becomes of unsaved changes. */
 export const asking = signal<DialogName>(null);

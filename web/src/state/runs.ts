@@ -27,7 +27,7 @@ export async function fetchRuns(): Promise<void> {
   try { const list = await get<Run[]>('runs'); runs.value = newerList(runs.value, list); } catch (error) { sayError(error); }
 }
 
-export interface Order { kind: Run['kind']; duration?: number; seeds?: number[]; of?: string }
+export interface Order { kind: Run['kind']; duration?: number; seeds?: number[]; of?: string; stage?: string }
 
 export async function startRun(order: Order): Promise<void> {
   try {
@@ -94,6 +94,7 @@ async function load(id: string): Promise<void> {
       if (current()) columns.value = list;
     }
     if (!run.has_results) return;
+    if (run.kind === 'study') return;
     if (isStudy(run)) {
       const gathered = await get<Study>(`runs/${id}/study`);
       if (current()) study.value = gathered;

@@ -1,6 +1,7 @@
 // The pipe: a tube with its true radius, drawn thicker only where it would be thinner than a few pixels on the screen.
 import * as THREE from 'three';
 import { colourAt, type MapName, type Rgb } from '../logic/colour';
+import type { PartName } from '../logic/operation';
 import { tube, tubeIndices, type Tube } from '../logic/tube';
 
 const sides = 14;
@@ -10,6 +11,7 @@ export class PipeView {
   private geometry = new THREE.BufferGeometry();
   private shape: Tube | undefined;
   private colours = new Float32Array(0);
+  private thickness = new Float32Array(0);
   private readonly uniforms = { radius: { value: 0.25 }, pixel: { value: 0.001 }, least: { value: 1.5 } };
   points: Float32Array = new Float32Array(0);
 
@@ -18,10 +20,10 @@ export class PipeView {
     material.onBeforeCompile = (shader) => {
       Object.assign(shader.uniforms, { pipeRadius: this.uniforms.radius, pixelSize: this.uniforms.pixel, leastPixels: this.uniforms.least });
       shader.vertexShader = shader.vertexShader
-        .replace('#include <common>', '#include <common>\nuniform float pipeRadius; uniform float pixelSize; uniform float leastPixels;')
+        .replace('#include <common>', '#include <common>\nattribute float thickness; uniform float pipeRadius; uniform float pixelSize; uniform float leastPixels;')
         .replace('#include <begin_vertex>', `
           float away = -(modelViewMatrix * vec4(position, 1.0)).z;
-          vec3 transformed = position + normal * max(pipeRadius, leastPixels * pixelSize * max(away, 0.0));`);
+          vec3 transformed = position + normal * max(pipeRadius * thickness, leastPixels * clamp(thickness, 0.5, 1.7) * pixelSize * max(away, 0.0));`);
     };
     this.mesh = new THREE.Mesh(this.geometry, material);
     this.mesh.frustumCulled = false;
@@ -53,6 +55,8 @@ export class PipeView {
       this.colours = new Float32Array(grown.centres.length).fill(0.6);
       this.geometry.setAttribute('position', new THREE.BufferAttribute(this.shape.centres, 3));
       this.geometry.setAttribute('normal', new THREE.BufferAttribute(this.shape.normals, 3));
+      this.thickness = new Float32Array(room * sides).fill(1);
+      this.geometry.setAttribute('thickness', new THREE.BufferAttribute(this.thickness, 1));
       this.geometry.setAttribute('color', new THREE.BufferAttribute(this.colours, 3));
       this.geometry.setIndex(new THREE.BufferAttribute(tubeIndices(room, sides), 1));
       this.mesh.geometry = this.geometry;
@@ -61,6 +65,14 @@ export class PipeView {
       this.geometry.getAttribute('normal').needsUpdate = true;
     }
     this.geometry.setDrawRange(0, Math.max(0, this.shape.stations - 1) * sides * 6);
+  }
+
+  /** How thick the line is at every station, of the pipe's radius; null: as the pipe. */
+  setThickness(of: ((i: number) => number) | null): void {
+    const n = this.shape?.stations ?? 0;
+    for (let i = 0; i < n; ++i) this.thickness.fill(of ? of(i) : 1, i * sides, (i + 1) * sides);
+    const attribute = this.geometry.getAttribute('thickness');
+    if (attribute) attribute.needsUpdate = true;
   }
 
   /** The same colour all along. */
@@ -72,12 +84,14 @@ export class PipeView {
     if (attribute) attribute.needsUpdate = true;
   }
 
-  setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName): void {
+  setColours(values: ArrayLike<number> | null, low: number, high: number, map: MapName, parts: { at: (i: number) => PartName; colours: Record<'head' | 'cable', string> } | null = null): void {
     const n = this.shape?.stations ?? 0;
     const rgb: Rgb = [0, 0, 0];
     const linear = new THREE.Color();
     for (let i = 0; i < n; ++i) {
-      if (values) linear.setRGB(...colourAt(map, (values[i]! - low) / (high - low || 1), rgb), THREE.SRGBColorSpace);
+      const part = parts?.at(i) ?? 'pipe';
+      if (part !== 'pipe') linear.set(parts!.colours[part]);
+      else if (values) linear.setRGB(...colourAt(map, (values[i]! - low) / (high - low || 1), rgb), THREE.SRGBColorSpace);
       else linear.setRGB(0.55, 0.58, 0.61, THREE.SRGBColorSpace);
       for (let j = 0, k = i * sides * 3; j < sides; ++j) { this.colours[k++] = linear.r; this.colours[k++] = linear.g; this.colours[k++] = linear.b; }
     }

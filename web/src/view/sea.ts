@@ -1,6 +1,7 @@
 // Water, seabed and current.
 import * as THREE from 'three';
 import type { Lay, Scene } from '../api/types';
+import { bedHeight } from '../logic/bed';
 import { surface } from '../logic/waves';
 import { currentArrows } from './arrows';
 import { axes } from './cameras';
@@ -94,19 +95,28 @@ export class SeaView {
 
   private drawBed(scene: Scene, low: THREE.Vector2, high: THREE.Vector2, dark: boolean): void {
     dispose(this.bed);
-    const n = scene.seabed.normal, p = scene.seabed.point;
-    const z = (x: number, y: number): number => p[2] - (n[0] * (x - p[0]) + n[1] * (y - p[1])) / (n[2] || 1);
-    const geometry = new THREE.BufferGeometry();
-    const corners = [[low.x, low.y], [high.x, low.y], [high.x, high.y], [low.x, high.y]].flatMap(([x, y]) => [x!, y!, z(x!, y!)]);
-    geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
-    geometry.setIndex([0, 1, 2, 0, 2, 3]);
+    const z = (x: number, y: number): number => bedHeight(scene.seabed, x, y);
+    const parts = scene.seabed.shape ? 200 : 1;
+    const geometry = new THREE.PlaneGeometry(1, 1, parts, parts);
+    const place = geometry.getAttribute('position') as THREE.BufferAttribute;
+    for (let j = 0; j <= parts; ++j) for (let i = 0; i <= parts; ++i) {
+      const x = low.x + ((high.x - low.x) * i) / parts, y = low.y + ((high.y - low.y) * j) / parts;
+      place.setXYZ(j * (parts + 1) + i, x, y, z(x, y));
+    }
     geometry.computeVertexNormals();
     const ground = new THREE.MeshStandardMaterial({ color: dark ? '#6d6249' : '#d8c9a0', roughness: 1, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
     this.bed.add(new THREE.Mesh(geometry, ground));
     const lines: number[] = [];
     const step = Math.max(high.x - low.x, high.y - low.y) > 1500 ? 100 : 20;
-    for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) lines.push(x, low.y, z(x, low.y), x, high.y, z(x, high.y));
-    for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) lines.push(low.x, y, z(low.x, y), high.x, y, z(high.x, y));
+    const line = (x0: number, y0: number, x1: number, y1: number): void => {
+      const at = (k: number): [number, number] => [x0 + ((x1 - x0) * k) / parts, y0 + ((y1 - y0) * k) / parts];
+      for (let k = 0; k < parts; ++k) {
+        const [a, b] = at(k), [c, d] = at(k + 1);
+        lines.push(a, b, z(a, b), c, d, z(c, d));
+      }
+    };
+    for (let x = Math.ceil(low.x / step) * step; x <= high.x; x += step) line(x, low.y, x, high.y);
+    for (let y = Math.ceil(low.y / step) * step; y <= high.y; y += step) line(low.x, y, high.x, y);
     const grid = new THREE.BufferGeometry();
     grid.setAttribute('position', new THREE.Float32BufferAttribute(lines, 3));
     this.bed.add(new THREE.LineSegments(grid, new THREE.LineBasicMaterial({ color: dark ? '#8d8160' : '#b5a374' })));

@@ -1,6 +1,7 @@
 // Everything that stands in the picture: brought up to a scene, a solution, and a moment of a run.
 import * as THREE from 'three';
-import type { Lay, MooredState, Scene } from '../api/types';
+import type { Lay, LineParts, MooredState, Scene } from '../api/types';
+import { partAt, partColours, type PartName } from '../logic/operation';
 import { TensionerArrow, type Machine } from './arrows';
 import { hull, slotDepth } from './hull';
 import { labelsOf, type Label } from './labels';
@@ -14,6 +15,9 @@ import { seaCorners, SeaView, widerCorners } from './sea';
 export interface Colouring { values: ArrayLike<number> | null; low: number; high: number }
 /** A stage of an operation, and the pose of the vessel in it. */
 export interface MooredStage { state: MooredState; pose: number[] }
+
+/** What of the line is head and cable, and how thick the cable is, of the pipe's diameter. */
+export interface DrawnParts { parts: LineParts; cable: number }
 
 export interface Moment {
   time: number; pose: number[]; places: Float32Array;
@@ -50,6 +54,7 @@ export class Stage {
   private moment: Moment | null = null;
   private stage: MooredStage | null = null;
   private chosen: string | null = null;
+  private parts: DrawnParts | null = null;
   private stale = false; // scene, solution or colours have changed since they were drawn
   private hullKey = '';
   private rigKey = '';
@@ -106,7 +111,11 @@ export class Stage {
 
   private colour(): void {
     const c = this.colouring;
-    if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress');
+    const { parts, solution, moment } = this;
+    const drawn = parts && solution && !moment ? parts : null;
+    const at = (i: number): PartName => partAt(drawn!.parts, solution!.pipe.s[i] ?? 0);
+    this.pipe.setThickness(drawn ? (i) => ({ pipe: 1, head: 1.6, cable: drawn.cable })[at(i)] : null);
+    if (c) this.pipe.setColours(c.values, c.low, c.high, 'stress', drawn ? { at, colours: partColours(this.dark) } : null);
   }
 
   private setPipe(s: Lay): void {
@@ -120,6 +129,12 @@ export class Stage {
   setStage(stage: MooredStage | null): void {
     this.stage = stage;
     if (!this.moment) this.float();
+    this.stale = true;
+  }
+
+  /** Of a stage of an operation on the line; null: all is pipe. */
+  setParts(parts: DrawnParts | null): void {
+    this.parts = parts;
     this.stale = true;
   }
 

@@ -6,7 +6,7 @@ import { Flight } from './flight';
 import { seeThrough } from './hull';
 import { Labels } from './labels';
 import { followPointer, pick, type Picked } from './picking';
-import { Stage, type Colouring, type Moment, type MooredStage } from './stage';
+import { Stage, type Colouring, type DrawnParts, type Moment, type MooredStage } from './stage';
 
 /** Without a graphics card every sample of a pixel costs: smooth edges are then given up for pictures a second. */
 function drawnByProcessor(): boolean {
@@ -135,6 +135,7 @@ export class View3D {
   }
 
   setStage(stage: MooredStage | null): void { this.stage.setStage(stage); this.redraw(); }
+  setParts(parts: DrawnParts | null): void { this.stage.setParts(parts); this.redraw(); }
   choose(line: string | null): void { this.stage.choose(line); this.redraw(); }
 
   /** A moment of a run; null goes back to statics. */

@@ -155,6 +155,52 @@ void visit_roller(Row& r, Visit& visit) {
 }
 
 template <class Row, class Visit>
+void visit_structure_ends(Row& r, Visit& visit) {
+  visit(ResultField{"upper_s", "m", "Arc length of its end towards the tensioner, from the anchor"}.summary("upper/s"),
+        r.upper.s);
+  visit(ResultField{"upper_bending_moment", "N m", "Bending moment at that end"}.summary("upper/bending_moment"),
+        r.upper.bending_moment);
+  visit(ResultField{"upper_bending_stress", "Pa", "Largest bending stress of the pipe within two diameters of it"}
+            .summary("upper/max_bending_stress"),
+        r.upper.bending_stress);
+  visit(
+      ResultField{"upper_von_mises", "Pa", "Largest von Mises stress of the pipe there"}.summary("upper/max_von_mises"),
+      r.upper.von_mises);
+  visit(ResultField{"upper_strain", "1", "Largest strain of the pipe there"}.summary("upper/max_strain"),
+        r.upper.strain);
+  visit(ResultField{"lower_s", "m", "Arc length of its end towards the seabed, from the anchor"}.summary("lower/s"),
+        r.lower.s);
+  visit(ResultField{"lower_bending_moment", "N m", "Bending moment at that end"}.summary("lower/bending_moment"),
+        r.lower.bending_moment);
+  visit(ResultField{"lower_bending_stress", "Pa", "Largest bending stress of the pipe within two diameters of it"}
+            .summary("lower/max_bending_stress"),
+        r.lower.bending_stress);
+  visit(
+      ResultField{"lower_von_mises", "Pa", "Largest von Mises stress of the pipe there"}.summary("lower/max_von_mises"),
+      r.lower.von_mises);
+  visit(ResultField{"lower_strain", "1", "Largest strain of the pipe there"}.summary("lower/max_strain"),
+        r.lower.strain);
+}
+
+/// What is built into the pipe.
+template <class Row, class Visit>
+void visit_structure(Row& r, Visit& visit) {
+  visit(ResultField{"name", "1", "Name of the structure"}.summary(), r.name);
+  visit(ResultField{"from_top", "m", "Along the pipe from the tensioner to its middle"}.summary(), r.from_top);
+  visit(ResultField{"p", "m", "Its middle", kWorldFrame}.summary("place"), r.p_W);
+  visit(ResultField{"astern", "m", "Distance of its middle astern of the stern shoe"}.summary(), r.astern);
+  visit(ResultField{"inclination", "rad", "From horizontal, positive dipping astern"}.summary(), r.inclination);
+  visit(ResultField{"bending_moment", "N m", "Largest bending moment in it"}.summary("max_bending_moment"),
+        r.bending_moment);
+  visit(ResultField{"effective_tension", "N", "Largest effective tension in it"}.summary("max_effective_tension"),
+        r.effective_tension);
+  visit(ResultField{"reaction", "N", "Largest reaction of a roller under it; 0 where none carries it"}.summary(),
+        r.reaction);
+  visit(ResultField{"support", "1", "Box of that roller; empty where none carries it"}.summary(), r.support);
+  visit_structure_ends(r, visit);
+}
+
+template <class Row, class Visit>
 void visit_section(Row& r, Visit& visit) {
   visit(ResultField{"name", "1", "Name of the section"}.summary(), r.name);
   visit(ResultField{"EA", "N", "Axial stiffness"}.summary(), r.EA);

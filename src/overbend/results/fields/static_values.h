@@ -36,6 +36,9 @@ void visit_lay(Results& r, Visit& visit) {
           .summary()
           .page(),
       r.departure_angle);
+  visit(ResultField{"top_inclination", "rad", "Of the pipe at the tensioner from horizontal, positive dipping astern"}
+            .summary(),
+        r.top_inclination);
   visit(ResultField{"anchor", "m", "Position of the anchor", kWorldFrame}.summary().report(), r.anchor_W);
   visit(ResultField{"top_to_touchdown", "m", "Horizontal distance from tensioner to touchdown"}.summary(),
         r.top_to_touchdown);

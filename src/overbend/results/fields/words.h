@@ -55,11 +55,11 @@ struct Words<Structure> {
 };
 
 template <class Enum>
-concept HasWords = requires {
+concept HasResultWords = requires {
   Words<Enum>::list;
 };
 
-template <HasWords Enum>
+template <HasResultWords Enum>
 const char* word(Enum value) {
   for (const auto& [known, text] : Words<Enum>::list) {
     if (known == value) return text;
@@ -68,7 +68,7 @@ const char* word(Enum value) {
 }
 
 /// Back from the word; false where there is no such word.
-template <HasWords Enum>
+template <HasResultWords Enum>
 bool from_word(std::string_view text, Enum& value) {
   for (const auto& [known, its_word] : Words<Enum>::list) {
     if (text == its_word) {

@@ -1,0 +1,13 @@
+/// Fatigue of welds on the terminal.
+#pragma once
+
+#include <string>
+
+#include "results/dynamic_results.h"
+
+namespace overbend {
+
+/// A line for each spot of the weld; empty without fatigue.
+std::string fatigue_lines(const DynamicResults& results);
+
+}  // namespace overbend

@@ -1,0 +1,69 @@
+#include "app/operability_lines.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "resultfiles/operability_table.h"
+
+namespace overbend {
+namespace {
+
+const char* end_words(TrialEnd end) {
+  switch (end) {
+    case TrialEnd::passed:
+      return "passed";
+    case TrialEnd::exceeded:
+      return "exceeded";
+    case TrialEnd::no_solution:
+      return "no solution";
+    case TrialEnd::open:
+      break;
+  }
+  return "open";
+}
+
+std::string limit_text(const OperabilityResults& results, const OperabilityCell& cell) {
+  const auto shown = [&](double value) {
+    return results.show.empty() ? format_number(value, 4) : format_quantity(value, results.unit, results.show, 4);
+  };
+  if (!cell.decided) return "?";
+  if (!cell.limit) return "< " + shown(results.least);
+  return (cell.beyond ? ">= " : "") + shown(*cell.limit);
+}
+
+}  // namespace
+
+std::string trial_line(const OperabilityPlan& plan, const TrialTold& trial) {
+  const CaseQuestion question = plan.question(trial.cell, trial.value, trial.seed);
+  std::string line;
+  for (const KeySetting& setting : question.keys) line += fmt::format("{} = {}, ", setting.key, setting.value);
+  if (question.seed) line += fmt::format("seed {}, ", *question.seed);
+  line.resize(line.size() - 2);
+  line += fmt::format(": {}", end_words(trial.result.end));
+  if (trial.result.utilisation) line += fmt::format(", {:.3f}", *trial.result.utilisation);
+  if (!trial.result.governing.empty()) line += " " + trial.result.governing;
+  return line + fmt::format(" ({:.1f} s)\n", trial.wall_time);
+}
+
+std::string search_line(const OperabilityPlan& plan) {
+  return fmt::format("Limits of {} in {} cells, {} values with {} each\n", plan.over().key, plan.cells(),
+                     plan.values().size(), plan.seeds().size() > 1 ? "several seeds" : "one run");
+}
+
+std::string operability_lines(const OperabilityResults& results) {
+  std::string text = fmt::format("Largest {} that passes ({} analyses, {:.0f} s together)\n", results.over,
+                                 results.runs, results.wall_time);
+  for (const OperabilityCell& cell : results.cells) {
+    std::string place;
+    for (std::size_t i = 0; i < results.axes.size(); ++i) {
+      place += fmt::format("{}{} = {}", i == 0 ? "" : ", ", results.axes[i].key, results.axes[i].words.at(cell.at[i]));
+    }
+    text += fmt::format("  {:<60} {:>10}  {}\n", place, limit_text(results, cell),
+                        cell.decided ? cell.governing : cell.reason);
+  }
+  if (results.workability) text += fmt::format("Workable {:.1f} % of the year\n", 100.0 * results.workability->year);
+  for (const std::string& remark : results.remarks) text += "  note: " + remark + "\n";
+  return text;
+}
+
+}  // namespace overbend

@@ -1,0 +1,26 @@
+/// The command `study`.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "study/slurm_job.h"
+
+namespace overbend {
+
+struct StudyArguments {
+  std::string study_file, output;
+  int threads = 0;                 ///< 0: one per core.
+  double checkpoint_every = 60.0;  ///< Of dynamic analyses [s].
+  bool dry_run = false, retry_failed = false, gather = false, strict = false;
+  std::optional<std::size_t> only;  ///< A case to be run by itself.
+  std::string tasks;                ///< "I/N"
+  std::string on;                   ///< "slurm", or empty: here.
+  SlurmOptions slurm;
+  bool watch = false, resubmit = false;  ///< Of a study on Slurm.
+};
+
+int run_study_command(const StudyArguments& arguments);
+
+}  // namespace overbend

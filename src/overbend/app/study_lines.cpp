@@ -1,0 +1,176 @@
+#include "app/study_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+#include "app/interruption.h"
+#include "app/operability_lines.h"
+#include "model/study_words.h"
+#include "resultfiles/study_writer.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kShownCases = 10;  ///< At the beginning; as many failed ones are told.
+constexpr std::size_t kLastCases = 3;
+
+std::string plural(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string inputs_of(const StudyCase& one, const std::vector<StudyInput>& inputs) {
+  std::string text;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    text += fmt::format("{}{} = {}", i == 0 ? "" : ", ", inputs[i].key, one.words[i]);
+  }
+  if (one.seed) text += fmt::format("{}seed {}", text.empty() ? "" : ", ", *one.seed);
+  return text;
+}
+
+std::string value_text(const StudyOutput& output, double value) {
+  const ShownUnit unit = shown_output(output);
+  return fmt::format("{:.{}f}{}{}", value * unit.factor, unit.digits, unit.name.empty() ? "" : " ", unit.name);
+}
+
+std::string range_line(const StudyResults& results, std::size_t i) {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (const StudyCase& one : results.cases) {
+    if (one.state != StudyCaseState::done || !one.values[i]) continue;
+    least = std::min(least, *one.values[i]);
+    largest = std::max(largest, *one.values[i]);
+  }
+  if (least > largest) return fmt::format("  {:<40} none\n", results.outputs[i].name);
+  return fmt::format("  {:<40} {} to {}\n", results.outputs[i].name, value_text(results.outputs[i], least),
+                     value_text(results.outputs[i], largest));
+}
+
+std::string failed_lines(const StudyResults& results, const std::string& study_file, const std::string& folder) {
+  std::string text;
+  std::size_t told = 0, failed = 0;
+  for (const StudyCase& one : results.cases) {
+    if (one.state != StudyCaseState::failed) continue;
+    ++failed;
+    if (told == kShownCases) continue;
+    ++told;
+    text += fmt::format("  case {}: {}\n    {}\n    {} --case {}\n", one.number, inputs_of(one, results.inputs),
+                        one.reason, study_words(study_file, folder), one.number);
+  }
+  if (failed > told) text += fmt::format("  and {} more, see study.csv\n", failed - told);
+  return text;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 120.0) return fmt::format("{:.0f} s", std::max(1.0, seconds));
+  if (seconds < 7200.0) return fmt::format("{:.0f} minutes", seconds / 60.0);
+  return seconds < 172800.0 ? fmt::format("{:.1f} hours", seconds / 3600.0)
+                            : fmt::format("{:.1f} days", seconds / 86400.0);
+}
+
+}  // namespace
+
+std::string study_head(const CaseBase& base, const StudyCases& cases) {
+  return fmt::format("{}\n  {}, analysis: {}\n", base.study().title, plural(cases.count(), "case"),
+                     word_of(base.study().analysis));
+}
+
+std::string case_list(const StudyCases& cases, const CaseBase& base) {
+  std::string text;
+  const std::size_t count = cases.count();
+  const bool all = count <= kShownCases + kLastCases;
+  for (std::size_t number = 0; number < count; ++number) {
+    if (!all && number == kShownCases) {
+      text += "  ...\n";
+      number = count - kLastCases;
+    }
+    text += fmt::format("  case {}: {}\n", number, inputs_of(cases.at(number), cases.inputs()));
+  }
+  text += "  results:";
+  for (const StudyOutput& output : study_outputs(base)) text += " " + output.name;
+  return text + "\n";
+}
+
+std::string probe_lines(const StudyProbe& probe, std::size_t cases, std::size_t cores) {
+  std::string text;
+  for (const std::string& failure : probe.failures) text += "  " + failure + "\n";
+  if (probe.seconds <= 0.0) return text + "  no case of the probe has a solution: the time cannot be estimated\n";
+  const double whole = probe.before + probe.seconds * static_cast<double>(cases) / static_cast<double>(cores);
+  return text + fmt::format("  about {:.3g} s for a case, {} for all on {}\n", probe.seconds, duration_text(whole),
+                            plural(cores, "core"));
+}
+
+std::string case_lines(const StudyCase& one, const std::vector<StudyInput>& inputs,
+                       const std::vector<StudyOutput>& outputs) {
+  std::string text = fmt::format("case {}: {}\n", one.number, inputs_of(one, inputs));
+  for (std::size_t i = 0; i < outputs.size() && one.state == StudyCaseState::done; ++i) {
+    const std::string value = outputs[i].text ? one.texts[i]
+                              : one.values[i] ? value_text(outputs[i], *one.values[i])
+                                              : std::string("none");
+    text += fmt::format("  {:<40} {}\n", outputs[i].name, value);
+  }
+  return text;
+}
+
+std::string study_lines(const StudyResults& results, const std::string& study_file, const std::string& folder) {
+  std::size_t done = 0, passed = 0, open = 0;
+  for (const StudyCase& one : results.cases) {
+    done += one.state == StudyCaseState::done ? 1 : 0;
+    open += one.state == StudyCaseState::open ? 1 : 0;
+    passed += one.state == StudyCaseState::done && one.passed ? 1 : 0;
+  }
+  std::string text = fmt::format("  {} of {} solved, {} of them {} the checks\n", done,
+                                 plural(results.cases.size(), "case"), passed, passed == 1 ? "passes" : "pass");
+  if (open > 0) text += fmt::format("  {} not run yet\n", open);
+  for (std::size_t i = 0; i < results.outputs.size(); ++i) {
+    if (!results.outputs[i].text) text += range_line(results, i);
+  }
+  if (const std::size_t failed = results.cases.size() - done - open; failed > 0) {
+    text += fmt::format("  {} failed:\n", plural(failed, "case")) + failed_lines(results, study_file, folder);
+  }
+  return text + "Results are in " + folder + "\n";
+}
+
+std::string tally_line(const StudyTally& tally) {
+  std::string text = fmt::format("{} run, {} of them failed", plural(tally.done + tally.failed, "case"), tally.failed);
+  if (tally.before > 0) text += fmt::format("; {} finished before", tally.before);
+  if (tally.elsewhere > 0) text += fmt::format("; {} at work in other processes", tally.elsewhere);
+  return text + "\n";
+}
+
+FollowedCases::FollowedCases(const StudyDescription& study) {
+  if (study.operability) plan_.emplace(study);
+}
+
+void FollowedCases::tried(const TrialTold& trial) {
+  const std::string line = trial_line(*plan_, trial);
+  const std::lock_guard<std::mutex> hold(mutex_);
+  std::cerr << line;
+}
+
+bool FollowedCases::stop() {
+  return Interruption::wanted();
+}
+
+void FollowedCases::begin(std::size_t open, std::size_t finished) {
+  if (finished > 0) std::cerr << fmt::format("{} finished before.\n", plural(finished, "case"));
+  open_ = open;
+  begun_ = std::chrono::steady_clock::now();
+  if (open > 0) progress_.emplace(0.0, static_cast<double>(open));
+}
+
+void FollowedCases::ended(const StudyCase& one) {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  ++done_;
+  failed_ += one.state == StudyCaseState::failed ? 1 : 0;
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+  const double rate = static_cast<double>(done_) / std::max(seconds, 1e-3);
+  const std::string speed = rate >= 1.0 ? fmt::format("{:.3g} per s", rate) : fmt::format("{:.3g} s each", 1.0 / rate);
+  progress_->show(static_cast<double>(done_), fmt::format("{} of {} cases, {}{}", done_, open_, speed,
+                                                          failed_ > 0 ? fmt::format(", {} failed", failed_) : ""));
+}
+
+}  // namespace overbend

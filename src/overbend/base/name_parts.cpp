@@ -1,0 +1,63 @@
+#include "base/name_parts.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace overbend {
+
+std::optional<std::vector<NamePart>> name_parts(std::string_view name) {
+  std::vector<NamePart> parts;
+  while (!name.empty()) {
+    const bool item = name.front() == '[';
+    if (item) name.remove_prefix(1);
+    const std::size_t end = item ? name.find(']') : std::min(name.find_first_of(".["), name.size());
+    if (end == std::string_view::npos || end == 0) return std::nullopt;
+    parts.push_back({std::string(name.substr(0, end)), item});
+    name.remove_prefix(end + (item ? 1 : 0));
+    if (name.empty() || name.front() == '[') continue;
+    if (name.front() != '.' || name.size() == 1 || name[1] == '[') return std::nullopt;
+    name.remove_prefix(1);
+  }
+  if (parts.empty() || parts.front().item) return std::nullopt;
+  return parts;
+}
+
+std::string joined_name(const std::vector<NamePart>& parts) {
+  std::string name;
+  for (const NamePart& part : parts) {
+    if (part.item) {
+      name.append("[").append(part.text).append("]");
+    } else {
+      name.append(name.empty() ? "" : ".").append(part.text);
+    }
+  }
+  return name;
+}
+
+std::optional<std::size_t> item_index(const std::string& text) {
+  std::size_t index = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), index);
+  if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return index;
+}
+
+bool matches_pattern(std::string_view pattern, std::string_view text) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return pattern == text;
+  if (!text.starts_with(pattern.substr(0, star))) return false;
+  for (std::size_t from = star; from <= text.size(); ++from) {
+    if (matches_pattern(pattern.substr(star + 1), text.substr(from))) return true;
+  }
+  return false;
+}
+
+bool chooses_item(const std::string& text, std::size_t index, const std::string& name) {
+  if (const std::optional<std::size_t> wanted = item_index(text)) return index == *wanted;
+  if (const std::size_t dots = text.find(".."); dots != std::string::npos) {
+    const auto first = item_index(text.substr(0, dots)), last = item_index(text.substr(dots + 2));
+    if (first && last) return index >= *first && index <= *last;
+  }
+  return matches_pattern(text, name);
+}
+
+}  // namespace overbend

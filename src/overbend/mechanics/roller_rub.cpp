@@ -1,0 +1,48 @@
+#include "mechanics/roller_rub.h"
+
+namespace overbend {
+namespace {
+
+using ByUnknowns = Eigen::Matrix<double, 3, 12>;
+
+/// A field's change by the unknowns at the point, that goes along the pipe with them: `values` are the shape functions
+/// that it is made of, `slope` its derivative along the pipe.
+ByUnknowns change(const Eigen::Vector4d& values, const Vec3& slope, const ElementVector& place) {
+  ByUnknowns m = slope * place.transpose();
+  for (int j = 0; j < 4; ++j) m.block<3, 3>(0, 3 * j) += values(j) * Mat3::Identity();
+  return m;
+}
+
+ByUnknowns cross(const Vec3& a, const ByUnknowns& m) {
+  ByUnknowns out;
+  for (int i = 0; i < 12; ++i) out.col(i) = a.cross(Vec3(m.col(i)));
+  return out;
+}
+
+}  // namespace
+
+ElementMatrix rub_tangent(const PlacedRoller& roller, const ClosestPoint& at, const RollerDistance& distance,
+                          const RollerDistanceDerivatives& derivatives, const ElementVector& q, double length,
+                          const RubForce& force) {
+  const HermiteValues n = hermite(at.xi, length);
+  const CentrelinePoint point = centreline(q, at.xi, length);
+  const Vec3 d = distance.direction, t = point.a.normalized(), l = d.cross(t);
+  const Mat3 projected =
+      at.beyond_face ? Mat3(Mat3::Identity()) : Mat3(Mat3::Identity() - roller.axis * roller.axis.transpose());
+  const ByUnknowns turn_t =
+      (Mat3::Identity() - t * t.transpose()) / point.a.norm() * change(n.first, point.b, derivatives.place);
+  const ByUnknowns turn_d =
+      (Mat3::Identity() - d * d.transpose()) * projected / distance.value * change(n.value, point.a, derivatives.place);
+  const ByUnknowns turn_l = cross(d, turn_t) - cross(t, turn_d);
+  const Vec3 direction = force.along * t + force.across * l;
+  const ByUnknowns by_unknowns = -force.stiffness * direction * derivatives.gradient.transpose() +
+                                 force.normal * (force.along * turn_t + force.across * turn_l);
+  ElementMatrix k;
+  for (int j = 0; j < 4; ++j) {
+    k.middleRows<3>(3 * j) =
+        -n.value(j) * by_unknowns - n.first(j) * force.normal * direction * derivatives.place.transpose();
+  }
+  return k;
+}
+
+}  // namespace overbend

@@ -1,0 +1,130 @@
+#include "model/lay_stage.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+/// Which member of a stage says how far the line has gone.
+std::optional<double> LayStageDescription::*progress_of(OperationType type) {
+  switch (type) {
+    case OperationType::start_up:
+      return &LayStageDescription::pipe_out;
+    case OperationType::move:
+      return &LayStageDescription::ahead;
+    case OperationType::passage:
+      return &LayStageDescription::passed;
+    case OperationType::ballast:
+      return &LayStageDescription::tank_ballast;
+    default:
+      return &LayStageDescription::cable_out;
+  }
+}
+
+/// Of a series of values at even distances, at `share` of the way.
+double along_series(const std::vector<double>& values, double share) {
+  const double at = share * static_cast<double>(values.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(at), values.size() - 1);
+  const std::size_t next = std::min(i + 1, values.size() - 1);
+  return values[i] + (at - static_cast<double>(i)) * (values[next] - values[i]);
+}
+
+std::vector<LayStageDescription> generated(const StageProgram& program, OperationType type) {
+  std::vector<LayStageDescription> stages;
+  for (int i = 0; i <= program.steps; ++i) {
+    const double share = static_cast<double>(i) / program.steps;
+    LayStageDescription& stage = stages.emplace_back();
+    stage.*progress_of(type) = program.from + share * (program.to - program.from);
+    if (program.tension == StageTension::hold && !program.values.empty()) {
+      stage.tension = along_series(program.values, share);
+    }
+    if (program.tension == StageTension::bottom) stage.bottom_tension = program.bottom_tension;
+  }
+  return stages;
+}
+
+/// A winch does not follow the tensioner's range: in time its brake holds.
+void held_by_brake(TensionerDescription& tensioner) {
+  tensioner.mode = TensionerMode::locked;
+  tensioner.range_low.reset();
+  tensioner.range_high.reset();
+}
+
+/// The range of a tensioner that is set to another tension has to hold that.
+bool outside_range(const TensionerDescription& tensioner) {
+  const double tension = tensioner.tension.value_or(0.0);
+  return tensioner.range_low && tensioner.range_high &&
+         (tension < *tensioner.range_low || tension > *tensioner.range_high);
+}
+
+void fill_tank(SupportsDescription& supports, const std::string& name, const LayStageDescription& stage) {
+  for (StingerSectionDescription& section : supports.sections) {
+    for (StingerTankDescription& tank : section.tanks) {
+      if (tank.name != name) continue;
+      tank.weight = stage.tank_weight.value_or(tank.weight);
+      tank.ballast = stage.tank_ballast.value_or(tank.ballast);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<LayStageDescription> lay_stages(const Description& description) {
+  const LayOperationDescription& lay = description.operation.lay;
+  std::vector<LayStageDescription> stages =
+      lay.program ? generated(*lay.program, description.operation.type) : lay.stages;
+  if (description.operation.type == OperationType::recovery) std::reverse(stages.begin(), stages.end());
+  const bool sought = lay.program && lay.program->tension == StageTension::seek;
+  const bool follows = lay.anchor && lay.anchor->distance;  // from where the anchor lies
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    LayStageDescription& stage = stages[i];
+    if (stage.name.empty()) stage.name = fmt::format("stage {}", i + 1);
+    if (!stage.tension && !stage.bottom_tension && !sought && !follows) stage.tension = description.tensioner.tension;
+  }
+  return stages;
+}
+
+Description at_stage(const Description& description, const LayStageDescription& stage) {
+  Description d = description;
+  const LayOperationDescription& lay = d.operation.lay;
+  d.stage = stage;
+  if (stage.tension) d.tensioner.tension = stage.tension;
+  if (cable_at_top(d)) {
+    d.tensioner.guide = Guide::pinned;
+    held_by_brake(d.tensioner);
+    if (lay.winch) {
+      d.tensioner.x = lay.winch->x;
+      d.tensioner.z = lay.winch->z;
+    }
+  }
+  if (stage.passed) {
+    for (StructureDescription& structure : d.pipe.structures) {
+      if (structure.name == lay.structure) structure.at = stage.passed;
+    }
+  }
+  if (stage.tank_weight || stage.tank_ballast) fill_tank(d.supports, lay.tank, stage);
+  if (outside_range(d.tensioner)) held_by_brake(d.tensioner);
+  if (cable_at_far_end(d)) {
+    d.pipe.length = *stage.pipe_out + lay.head->length + *lay.cable->length;
+    d.pipe.anchor = lay.anchor->distance;
+    if (lay.anchor->distance && !stage.tension) d.tensioner.tension.reset();
+  }
+  return d;
+}
+
+bool cable_at_top(const Description& description) {
+  return description.stage && description.stage->cable_out && description.operation.lay.cable;
+}
+
+bool has_cable(const Description& description) {
+  return cable_at_top(description) || cable_at_far_end(description);
+}
+
+bool cable_at_far_end(const Description& description) {
+  return description.stage && description.stage->pipe_out && description.operation.lay.cable;
+}
+
+}  // namespace overbend

@@ -1,0 +1,26 @@
+/// A stage of an operation on the line as a model of its own.
+#pragma once
+
+#include <vector>
+
+#include "model/description.h"
+
+namespace overbend {
+
+/// The stages of the operation, generated ones made: those whose tension is sought or follows from the bottom tension
+/// or from the place of the anchor have none yet. In the order in which they are done.
+std::vector<LayStageDescription> lay_stages(const Description& description);
+
+/// The lay at that stage: a description whose equilibrium, results, checks and runs in time are found as of any other.
+/// The tensioner stands where the line is held, at the winch where the cable is, and pulls with the tension of the
+/// stage; a cable may turn in its guide.
+Description at_stage(const Description& description, const LayStageDescription& stage);
+
+/// Whether a cable, and not the pipe, is held at the top at this stage.
+bool cable_at_top(const Description& description);
+/// Whether a cable is in the line at all.
+bool has_cable(const Description& description);
+/// Whether the far end of the line is pinned to an anchor by a cable at this stage.
+bool cable_at_far_end(const Description& description);
+
+}  // namespace overbend

@@ -1,0 +1,38 @@
+#include "model/structures.h"
+
+#include <algorithm>
+
+namespace overbend {
+namespace {
+
+/// Makes room in the spans from `from` to `to`.
+void cut_out(std::vector<SectionSpan>& spans, double from, double to) {
+  std::vector<SectionSpan> kept;
+  for (const SectionSpan& span : spans) {
+    if (span.from < std::min(span.to, from)) kept.push_back({span.from, std::min(span.to, from), span.section});
+    if (std::max(span.from, to) < span.to) kept.push_back({std::max(span.from, to), span.to, span.section});
+  }
+  spans = std::move(kept);
+}
+
+}  // namespace
+
+void add_structures(Model& model) {
+  const double ahead = model.description.stage ? model.description.stage->ahead.value_or(0.0) : 0.0;
+  for (const StructureDescription& structure : model.description.pipe.structures) {
+    if (!structure.at) continue;
+    const double middle = *structure.at + ahead;
+    const double from = std::max(middle - 0.5 * structure.length, 0.0), to = middle + 0.5 * structure.length;
+    if (to <= from) continue;
+    const auto around = static_cast<std::size_t>(model.section_at(std::max(middle, 0.0)));
+    const SectionDescription described = model.description_of(around);
+    model.sections.push_back(structure_section(structure, model.sections[around], model.water_weight_density));
+    model.described.push_back(described);
+    cut_out(model.spans, from, to);
+    model.spans.push_back({from, to, static_cast<int>(model.sections.size()) - 1});
+  }
+  std::sort(model.spans.begin(), model.spans.end(),
+            [](const SectionSpan& a, const SectionSpan& b) { return a.from < b.from; });
+}
+
+}  // namespace overbend

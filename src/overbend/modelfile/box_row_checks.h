@@ -1,0 +1,23 @@
+/// Checks of boxes told as a row and of the table of stinger settings.
+#pragma once
+
+#include <optional>
+
+#include "model/box_row.h"
+#include "modelfile/check_helper.h"
+
+namespace overbend {
+
+/// The group of a row of boxes under a structure's group; null where its boxes are listed, or not there.
+const FieldValue* box_row_of(const FieldValue& structure);
+
+/// Where a row ends, as far as the keys of its structure say by themselves where it begins.
+std::optional<BoxPlace> end_of_row(const FieldValue& root, const FieldValue& structure);
+
+/// A row has a radius, a begin, and does not bend beyond the vertical.
+void check_box_row(Checker& check, const FieldValue& structure);
+
+/// Settings have names of their own and an angle for each section; the one chosen is among them.
+void check_stinger_settings(Checker& check);
+
+}  // namespace overbend

@@ -1,0 +1,203 @@
+#include "numerics/bounded_search.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/constrained_least_squares.h"
+
+namespace overbend {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kEqualWeight = 1e4;  // of linearised equalities against the aim, in the least squares of a step
+constexpr double kDamping = 1e-4;     // keeps directions short that nothing depends on
+constexpr double kPenalty = 100.0;    // of violations in the merit
+constexpr double kFirstReach = 0.3;   // of the first step, in every unknown
+constexpr double kShortest = 1e-6;
+constexpr double kActive = 1e-3;  // below it a condition counts as one that holds back
+
+double violation_of(const SearchValues& v) {
+  double worst = 0.0;
+  if (v.equal.size() > 0) worst = v.equal.cwiseAbs().maxCoeff();
+  if (v.least.size() > 0) worst = std::max(worst, -v.least.minCoeff());
+  return worst;
+}
+
+class Search {
+ public:
+  explicit Search(const SearchProblem& problem)
+      : problem_(problem), n_(problem.start.size()), curvature_(MatrixXd::Identity(n_, n_)) {}
+
+  std::optional<SearchEnd> run() {
+    x_ = problem_.start.cwiseMax(0.0).cwiseMin(1.0);
+    const std::optional<SearchValues> first = problem_.values(x_);
+    if (!first) return std::nullopt;
+    now_ = *first;
+    SearchEnd end;
+    for (; end.steps < problem_.steps && !end.settled; ++end.steps) {
+      if (nothing_to_gain()) {
+        end.settled = true;
+        break;
+      }
+      end.settled = !advance();
+    }
+    end.x = x_;
+    end.values = now_;
+    end.violation = violation_of(now_);
+    end.met = end.violation <= problem_.tolerance;
+    return end;
+  }
+
+ private:
+  bool nothing_to_gain() const { return violation_of(now_) <= problem_.tolerance && now_.aim.size() == 0; }
+
+  double aim_of(const SearchValues& v) const {
+    if (v.aim.size() == 0) return 0.0;
+    return problem_.linear_aim ? v.aim(0) : v.aim.squaredNorm();
+  }
+
+  double merit(const SearchValues& v) const {
+    return aim_of(v) + kPenalty * (v.equal.cwiseAbs().sum() + (-v.least).cwiseMax(0.0).sum());
+  }
+
+  /// The next bound of a step to try; none where it is not worth it.
+  static std::optional<double> shorter(double reach) {
+    return 0.4 * reach > kShortest ? std::optional(0.4 * reach) : std::nullopt;
+  }
+
+  /// One step; false where there is none that is worth taking.
+  bool advance() {
+    const SearchSlopes slopes = problem_.slopes(x_, now_);
+    if (problem_.linear_aim && now_.aim.size() > 0) learn_curvature(slopes);
+    const double before = merit(now_), aim_before = aim_of(now_), violated = violation_of(now_);
+    for (std::optional<double> next = reach_; next; next = shorter(*next)) {
+      const double reach = *next;
+      const VectorXd step = step_within(slopes, now_, reach);
+      if (step.cwiseAbs().maxCoeff() < kShortest) return false;
+      if (!take(step, before) && !take_corrected(slopes, step, reach, before)) continue;
+      const double length = (x_ - from_).cwiseAbs().maxCoeff();
+      // Farther only where the model proved right up to its bound.
+      reach_ = reach < reach_ ? reach : length > 0.9 * reach ? 2.0 * reach : reach;
+      if (violation_of(now_) > problem_.tolerance || violated > problem_.tolerance) return true;
+      const double gain = aim_before - aim_of(now_);
+      small_gains_ = gain < problem_.settled * std::max(std::abs(aim_before), 1e-12) ? small_gains_ + 1 : 0;
+      return small_gains_ < 2 && length > problem_.settled;
+    }
+    return false;
+  }
+
+  bool take(const VectorXd& step, double before) {
+    const VectorXd there = (x_ + step).cwiseMax(0.0).cwiseMin(1.0);
+    tried_ = problem_.values(there);
+    if (!tried_ || merit(*tried_) >= before) return false;
+    from_ = x_;
+    x_ = there;
+    now_ = *tried_;
+    return true;
+  }
+
+  /// Conditions that curve away spoil a good step: the second-order correction meets them where the step has led.
+  bool take_corrected(const SearchSlopes& slopes, const VectorXd& step, double reach, double before) {
+    if (!tried_ || violation_of(*tried_) <= problem_.tolerance) return false;
+    SearchValues there = now_;
+    there.equal = tried_->equal - slopes.equal * step;
+    there.least = tried_->least - slopes.least * step;
+    return take(step_within(slopes, there, reach), before);
+  }
+
+  /// Multipliers of the conditions that hold back the aim: its gradient in terms of theirs, by least squares.
+  VectorXd multipliers(const SearchSlopes& slopes) const {
+    MatrixXd active(n_, slopes.equal.rows() + slopes.least.rows());
+    active << slopes.equal.transpose(), slopes.least.transpose();
+    for (Index k = 0; k < slopes.least.rows(); ++k) {
+      if (now_.least(k) > kActive) active.col(slopes.equal.rows() + k).setZero();
+    }
+    if (active.cols() == 0) return VectorXd::Zero(0);
+    return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(active).solve(slopes.aim.row(0).transpose());
+  }
+
+  static VectorXd lagrangian(const SearchSlopes& slopes, const VectorXd& multipliers) {
+    const Index equal = slopes.equal.rows();
+    return slopes.aim.row(0).transpose() - slopes.equal.transpose() * multipliers.head(equal) -
+           slopes.least.transpose() * multipliers.tail(slopes.least.rows());
+  }
+
+  /// Powell's damped update by the gradient of the Lagrangian, so that the model stays convex.
+  void learn_curvature(const SearchSlopes& slopes) {
+    if (last_x_.size() == n_) {
+      const VectorXd weights = multipliers(slopes);
+      const VectorXd s = x_ - last_x_, y = lagrangian(slopes, weights) - lagrangian(last_slopes_, weights);
+      const VectorXd bs = curvature_ * s;
+      const double sbs = s.dot(bs), sy = s.dot(y);
+      if (sbs > 1e-16) {
+        const double theta = sy >= 0.2 * sbs ? 1.0 : 0.8 * sbs / (sbs - sy);
+        const VectorXd r = theta * y + (1.0 - theta) * bs;
+        curvature_ += r * r.transpose() / s.dot(r) - bs * bs.transpose() / sbs;
+      }
+    } else {
+      curvature_ = MatrixXd::Identity(n_, n_) * std::max(slopes.aim.norm(), 1e-6);
+    }
+    last_slopes_ = slopes;
+    last_x_ = x_;
+  }
+
+  /// Rows whose sum of squares is the model of the aim: |A p - b|.
+  void aim_rows(const SearchSlopes& slopes, MatrixXd& rows, VectorXd& wanted) const {
+    if (now_.aim.size() == 0) {
+      rows = MatrixXd::Identity(n_, n_);
+      wanted = VectorXd::Zero(n_);
+    } else if (problem_.linear_aim) {
+      const Eigen::LLT<MatrixXd> root(curvature_);
+      rows = root.matrixU();
+      wanted = -root.matrixL().solve(VectorXd(slopes.aim.row(0).transpose()));
+    } else {
+      rows.resize(slopes.aim.rows() + n_, n_);
+      rows << slopes.aim, kDamping * slopes.aim.norm() * MatrixXd::Identity(n_, n_);
+      wanted = VectorXd::Zero(rows.rows());
+      wanted.head(now_.aim.size()) = -now_.aim;
+    }
+  }
+
+  /// `at`: the values that the slopes are taken to belong to.
+  VectorXd step_within(const SearchSlopes& slopes, const SearchValues& at, double reach) const {
+    MatrixXd aim;
+    VectorXd wanted;
+    aim_rows(slopes, aim, wanted);
+    const double weight = kEqualWeight * std::max(aim.norm(), 1e-12) / std::max(slopes.equal.norm(), 1e-12);
+    MatrixXd rows(aim.rows() + slopes.equal.rows(), n_);
+    rows << aim, weight * slopes.equal;
+    VectorXd right(rows.rows());
+    right << wanted, -weight * at.equal;
+    const Eigen::HouseholderQR<MatrixXd> qr(rows);
+    const MatrixXd r = qr.matrixQR().topRows(n_).triangularView<Eigen::Upper>();
+    const VectorXd b = VectorXd(qr.householderQ().adjoint() * right).head(n_);
+    MatrixXd c(2 * n_ + slopes.least.rows(), n_);
+    c << MatrixXd::Identity(n_, n_), -MatrixXd::Identity(n_, n_), slopes.least;
+    VectorXd d(c.rows());
+    d << (-x_).cwiseMax(-reach), (x_.array() - 1.0).matrix().cwiseMax(-reach), -at.least;
+    return inequality_least_squares(r, b, c, d).cwiseMax(-reach).cwiseMin(reach);
+  }
+
+  const SearchProblem& problem_;
+  Index n_;
+  MatrixXd curvature_;
+  VectorXd x_, from_, last_x_;
+  SearchSlopes last_slopes_;
+  std::optional<SearchValues> tried_;
+  SearchValues now_;
+  double reach_ = kFirstReach;
+  int small_gains_ = 0;
+};
+
+}  // namespace
+
+std::optional<SearchEnd> bounded_search(const SearchProblem& problem) {
+  return Search(problem).run();
+}
+
+}  // namespace overbend

@@ -1,0 +1,176 @@
+#include "numerics/root_scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace overbend {
+namespace {
+
+constexpr double kJump = 0.02;  // of the difference over the first bracket, left when it is closed
+constexpr double kTurn = 1e-3;  // of the range of the values, against which they may go and still be monotone
+constexpr int kMostSteps = 100;
+constexpr int kTurnSteps = 12;
+
+bool opposed(double a, double b) {
+  return (a <= 0.0) != (b <= 0.0);
+}
+
+class Scan {
+ public:
+  Scan(const ScannedFunction& f, double from, double to, const ScanSettings& settings)
+      : f_(f), width_(to - from), settings_(settings) {
+    for (int i = 0; i < settings.points; ++i) at(from + width_ * i / (settings.points - 1));
+    for (const ScannedPoint& point : points_) {
+      if (point.value) largest_ = std::max(largest_, std::abs(*point.value));
+    }
+  }
+
+  RootScan run() {
+    look_at_turns();
+    const std::vector<ScannedPoint> grid = sorted();
+    RootScan scan;
+    const ScannedPoint* before = nullptr;
+    for (const ScannedPoint& point : grid) {
+      // A gap in the function parts what lies to either side of it.
+      if (point.value && before != nullptr && before->value && opposed(*before->value, *point.value)) {
+        if (auto crossing = close({before->x, point.x, *before->value, *point.value})) {
+          scan.crossings.push_back(*crossing);
+        }
+      }
+      before = &point;
+    }
+    scan.points = sorted();
+    return scan;
+  }
+
+ private:
+  std::optional<double> at(double x) {
+    points_.push_back({x, f_(x)});
+    return points_.back().value;
+  }
+
+  std::vector<ScannedPoint> sorted() const {
+    std::vector<ScannedPoint> points = points_;
+    std::stable_sort(points.begin(), points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    return points;
+  }
+
+  /// Three values of one sign, the middle one nearest to zero: there may be two roots, or one of even order, between.
+  void look_at_turns() {
+    const std::vector<ScannedPoint> grid = sorted();
+    for (std::size_t i = 1; i + 1 < grid.size(); ++i) {
+      const auto &a = grid[i - 1].value, &b = grid[i].value, &c = grid[i + 1].value;
+      if (!a || !b || !c || opposed(*a, *b) || opposed(*b, *c)) continue;
+      if (std::abs(*b) >= std::abs(*a) || std::abs(*b) >= std::abs(*c)) continue;
+      const double bend = *a - 2.0 * *b + *c, slope = 0.5 * (*c - *a);
+      const double vertex = bend == 0.0 ? *b : *b - 0.5 * slope * slope / bend;  // of the parabola through them
+      if (opposed(vertex, *b) || std::abs(vertex) < 0.1 * std::abs(*b)) follow_turn(grid[i - 1].x, grid[i + 1].x, *b);
+    }
+  }
+
+  /// Golden section towards the value nearest to zero, until it has the other sign.
+  void follow_turn(double low, double high, double value) {
+    const double golden = 0.5 * (std::sqrt(5.0) - 1.0);
+    double inner = high - golden * (high - low), outer = low + golden * (high - low);
+    std::optional<double> at_inner = at(inner), at_outer = at(outer);
+    for (int i = 0; i < kTurnSteps && at_inner && at_outer; ++i) {
+      if (opposed(*at_inner, value) || opposed(*at_outer, value)) return;
+      if (std::abs(*at_inner) < std::abs(*at_outer)) {
+        high = std::exchange(outer, inner);
+        at_outer = std::exchange(at_inner, std::nullopt);
+        inner = high - golden * (high - low);
+        at_inner = at(inner);
+      } else {
+        low = std::exchange(inner, outer);
+        at_inner = std::exchange(at_outer, std::nullopt);
+        outer = low + golden * (high - low);
+        at_outer = at(outer);
+      }
+    }
+  }
+
+  /// Brent's method: b is the best argument, a the one before, c such that b and c enclose the crossing. Nothing where
+  /// the function cannot be evaluated on the way.
+  std::optional<Crossing> close(const Crossing& bracket) {
+    double a = bracket.low, fa = bracket.at_low, b = bracket.high, fb = bracket.at_high;
+    double c = a, fc = fa, step = b - a, before = step;
+    for (int i = 0; i < kMostSteps; ++i) {
+      if (!opposed(fb, fc)) {
+        c = a;
+        fc = fa;
+        before = step = b - a;
+      }
+      if (std::abs(fc) < std::abs(fb)) {
+        a = std::exchange(b, c);
+        c = a;
+        fa = std::exchange(fb, fc);
+        fc = fa;
+      }
+      const double least = 0.5 * settings_.resolution * width_, half = 0.5 * (c - b);
+      if (std::abs(half) <= least || std::abs(fb) <= settings_.negligible * largest_) break;
+      const double next =
+          std::abs(before) >= least && std::abs(fa) > std::abs(fb) ? interpolated(a, b, c, fa, fb, fc) : half;
+      // Brent's bounds on the step; else it is halved.
+      const bool good =
+          std::abs(next) < std::min(1.5 * std::abs(half) - 0.5 * least, 0.5 * std::abs(before)) && next * half > 0.0;
+      before = good ? step : half;
+      step = good ? next : half;
+      a = b;
+      fa = fb;
+      b += std::abs(step) > least ? step : std::copysign(least, half);
+      const std::optional<double> value = at(b);
+      if (!value) return std::nullopt;
+      fb = *value;
+    }
+    return told(bracket, b, fb, c, fc);
+  }
+
+  static double interpolated(double a, double b, double c, double fa, double fb, double fc) {
+    const double s = fb / fa;
+    if (a == c) return (c - b) * s / (s - 1.0);  // secant
+    const double q = fa / fc, r = fb / fc;
+    const double p = s * ((c - b) * q * (q - r) - (b - a) * (r - 1.0));
+    return -p / ((q - 1.0) * (r - 1.0) * (s - 1.0));
+  }
+
+  Crossing told(const Crossing& bracket, double b, double fb, double c, double fc) const {
+    Crossing crossing = b < c ? Crossing{b, c, fb, fc} : Crossing{c, b, fc, fb};
+    // One whose value is zero already is a root, however wide its bracket still is.
+    crossing.jump = std::abs(fb) > settings_.negligible * largest_ &&
+                    std::abs(crossing.at_high - crossing.at_low) > kJump * std::abs(bracket.at_high - bracket.at_low);
+    return crossing;
+  }
+
+  const ScannedFunction& f_;
+  double width_;
+  ScanSettings settings_;
+  std::vector<ScannedPoint> points_;
+  double largest_ = 0.0;
+};
+
+}  // namespace
+
+RootScan scan_roots(const ScannedFunction& f, double from, double to, const ScanSettings& settings) {
+  return Scan(f, from, to, settings).run();
+}
+
+bool is_monotone(const RootScan& scan) {
+  double least = std::numeric_limits<double>::infinity(), largest = -least;
+  for (const ScannedPoint& point : scan.points) {
+    least = std::min(least, point.value.value_or(least));
+    largest = std::max(largest, point.value.value_or(largest));
+  }
+  bool rises = true, falls = true;
+  std::optional<double> before;
+  for (const ScannedPoint& point : scan.points) {
+    if (!point.value) continue;
+    rises = rises && (!before || *point.value >= *before - kTurn * (largest - least));
+    falls = falls && (!before || *point.value <= *before + kTurn * (largest - least));
+    before = point.value;
+  }
+  return rises || falls;
+}
+
+}  // namespace overbend

@@ -1,0 +1,107 @@
+#include "recording/fatigue_remarks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "checks/fatigue_curve.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kFewCycles = 100.0;  ///< Fewer at the worst station leave much to chance.
+
+/// Mean damage of a weld on its way over that of the worst stops.
+double mean_over_worst(const DynamicResults& results, const FatigueSpot& spot, const LayPace& pace) {
+  const WeldPath path = weld_path(results.station_s, spot.rate, pace);
+  return path.worst > 0.0 ? path.mean / path.worst : 1.0;
+}
+
+std::size_t worst_station(const FatigueSpot& spot) {
+  return static_cast<std::size_t>(std::max_element(spot.rate.begin(), spot.rate.end()) - spot.rate.begin());
+}
+
+/// Whether steel yields anywhere, be it followed or not.
+bool yields(const Model& model, const DynamicResults& results) {
+  for (std::size_t i = 0; i < results.station_s.size(); ++i) {
+    const double from_top = results.station_s.back() - results.station_s[i];
+    const Section& section = model.sections[static_cast<std::size_t>(model.section_at(from_top))];
+    if (section.yield_stress > 0.0 && results.von_mises.max[i] > section.yield_stress) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+LayPace lay_pace(const Description& description) {
+  const FatigueDescription& fatigue = *description.fatigue;
+  const std::optional<JointDescription>& joint = description.pipe.section.joint;
+  return {fatigue.joint.value_or(joint.value_or(JointDescription{}).length), fatigue.weld_time, fatigue.move_time};
+}
+
+void follow_welds(const Model& model, DynamicResults& results) {
+  const FatigueDescription& fatigue = *model.description.fatigue;
+  const LayPace pace = lay_pace(model.description);
+  FatigueResults& out = *results.fatigue;
+  out.budget = fatigue.budget;
+  out.design_factor = fatigue.design_factor;
+  out.lay_rate = pace.speed();
+  for (FatigueSpot& spot : out.spots) {
+    spot.path_damage = weld_path(results.station_s, spot.rate, pace).worst;
+    spot.worst_s = results.station_s[worst_station(spot)];
+    const double left = std::max(0.0, fatigue.budget / fatigue.design_factor - spot.path_damage);
+    spot.standby = left < kLongestStandby * spot.worst_rate ? left / spot.worst_rate : kLongestStandby;
+  }
+}
+
+void assume_of_fatigue(const Model& model, DynamicResults& results) {
+  const LayPace pace = lay_pace(model.description);
+  FatigueResults& out = *results.fatigue;
+  const auto say = [&](std::string text) {
+    out.assumptions.push_back(text);
+    results.assumptions.push_back(std::move(text));
+  };
+  double least = 1.0;
+  for (const FatigueSpot& spot : out.spots) least = std::min(least, mean_over_worst(results, spot, pace));
+  say(fmt::format(
+      "Fatigue: the sea of the run lasts all the time that a weld is on its way; its build-up is not counted. A weld "
+      "rests {:.4g} s at stops {:.4g} m apart and moves for {:.4g} s between them; its damage is that of the worst "
+      "places of the stops along the line (the mean over all places is at least {:.2f} of it).",
+      pace.weld_time, pace.joint, pace.move_time, least));
+  say(fmt::format(
+      "Fatigue: rainflow cycles (ASTM E1049) of the longitudinal stress at eight points round the section, ranges "
+      "below {:.2g} MPa left out, with S-N curves of {}; stations keep their place on the pipe in the run, and the "
+      "pipe does not turn about its axis. Residual and mean stresses do not count.",
+      0.1, kFatigueCode));
+  if (model.description.fatigue->hi_lo > 0.0) {
+    say("Fatigue: the stress factor of misaligned walls is 1 + 3 (e/t) exp(-(D/t)^-0.5) inside and outside "
+        "(DNV-RP-C203 2.10), nothing taken off for what the S-N curves hold of it.");
+  }
+}
+
+void warn_of_fatigue(const Model& model, DynamicResults& results) {
+  const FatigueResults& fatigue = *results.fatigue;
+  const LayPace pace = lay_pace(model.description);
+  for (const FatigueSpot& spot : fatigue.spots) {
+    const double cycles = spot.cycles[worst_station(spot)] * results.duration;
+    if (cycles < kFewCycles) {
+      results.warnings.push_back(
+          fmt::format("fatigue at '{}' is from {:.0f} stress cycles at the worst station: a run of more than {:.0f} is "
+                      "needed for a "
+                      "damage rate that hangs little on chance",
+                      spot.name, cycles, kFewCycles));
+    }
+    if (spot.standby < pace.weld_time + pace.move_time) {
+      results.warnings.push_back(
+          fmt::format("the fatigue budget at '{}' leaves {:.0f} s of standby, less than the {:.0f} s of one joint",
+                      spot.name, spot.standby, pace.weld_time + pace.move_time));
+    }
+  }
+  if (yields(model, results)) {
+    results.warnings.emplace_back(
+        "the steel yields in the run: fatigue is counted with the stress of elastic steel at the same curvature or "
+        "moment, and low-cycle fatigue is not looked at");
+  }
+}
+
+}  // namespace overbend

@@ -1,0 +1,94 @@
+#include "report/fatigue_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/figure_list.h"
+#include "report/html.h"
+#include "report/json_number.h"
+#include "report/places.h"
+#include "report/thinning.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kHour = 3600.0;
+
+/// Damage, which may be small beyond any decimals.
+std::string damage_text(double value) {
+  return fmt::format("{:.3g}", value);
+}
+
+std::size_t worst_station(const FatigueSpot& spot) {
+  return static_cast<std::size_t>(std::max_element(spot.rate.begin(), spot.rate.end()) - spot.rate.begin());
+}
+
+std::string spots_table(const StaticResults& statics, const DynamicResults& results) {
+  html::Table table("Fatigue of welds: damage on the way and allowable standby",
+                    {{"Spot", "", true},
+                     {"S-N curve", "", true},
+                     {"Stress factor", "-"},
+                     {"Largest damage", "1/h"},
+                     {"Along pipe", "m"},
+                     {"Place", "", true},
+                     {"Stress range", "MPa"},
+                     {"Cycles", "1/h"},
+                     {"Damage on the way", "-"},
+                     {"Allowable standby", "h"}},
+                    "dense");
+  const FatigueResults& fatigue = *results.fatigue;
+  for (const FatigueSpot& spot : fatigue.spots) {
+    const std::size_t worst = worst_station(spot);
+    table.row({spot.name, spot.curve, html::fixed(spot.stress_factor, 3), damage_text(kHour * spot.worst_rate),
+               html::fixed(from_tensioner(statics, spot.worst_s), 1), place_name(statics, spot.worst_s),
+               html::fixed(1e-6 * spot.range[worst], 1), html::fixed(kHour * spot.cycles[worst], 0),
+               damage_text(spot.path_damage), html::fixed(spot.standby / kHour, 1)},
+              fatigue.design_factor * spot.path_damage > fatigue.budget ? "over" : "");
+  }
+  return table.str();
+}
+
+/// Every spot's largest rate is kept where stations are thinned.
+bool is_largest(const FatigueResults& fatigue, std::size_t i) {
+  return std::any_of(fatigue.spots.begin(), fatigue.spots.end(), [&](const FatigueSpot& spot) {
+    return spot.rate[i] >= spot.rate[i - 1] && spot.rate[i] > spot.rate[i + 1];
+  });
+}
+
+}  // namespace
+
+std::string fatigue_section(const StaticResults& statics, const DynamicResults& results, int& figure) {
+  if (!results.fatigue || results.fatigue->spots.empty()) return "";
+  const FatigueResults& fatigue = *results.fatigue;
+  const std::string note = fmt::format(
+      "<p class=\"small\">Budget {:.3g} with a design fatigue factor of {:.3g}; mean lay speed {:.1f} m/h. The stress "
+      "range is the nominal one that gives the same damage at the rate of cycles beside it. Damage on the way and "
+      "rates are without the design fatigue factor; the standby is what a weld at the worst place has left beside its "
+      "way from the tensioner to the bed, in the sea of this run.</p>\n",
+      fatigue.budget, fatigue.design_factor, kHour * fatigue.lay_rate);
+  const std::vector<Figure> figures = {
+      {"fatigue", "Damage rate of a weld along the pipe, at the worst point round the section", {"whole", "overbend"}}};
+  const std::string drawn = figure_list(
+      figures, [&](const Figure&, const std::string& part) { return part == "whole" || !statics.supports.empty(); },
+      figure);
+  return html::section("fatigue", "Fatigue while laying", spots_table(statics, results) + note + drawn);
+}
+
+nlohmann::json fatigue_figure_data(const StaticResults& statics, const DynamicResults& results) {
+  using nlohmann::json;
+  if (!results.fatigue || results.station_s.size() < 3) return nullptr;
+  const auto shown = thinned(results.station_s.size(), [&](std::size_t i) { return is_largest(*results.fatigue, i); });
+  json s = json::array(), spots = json::array();
+  for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
+    s.push_back(json_number(from_tensioner(statics, results.station_s[*i])));
+  }
+  for (const FatigueSpot& spot : results.fatigue->spots) {
+    json rate = json::array();
+    for (auto i = shown.rbegin(); i != shown.rend(); ++i) rate.push_back(json_number(kHour * spot.rate[*i]));
+    spots.push_back({{"name", spot.name}, {"curve", spot.curve}, {"rate", rate}});
+  }
+  return {{"s", s}, {"spots", spots}};
+}
+
+}  // namespace overbend

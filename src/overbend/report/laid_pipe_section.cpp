@@ -1,0 +1,67 @@
+#include "report/html.h"
+#include "report/quantity.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+std::string extremes_table(const BedResults& bed) {
+  html::Table table("", {{"Of the laid pipe", "", true}, {"Value", ""}, {"Unit", "", true}, {"Astern", "m"}},
+                    "summary");
+  table.row(
+      {"Largest penetration", html::fixed(1e3 * bed.largest_penetration, 1), "mm", html::fixed(bed.penetration_x, 1)});
+  table.row(
+      {"Largest hogging moment", moments().text(bed.hogging_moment, 1), moments().unit, html::fixed(bed.hogging_x, 1)});
+  table.row(
+      {"Largest sagging moment", moments().text(bed.sagging_moment, 1), moments().unit, html::fixed(bed.sagging_x, 1)});
+  table.row({"Largest bending stress", stresses().text(bed.bending_stress, 1), stresses().unit, ""});
+  table.row({"Tension at the far end", forces().text(bed.tail_tension, 1), forces().unit, ""});
+  return table.str();
+}
+
+std::string contacts_table(const BedResults& bed) {
+  html::Table table("", {{"Contact", "", true}, {"from", "m"}, {"to", "m"}, {"Penetration", "mm"}}, "dense summary");
+  for (std::size_t i = 0; i < bed.contacts.size(); ++i) {
+    const BedContactResult& contact = bed.contacts[i];
+    table.row({std::to_string(i + 1), html::fixed(contact.x_from, 2), html::fixed(contact.x_to, 2),
+               html::fixed(1e3 * contact.largest_penetration, 1)});
+  }
+  return table.str();
+}
+
+std::string spans_table(const BedResults& bed) {
+  if (bed.spans.empty()) return "<p>The laid pipe touches the seabed all along.</p>\n";
+  html::Table table("",
+                    {{"Free span", "", true},
+                     {"from", "m"},
+                     {"to", "m"},
+                     {"Length", "m"},
+                     {"Gap", "m"},
+                     {"at", "m"},
+                     {"Sagging moment", moments().unit},
+                     {"at", "m"},
+                     {"Bending stress", stresses().unit}},
+                    "dense summary");
+  for (std::size_t i = 0; i < bed.spans.size(); ++i) {
+    const FreeSpanResult& span = bed.spans[i];
+    table.row({std::to_string(i + 1), html::fixed(span.x_from, 2), html::fixed(span.x_to, 2),
+               html::fixed(span.length, 2), html::fixed(span.largest_gap, 3), html::fixed(span.gap_x, 1),
+               moments().text(span.sagging_moment, 1), html::fixed(span.moment_x, 1),
+               stresses().text(span.bending_stress, 1)});
+  }
+  return table.str();
+}
+
+}  // namespace
+
+std::string laid_pipe_section(const StaticResults& results) {
+  if (!results.bed) return "";
+  return html::section(
+      "laid-pipe", "Pipe on the seabed",
+      extremes_table(*results.bed) + contacts_table(*results.bed) + spans_table(*results.bed) +
+          "<p class=\"small\">Places count astern of the stern shoe, lengths along the unstressed pipe. "
+          "Gaps are square to the seabed, from the underside of the pipe. Gaps of a few "
+          "millimetres depend on the stiffness of the seabed.</p>\n");
+}
+
+}  // namespace overbend

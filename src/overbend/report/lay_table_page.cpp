@@ -1,0 +1,127 @@
+#include "report/lay_table_page.h"
+
+#include <fmt/format.h>
+
+#include "report/figure_list.h"
+#include "report/front_of.h"
+#include "report/front_page.h"
+#include "report/html.h"
+#include "report/lay_table_data.h"
+#include "report/page.h"
+#include "report/quantity.h"
+#include "report/sections.h"
+#include "resultfiles/lay_table_writer.h"
+
+namespace overbend {
+namespace {
+
+std::string shown(const TableCell& cell, int digits) {
+  if (const auto* number = std::get_if<double>(&cell)) return html::fixed(*number, digits);
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* verdict = std::get_if<VerdictCell>(&cell)) return verdict->text;
+  return "-";
+}
+
+bool is_text(const DataTable& data, std::size_t column) {
+  for (const auto& row : data.rows) {
+    if (std::holds_alternative<double>(row[column])) return false;
+  }
+  return true;
+}
+
+/// "top tension [kN]" as a name and a unit.
+html::Head head_of(const std::string& heading, bool text) {
+  const std::size_t unit = heading.find(" [");
+  if (unit == std::string::npos) return {heading, "", text};
+  return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), text};
+}
+
+std::string rows_section(const LayTable& table) {
+  const DataTable data = lay_table_data(table);
+  std::vector<html::Head> heads;
+  for (std::size_t i = 0; i < data.columns.size(); ++i) {
+    heads.push_back(head_of(data.columns[i].heading, is_text(data, i)));
+  }
+  html::Table out("", heads, "dense summary");
+  for (std::size_t r = 0; r < data.rows.size(); ++r) {
+    std::vector<std::string> cells;
+    for (std::size_t i = 0; i < data.columns.size(); ++i) {
+      cells.push_back(shown(data.rows[r][i], data.columns[i].digits));
+    }
+    const bool passed = table.rows[r].lay && table.rows[r].lay->passed;
+    out.row(cells, passed ? "" : "over");
+  }
+  return html::section("rows", "Lays",
+                       out.str() +
+                           "<p class=\"small\">Rows named least and largest are the limits within which every "
+                           "governing check is passed, found by bisection to 0.1 %. The same rows are in "
+                           "lay-table.csv and lay-table.xlsx.</p>\n");
+}
+
+const LayTableRow* row_of(const LayTable& table, LayRowKind kind) {
+  for (const LayTableRow& row : table.rows) {
+    if (row.kind == kind) return &row;
+  }
+  return nullptr;
+}
+
+std::string varied_words(const LayTable& table, const LayTableRow& row) {
+  const ShownUnit unit = shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
+  return fmt::format("{} {}", html::fixed(row.varied * unit.factor, 1), unit.name);
+}
+
+/// What the table says, in sentences.
+std::string findings(const LayTable& table) {
+  std::vector<std::string> list;
+  const char* what = table.vary == LayTableVary::tension    ? "tension"
+                     : table.vary == LayTableVary::lay_back ? "lay-back"
+                                                            : "water depth";
+  for (const LayRowKind kind : {LayRowKind::least, LayRowKind::largest}) {
+    const LayTableRow* row = row_of(table, kind);
+    if (row == nullptr) continue;
+    list.push_back(fmt::format("The {} {} with every governing check passed is {}; {}.",
+                               kind == LayRowKind::least ? "least" : "largest", what, varied_words(table, *row),
+                               row->reason));
+  }
+  std::size_t passed = 0, asked = 0;
+  for (const LayTableRow& row : table.rows) {
+    if (row.kind != LayRowKind::step) continue;
+    ++asked;
+    if (row.lay && row.lay->passed) ++passed;
+  }
+  list.push_back(fmt::format("{} of {} rows pass every governing check.", passed, asked));
+  return html::section("findings", "Findings", html::list(list));
+}
+
+std::string figures() {
+  static const std::vector<Figure> kFigures = {
+      {"lay_table",
+       "The lays of the table; the range within which every governing check is passed is shaded",
+       {"curves"},
+       true}};
+  int number = 0;
+  const auto always = [](const Figure&, const std::string&) { return true; };
+  return figure_section("figures", "Curves", figure_list(kFigures, always, number));
+}
+
+}  // namespace
+
+std::string lay_table_html(const LayTable& table, const std::string& model_text) {
+  const std::vector<WeighedWarning> warnings = weighed(table.warnings);
+  const std::vector<std::pair<std::string, std::string>> entries = {
+      {"Rows", std::to_string(table.rows.size())},
+      {"Status", status_words("completed", warnings.size())},
+      {"Program", "Overbend " + table.version},
+      {"Written", written_now()}};
+  const std::string body = title_block("Lay table", table.title, entries) + findings(table) +
+                           warnings_section(warnings) + figures() + rows_section(table) +
+                           assumptions_section(table.assumptions) + model_text_section(model_text);
+  const nlohmann::json data = {{"lay_table", lay_table_curves(table)}};
+  return lay_table_frame(table.title + " - lay table", body, data.dump());
+}
+
+void write_lay_table_page(const LayTable& table, const std::string& model_text, const std::filesystem::path& file) {
+  write_page(lay_table_html(table, model_text), file);
+}
+
+}  // namespace overbend

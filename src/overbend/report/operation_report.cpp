@@ -1,0 +1,109 @@
+#include "report/operation_report.h"
+
+#include <algorithm>
+
+#include "report/front_of.h"
+#include "report/html.h"
+#include "report/listing.h"
+#include "report/operation_verdict.h"
+#include "report/page.h"
+#include "report/passage_section.h"
+#include "report/procedure_section.h"
+#include "report/quantity.h"
+#include "report/sections.h"
+#include "report/stage_words.h"
+#include "report/stages_data.h"
+#include "report/stages_section.h"
+
+namespace overbend {
+namespace {
+
+const StaticResults* first_lay(const OperationResults& results) {
+  const auto at = std::find_if(results.stages.begin(), results.stages.end(),
+                               [](const StageResult& stage) { return stage.lay.has_value(); });
+  return at == results.stages.end() ? nullptr : &*at->lay;
+}
+
+std::vector<std::string> all_assumptions(const OperationResults& results) {
+  std::vector<std::string> all = results.assumptions;
+  for (const StageResult& stage : results.stages) {
+    if (!stage.lay) continue;
+    for (const std::string& one : stage.lay->assumptions) {
+      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+    }
+  }
+  return all;
+}
+
+void add_head(const HeadDescription& head, Listing& table) {
+  table.add("Head, length", head.length, "m")
+      .add("Head, weight in air", forces().shown(head.weight_in_air), "kN")
+      .add("Head, submerged weight", forces().shown(head.weight_submerged), "kN");
+}
+
+void add_cable(const CableDescription& cable, Listing& table) {
+  table.add("Cable, diameter", 1e3 * cable.diameter, "mm")
+      .add("Cable, weight in air", cable.weight_in_air, "N/m")
+      .add("Cable, submerged weight", cable.weight_submerged, "N/m")
+      .add("Cable, axial stiffness", forces().shown(cable.axial_stiffness), "kN");
+  if (cable.breaking_load) table.add("Cable, breaking load", forces().shown(*cable.breaking_load), "kN");
+  if (cable.length) table.add("Cable, length", *cable.length, "m");
+}
+
+/// Head, cable, winch and anchor as the model gives them.
+std::string gear_section(const std::optional<Description>& description) {
+  if (!description) return "";
+  const LayOperationDescription& lay = description->operation.lay;
+  if (!lay.head && !lay.cable) return "";
+  Listing table("");
+  if (lay.head) add_head(*lay.head, table);
+  if (lay.cable) add_cable(*lay.cable, table);
+  if (lay.winch) table.add("Winch, x", lay.winch->x, "m").add("Winch, z", lay.winch->z, "m");
+  if (lay.anchor) table.add("Anchor, depth", lay.anchor->depth, "m");
+  return html::section("gear", "Head and cable", table.str());
+}
+
+std::string passage_part(const OperationResults& results) {
+  const std::optional<PassageResults> passage = passage_of(results);
+  return passage ? passage_section(*passage) : "";
+}
+
+FrontPage front_of_operation(const OperationResults& results, const std::optional<Description>& description,
+                             const StaticResults* lay) {
+  FrontPage front =
+      front_of(operation_title(results.type) + " of a pipeline, static analysis", results.title, description, {});
+  front.warnings = operation_warnings(results);
+  front.reach = "Static states of all stages: the effect of waves needs a dynamic analysis of the stage.";
+  front.more = operation_bars(results);
+  if (lay != nullptr) front.entries = subject_entries(*lay);
+  front.entries.emplace_back("Stages", std::to_string(results.stages.size()));
+  front.entries.emplace_back("Program", "Overbend " + results.version);
+  front.entries.emplace_back("Written", written_now());
+  return front;
+}
+
+}  // namespace
+
+std::string operation_report_html(const OperationResults& results, const std::string& model_text) {
+  const std::optional<Description> description = description_of(model_text);
+  const StaticResults* lay = first_lay(results);
+  int figure = 0;
+  const std::string rest = procedure_section(results, description) + stages_section(results, figure) +
+                           passage_part(results) + stage_checks_section(results) + gear_section(description) +
+                           (lay != nullptr ? inputs_section(*lay, description, nullptr) : "") +
+                           assumptions_section(all_assumptions(results)) + model_text_section(model_text);
+  const FrontPage front = front_of_operation(results, description, lay);
+  return operation_page(results.title + " - " + operation_title(results.type),
+                        front_page(front, operation_verdict(results, front.warnings),
+                                   "The mark on the bar is the full capacity. The formulas have not been compared with "
+                                   "the printed standards.",
+                                   rest),
+                        stages_data(results, description));
+}
+
+void write_operation_report(const OperationResults& results, const std::string& model_text,
+                            const std::filesystem::path& file) {
+  write_page(operation_report_html(results, model_text), file);
+}
+
+}  // namespace overbend

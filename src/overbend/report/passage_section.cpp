@@ -1,0 +1,58 @@
+#include "report/passage_section.h"
+
+#include <fmt/format.h>
+
+#include "report/html.h"
+#include "report/quantity.h"
+
+namespace overbend {
+namespace {
+
+std::string place(const PassagePeak& peak) {
+  return peak.stage.empty() ? "-" : html::fixed(peak.passed, 2);
+}
+
+std::string at(const PassagePeak& peak) {
+  return fmt::format("with the structure {} m from the tensioner ({})", html::fixed(peak.passed, 2), peak.stage);
+}
+
+std::vector<std::string> findings(const PassageResults& passage) {
+  std::vector<std::string> list;
+  if (!passage.reaction.stage.empty()) {
+    list.push_back(fmt::format("The largest reaction of a roller under the structure is {} kN, {}, {}.",
+                               forces().text(passage.reaction.value, 1), passage.support, at(passage.reaction)));
+  }
+  if (!passage.strain.stage.empty()) {
+    list.push_back(fmt::format(
+        "The largest strain of the pipe beside the structure is {} %, {}; its von Mises stress is at "
+        "most {} MPa.",
+        strains().text(passage.strain.value, 4), at(passage.strain), stresses().text(passage.von_mises.value, 1)));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string passage_section(const PassageResults& passage) {
+  html::Table table("",
+                    {{"Box", "", true},
+                     {"reaction", "kN"},
+                     {"structure at", "m"},
+                     {"reaction", "kN"},
+                     {"structure at", "m"},
+                     {"strain", "%"},
+                     {"structure at", "m"}},
+                    "dense summary");
+  table.groups({{"", 1}, {"Single roller", 2}, {"Whole box", 2}, {"Line over the box", 2}});
+  for (const PassageBox& box : passage.boxes) {
+    table.row({box.name, forces().text(box.roller.value, 1), place(box.roller), forces().text(box.reaction.value, 1),
+               place(box.reaction), strains().text(box.strain.value, 4), place(box.strain)});
+  }
+  return html::section(
+      "passage", fmt::format("Passage of {}", passage.structure),
+      html::list(findings(passage)) + (passage.boxes.empty() ? "" : table.str()) +
+          "<p class=\"small\">Largest over all stages; distances are along the line from the tensioner "
+          "to the middle of the structure.</p>\n");
+}
+
+}  // namespace overbend

@@ -1,0 +1,211 @@
+#include "report/procedure_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "report/hold_points.h"
+#include "report/html.h"
+#include "report/places.h"
+#include "report/quantity.h"
+#include "report/stage_columns.h"
+#include "report/stage_words.h"
+#include "report/stages_section.h"
+
+namespace overbend {
+namespace {
+
+using html::fixed;
+
+std::string kilo(double newton) {
+  return forces().text(newton, 1);
+}
+
+std::optional<double> tension_of(const StageResult& stage) {
+  if (stage.stage.tension) return stage.stage.tension;
+  return stage.lay ? std::optional(stage.lay->top_tension) : std::nullopt;
+}
+
+/// What limits the tension from above: the cable's breaking load, used to what the operation allows.
+std::optional<double> cable_limit(const std::optional<Description>& description) {
+  if (!description) return std::nullopt;
+  const LayOperationDescription& lay = description->operation.lay;
+  if (!lay.cable || !lay.cable->breaking_load) return std::nullopt;
+  return *lay.cable->breaking_load * (lay.program ? lay.program->limits.utilisation : 1.0);
+}
+
+std::string hold_words(const HoldPoint& point, const std::string& progress) {
+  std::string text = point.what;
+  if (point.out) text += fmt::format(" (at {} {} m)", progress, fixed(*point.out, 1));
+  return text;
+}
+
+/// Why to pause before the step, or why it cannot be done.
+std::string remarks(const OperationResults& results, const std::vector<HoldPoint>& points, std::size_t stage) {
+  if (results.stages[stage].failure) return "CANNOT BE as planned, see below";
+  std::string progress = progress_name(results.type);
+  progress[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(progress[0])));
+  std::string text;
+  for (const HoldPoint& point : points) {
+    if (point.stage == stage) text += (text.empty() ? "HOLD before: " : "; ") + hold_words(point, progress);
+  }
+  const std::string& governing = results.stages[stage].governing;
+  if (!governing.empty()) text += (text.empty() ? "Tension set by " : "; tension set by ") + governing;
+  return text;
+}
+
+std::string step_table(const OperationResults& results, const std::optional<Description>& description) {
+  const std::vector<HoldPoint> points = hold_points(results);
+  const std::optional<double> most = cable_limit(description);
+  std::vector<StageColumn> columns;
+  const auto add = [&](const char* group, html::Head head, std::function<std::string(std::size_t)> text) {
+    columns.push_back({group, std::move(head), std::move(text)});
+  };
+  const auto with_head = [&](double (*value)(const HeadResult&)) {
+    return of_lay(results, [value](const StaticResults& lay) { return lay.head ? fixed(value(*lay.head), 1) : ""; });
+  };
+  add("", {"Step", "", true}, [&](std::size_t i) { return stage_title(results, i); });
+  add("", {progress_name(results.type), "m"}, [&](std::size_t i) {
+    const std::optional<double> out = progress_of(results.stages[i].stage);
+    return out ? fixed(*out, 1) : "";
+  });
+  add("Tension", {"hold", "kN"}, [&](std::size_t i) {
+    const std::optional<double> tension = tension_of(results.stages[i]);
+    return tension ? kilo(*tension) : "";
+  });
+  add("Tension", {"not below", "kN"}, [&](std::size_t i) {
+    const StageResult& stage = results.stages[i];
+    if (stage.failure && stage.failure->least_tension) return kilo(*stage.failure->least_tension);
+    return stage.governing.empty() || !tension_of(stage) ? std::string() : kilo(*tension_of(stage));
+  });
+  add("Tension", {"not above", "kN"}, [&](std::size_t i) {
+    const std::optional<StaticResults>& lay = results.stages[i].lay;
+    return most && lay && lay->cable ? kilo(*most) : std::string();
+  });
+  add("", {"Barge ahead", "m"},
+      [&](std::size_t i) { return results.stages[i].lay ? fixed(results.stages[i].barge_ahead, 1) : ""; });
+  add("Head", {"depth", "m"}, with_head([](const HeadResult& head) { return -head.p_W.z(); }));
+  add("Head", {"astern", "m"}, with_head([](const HeadResult& head) { return head.astern; }));
+  add("Head", {"over bed", "m"}, with_head([](const HeadResult& head) { return head.clearance; }));
+  add("Watch", {"tip clearance", "m"}, of_lay(results, [](const StaticResults& lay) {
+        return lay.stinger_tip_clearance ? fixed(*lay.stinger_tip_clearance, 2) : "";
+      }));
+  add("Watch", {"roller load", "kN"}, of_lay(results, [](const StaticResults& lay) {
+        return lay.largest_reaction_support.empty() ? "" : kilo(lay.largest_reaction);
+      }));
+  add("Watch", {"at", "", true},
+      of_lay(results, [](const StaticResults& lay) { return lay.largest_reaction_support; }));
+  add("", {"Utilisation", ""}, [&](std::size_t i) {
+    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    return use ? fixed(use->utilisation, 2) : "";
+  });
+  add("", {"Hold points and remarks", "", true}, [&](std::size_t i) { return remarks(results, points, i); });
+  return stage_rows_table("", columns, all_stages(results), "dense procedure",
+                          [&](std::size_t i) { return stage_css(results.stages[i]); });
+}
+
+/// "3", "3 and 4", "3 to 7, 9".
+std::string numbers(const std::vector<std::size_t>& stages) {
+  std::string text;
+  for (std::size_t i = 0; i < stages.size();) {
+    std::size_t end = i;
+    while (end + 1 < stages.size() && stages[end + 1] == stages[end] + 1) ++end;
+    text += (text.empty() ? "" : ", ") + std::to_string(stages[i] + 1);
+    if (end > i) text += (end == i + 1 ? " and " : " to ") + std::to_string(stages[end] + 1);
+    i = end + 1;
+  }
+  return text;
+}
+
+/// Steps that the analysis speaks against.
+void add_steps_to_avoid(const OperationResults& results, std::vector<std::string>& reasons) {
+  std::vector<std::size_t> exceeded;
+  for (const std::size_t i : all_stages(results)) {
+    if (results.stages[i].failure) reasons.push_back(failure_words(results, i) + " Stop at the step before.");
+    const std::optional<StageUse> use = largest_use(results.stages[i]);
+    if (use && use->utilisation > 1.0) exceeded.push_back(i);
+  }
+  if (!exceeded.empty()) {
+    reasons.push_back(
+        fmt::format("Step{} {}: a check is exceeded even at the tension given. Not to be done as planned.",
+                    exceeded.size() > 1 ? "s" : "", numbers(exceeded)));
+  }
+}
+
+/// What the operation may not do, as the model gives it.
+void add_limits(const StageLimits& limits, std::vector<std::string>& reasons) {
+  if (limits.tip_clearance) {
+    reasons.push_back(fmt::format("Clearance at the stinger tip below {} m.", fixed(*limits.tip_clearance, 2)));
+  }
+  if (limits.roller_load) reasons.push_back(fmt::format("Load of a roller above {} kN.", kilo(*limits.roller_load)));
+  if (limits.sagbend_strain) {
+    reasons.push_back(fmt::format("Tension below \"not below\": the strain of the sagbend exceeds {} %.",
+                                  strains().text(*limits.sagbend_strain, 3)));
+  }
+  if (limits.sagbend_stress) {
+    reasons.push_back(fmt::format("Tension below \"not below\": the stress of the sagbend exceeds {} MPa.",
+                                  stresses().text(*limits.sagbend_stress, 0)));
+  }
+}
+
+std::string abort_list(const OperationResults& results, const std::optional<Description>& description) {
+  std::vector<std::string> reasons;
+  add_steps_to_avoid(results, reasons);
+  if (const std::optional<double> most = cable_limit(description)) {
+    reasons.push_back(fmt::format(
+        "Tension of the cable above {} kN: its breaking load times the utilisation that the model allows, without any "
+        "further safety factor.",
+        kilo(*most)));
+  }
+  if (description && description->operation.lay.program) {
+    add_limits(description->operation.lay.program->limits, reasons);
+  }
+  reasons.emplace_back("Tension, length out or place of the barge cannot be brought to the values of the step.");
+  return "<h3>Stop and hold if</h3>\n" + html::list(reasons);
+}
+
+/// Boxes to be filled by hand where the model says nothing.
+std::string signatures(const std::optional<Description>& description) {
+  const ReportDescription control = description ? description->report : ReportDescription{};
+  const std::array<std::pair<const char*, std::string>, 6> cells = {{{"Document", control.document},
+                                                                     {"Revision", control.revision},
+                                                                     {"Prepared", control.prepared},
+                                                                     {"Checked", control.checked},
+                                                                     {"Accepted on board", ""},
+                                                                     {"Date and time", ""}}};
+  std::string out;
+  for (const auto& [name, value] : cells) {
+    out += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, value.empty() ? "&nbsp;" : html::escape(value));
+  }
+  return "<dl class=\"control\">" + out + "</dl>\n";
+}
+
+const StaticResults* first_lay(const OperationResults& results) {
+  for (const StageResult& stage : results.stages) {
+    if (stage.lay) return &*stage.lay;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::string procedure_section(const OperationResults& results, const std::optional<Description>& description) {
+  const StaticResults* lay = first_lay(results);
+  if (lay == nullptr) return "";
+  const std::string subject = fmt::format("{}: {}. {}, water depth {} m, pipe {} mm over the coating.",
+                                          operation_title(results.type), results.title, lay->vessel_name,
+                                          fixed(lay->water_depth, 1), fixed(1e3 * lay->pipe_outer_diameter, 0));
+  return html::section(
+      "procedure", "Procedure sheet",
+      "<p>" + html::escape(subject) + "</p>\n" + signatures(description) + step_table(results, description) +
+          "<p class=\"small\">Values at the end of each step, at rest: motions of the vessel add to them. Astern: of "
+          "the stern shoe; barge ahead: from its place at step 1. Not below: least tension found for the limits; not "
+          "above: breaking load of the cable times the utilisation that the model allows. Hold before: pause, compare "
+          "length, tension and place with the sheet, then "
+          "go on.</p>\n" +
+          abort_list(results, description));
+}
+
+}  // namespace overbend

@@ -1,0 +1,17 @@
+/// A goal seek in the report: what was asked, the answer, the way there.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "results/seek_results.h"
+
+namespace overbend {
+
+/// The section, with its figures numbered on from `figure`.
+std::string seek_section(const SeekResults& seek, int& figure);
+
+/// Data of its figures, in the units that keys and results are shown in.
+nlohmann::json seek_figure_data(const SeekResults& seek);
+
+}  // namespace overbend

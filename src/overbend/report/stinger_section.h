@@ -1,0 +1,13 @@
+/// A stinger on hinges in the report.
+#pragma once
+
+#include <string>
+
+#include "results/static_results.h"
+
+namespace overbend {
+
+/// Angle, hinge force and tanks of each section at rest; empty of a fixed stinger.
+std::string stinger_section(const StaticResults& results);
+
+}  // namespace overbend

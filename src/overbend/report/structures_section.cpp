@@ -1,0 +1,54 @@
+#include "report/html.h"
+#include "report/places.h"
+#include "report/quantity.h"
+#include "report/sections.h"
+
+namespace overbend {
+namespace {
+
+std::vector<std::string> cells_of(const StructureResult& s) {
+  std::vector<std::string> cells = {s.name,
+                                    html::fixed(s.from_top, 2),
+                                    html::fixed(s.astern, 2),
+                                    html::fixed(s.p_W.z(), 2),
+                                    angles().text(s.inclination, 2),
+                                    forces().text(s.effective_tension, 1),
+                                    moments().text(s.bending_moment, 1),
+                                    s.support.empty() ? "-" : forces().text(s.reaction, 1),
+                                    s.support.empty() ? "-" : s.support};
+  for (const StructureEndResult* end : {&s.upper, &s.lower}) {
+    cells.push_back(stresses().text(end->von_mises, 1));
+    cells.push_back(strains().text(end->strain, 4));
+  }
+  return cells;
+}
+
+}  // namespace
+
+std::string structures_section(const StaticResults& results) {
+  if (results.structures.empty()) return "";
+  html::Table table("",
+                    {{"Structure", "", true},
+                     {"From tensioner", "m"},
+                     {"astern", "m"},
+                     {"z", "m"},
+                     {"inclination", "deg"},
+                     {"Tension", "kN"},
+                     {"Moment", "kN m"},
+                     {"Roller", "kN"},
+                     {"at", "", true},
+                     {"von Mises", "MPa"},
+                     {"strain", "%"},
+                     {"von Mises", "MPa"},
+                     {"strain", "%"}},
+                    "dense summary");
+  table.groups({{"", 2}, {"Middle", 3}, {"In it", 2}, {"Carried by", 2}, {"Pipe above it", 2}, {"Pipe below it", 2}});
+  for (const StructureResult& structure : results.structures) table.row(cells_of(structure));
+  return html::section("structures", "Structures in the line",
+                       table.str() +
+                           "<p class=\"small\">Pipe above and below: the largest within two pipe diameters of the end "
+                           "towards the tensioner and of that towards the seabed, where the stiffness steps. The "
+                           "structure itself is not checked.</p>\n");
+}
+
+}  // namespace overbend

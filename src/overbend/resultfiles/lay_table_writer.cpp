@@ -1,0 +1,112 @@
+#include "resultfiles/lay_table_writer.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "resultfiles/json_fields.h"
+#include "resultfiles/summary_fields.h"
+#include "resultfiles/summary_json.h"
+#include "resultfiles/xlsx_table.h"
+#include "results/fields/lay_table_fields.h"
+#include "runstore/append_file.h"
+
+namespace overbend {
+namespace {
+
+/// Cells that stand for those of a row without a lay.
+struct EmptyCells {
+  std::vector<TableCell>& cells;
+  template <class Value>
+  void operator()(const ResultField& f, const Value&) {
+    if (!f.heading.empty()) cells.emplace_back();
+  }
+};
+
+std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
+  std::vector<TableCell> cells;
+  TableRow visit{cells};
+  visit_lay_table_place(table.vary, table.route, row, visit);
+  if (row.lay) {
+    visit_lay_table_values(*row.lay, visit);
+  } else {
+    EmptyCells empty{cells};
+    const LayTableValues none;
+    visit_lay_table_values(none, empty);
+  }
+  cells.emplace_back(VerdictCell{row.lay && row.lay->passed, lay_verdict(row)});
+  cells.emplace_back(row.reason);
+  return cells;
+}
+
+/// Throws where a number is none.
+struct FiniteRow {
+  void operator()(const ResultField& f, double value) const {
+    if (!std::isfinite(value)) throw std::runtime_error("lay table: " + f.name + " is not finite");
+  }
+  void operator()(const ResultField& f, const std::optional<double>& value) const {
+    if (value) (*this)(f, *value);
+  }
+  template <class Other>
+  void operator()(const ResultField&, const Other&) const {}
+};
+
+Json row_json(const LayTable& table, const LayTableRow& row) {
+  JsonWriter<SummaryStyle> json;
+  visit_lay_table_place(table.vary, table.route, row, json);
+  if (row.lay) visit_lay_table_values(*row.lay, json);
+  json["verdict"] = lay_verdict(row);
+  json["reason"] = row.reason;
+  json["solves"] = row.solves;
+  return json.take();
+}
+
+}  // namespace
+
+std::string lay_verdict(const LayTableRow& row) {
+  if (!row.lay) return "no lay";
+  return row.lay->passed ? "passed" : "exceeded";
+}
+
+DataTable lay_table_data(const LayTable& table) {
+  DataTable data;
+  data.name = "lay table";
+  TableHead head{data.columns};
+  const LayTableRow example;
+  visit_lay_table_place(table.vary, table.route, example, head);
+  const LayTableValues values;
+  visit_lay_table_values(values, head);
+  data.columns.push_back({"verdict"});
+  data.columns.push_back({"remark"});
+  for (const LayTableRow& row : table.rows) data.rows.push_back(cells_of(table, row));
+  return data;
+}
+
+std::string lay_table_summary(const LayTable& table) {
+  Json rows = Json::array();
+  for (const LayTableRow& row : table.rows) rows.push_back(row_json(table, row));
+  Json part = {{"vary", table.route ? "route" : word(table.vary)}};
+  if (table.route) part["tension"] = word(table.tension);
+  if (table.route || table.vary == LayTableVary::depth) part["held_tension"] = table.held_tension;
+  part["rows"] = rows;
+  part["solves"] = table.solves;
+  part["wall_time"] = table.wall_time;
+  const Json summary = {{"status", "completed"},      {"title", table.title},
+                        {"version", table.version},   {"assumptions", table.assumptions},
+                        {"warnings", table.warnings}, {"units", "SI: m, N, Pa, rad, s; angles from horizontal"},
+                        {"lay_table", part}};
+  return summary_text(summary);
+}
+
+void write_lay_table_files(const LayTable& table, const std::filesystem::path& folder) {
+  for (const LayTableRow& row : table.rows) {
+    const FiniteRow finite;
+    visit_lay_table_place(table.vary, table.route, row, finite);
+    if (row.lay) visit_lay_table_values(*row.lay, finite);
+  }
+  const DataTable data = lay_table_data(table);
+  write_text(folder / "lay-table.csv", csv_text(data));
+  write_xlsx({data}, folder / "lay-table.xlsx");
+  write_text(folder / "summary.json", lay_table_summary(table));
+}
+
+}  // namespace overbend

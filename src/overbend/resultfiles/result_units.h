@@ -1,0 +1,15 @@
+/// The units of summary.json in the place of its numbers.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+namespace overbend {
+
+/// An object built as the summary of a static analysis, with every part that may be there. A number has its SI unit as
+/// base/units.h writes it; a list has one item; what is no number, or has a unit that hangs on the row, is null.
+const nlohmann::ordered_json& summary_units();
+
+/// The same of a dynamic analysis: with the key `dynamic`.
+const nlohmann::ordered_json& dynamic_summary_units();
+
+}  // namespace overbend

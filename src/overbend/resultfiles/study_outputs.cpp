@@ -1,0 +1,98 @@
+#include "resultfiles/study_outputs.h"
+
+#include "base/text.h"
+#include "resultfiles/named_dynamics.h"
+#include "resultfiles/named_results.h"
+
+namespace overbend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kStages = "operation.stages";
+
+/// Of a dynamic analysis the checks are those of the whole run, not of the statics before it.
+std::string own_path(StudyAnalysis analysis, const std::string& path) {
+  return analysis == StudyAnalysis::dynamic && path.starts_with("checks.") ? "dynamic." + path : path;
+}
+
+bool is_smallest(const std::string& path) {
+  const std::string last = path.substr(path.find_last_of('.') + 1);
+  return last.starts_with("smallest") || last.starts_with("min");
+}
+
+/// "operation.stages[3].sagbend.max_strain" -> "static.sagbend.max_strain": every stage has the keys of a lay.
+std::string stage_path(const std::string& path) {
+  const std::size_t point = path.find("].");
+  if (!path.starts_with(kStages) || point == std::string::npos) return path;
+  const std::string below = path.substr(point + 2);
+  return below.starts_with("checks.") ? below : "static." + below;
+}
+
+std::string with_function(const ResultName& name, const std::string& path) {
+  switch (name.function) {
+    case ResultFunction::none:
+      break;
+    case ResultFunction::spread:
+      return "spread(" + path + ")";
+    case ResultFunction::mean:
+      return "mean(" + path + ")";
+    case ResultFunction::least:
+      return "min(" + path + ")";
+    case ResultFunction::largest:
+      return "max(" + path + ")";
+  }
+  return path;
+}
+
+std::optional<std::string> unit_of(StudyAnalysis analysis, const std::string& name) {
+  return analysis == StudyAnalysis::dynamic ? dynamic_result_unit(name) : result_unit(name);
+}
+
+}  // namespace
+
+std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
+                                        const std::string& answer_unit) {
+  if (name == "checks.governing") return StudyOutput{name, "", true};
+  if (analysis == StudyAnalysis::seek && name == "seek.answer") return StudyOutput{name, answer_unit, false};
+  const ResultName parsed = parsed_result_name(name);
+  std::string path = own_path(analysis, parsed.path);
+  if (analysis == StudyAnalysis::operation) path = stage_path(path);
+  for (const char* ending : {"", ".max"}) {
+    if (const auto unit = unit_of(analysis, with_function(parsed, path + ending))) {
+      return StudyOutput{name, *unit, false};
+    }
+  }
+  return std::nullopt;
+}
+
+std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
+  const bool dynamic = analysis == StudyAnalysis::dynamic;
+  return nearest_word(parsed_result_name(name).path, dynamic ? dynamic_result_paths() : result_paths());
+}
+
+std::vector<std::string> usual_outputs(StudyAnalysis analysis) {
+  if (analysis == StudyAnalysis::dynamic) {
+    return {"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
+            "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"};
+  }
+  std::vector<std::string> names = {"static.top_tension",
+                                    "static.bottom_tension",
+                                    "static.lay_back",
+                                    "static.overbend.max_von_mises",
+                                    "static.sagbend.max_von_mises",
+                                    "static.largest_reaction.value",
+                                    "static.stinger_tip_clearance",
+                                    "checks.governing"};
+  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  return names;
+}
+
+std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name) {
+  const ResultName parsed = parsed_result_name(name);
+  const std::string path = own_path(analysis, parsed.path);
+  if (const auto value = named_result(summary, with_function(parsed, path))) return value;
+  return named_result(summary, with_function(parsed, path + (is_smallest(path) ? ".min" : ".max")));
+}
+
+}  // namespace overbend

@@ -1,0 +1,32 @@
+/// Results of a case that a study gathers, by the names that they have in summary.json.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/study_description.h"
+#include "results/study_results.h"
+
+namespace overbend {
+
+/// The output of that name with its unit; nothing where an analysis of this kind has no such result. Of a value over
+/// time, a group of min, max, mean and std, the name of the group stands for its largest value (its smallest where the
+/// name says so: dynamic.smallest_tension). Of an operation the names are those of its worst stage, and
+/// operation.stages[...] stands before those of other stages. Of a goal seek with one key seek.answer has
+/// `answer_unit`.
+std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
+                                        const std::string& answer_unit = "1");
+
+/// The known path that is nearest to what was meant; empty where none is near.
+std::string nearest_output(StudyAnalysis analysis, const std::string& name);
+
+/// What is gathered where the study does not say.
+std::vector<std::string> usual_outputs(StudyAnalysis analysis);
+
+/// The value of an output [SI]; nothing where the summary has none.
+std::optional<double> output_value(const nlohmann::ordered_json& summary, StudyAnalysis analysis,
+                                   const std::string& name);
+
+}  // namespace overbend

@@ -1,0 +1,24 @@
+/// What a study gave, in files: one row for every case.
+#pragma once
+
+#include <filesystem>
+
+#include "resultfiles/data_table.h"
+#include "results/fields/shown_unit.h"
+#include "results/study_results.h"
+
+namespace overbend {
+
+/// The unit that an output is shown in.
+ShownUnit shown_output(const StudyOutput& output);
+
+/// Case, folder, inputs, seed, outputs, verdict, state, reason and time, in the units that are shown.
+DataTable study_table(const StudyResults& results);
+
+/// The groups case, inputs and outputs, a dataset per column with its SI unit. NaN stands where a case has no value.
+void write_study_hdf5(const StudyResults& results, const std::filesystem::path& file);
+
+/// Writes study.csv, study.xlsx, study.h5 and summary.json into the folder, each whole or not at all. Throws FileFault.
+void write_study_files(const StudyResults& results, const std::filesystem::path& folder);
+
+}  // namespace overbend

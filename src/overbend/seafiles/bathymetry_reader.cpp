@@ -1,0 +1,248 @@
+#include "seafiles/bathymetry_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "base/text.h"
+#include "base/units.h"
+#include "seafiles/text_table.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kSamePlace = 1e-6;  ///< Coordinates this close are one [m].
+constexpr double kMostCells = 4'000'000;
+
+class Complaints {
+ public:
+  Complaints(const std::string& path, Diagnostics& diagnostics) : path_(path), diagnostics_(diagnostics) {}
+  void add(int line, std::string key, std::string found, std::string expected, std::string hint = {}) {
+    good = false;
+    diagnostics_.add(
+        {Severity::error, path_, line, 0, std::move(key), std::move(found), std::move(expected), std::move(hint)});
+  }
+  bool good = true;
+
+ private:
+  const std::string& path_;
+  Diagnostics& diagnostics_;
+};
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+bool is_head(const TextRow& row) {
+  constexpr const char* kNames[] = {"east", "north", "depth"};
+  if (row.cells.size() != 3) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::string cell = lower(row.cells[i]);
+    if (cell != kNames[i] && cell != std::string(kNames[i]) + "_m") return false;
+  }
+  return true;
+}
+
+void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
+  if (row.cells.size() != 3) {
+    complaints.add(row.line, "", std::to_string(row.cells.size()) + " columns", "3, as in the header");
+    return;
+  }
+  double values[3] = {};
+  constexpr const char* kNames[] = {"east", "north", "depth"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto value = cell_number(row.cells[i]);
+    if (!value) {
+      complaints.add(row.line, kNames[i], "'" + for_display(row.cells[i]) + "'", "a number");
+      return;
+    }
+    values[i] = *value;
+  }
+  if (values[2] <= 0.0) complaints.add(row.line, "depth", format_number(values[2]), "more than 0");
+  depths.east.push_back(values[0]);
+  depths.north.push_back(values[1]);
+  depths.depth.push_back(values[2]);
+}
+
+/// The coordinates that occur, each once.
+std::vector<double> occurring(std::vector<double> values) {
+  std::ranges::sort(values);
+  std::vector<double> once;
+  for (const double value : values) {
+    if (once.empty() || value > once.back() + kSamePlace) once.push_back(value);
+  }
+  return once;
+}
+
+std::size_t place_of(const std::vector<double>& once, double value) {
+  const auto after = std::ranges::lower_bound(once, value - kSamePlace);
+  return static_cast<std::size_t>(after - once.begin());
+}
+
+/// Puts points that lie on all crossings of a grid into its order.
+void order_grid(Bathymetry& depths) {
+  const std::vector<double> east = occurring(depths.east), north = occurring(depths.north);
+  const std::size_t count = east.size() * north.size();
+  if (count != depths.depth.size() || east.size() < 2 || north.size() < 2) return;
+  std::vector<double> ordered(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i) {
+    double& depth = ordered[place_of(north, depths.north[i]) * east.size() + place_of(east, depths.east[i])];
+    if (depth != 0.0) return;  // twice the same place: some crossing is missing
+    depth = depths.depth[i];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    depths.east[i] = east[i % east.size()];
+    depths.north[i] = north[i / east.size()];
+  }
+  depths.depth = std::move(ordered);
+  depths.columns = static_cast<int>(east.size());
+  depths.rows = static_cast<int>(north.size());
+}
+
+/// Scattered points have to span an area.
+void check_area(const Bathymetry& depths, Complaints& complaints) {
+  if (!complaints.good || depths.columns > 0) return;
+  if (occurring(depths.east).size() < 2 || occurring(depths.north).size() < 2) {
+    complaints.add(0, "", "points on one line", "depths over an area",
+                   "a line of depths is environment.seabed.profile");
+  }
+}
+
+/// What the head of an ASCII grid says.
+struct GridHead {
+  double columns = 0.0, rows = 0.0, east = 0.0, north = 0.0, cell = 0.0;
+  std::optional<double> no_data;
+  std::size_t lines = 0;
+};
+
+std::optional<GridHead> grid_head(const TextTable& table, Complaints& complaints) {
+  std::map<std::string, double> keys;
+  GridHead head;
+  for (const TextRow& row : table.rows) {
+    if (row.cells.empty() || cell_number(row.cells[0])) break;
+    const auto value = row.cells.size() == 2 ? cell_number(row.cells[1]) : std::nullopt;
+    if (!value) {
+      complaints.add(row.line, std::string(row.cells[0]), "no number", "a key with its number");
+      return std::nullopt;
+    }
+    keys[lower(row.cells[0])] = *value;
+    ++head.lines;
+  }
+  const bool centre = keys.contains("xllcenter") && keys.contains("yllcenter");
+  for (const char* key :
+       {"ncols", "nrows", centre ? "xllcenter" : "xllcorner", centre ? "yllcenter" : "yllcorner", "cellsize"}) {
+    if (!keys.contains(key)) complaints.add(0, key, "nothing (the key is missing)", "the head of an ESRI ASCII grid");
+  }
+  if (!complaints.good) return std::nullopt;
+  head.columns = keys["ncols"];
+  head.rows = keys["nrows"];
+  head.cell = keys["cellsize"];
+  head.east = centre ? keys["xllcenter"] : keys["xllcorner"] + 0.5 * head.cell;
+  head.north = centre ? keys["yllcenter"] : keys["yllcorner"] + 0.5 * head.cell;
+  if (keys.contains("nodata_value")) head.no_data = keys["nodata_value"];
+  const bool whole = head.columns == std::floor(head.columns) && head.rows == std::floor(head.rows);
+  if (!whole || head.columns < 2.0 || head.rows < 2.0 || head.columns * head.rows > kMostCells || head.cell <= 0.0) {
+    complaints.add(0, "",
+                   "a grid of " + format_number(head.columns) + " by " + format_number(head.rows) + " cells of " +
+                       format_number(head.cell) + " m",
+                   "two by two cells or more, at most four million");
+    return std::nullopt;
+  }
+  return head;
+}
+
+/// The cells' values, from the north-west corner row by row.
+std::vector<double> grid_values(const TextTable& table, const GridHead& head, Complaints& complaints) {
+  std::vector<double> values;
+  for (std::size_t i = head.lines; i < table.rows.size(); ++i) {
+    for (const std::string_view cell : table.rows[i].cells) {
+      const auto value = cell_number(cell);
+      if (!value) {
+        complaints.add(table.rows[i].line, "", "'" + for_display(cell) + "'", "a number");
+        return {};
+      }
+      values.push_back(*value);
+    }
+  }
+  if (static_cast<double>(values.size()) != head.columns * head.rows) {
+    complaints.add(0, "", std::to_string(values.size()) + " values", format_number(head.columns * head.rows, 9));
+  }
+  return values;
+}
+
+Bathymetry placed(const GridHead& head, const std::vector<double>& values, double sign) {
+  Bathymetry depths;
+  const auto columns = static_cast<std::size_t>(head.columns), rows = static_cast<std::size_t>(head.rows);
+  bool whole = true;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      const double value = values[(rows - 1 - row) * columns + column];
+      whole = whole && (!head.no_data || value != *head.no_data);
+      if (head.no_data && value == *head.no_data) continue;
+      depths.east.push_back(head.east + static_cast<double>(column) * head.cell);
+      depths.north.push_back(head.north + static_cast<double>(row) * head.cell);
+      depths.depth.push_back(sign * value);
+    }
+  }
+  if (whole) {
+    depths.columns = static_cast<int>(columns);
+    depths.rows = static_cast<int>(rows);
+  }
+  return depths;
+}
+
+}  // namespace
+
+std::optional<Bathymetry> read_depth_table(const std::string& text, const std::string& path, Diagnostics& diagnostics) {
+  Complaints complaints(path, diagnostics);
+  const TextTable table = split_table(text, ',');
+  if (table.rows.empty() || !is_head(table.rows.front())) {
+    complaints.add(table.rows.empty() ? 0 : table.rows.front().line, "", "another header", "'east,north,depth'",
+                   "in m, east and north of midship");
+    return std::nullopt;
+  }
+  Bathymetry depths;
+  for (std::size_t i = 1; i < table.rows.size() && complaints.good; ++i) take(table.rows[i], depths, complaints);
+  if (complaints.good && depths.depth.size() < 3) {
+    complaints.add(0, "", std::to_string(depths.depth.size()) + " points", "at least three");
+  }
+  if (!complaints.good) return std::nullopt;
+  order_grid(depths);
+  check_area(depths, complaints);
+  return complaints.good ? std::optional(depths) : std::nullopt;
+}
+
+std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::string& path, Diagnostics& diagnostics) {
+  Complaints complaints(path, diagnostics);
+  const TextTable table = split_table(text, ' ');
+  const auto head = grid_head(table, complaints);
+  if (!head) return std::nullopt;
+  const std::vector<double> values = grid_values(table, *head, complaints);
+  if (!complaints.good) return std::nullopt;
+  const auto lies = [&](double value) { return (head->no_data && value == *head->no_data) || value <= 0.0; };
+  Bathymetry depths = placed(*head, values, std::ranges::all_of(values, lies) ? -1.0 : 1.0);
+  if (std::ranges::any_of(depths.depth, [](double depth) { return depth <= 0.0; })) {
+    complaints.add(0, "", "values of both signs", "depths above 0, or heights below 0");
+  }
+  check_area(depths, complaints);
+  return complaints.good ? std::optional(depths) : std::nullopt;
+}
+
+std::optional<Bathymetry> read_bathymetry(const std::string& path, Diagnostics& diagnostics) {
+  const std::string ending = lower(std::filesystem::path(path).extension().string());
+  if (ending == ".tif" || ending == ".tiff") {
+    Complaints(path, diagnostics)
+        .add(0, "", "a GeoTIFF, which needs GDAL, which is not built in", "a CSV file or an ESRI ASCII grid (.asc)",
+             "gdal_translate -of AAIGrid FILE.tif FILE.asc converts it");
+    return std::nullopt;
+  }
+  const std::optional<std::string> text = read_text_file(path, diagnostics);
+  if (!text) return std::nullopt;
+  return ending == ".asc" ? read_ascii_grid(*text, path, diagnostics) : read_depth_table(*text, path, diagnostics);
+}
+
+}  // namespace overbend

@@ -1,0 +1,21 @@
+/// Reads the water depths along a route.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "model/lay_table_description.h"
+
+namespace overbend {
+
+/// Reads CSV text: a header `distance_m,depth_m` or `kp_km,depth_m`, then a row per point by rising distance; lines
+/// that begin with # are passed over. `path` names the text in messages; every error is reported with its line. Empty
+/// after a fault.
+std::vector<RouteDepth> read_route_depths_text(const std::string& text, const std::string& path,
+                                               Diagnostics& diagnostics);
+
+/// The same from a file.
+std::vector<RouteDepth> read_route_depths(const std::string& path, Diagnostics& diagnostics);
+
+}  // namespace overbend

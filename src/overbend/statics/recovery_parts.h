@@ -1,0 +1,12 @@
+/// Parts of recover_statics (statics/recovery.h), for who solves many lays close to each other.
+#pragma once
+
+#include "results/static_results.h"
+#include "statics/statics.h"
+
+namespace overbend {
+
+/// Results with what is warned of, but without what the current adds (statics/current_effect.h).
+StaticResults recover_in_current(const Model& model, const StaticSolution& solution);
+
+}  // namespace overbend

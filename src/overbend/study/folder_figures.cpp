@@ -1,0 +1,110 @@
+#include "study/folder_figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "results/fields/shown_unit.h"
+
+namespace overbend {
+namespace {
+
+constexpr const char* kAlong = "distance from the tensioner [m]";
+
+double factor_of(const char* si) {
+  return shown_unit("", si).factor;
+}
+
+void add(FolderCurves& curves, const std::string& title, const std::string& x_label, const std::string& y_label,
+         const std::vector<double>& x, const std::vector<double>& y) {
+  if (x.empty() || x.size() != y.size()) return;
+  FolderCurve curve{title, x_label, y_label, {}, {}};
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!std::isfinite(x[i]) || !std::isfinite(y[i])) continue;
+    curve.x.push_back(x[i]);
+    curve.y.push_back(y[i]);
+  }
+  curves.push_back(std::move(curve));
+}
+
+std::vector<double> times(const std::vector<double>& values, double factor) {
+  std::vector<double> out;
+  for (const double value : values) out.push_back(factor * value);
+  return out;
+}
+
+double top_of(const StaticResults& results) {
+  double top = 0.0;
+  for (const Station& station : results.stations) top = std::max(top, station.s);
+  return top;
+}
+
+/// Thinned histories: low and high of each stretch one after the other.
+void add_history(FolderCurves& curves, const DynamicResults& results, const std::string& name, const std::string& title,
+                 const std::string& y_label, double factor) {
+  const auto at = std::ranges::find(results.histories, name, &HistorySummary::name);
+  if (at == results.histories.end() || at->low.size() != at->high.size() || at->low.empty()) return;
+  const double count = static_cast<double>(at->low.size());
+  const double stretch = (results.duration + results.build_up) / count;
+  std::vector<double> time, values;
+  for (std::size_t i = 0; i < at->low.size(); ++i) {
+    const double from = -results.build_up + stretch * static_cast<double>(i);
+    time.insert(time.end(), {from + 0.25 * stretch, from + 0.75 * stretch});
+    values.insert(values.end(), {factor * at->low[i], factor * at->high[i]});
+  }
+  add(curves, title, "time [s]", y_label, time, values);
+}
+
+}  // namespace
+
+void add_curves(FolderCurves& curves, const StaticResults& results) {
+  std::vector<double> s, astern, height, tension, moment, stress;
+  const double top = top_of(results);
+  for (const Station& station : results.stations) {
+    s.push_back(top - station.s);
+    astern.push_back(station.astern);
+    height.push_back(station.p_W.z());
+    tension.push_back(factor_of("N") * station.effective_tension);
+    moment.push_back(factor_of("N m") * station.bending_moment);
+    stress.push_back(factor_of("Pa") * station.von_mises);
+  }
+  add(curves, "Static shape", "distance astern of the stern shoe [m]", "height [m]", astern, height);
+  add(curves, "Static effective tension", kAlong, "tension [kN]", s, tension);
+  add(curves, "Static bending moment", kAlong, "bending moment [kN m]", s, moment);
+  add(curves, "Static von Mises stress", kAlong, "von Mises stress [MPa]", s, stress);
+}
+
+void add_curves(FolderCurves& curves, const StaticResults& statics, const DynamicResults& results) {
+  std::vector<double> s;
+  const double top = top_of(statics);
+  for (const double station : results.station_s) s.push_back(top - station);
+  const auto envelope = [&](const char* title, const char* label, const std::vector<double>& values, const char* si) {
+    add(curves, title, kAlong, label, s, times(values, factor_of(si)));
+  };
+  envelope("Largest effective tension over time", "tension [kN]", results.effective_tension.max, "N");
+  envelope("Smallest effective tension over time", "tension [kN]", results.effective_tension.min, "N");
+  envelope("Largest bending moment over time", "bending moment [kN m]", results.bending_moment.max, "N m");
+  envelope("Largest von Mises stress over time", "von Mises stress [MPa]", results.von_mises.max, "Pa");
+  add_history(curves, results, "top_tension", "History of the top tension", "tension [kN]", factor_of("N"));
+  add_history(curves, results, "overbend_von_mises", "History of the largest stress of the overbend",
+              "von Mises stress [MPa]", factor_of("Pa"));
+  add_history(curves, results, "sagbend_von_mises", "History of the largest stress of the sagbend",
+              "von Mises stress [MPa]", factor_of("Pa"));
+}
+
+std::vector<OverlaidFigure> overlaid(const std::vector<FolderCurves>& folders) {
+  std::vector<OverlaidFigure> figures;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    for (const FolderCurve& curve : folders[i]) {
+      auto at = std::ranges::find(figures, curve.title, &OverlaidFigure::title);
+      if (at == figures.end()) {
+        figures.push_back({curve.title, curve.x_label, curve.y_label, {}});
+        at = std::prev(figures.end());
+      }
+      at->curves.push_back({i, curve.x, curve.y});
+    }
+  }
+  std::erase_if(figures, [](const OverlaidFigure& figure) { return figure.curves.size() < 2; });
+  return figures;
+}
+
+}  // namespace overbend

@@ -1,0 +1,179 @@
+#include "study/lay_cases.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/limit_search.h"
+#include "study/static_run.h"
+
+namespace overbend {
+namespace {
+
+constexpr double kLayBackMiss = 1e-3;  ///< [m]
+constexpr double kLayBackJump =
+    0.05;  ///< Touchdown moves that far where a roller lets go or the mesh is made anew [m].
+constexpr double kSameTension = 1e-8;                   ///< Relative.
+constexpr double kSmallStep = 1.02, kLargeStep = 1.15;  ///< Factors between tensions that are tried outwards.
+constexpr int kMostSteps = 24;                          ///< Of them: a factor of 20 either way.
+constexpr int kMostNarrowings = 40;
+
+LayTableValues values_of(const StaticResults& r) {
+  LayTableValues v;
+  v.top_tension = r.top_tension;
+  v.bottom_tension = r.bottom_tension;
+  v.lay_back = r.lay_back;
+  v.departure_angle = r.departure_angle;
+  v.tip_separation = r.stinger_tip_clearance;
+  if (const auto& bent = r.overbend ? r.overbend : r.tower) {
+    v.overbend_bending_stress = bent->bending_stress.value;
+    v.overbend_von_mises = bent->von_mises.value;
+    v.overbend_strain = bent->strain.value;
+  }
+  v.sagbend_bending_stress = r.sagbend.bending_stress.value;
+  v.sagbend_von_mises = r.sagbend.von_mises.value;
+  v.sagbend_strain = r.sagbend.strain.value;
+  v.largest_reaction = r.largest_reaction;
+  v.largest_reaction_support = r.largest_reaction_support;
+  if (const CheckRow* worst = worst_check(r.checks)) {
+    v.utilisation = worst->utilisation;
+    v.worst_check = worst->name;
+    v.passed = worst->status != CheckStatus::exceeded;
+  }
+  for (const CheckRow& row : r.checks.rows) {
+    v.passed = v.passed && !(row.governing && row.status == CheckStatus::exceeded);
+  }
+  return v;
+}
+
+/// The whole bed as deep at the stern shoe as that.
+void set_depth(EnvironmentDescription& environment, double depth) {
+  const double deeper = depth - environment.water_depth;
+  environment.water_depth = depth;
+  if (deeper == 0.0) return;
+  for (ProfilePoint& point : environment.seabed.profile) point.depth += deeper;
+  if (!environment.seabed.bathymetry) return;
+  for (double& point : environment.seabed.bathymetry->depth) point += deeper;
+}
+
+std::string exceeded_words(const LayTableValues& v) {
+  return v.passed ? "" : fmt::format("{} is exceeded", v.worst_check);
+}
+
+}  // namespace
+
+LayCases::LayCases(const Description& description) : description_(description) {
+  const double depth = description_.environment.water_depth;
+  own_ = solve(description_, description_.tensioner.tension.value_or(0.0), depth);
+  if (!description_.tensioner.tension && own_.lay) own_.tension = own_.lay->top_tension;
+  if (description_.pipe.length && description_.pipe.anchor) {
+    description_.pipe.length.reset();  // the tension is given now
+  }
+  for (Known& known : known_) known.tension = own_.tension;  // the one that was not given
+}
+
+const LayCases::Known* LayCases::nearest_by_lay_back(double lay_back, double depth) const {
+  const Known* near = nullptr;
+  for (const Known& known : known_) {
+    if (known.depth != depth) continue;
+    const bool nearer = near == nullptr || std::abs(known.lay_back - lay_back) < std::abs(near->lay_back - lay_back);
+    if (nearer) near = &known;
+  }
+  return near;
+}
+
+LayCase LayCases::solve(const Description& description, double tension, double depth) {
+  LayCase found{tension, depth, {}, {}};
+  Model model = build_model(description);
+  // From nothing, though a row beside it would be closer: across a current a lay may have several equilibria, which
+  // differ in the side rollers that bear, and a row would hang on those before it.
+  const LayOutcome outcome = solve_lay(model);
+  ++solves_;
+  if (!outcome.solution) {
+    found.reason = outcome.failure->what;
+    return found;
+  }
+  const StaticResults results = checked_statics(model, outcome);
+  if (assumptions_.empty()) assumptions_ = results.assumptions;
+  found.lay = values_of(results);
+  found.reason = exceeded_words(*found.lay);
+  known_.push_back({tension, depth, results.lay_back});
+  return found;
+}
+
+LayCase LayCases::at(double tension, double depth) {
+  Description description = description_;
+  description.tensioner.tension = tension;
+  set_depth(description.environment, depth);
+  return solve(description, tension, depth);
+}
+
+/// Tensions with touchdown on either side of the lay-back, from what is known and outwards; without a lay where it ends
+/// before.
+std::pair<LayCase, LayCase> LayCases::around_lay_back(double lay_back, double depth) {
+  const Known* near = nearest_by_lay_back(lay_back, depth);
+  LayCase low = at(near != nullptr ? near->tension : own_.tension, depth), high = low;
+  double factor = kSmallStep;
+  for (int i = 0; i < kMostSteps && low.lay && low.lay->lay_back > lay_back; ++i) {
+    high = low;
+    low = at(low.tension / factor, depth);
+    factor = std::min(factor * factor, kLargeStep);
+  }
+  for (int i = 0; i < kMostSteps && high.lay && high.lay->lay_back < lay_back; ++i) {
+    low = high;
+    high = at(high.tension * factor, depth);
+    factor = std::min(factor * factor, kLargeStep);
+  }
+  // The lay may end before touchdown is near enough: halve towards where it stands.
+  for (int i = 0; i < kMostNarrowings && high.lay && !low.lay; ++i) {
+    LayCase middle = at(0.5 * (low.tension + high.tension), depth);
+    (!middle.lay || middle.lay->lay_back <= lay_back ? low : high) = std::move(middle);
+    if (high.tension - low.tension < kSameTension * high.tension) break;
+  }
+  return {std::move(low), std::move(high)};
+}
+
+LayCase LayCases::at_lay_back(double lay_back, double depth) {
+  auto [low, high] = around_lay_back(lay_back, depth);
+  for (const LayCase* end : {&low, &high}) {
+    if (!end->lay) return {end->tension, depth, {}, "no tension has this lay-back: " + end->reason};
+  }
+  const auto miss = [&](const LayCase& lay) { return lay.lay->lay_back - lay_back; };
+  if (miss(low) > kLayBackMiss || miss(high) < -kLayBackMiss) return {0.0, depth, {}, "no tension has this lay-back"};
+  // Regula falsi; the end that stays loses half its weight (Dowell and Jarratt 1971, "Illinois").
+  double f_low = miss(low), f_high = miss(high);
+  int side = 0;
+  for (int i = 0; i < kMostNarrowings && high.tension - low.tension > kSameTension * high.tension; ++i) {
+    if (std::abs(miss(low)) < kLayBackMiss || std::abs(miss(high)) < kLayBackMiss) break;
+    LayCase between = at((low.tension * f_high - high.tension * f_low) / (f_high - f_low), depth);
+    if (!between.lay) return between;
+    const bool below = miss(between) < 0.0;
+    (below ? f_low : f_high) = miss(between);
+    const int moved = below ? -1 : 1;
+    if (side == moved) (below ? f_high : f_low) *= 0.5;
+    side = moved;
+    (below ? low : high) = std::move(between);
+  }
+  LayCase& best = std::abs(miss(low)) < std::abs(miss(high)) ? low : high;
+  if (std::abs(miss(best)) > kLayBackJump) return {best.tension, depth, {}, "touchdown jumps over this lay-back"};
+  return std::move(best);
+}
+
+LayCase LayCases::at_least_tension(double depth) {
+  const TryLay try_at = [&](double tension) { return at(tension, depth); };
+  const double begin = own_.tension;  // not that of the row before: rows stand by themselves
+  const std::optional<LayLimit> limit = least_passing({begin, at(begin, depth)}, {}, try_at);
+  if (!limit) {
+    LayCase none = at(own_.tension, depth);
+    none.reason =
+        "no tension passes every check" + (none.reason.empty() ? "" : ": with the model's own, " + none.reason);
+    none.lay.reset();
+    return none;
+  }
+  LayCase least = limit->passing.lay;
+  if (!limit->beyond.lay.reason.empty()) least.reason = "with less, " + limit->beyond.lay.reason;
+  return least;
+}
+
+}  // namespace overbend

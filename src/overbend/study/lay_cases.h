@@ -1,0 +1,58 @@
+/// Equilibria of one lay under other tensions and depths, each by itself as `overbend static` finds it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/description.h"
+#include "results/lay_table_results.h"
+
+namespace overbend {
+
+/// An equilibrium, or why there is none.
+struct LayCase {
+  double tension = 0.0;  ///< At the tensioner [N].
+  double depth = 0.0;    ///< [m]
+  std::optional<LayTableValues> lay;
+  std::string reason;  ///< Why there is none, or which check is exceeded.
+
+  bool passed() const { return lay && lay->passed; }
+};
+
+class LayCases {
+ public:
+  /// Of the model's own lay. `held_tension` is its tension, or the one that follows from its length and anchor.
+  explicit LayCases(const Description& description);
+
+  double own_tension() const { return own_.tension; }
+  double own_depth() const { return description_.environment.water_depth; }
+  /// Of the model as it is; without a lay where that has none.
+  const LayCase& own() const { return own_; }
+  const std::vector<std::string>& assumptions() const { return assumptions_; }
+  /// Equilibria calculated so far.
+  int solves() const { return solves_; }
+
+  LayCase at(double tension, double depth);
+  /// The tension at which touchdown lies `lay_back` astern of the stern shoe, to a millimetre.
+  LayCase at_lay_back(double lay_back, double depth);
+  /// The least tension with which every governing check is passed, to a thousandth.
+  LayCase at_least_tension(double depth);
+
+ private:
+  struct Known {
+    double tension, depth, lay_back;
+  };
+  const Known* nearest_by_lay_back(double lay_back, double depth) const;
+  std::pair<LayCase, LayCase> around_lay_back(double lay_back, double depth);
+  LayCase solve(const Description& description, double tension, double depth);
+
+  Description description_;
+  LayCase own_;
+  std::vector<Known> known_;
+  std::vector<std::string> assumptions_;
+  int solves_ = 0;
+};
+
+}  // namespace overbend

@@ -1,0 +1,59 @@
+#include "study/lay_operation.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "base/version.h"
+#include "model/lay_stage.h"
+#include "study/stage_tension.h"
+
+namespace overbend {
+namespace {
+
+/// Horizontal distance from the stern shoe to a point of the line that lies still on the bed, and stays there from
+/// stage to stage, but for a constant [m].
+double distance_to_laid(const StageResult& stage) {
+  const StaticResults& r = *stage.lay;
+  if (r.far_anchor) return r.far_anchor->distance;
+  const LayStageDescription& at = stage.stage;
+  const double come = at.cable_out.value_or(at.ahead.value_or(at.passed.value_or(0.0)));
+  return r.lay_back - (r.length_top_to_touchdown - come);
+}
+
+/// Against the first stage that stands. While ballast is changed the barge stays, and the tensioner pays out or takes
+/// in.
+void place_barge(std::vector<StageResult>& stages) {
+  std::optional<double> first;
+  for (StageResult& stage : stages) {
+    if (!stage.lay || stage.stage.tank_weight || stage.stage.tank_ballast) continue;
+    if (!first) first = distance_to_laid(stage);
+    stage.barge_ahead = distance_to_laid(stage) - *first;
+  }
+}
+
+void copy_head(OperationResults& results, const Description& description) {
+  results.title = description.title;
+  results.version = kVersion;
+  results.type = description.operation.type;
+}
+
+}  // namespace
+
+OperationResults solve_operation(const Description& description,
+                                 const std::function<bool(const StageResult&, std::size_t of)>& told) {
+  const auto begin = std::chrono::steady_clock::now();
+  OperationResults results;
+  copy_head(results, description);
+  const std::vector<LayStageDescription> stages = lay_stages(description);
+  StageSolver solver(description);
+  const std::vector<PlannedStage> planned = solver.plan(stages);
+  for (const PlannedStage& stage : planned) {
+    results.stages.push_back(solver.solve(stage));
+    if (told && !told(results.stages.back(), planned.size())) break;
+  }
+  place_barge(results.stages);
+  results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return results;
+}
+
+}  // namespace overbend

@@ -1,0 +1,90 @@
+#include "study/seek_run.h"
+
+#include "modelfile/binding.h"
+#include "modelfile/field_table.h"
+#include "modelfile/yaml_path.h"
+#include "modelfile/yaml_reader.h"
+#include "report/report.h"
+#include "resultfiles/mooring_writer.h"
+#include "resultfiles/results_writer.h"
+#include "resultfiles/seek_writer.h"
+#include "runstore/append_file.h"
+#include "runstore/staged_folder.h"
+#include "study/prepared_case.h"
+
+namespace overbend {
+namespace {
+
+namespace fs = std::filesystem;
+
+Description with_answer(const Description& description, const SeekDescription& wanted, const SeekResults& results) {
+  const std::string text = edit_yaml(description.source_text, answer_changes(description, wanted, results));
+  ModelReading reading = read_model_text(text, description.source_file);
+  if (!reading.description) {
+    throw SeekFault("the model with the answer put in: " + reading.diagnostics.lines(Severity::error).front());
+  }
+  return std::move(*reading.description);
+}
+
+/// The statics of the model that is written; what is told is what they say.
+void solve_answer(SeekRun& run, const std::optional<StaticSolution>& start) {
+  Model model = build_model(run.answer);
+  run.statics = solve_model(model, start ? &*start : nullptr);
+  if (run.statics.failure) {
+    run.results.found = false;
+    run.results.why = "the model with the answer put in has no equilibrium: " + failure_line(*run.statics.failure);
+    return;
+  }
+  tell_hull(model, run.statics);
+}
+
+void write_statics(const SeekRun& run, const fs::path& folder) {
+  const std::string& text = run.answer.source_text;
+  if (run.statics.lay) {
+    write_static_files(*run.statics.lay, run.answer, folder);
+    write_report(*run.statics.lay, text, folder / "report.html", {.seek = &run.results});
+  } else {
+    write_mooring_files(*run.statics.moorings, run.answer, folder);
+    write_report(*run.statics.moorings, text, folder / "report.html");
+  }
+}
+
+}  // namespace
+
+SeekRun run_seek(const Description& description, const SeekDescription& wanted) {
+  SeekOutcome outcome = seek(description, wanted);
+  SeekRun run{std::move(outcome.results), {}, {}};
+  if (!run.results.found) return run;
+  run.answer = with_answer(description, wanted, run.results);
+  solve_answer(run, outcome.start);
+  return run;
+}
+
+std::string answered_text(const SeekRun& run, const fs::path& folder) {
+  Diagnostics faults;
+  const std::optional<YamlNode> tree = parse_yaml(run.answer.source_text, run.answer.source_file, faults);
+  std::vector<YamlChange> changes;
+  for (const Field& row : field_table()) {
+    std::string rest;
+    const std::vector<YamlSpot> spots = row.file && tree ? follow_path(*tree, row.path, rest) : std::vector<YamlSpot>{};
+    if (spots.empty() || !rest.empty() || spots.back().node->kind != YamlNode::Kind::scalar) continue;
+    const fs::path named = spots.back().node->text;
+    if (named.is_absolute()) continue;
+    const fs::path found = fs::absolute(resolved_file(named.string(), run.answer.source_file));
+    changes.push_back(
+        {row.path, YamlChange::Kind::scalar, found.lexically_relative(fs::absolute(folder)).generic_string()});
+  }
+  return edit_yaml(run.answer.source_text, changes);
+}
+
+void write_seek_run(const SeekRun& run, const Description& description, const fs::path& folder) {
+  StagedFolder staged(folder);
+  if (run.results.found) {
+    write_statics(run, staged.path());
+    write_text(staged.path() / "model.yaml", answered_text(run, folder));
+  }
+  write_seek_files(run.results, description.title, staged.path());
+  staged.commit("summary.json");
+}
+
+}  // namespace overbend

@@ -1,0 +1,59 @@
+/// The program's goal seek: files, lines and exit codes.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+#include "small_lay.h"
+
+namespace overbend {
+namespace {
+
+using testing::kSmallLay;
+using testing::run_program;
+using testing::Scratch;
+
+std::string seeking(const std::string& until) {
+  return kSmallLay +
+         "seek:\n  vary: {key: tensioner.tension, from: 250 kN, to: 400 kN}  # a comment\n  until: " + until + "\n";
+}
+
+TEST(seek_command, writes_the_statics_of_the_answer_with_the_way_there) {
+  const Scratch scratch;
+  const std::string model = scratch.write("lay.yaml", seeking("{result: static.bottom_tension, equals: 310 kN}"));
+  const auto done = run_program("seek " + model + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_NE(done.out.find("tensioner.tension"), std::string::npos);
+  const nlohmann::json summary = nlohmann::json::parse(scratch.read("out/summary.json"));
+  EXPECT_NEAR(summary["static"]["bottom_tension"].get<double>(), 310e3, 1.0);
+  const nlohmann::json& seek = summary["seek"];
+  EXPECT_NEAR(seek["answer"].get<double>(), summary["static"]["top_tension"].get<double>(), 50.0);
+  EXPECT_EQ(seek["unit"], "N");
+  EXPECT_GT(seek["slope"].get<double>(), 0.5);
+  EXPECT_EQ(seek["path"].size(), seek["evaluations"].get<std::size_t>());
+  EXPECT_NE(scratch.read("out/model.yaml").find("# a comment"), std::string::npos);
+  EXPECT_NE(scratch.read("out/seek.csv").find("tensioner.tension [kN],static.bottom_tension [kN],failure"),
+            std::string::npos);
+  EXPECT_NE(scratch.read("out/report.html").find("Goal seek"), std::string::npos);
+}
+
+TEST(seek_command, without_an_answer_it_says_why_and_ends_with_code_3) {
+  const Scratch scratch;
+  const std::string model = scratch.write("lay.yaml", seeking("{result: static.bottom_tension, equals: 900 kN}"));
+  const auto done = run_program("seek " + model + " -o " + scratch.file("out"));
+  EXPECT_EQ(done.code, 3);
+  EXPECT_NE(done.err.find("it goes from"), std::string::npos) << done.err;
+  const nlohmann::json summary = nlohmann::json::parse(scratch.read("out/summary.json"));
+  EXPECT_EQ(summary["seek"]["found"], false);
+  EXPECT_TRUE(summary["seek"]["answer"].is_null());
+}
+
+TEST(seek_command, needs_something_to_seek) {
+  const Scratch scratch;
+  const auto done = run_program("seek " + scratch.write("lay.yaml", kSmallLay) + " -o " + scratch.file("out"));
+  EXPECT_EQ(done.code, 2);
+  EXPECT_NE(done.err.find("seek"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overbend

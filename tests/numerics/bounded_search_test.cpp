@@ -1,0 +1,113 @@
+#include "numerics/bounded_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+VectorXd of(std::initializer_list<double> values) {
+  VectorXd v(static_cast<Eigen::Index>(values.size()));
+  Eigen::Index i = 0;
+  for (const double value : values) v(i++) = value;
+  return v;
+}
+
+/// Derivatives by central differences.
+SearchProblem with_slopes(SearchProblem problem) {
+  problem.slopes = [values = problem.values](const VectorXd& x, const SearchValues& at) {
+    SearchSlopes slopes{MatrixXd(at.equal.size(), x.size()), MatrixXd(at.least.size(), x.size()),
+                        MatrixXd(at.aim.size(), x.size())};
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const VectorXd h = VectorXd::Unit(x.size(), i) * 1e-6;
+      const SearchValues a = *values(x + h), b = *values(x - h);
+      slopes.equal.col(i) = (a.equal - b.equal) / 2e-6;
+      slopes.least.col(i) = (a.least - b.least) / 2e-6;
+      slopes.aim.col(i) = (a.aim - b.aim) / 2e-6;
+    }
+    return slopes;
+  };
+  return problem;
+}
+
+TEST(bounded_search, meets_as_many_equations_as_there_are_unknowns) {
+  SearchProblem problem;
+  problem.start = of({0.9, 0.1});
+  problem.values = [](const VectorXd& x) {
+    return SearchValues{of({x(0) * x(0) + x(1) * x(1) - 0.25, x(1) - x(0) * x(0)}), {}, {}};
+  };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  // y + y^2 = 1/4
+  const double y = 0.5 * (std::sqrt(2.0) - 1.0);
+  EXPECT_NEAR(end.x(1), y, 1e-6);
+  EXPECT_NEAR(end.x(0), std::sqrt(y), 1e-6);
+}
+
+TEST(bounded_search, takes_the_shortest_way_where_unknowns_are_left_over) {
+  SearchProblem problem;
+  problem.start = of({0.2, 0.2});
+  problem.values = [](const VectorXd& x) { return SearchValues{of({x(0) + 3.0 * x(1) - 1.8}), {}, {}}; };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  EXPECT_NEAR(end.x(0), 0.3, 1e-6);  // foot of the perpendicular from the start
+  EXPECT_NEAR(end.x(1), 0.5, 1e-6);
+}
+
+TEST(bounded_search, stops_at_bounds_and_says_that_a_condition_is_out_of_reach) {
+  SearchProblem problem;
+  problem.start = of({0.5});
+  problem.values = [](const VectorXd& x) { return SearchValues{of({x(0) - 1.5}), {}, {}}; };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_FALSE(end.met);
+  EXPECT_NEAR(end.x(0), 1.0, 1e-6);
+  EXPECT_NEAR(end.violation, 0.5, 1e-6);
+}
+
+TEST(bounded_search, keeps_conditions_while_it_minimises_a_value) {
+  // The lowest point of a slope over a disc: Lagrange gives (0.5, 0.5) - 0.3 (1, 2) / sqrt 5.
+  SearchProblem problem;
+  problem.start = of({0.5, 0.5});
+  problem.linear_aim = true;
+  problem.settled = 1e-7;
+  problem.steps = 60;
+  problem.values = [](const VectorXd& x) {
+    return SearchValues{{}, of({0.09 - (x - Vector2d(0.5, 0.5)).squaredNorm()}), of({x(0) + 2.0 * x(1)})};
+  };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  EXPECT_NEAR(end.values.aim(0), 1.5 - 0.3 * std::sqrt(5.0), 2e-5);  // flat along the rim: the value is what settles
+}
+
+TEST(bounded_search, finds_the_least_squares_on_an_equation) {
+  // Nearest of the line x + y = 0.8 to (0.1, 0.3): (0.3, 0.5).
+  SearchProblem problem;
+  problem.start = of({0.9, 0.9});
+  problem.values = [](const VectorXd& x) {
+    return SearchValues{of({x(0) + x(1) - 0.8}), {}, of({x(0) - 0.1, x(1) - 0.3})};
+  };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  EXPECT_NEAR(end.x(0), 0.3, 1e-6);
+  EXPECT_NEAR(end.x(1), 0.5, 1e-6);
+}
+
+TEST(bounded_search, goes_around_where_there_are_no_values) {
+  SearchProblem problem;
+  problem.start = of({0.1});
+  problem.values = [](const VectorXd& x) -> std::optional<SearchValues> {
+    if (x(0) > 0.6) return std::nullopt;
+    return SearchValues{of({x(0) * x(0) - 0.25}), {}, {}};
+  };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met);
+  EXPECT_NEAR(end.x(0), 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace overbend

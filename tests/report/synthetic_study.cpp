@@ -1,0 +1,209 @@
+#include "report/synthetic_study.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+namespace overbend::testing {
+namespace {
+
+StudyInput axis(const std::string& key, const std::string& unit, const std::string& show, double factor,
+                const std::vector<double>& shown) {
+  StudyInput input{key, unit, show, "", false, {}, {}};
+  for (const double value : shown) {
+    input.words.push_back(fmt::format("{:g} {}", value, show));
+    input.values.push_back(value * factor);
+  }
+  return input;
+}
+
+StudyInput hs() {
+  return axis("environment.waves.hs", "m", "m", 1.0, {1.0, 1.5, 2.0, 2.5, 3.0, 3.5});
+}
+StudyInput tp() {
+  return axis("environment.waves.tp", "s", "s", 1.0, {6, 7, 8, 9, 10, 11, 12, 14});
+}
+StudyInput heading() {
+  return axis("environment.waves.from", "rad", "deg", std::numbers::pi / 180.0,
+              {0, 30, 60, 90, 120, 150, 180, 210, 240, 270, 300, 330});
+}
+
+StudyResults headed(const std::string& title) {
+  StudyResults results;
+  results.title = title;
+  results.version = "0.0";
+  results.analysis = "dynamic";
+  results.outputs = {{"dynamic.overbend.max_von_mises", "Pa"},
+                     {"dynamic.top_tension.min", "N"},
+                     {"dynamic.sagbend.max_strain", "1"},
+                     {"checks.governing", "", true}};
+  results.command = "overbend study waves.yaml -o waves.study";
+  results.assumptions = {"The sea is that of a JONSWAP spectrum."};
+  results.wall_time = 5400.0;
+  results.threads = 8;
+  return results;
+}
+
+/// A response that grows with the wave height and has a period of resonance.
+void fill(StudyCase& one, double height, double period, double noise) {
+  one.state = StudyCaseState::done;
+  const double answer = height / (1.0 + 0.2 * (period - 9.0) * (period - 9.0)) + 0.3 * height + noise;
+  one.values = {(250.0 + 60.0 * answer) * 1e6, (200.0 - 35.0 * answer) * 1e3, 0.0014 + 2e-4 * answer, std::nullopt};
+  one.texts = {"", "", "", "laying criterion I, overbend"};
+  one.utilisation = (250.0 + 60.0 * answer) / 400.0;
+  one.governing = "laying criterion I, overbend";
+  one.passed = *one.utilisation <= 1.0;
+}
+
+void fail(StudyCase& one) {
+  one.state = StudyCaseState::failed;
+  one.passed = false;
+  one.values.assign(4, std::nullopt);
+  one.texts.assign(4, "");
+  one.reason = "no equilibrium: the tension 150 kN is below the suspended weight, 163 kN";
+}
+
+/// All combinations of the inputs, each with so many seeds.
+void cross(StudyResults& results, std::size_t seeds) {
+  std::size_t all = 1;
+  for (const StudyInput& input : results.inputs) all *= input.words.size();
+  for (std::size_t group = 0; group < all; ++group) {
+    for (std::size_t seed = 1; seed <= seeds; ++seed) {
+      StudyCase one;
+      one.number = results.cases.size();
+      one.group = group;
+      std::size_t rest = group;
+      one.at.resize(results.inputs.size());
+      for (std::size_t i = results.inputs.size(); i-- > 0;) {
+        one.at[i] = rest % results.inputs[i].words.size();
+        rest /= results.inputs[i].words.size();
+      }
+      for (std::size_t i = 0; i < one.at.size(); ++i) {
+        one.words.push_back(results.inputs[i].words[one.at[i]]);
+        one.inputs.push_back(results.inputs[i].values[one.at[i]]);
+      }
+      if (seeds > 1) one.seed = seed;
+      const double noise = 0.08 * std::sin(12.9 * static_cast<double>(one.number));
+      fill(one, one.inputs[0], one.inputs.size() > 1 ? one.inputs[1] : 9.0, noise);
+      if (one.at.size() > 1 && one.at[0] == 5 && one.at[1] == 3) fail(one);
+      results.cases.push_back(one);
+    }
+  }
+}
+
+StudyResults swings() {
+  StudyResults results = headed("Sensitivity of the lay to what is not known");
+  results.inputs = {axis("tensioner.tension", "N", "kN", 1e3, {180, 200, 220}),
+                    axis("environment.water_depth", "m", "m", 1.0, {48, 50, 52}),
+                    axis("pipe.coating.concrete.density", "kg/m^3", "kg/m^3", 1.0, {2950, 3040, 3130})};
+  for (std::size_t i = 0; i < 7; ++i) {
+    StudyCase one;
+    one.number = one.group = i;
+    one.at = {1, 1, 1};
+    if (i > 0) one.at[(i - 1) / 2] = i % 2 == 1 ? 0 : 2;
+    for (std::size_t k = 0; k < 3; ++k) {
+      one.words.push_back(results.inputs[k].words[one.at[k]]);
+      one.inputs.push_back(results.inputs[k].values[one.at[k]]);
+    }
+    const double change = 0.9 * (1.0 - static_cast<double>(one.at[0])) + 0.4 * static_cast<double>(one.at[1]) +
+                          0.1 * static_cast<double>(one.at[2]);
+    fill(one, 1.0 + change, 9.0, 0.0);
+    results.cases.push_back(one);
+  }
+  return results;
+}
+
+StudyResults sample() {
+  StudyResults results = headed("Spread of a lay whose inputs are drawn");
+  results.inputs = {{"tensioner.tension", "N", "kN", "", true, {}, {}},
+                    {"environment.waves.hs", "m", "m", "", true, {}, {}},
+                    {"seabed.friction.lateral", "1", "", "", true, {}, {}}};
+  for (std::size_t i = 0; i < 120; ++i) {
+    const double a = std::fmod(0.618034 * static_cast<double>(i), 1.0),
+                 b = std::fmod(0.754878 * static_cast<double>(i), 1.0),
+                 c = std::fmod(0.569840 * static_cast<double>(i), 1.0);
+    StudyCase one;
+    one.number = one.group = i;
+    one.inputs = {180e3 + 60e3 * a, 0.5 + 2.5 * b, 0.4 + 0.4 * c};
+    one.words = {fmt::format("{:.1f} kN", one.inputs[0] / 1e3), fmt::format("{:.3f} m", one.inputs[1]),
+                 fmt::format("{:.3f}", one.inputs[2])};
+    fill(one, one.inputs[1], 9.0, 1.2 * (0.5 - a));
+    if (i == 77) fail(one);
+    results.cases.push_back(one);
+  }
+  return results;
+}
+
+StudyResults operability() {
+  StudyResults results = headed("Operability of a barge");
+  results.outputs.clear();
+  OperabilityResults all;
+  all.over = "environment.waves.hs";
+  all.unit = all.show = "m";
+  all.axes = {heading(), axis("environment.waves.tp", "s", "s", 1.0, {6, 8, 10, 12})};
+  all.least = 0.5;
+  all.largest = 4.0;
+  all.resolution = 0.25;
+  all.seeds = {1, 2, 3};
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      OperabilityCell cell;
+      cell.at = {i, j};
+      const double beam = std::abs(std::sin(all.axes[0].values[i])), period = all.axes[1].values[j];
+      const double limit = std::floor(4.0 * (4.9 - 2.4 * beam - 0.25 * (period - 6.0))) / 4.0;
+      cell.beyond = limit >= all.largest;
+      if (limit >= all.least && !cell.beyond) cell.limit = limit;
+      if (cell.beyond) cell.limit = all.largest;
+      cell.governing = cell.beyond ? "" : beam > 0.6 ? "clearance at the stinger tip" : "laying criterion I, overbend";
+      cell.below = 0.96;
+      cell.above = 1.04;
+      cell.runs = 12;
+      all.runs += cell.runs;
+      all.cells.push_back(cell);
+    }
+  }
+  all.cells[13].decided = false;
+  all.cells[13].limit.reset();
+  all.cells[13].reason = "two seeds had no result";
+  Workability workability;
+  for (int i = 0; i < 12; ++i) workability.months.push_back(0.62 - 0.3 * std::cos(2.0 * std::numbers::pi * i / 12.0));
+  workability.year = 0.62;
+  workability.outside = 0.013;
+  all.workability = workability;
+  results.operability = all;
+  return results;
+}
+
+void add_extremes(StudyResults& results) {
+  for (std::size_t group = 0; group < 6; ++group) {
+    StudyExtreme extreme;
+    extreme.group = group;
+    extreme.output = group % 2;
+    extreme.runs = 12;
+    extreme.mean = group % 2 == 0 ? 300e6 : 150e3;
+    extreme.std = 0.03 * extreme.mean;
+    extreme.worst = extreme.largest ? 1.05 * extreme.mean : 0.95 * extreme.mean;
+    extreme.enough = group < 4;
+    extreme.gumbel = {1.06 * extreme.mean, 1.02 * extreme.mean, 1.11 * extreme.mean};
+    if (group != 1) extreme.acer = StudyEstimate{1.05 * extreme.mean, 1.03 * extreme.mean, 1.08 * extreme.mean};
+    results.extremes.push_back(extreme);
+  }
+}
+
+}  // namespace
+
+StudyResults synthetic_study(const std::string& shape) {
+  if (shape == "swings") return swings();
+  if (shape == "sample") return sample();
+  if (shape == "operability") return operability();
+  StudyResults results = headed("A barge in waves");
+  results.inputs = {hs()};
+  if (shape != "curves") results.inputs.push_back(tp());
+  if (shape == "facets") results.inputs.push_back(axis("tensioner.tension", "N", "kN", 1e3, {180, 200, 220}));
+  cross(results, shape == "facets" ? 1 : 3);
+  if (shape == "maps") add_extremes(results);
+  return results;
+}
+
+}  // namespace overbend::testing

@@ -1,0 +1,37 @@
+#include "seafiles/route_depths_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace overbend {
+namespace {
+
+std::string fault_of(const std::string& text) {
+  Diagnostics diagnostics;
+  EXPECT_TRUE(read_route_depths_text(text, "route.csv", diagnostics).empty());
+  const std::vector<std::string> lines = diagnostics.lines(Severity::error);
+  return lines.empty() ? "" : lines.front();
+}
+
+}  // namespace
+
+TEST(route_depths_reader, takes_kilometre_points_and_distances) {
+  Diagnostics diagnostics;
+  const auto points = read_route_depths_text("# survey\nkp_km,depth_m\n0,60\n1.5,72.5\n", "route.csv", diagnostics);
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_DOUBLE_EQ(points[1].distance, 1500.0);
+  EXPECT_DOUBLE_EQ(points[1].depth, 72.5);
+  const auto metres = read_route_depths_text("distance_m,depth_m\n10,60\n", "route.csv", diagnostics);
+  EXPECT_DOUBLE_EQ(metres.at(0).distance, 10.0);
+  EXPECT_FALSE(diagnostics.has_errors());
+}
+
+TEST(route_depths_reader, says_line_and_reason_of_a_fault) {
+  EXPECT_NE(fault_of("kp,depth\n0,60\n").find("route.csv:1"), std::string::npos);
+  EXPECT_NE(fault_of("kp_km,depth_m\n0,60\n0,61\n").find("more than the distance before it"), std::string::npos);
+  EXPECT_NE(fault_of("kp_km,depth_m\n0,deep\n").find("route.csv:2"), std::string::npos);
+  EXPECT_NE(fault_of("kp_km,depth_m\n0,-3\n").find("more than 0"), std::string::npos);
+  EXPECT_NE(fault_of("kp_km,depth_m\n").find("a row per point"), std::string::npos);
+  EXPECT_NE(fault_of("").find("empty"), std::string::npos);
+}
+
+}  // namespace overbend

@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""Sources are compiled together only where their names allow it: tools/units.py."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+from units import units  # noqa: E402
+
+
+def hiding(text):
+    return "namespace {\n\n" + text + "\n\n}  // namespace\n"
+
+
+class Units(unittest.TestCase):
+    def together(self, first, second, **headers):
+        """Whether two sources with these texts share a unit."""
+        with tempfile.TemporaryDirectory() as folder:
+            inside = pathlib.Path(folder) / "src" / "overbend"
+            inside.mkdir(parents=True)
+            for name, text in {"a.cpp": first, "b.cpp": second, **{k + ".h": v for k, v in headers.items()}}.items():
+                (inside / name).write_text(text)
+            return len(units([inside / "a.cpp", inside / "b.cpp"], 8)) == 1
+
+    def test_sources_that_share_no_name_stand_together(self):
+        self.assertTrue(self.together(hiding("int one() {"), hiding("int other() {")))
+
+    def test_two_helpers_of_one_name_stay_apart(self):
+        self.assertFalse(self.together(hiding("int same(int) {"), hiding("[[noreturn]] void same(double) {")))
+
+    def test_two_constants_and_two_types_of_one_name_stay_apart(self):
+        self.assertFalse(self.together(hiding("constexpr double kStep = 1;"), hiding("constexpr int kStep = 2;")))
+        self.assertFalse(self.together(hiding("struct Row {"), hiding("class Row : public Base {")))
+
+    def test_a_helper_does_not_hide_a_function_that_the_other_calls(self):
+        self.assertFalse(self.together(hiding("int least(int) {"), "int f() { return least(2.0); }"))
+
+    def test_a_helper_does_not_hide_a_function_of_a_header_that_the_other_includes(self):
+        header = "inline int g() { return least(2.0); }"
+        self.assertFalse(self.together(hiding("int least(int) {"), '#include "h.h"', h=header))
+
+    def test_members_and_comments_are_no_names(self):
+        self.assertTrue(self.together(hiding("int least(int) {"), "int f() { return x.least(1); }  // least(2)"))
+
+    def test_units_have_at_most_so_many_sources(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [pathlib.Path(folder) / f"{i}.cpp" for i in range(5)]
+            for path in paths:
+                path.write_text("")
+            self.assertEqual([len(unit) for unit in units(paths, 2)], [2, 2, 1])
+
+
+unittest.main()

@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""Says which sources may be compiled together.
+
+    tools/units.py LARGEST SOURCE...      prints a line "UNIT SOURCE" for every source
+
+Most of a source's time in the compiler and in the linter goes into headers and templates that its neighbours need too.
+Two sources stay apart where a name that one declares in an unnamed namespace is a word of the other, or of a header of
+this project that only the other includes: it could be defined twice there, or hide another. That is stricter than the
+language, and needs no compiler.
+"""
+
+import functools
+import itertools
+import pathlib
+import re
+import sys
+
+# Words that may mean something declared outside of what they stand in: called, or named like types and constants.
+WORD = re.compile(r"(?<![\w.:>])(?:[a-z_]\w*(?=\()|(?:[A-Z]|k[A-Z])\w*)")
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
+NOT_CODE = re.compile(r'//(?! namespace$)[^\n]*|"(?:\\.|[^"\\\n])*"', re.MULTILINE)
+ALIASES = {"fs"}  # the same namespace wherever it is one
+UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
+# The name of what a line at the margin declares: the last word before its parameters, value or body.
+DECLARED = re.compile(r"^(?!template|using namespace|TEST|public|private)[A-Za-z_\[][^\n=({;]*?"
+                      r"(\w+)(?:\[\w*\])?(?: :(?!:)|\s*[=({;]|$)", re.MULTILINE)
+
+
+@functools.cache
+def code(path):
+    return NOT_CODE.sub("", path.read_text())
+
+
+@functools.cache
+def words(path):
+    return frozenset(WORD.findall(code(path)))
+
+
+@functools.cache
+def hidden(path):
+    """Names that the source keeps to itself."""
+    text = code(path)
+    names = {name for part in UNNAMED.findall(text) for name in DECLARED.findall(part)}
+    return frozenset(names - ALIASES)
+
+
+@functools.cache
+def headers(path):
+    """Of this project, that the source includes, however far down."""
+    found, ahead = set(), [path]
+    while ahead:
+        for name in INCLUDE.findall(ahead.pop().read_text()):
+            header = next((root / name for root in roots(path) if (root / name).is_file()), None)
+            if header and header not in found:
+                found.add(header)
+                ahead.append(header)
+    return frozenset(found)
+
+
+@functools.cache
+def roots(path):
+    return tuple(folder for folder in path.parents if folder.name in ("overbend", "tests", "src")) + tuple(
+        folder / "src" / "overbend" for folder in path.parents if (folder / "src" / "overbend").is_dir())
+
+
+def apart(a, b):
+    """Whether names of `a` could mean something else in `b`."""
+    if hidden(a) & (words(b) | hidden(b)):
+        return True
+    return any(hidden(a) & words(header) for header in headers(b) - headers(a))
+
+
+def units(sources, largest):
+    """Lists of sources, as few as the names allow."""
+    made = []
+    for source in sources:
+        for unit in made:
+            if len(unit) < largest and not any(apart(source, other) or apart(other, source) for other in unit):
+                unit.append(source)
+                break
+        else:
+            made.append([source])
+    return made
+
+
+def main():
+    largest = int(sys.argv[1])
+    sources = [pathlib.Path(name).resolve() for name in sys.argv[2:]]
+    # Of one folder each: a change there compiles little of the others.
+    for folder, inside in itertools.groupby(sources, lambda source: source.parent):
+        name = "_".join(folder.parts[-2:])
+        for number, unit in enumerate(units(inside, largest)):
+            for source in unit:
+                print(f"{name}_{number} {source}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,88 @@
+/// Stingers on a hinge compared with solutions of the planar extensible elastica on frictionless rigid rollers.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "groups.h"
+#include "model/lay_stage.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/moored_lay.h"
+#include "statics/recovery.h"
+
+namespace overbend::validation {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
+
+Json expected_of(const std::string& name) {
+  std::ifstream stream(kFolder + name + ".expected.json");
+  return Json::parse(stream);
+}
+
+void add_rows(const std::string& subject, const StaticResults& r, const Json& expected, std::vector<Row>& rows) {
+  const auto add = [&](const char* quantity, const char* unit, double scale, double ours, double reference,
+                       double share, double least, const char* allowed) {
+    rows.push_back({subject, quantity, unit, scale * ours, scale * reference, scale * share_of(reference, share, least),
+                    std::string("elastica, ") + allowed});
+  };
+  const StingerSectionResult& stinger = r.stinger.at(0);
+  const Json& e = expected["stinger"];
+  add("angle", "deg", 1.0 / kDegree, stinger.angle, e["angle"], 0.0, 5e-4, "5e-4 rad");
+  add("moment of the rollers about the hinge", "kN m", 1e-3, stinger.roller_moment, e["roller_moment"], 0.01, 10e3,
+      "1 % or 10 kN m");
+  add("hinge force", "kN", 1e-3, stinger.hinge_force, e["hinge_force"]["magnitude"], 0.01, 1e3, "1 % or 1 kN");
+  add("moment of the stop", "kN m", 1e-3, stinger.stop_moment, e["stop_moment"], 0.01, 10e3, "1 % or 10 kN m");
+  for (std::size_t i = 0; i < stinger.tanks.size(); ++i) {
+    add(i == 0 ? "tank 1, buoyancy" : "tank 2, buoyancy", "kN", 1e-3, stinger.tanks[i].buoyancy,
+        e["tanks"][i]["buoyancy"], 0.005, 0.0, "0.5 %");
+  }
+  add("tension on the bed", "kN", 1e-3, r.bottom_tension, expected["bottom_tension"], 1e-3, 0.0, "0.1 %");
+  add("lay-back", "m", 1.0, r.lay_back, expected["lay_back"], 0.0, 0.1, "0.10 m");
+}
+
+/// From the stage before, where there is one.
+StaticResults solved(const Description& description, std::optional<StaticSolution>& last) {
+  Model model = build_model(description);
+  LayOutcome outcome = solve_lay(model, last ? &*last : nullptr);
+  if (outcome.failure) throw std::runtime_error(description.title + ": " + outcome.failure->what);
+  last = std::move(outcome.solution);
+  return recover_state(model, *last);
+}
+
+Table rest_of(const std::string& name) {
+  const Description description = read_model(kFolder + name + ".yaml").description.value();
+  std::optional<StaticSolution> none;
+  Table table{name, description.title, {}};
+  add_rows(name, solved(description, none), expected_of(name)["static"], table.rows);
+  return table;
+}
+
+Table stages_of(const std::string& name) {
+  const Description description = read_model(kFolder + name + ".yaml").description.value();
+  const Json expected = expected_of(name)["operation"]["stages"];
+  std::optional<StaticSolution> last;
+  Table table{name, description.title, {}};
+  std::size_t i = 0;
+  for (const LayStageDescription& stage : lay_stages(description)) {
+    add_rows(stage.name, solved(at_stage(description, stage), last), expected[i++], table.rows);
+  }
+  return table;
+}
+
+}  // namespace
+
+Group stingers() {
+  return {
+      "Stingers on a hinge",
+      "A stinger that turns until the moments of rollers, weight and buoyancy about its hinge balance, or that lies "
+      "at its stop ([theory](theory/stinger.md)), beside a spectral collocation of the planar elastica with "
+      "frictionless rigid rollers.",
+      {rest_of("HS16-float"), rest_of("HS16-stop"), rest_of("HS16-tanks"), stages_of("HS16-ballast")}};
+}
+
+}  // namespace overbend::validation

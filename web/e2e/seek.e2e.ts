@@ -1,0 +1,36 @@
+// Goal seek from a result: "make this ...".
+import { afterAll, beforeAll, expect, test } from 'vitest';
+import type { Page } from 'playwright-core';
+import { solved, start, type Bench } from './harness';
+
+let bench: Bench;
+let page: Page;
+beforeAll(async () => { bench = await start('first-model.yaml'); page = await bench.open({ width: 1440, height: 900 }); await solved(page); });
+afterAll(async () => { await bench?.stop(); });
+
+const row = () => page.locator('.results .kv', { hasText: 'bottom tension' });
+
+test('a bottom tension is made what is wanted, and the tension goes into the model', async () => {
+  await row().hover();
+  await row().locator('button.make').click();
+  await page.fill('#s-value', '270');
+  await bench.shot(page, 'seek-asked');
+  await page.click('dialog button.main');
+  await page.waitForSelector('.seek .found');
+  expect(await page.locator('.seek .found').innerText()).toContain('makes it 270 kN');
+  await bench.shot(page, 'seek-found');
+  await page.click('dialog button.main:has-text("Put into the model")');
+  await page.waitForSelector('dialog', { state: 'detached' });
+  await expect.poll(async () => (await row().locator('dd').innerText()).trim(), { timeout: 20_000 }).toMatch(/^270(\.0)? kN$/);
+});
+
+test('what cannot be reached is said with what is', async () => {
+  await row().hover();
+  await row().locator('button.make').click();
+  await page.fill('#s-value', '5000 kN');
+  await page.click('dialog button.main');
+  await page.waitForSelector('.seek .found');
+  expect(await page.locator('.seek .found').innerText()).toContain('it goes from');
+  await bench.shot(page, 'seek-none');
+  await page.keyboard.press('Escape');
+});

@@ -1,0 +1,88 @@
+// Operations on the line: the table of stages, what of a stage's line is pipe, head and cable, and a first operation.
+import type { Change, LineParts, Operation, OperationStage, StageValues } from '../api/types';
+
+export type PartName = 'pipe' | 'head' | 'cable';
+
+/** What lies at arc length `s` from the tensioner. */
+export function partAt(parts: LineParts | null, s: number): PartName {
+  if (!parts) return 'pipe';
+  if (s >= parts.head_from && s <= parts.head_to) return 'head';
+  return (s > parts.head_to) === parts.cable_at_far_end ? 'cable' : 'pipe';
+}
+
+/** Head and cable, apart from every colour of the pipe. */
+export const partColours = (dark: boolean): Record<'head' | 'cable', string> => (dark ? { head: '#d782f0', cable: '#dfe5ea' } : { head: '#8e24aa', cable: '#2b3640' });
+
+export type StageLevel = 'good' | 'near' | 'over' | 'unknown' | 'gone';
+
+/** By the code checks and the cable's breaking load; `gone` where the stage cannot be. */
+export function stageLevel(stage: OperationStage): StageLevel {
+  if (!stage.values) return 'gone';
+  const used = stage.values.utilisation;
+  if (used === null) return 'unknown';
+  return used > 1 ? 'over' : used > 0.87 ? 'near' : 'good';
+}
+
+export const stageColours: Record<StageLevel, string> = { good: '#2e9e57', near: '#e08a00', over: '#c3271b', unknown: '#5b6b7a', gone: '#c3271b' };
+
+export interface StageColumn { name: string; unit: string; title: string; factor: number; digits: number; value: (s: OperationStage) => number | null }
+
+const of = (name: string, unit: string, title: string, factor: number, digits: number, key: keyof StageValues): StageColumn =>
+  ({ name, unit, title, factor, digits, value: (s) => (s.values ? (s.values[key] as number | null) : null) });
+
+/** Columns that say something at any stage. */
+export function columnsOf(o: Operation): StageColumn[] {
+  const all: StageColumn[] = [
+    { name: o.out_name.toLowerCase(), unit: 'm', title: 'How far the line has gone', factor: 1, digits: 1, value: (s) => s.out },
+    of('top', 'kN', 'Tension at the top', 1e-3, 1, 'top_tension'),
+    of('bottom', 'kN', 'Horizontal tension at touchdown', 1e-3, 1, 'bottom_tension'),
+    of('head z', 'm', 'Height of the head above the water', 1, 1, 'head_z'),
+    of('head x', 'm', 'Head, astern of the stern shoe', 1, 1, 'head_x'),
+    of('sagbend', 'MPa', 'Largest von Mises stress of the sagbend', 1e-6, 0, 'sagbend_von_mises'),
+    of('strain', '%', 'Largest strain of the sagbend', 100, 3, 'sagbend_strain'),
+    of('tip', 'm', 'Clearance at the stinger tip', 1, 2, 'stinger_tip_clearance'),
+    of('roller', 'kN', 'Largest load of a roller', 1e-3, 1, 'largest_reaction'),
+    of('cable', '%', 'Largest tension of the cable over its breaking load', 100, 1, 'cable_utilisation'),
+    { name: 'ahead', unit: 'm', title: 'Barge ahead of its place at the first stage', factor: 1, digits: 1, value: (s) => (s.values && o.stages.some((x) => Math.abs(x.barge_ahead) > 5e-3) ? s.barge_ahead : null) },
+    of('use', '', 'Largest utilisation of the governing checks and the cable', 1, 3, 'utilisation'),
+  ];
+  return all.filter((c) => o.stages.some((s) => c.value(s) !== null));
+}
+
+/** Never "-0". */
+export function cell(c: StageColumn, s: OperationStage): string {
+  const v = c.value(s);
+  if (v === null) return '–';
+  const text = (v * c.factor).toFixed(c.digits);
+  return Number(text) === 0 ? (0).toFixed(c.digits) : text;
+}
+
+export const stageName = (s: OperationStage, i: number): string => (s.name && s.name !== `stage ${i + 1}` ? `${i + 1} ${s.name}` : String(i + 1));
+
+/** Why a stage cannot be, with the tension that would do. */
+export function whyNot(s: OperationStage): string {
+  const f = s.failure;
+  if (!f) return '';
+  const least = f.least_tension === null ? '' : ` It can be with ${(f.least_tension / 1e3).toFixed(1)} kN or more at the top.`;
+  return `${[f.what, f.where].filter(Boolean).join(', ')}${f.why ? `: ${f.why}` : ''}.${least}`.replace('..', '.');
+}
+
+export type FirstOperation = 'abandonment' | 'start_up' | 'move';
+
+/** What the model is like, as far as a first operation needs it [m]. */
+export interface LineSize { depth: number; joint: number; tip: number; touchdown: number }
+
+const metres = (v: number): string => `${Math.max(1, Math.round(v))} m`;
+const head = { length: '6 m', weight_in_air: '40 kN', weight_submerged: '33 kN' };
+const cable = { diameter: '76 mm', weight_in_air: '240 N/m', weight_submerged: '205 N/m', axial_stiffness: '2.7e5 kN', breaking_load: '4200 kN' };
+
+/** A first operation to be changed in the form: generated stages at the tension of the tensioner. `tip` and `touchdown` along the pipe from the tensioner. */
+export function firstOperation(type: FirstOperation, at: LineSize): Change[] {
+  const stages = (from: number, to: number, steps: number): unknown => ({ from: metres(from), to: metres(to), steps, tension: 'hold' });
+  const set = (key: string, value: unknown): Change => ({ path: `operation.${key}`, value });
+  if (type === 'move') return [set('type', type), set('stages', { from: '0 m', to: metres(at.joint), steps: 4, tension: 'hold' })];
+  if (type === 'start_up') {
+    return [set('type', type), set('head', head), set('cable', { ...cable, length: metres(2 * at.depth + 100) }), set('anchor', { depth: `${at.depth} m` }), set('stages', stages(at.tip + 10, at.touchdown, 6))];
+  }
+  return [set('type', type), set('head', head), set('cable', cable), set('stages', stages(0.3 * at.tip, at.touchdown + 20, 10))];
+}

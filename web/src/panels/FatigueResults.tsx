@@ -1,0 +1,21 @@
+// Fatigue of welds in the selected run: how long the pipe may wait, and what welds gather on their way.
+import type { FatigueSpot } from '../api/types';
+import { waitWords } from '../logic/fatigue';
+import { tidy } from '../logic/units';
+import { runSummary } from '../state/runs';
+
+function Row({ spot }: { spot: FatigueSpot }) {
+  const where = `Largest damage rate ${(3600 * spot.worst_rate).toExponential(2)} per hour; curve ${spot.curve}, stress factor ${tidy(spot.stress_factor, 4)}`;
+  return <tr title={where}><th scope="row">{spot.name} <small>{spot.curve}</small></th><td>{waitWords(spot.standby)}</td><td>{spot.path_damage.toPrecision(2)}</td></tr>;
+}
+
+export function FatigueResults() {
+  const fatigue = runSummary.value?.dynamic?.fatigue;
+  if (!fatigue) return null;
+  return (
+    <table class="minmax" aria-label="Fatigue of welds">
+      <thead><tr><th scope="col">fatigue</th><th scope="col" title="How long the pipe may wait in this sea until the budget of a weld is used up">standby</th><th scope="col" title="Damage of a weld on its way from the tensioner to the bed">on the way</th></tr></thead>
+      <tbody>{fatigue.spots.map((spot) => <Row key={spot.name} spot={spot} />)}</tbody>
+    </table>
+  );
+}

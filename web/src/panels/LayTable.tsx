@@ -1,0 +1,113 @@
+// The lay table of the open model: tension, lay-back or depth in steps, its rows, curves and downloads.
+import { signal } from '@preact/signals';
+import { useState } from 'preact/hooks';
+import { ApiError, address, post } from '../api/client';
+import type { LayTable, LayTableAnswer, LayTableCurves, LayTableVary } from '../api/types';
+import { bounds, rangeOf, ticks, usualRange, wishFault, type LayTableWish } from '../logic/laytable';
+import { bullets } from '../logic/warnings';
+import { byPath, revision } from '../state/model';
+import { calmLay } from '../state/shown';
+import { Warnings } from './Warnings';
+
+/** The last one, with the revision of the model that it is of. */
+const table = signal<{ of: LayTable; revision: number } | null>(null);
+const wish = signal<LayTableWish | null>(null);
+
+const usual = (vary: LayTableVary): LayTableWish => usualRange(vary, calmLay.value?.key ?? null, byPath.value.get('environment.water_depth')?.si ?? null);
+
+const unitOf = (heading: string): [string, string] => { const m = /^(.*) \[(.*)\]$/.exec(heading); return m ? [m[1]!, m[2]!] : [heading, '']; };
+
+function cell(value: string | number | null, digits: number): string {
+  return typeof value === 'number' ? value.toFixed(Math.min(digits, 4)) : value ?? '–';
+}
+
+function Rows({ of }: { of: LayTable }) {
+  return (
+    <div class="laytable-rows">
+      <table class="minmax" aria-label="Lay table">
+        <thead><tr>{of.columns.map((c) => { const [name, unit] = unitOf(c.heading); return <th key={c.heading} scope="col">{name}{unit ? <><br /><small>{unit}</small></> : null}</th>; })}</tr></thead>
+        <tbody>
+          {of.rows.map((row, i) => (
+            <tr key={i} class={`${row.verdict === 'passed' ? '' : 'over'} ${row.kind === 'step' ? '' : 'limit'}`}>
+              {row.cells.map((value, k) => <td key={k} class={typeof value === 'number' ? '' : 'plain'}>{cell(value, of.columns[k]!.digits)}</td>)}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+const kWide = 300, kTall = 150, kLeft = 46, kBottom = 24, kTop = 18;
+
+function Curve({ panel, curves }: { panel: LayTableCurves['panels'][number]; curves: LayTableCurves }) {
+  const { x: [x0, x1], y: [y0, y1] } = bounds(panel);
+  const px = (x: number): number => kLeft + ((x - x0) / (x1 - x0)) * (kWide - kLeft - 8);
+  const py = (y: number): number => kTall - kBottom - ((y - y0) / (y1 - y0)) * (kTall - kBottom - kTop);
+  const from = px(Math.max(curves.least ?? x0, x0)), to = px(Math.min(curves.largest ?? x1, x1));
+  return (
+    <svg viewBox={`0 0 ${kWide} ${kTall}`} role="img" aria-label={`${panel.title} over ${curves.axis}`} class="laycurve">
+      {curves.least !== null || curves.largest !== null ? <rect class="range" x={from} width={Math.max(to - from, 0)} y={kTop} height={kTall - kBottom - kTop} /> : null}
+      {ticks(y0, y1).map((y) => <g key={y}><line class="grid" x1={kLeft} x2={kWide - 8} y1={py(y)} y2={py(y)} /><text x={kLeft - 4} y={py(y) + 4} text-anchor="end">{y}</text></g>)}
+      {ticks(x0, x1).map((x) => <g key={x}><line class="grid" x1={px(x)} x2={px(x)} y1={kTop} y2={kTall - kBottom} /><text x={px(x)} y={kTall - 8} text-anchor="middle">{x}</text></g>)}
+      {panel.limit !== null ? <line class="limit" x1={kLeft} x2={kWide - 8} y1={py(panel.limit)} y2={py(panel.limit)} /> : null}
+      {panel.series.map((s, k) => <path key={s.name} class={`line k${k}`} d={s.points.map((p, i) => `${i ? 'L' : 'M'}${px(p[0])} ${py(p[1])}`).join('')}><title>{s.name}</title></path>)}
+      <text class="title" x={kLeft} y={12}>{panel.title}{panel.series.length > 1 ? `: ${panel.series.map((s) => s.name).join(', ')}` : ''}</text>
+    </svg>
+  );
+}
+
+function Made({ of }: { of: LayTable }) {
+  return (
+    <>
+      <div class="acts">
+        <a class="button" href={address('lay-table.csv')} download="lay-table.csv">Table (CSV)</a>
+        <a class="button" href={address('lay-table.xlsx')} download="lay-table.xlsx">Workbook (XLSX)</a>
+      </div>
+      <Warnings list={bullets(of.warnings, [])} />
+      <Rows of={of} />
+      <p class="brief">{of.curves.axis}; shaded where every governing check is passed.</p>
+      {of.curves.panels.map((panel) => <Curve key={panel.title} panel={panel} curves={of.curves} />)}
+    </>
+  );
+}
+
+export function LayTablePanel() {
+  const [busy, setBusy] = useState(false);
+  const [refused, setRefused] = useState('');
+  const now = wish.value ?? usual('tension');
+  const fault = wishFault(now);
+  const set = (part: Partial<LayTableWish>): void => { setRefused(''); wish.value = { ...now, ...part }; };
+  const make = async (): Promise<void> => {
+    setBusy(true);
+    setRefused('');
+    try {
+      const asked = revision.value;
+      const answer = await post<LayTableAnswer>('lay-table', { vary: now.vary, range: rangeOf(now) });
+      if (answer.status === 'ok') table.value = { of: answer, revision: asked };
+      else setRefused(answer.diagnostics[0]?.message ?? 'the model has errors');
+    } catch (error) {
+      setRefused(error instanceof ApiError ? error.message : String(error));
+    }
+    setBusy(false);
+  };
+  const field = (key: 'from' | 'to' | 'steps') => (
+    <div class="row wide"><label for={`lt-${key}`}>{key}</label><input id={`lt-${key}`} value={now[key]} autocomplete="off" onInput={(e) => set({ [key]: e.currentTarget.value })} /></div>
+  );
+  return (
+    <section aria-label="Lay table of the model">
+      <form class="spread" onSubmit={(e) => { e.preventDefault(); if (!fault && !busy) void make(); }}>
+        <div class="row wide">
+          <label for="lt-vary">over</label>
+          <select id="lt-vary" value={now.vary} onChange={(e) => { setRefused(''); wish.value = usual(e.currentTarget.value as LayTableVary); }}>
+            <option value="tension">tension</option><option value="lay_back">lay-back</option><option value="depth">water depth</option>
+          </select>
+        </div>
+        {field('from')}{field('to')}{field('steps')}
+        {refused || fault ? <p class="fault" role="alert">{refused || fault}</p> : null}
+        <footer><button type="submit" class="main" disabled={busy || fault !== null}>{busy ? 'Making the table…' : 'Make table'}</button></footer>
+      </form>
+      {table.value ? <>{table.value.revision === revision.value ? null : <p class="brief">Of the model as it was before the last change.</p>}<Made of={table.value.of} /></> : null}
+    </section>
+  );
+}

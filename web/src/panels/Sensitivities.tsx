@@ -1,0 +1,70 @@
+// What a key result hangs on: the inputs whose tolerance moves it most, as a tornado.
+import { signal } from '@preact/signals';
+import { post } from '../api/client';
+import type { Change, SensitivityAnswer, SensitivityInput } from '../api/types';
+import { changes } from '../state/live';
+import { revision } from '../state/model';
+import { sayError } from '../state/notices';
+
+const found = signal<{ answer: SensitivityAnswer; revision: number; changes: Change[] } | null>(null);
+const busy = signal(false);
+const chosen = signal('');
+
+async function find(): Promise<void> {
+  busy.value = true;
+  const asked = { revision: revision.value, changes: changes.value };
+  try {
+    found.value = { answer: await post<SensitivityAnswer>('sensitivities', { changes: asked.changes }), ...asked };
+  } catch (error) {
+    sayError(error);
+  } finally {
+    busy.value = false;
+  }
+}
+
+function Bar({ share, up }: { share: number; up: boolean }) {
+  const width = 50 * Math.abs(share);
+  return <i class={up ? 'up' : 'down'} style={{ left: `${share < 0 ? 50 - width : 50}%`, width: `${width}%` }} />;
+}
+
+function Row({ input }: { input: SensitivityInput }) {
+  const title = `${input.text}\n${input.key} ± ${input.tolerance}${input.usual ? ' (usual tolerance)' : ''}: ${input.up_text} upwards, ${input.down_text} downwards${input.contact ? `\nOne-sided: ${input.contact}` : ''}`;
+  return (
+    <li title={title}>
+      <span class="what">{input.name} <small>± {input.tolerance}</small></span>
+      <span class="track" role="presentation"><Bar share={input.down} up={false} /><Bar share={input.up} up /></span>
+      <b>{input.up_text}{input.contact ? ' *' : ''}</b>
+      {input.contact ? <small class="contact">* one-sided: {input.contact}</small> : null}
+    </li>
+  );
+}
+
+function Tornado({ answer }: { answer: SensitivityAnswer }) {
+  if (answer.status === 'failed') return <p class="empty">{answer.what}: {answer.why}</p>;
+  if (answer.status === 'invalid') return <p class="empty">The model cannot be computed like this.</p>;
+  const result = answer.results.find((r) => r.name === chosen.value) ?? answer.results[0];
+  if (!result) return <p class="empty">None of the key results hangs on a number of the model file.</p>;
+  return (
+    <>
+      <select aria-label="Result" value={result.name} onChange={(e) => { chosen.value = e.currentTarget.value; }}>
+        {answer.results.map((r) => <option key={r.name} value={r.name}>{r.text}, {r.value}</option>)}
+      </select>
+      <ol class="tornado">{result.inputs.map((input) => <Row key={input.key} input={input} />)}</ol>
+      <small>Effect of each tolerance, the other inputs unchanged. {answer.assumptions.join(' ')}</small>
+    </>
+  );
+}
+
+export function Sensitivities() {
+  const at = found.value;
+  const old = at !== null && (at.revision !== revision.value || at.changes !== changes.value);
+  return (
+    <section class={`sensitivities${old ? ' old' : ''}`} aria-label="Sensitivities">
+      <h3>What this result hangs on {old ? <small>before the last change</small> : null}</h3>
+      <button type="button" disabled={busy.value} onClick={() => { void find(); }}>
+        {busy.value ? 'computing ...' : at ? 'compute again' : 'compute the sensitivities'}
+      </button>
+      {at ? <Tornado answer={at.answer} /> : null}
+    </section>
+  );
+}

@@ -1,0 +1,70 @@
+import { describe, expect, test } from 'vitest';
+import { cell, columnsOf, firstOperation, partAt, stageLevel, stageName, whyNot } from '../src/logic/operation';
+import { shape } from '../src/charts/data';
+import { firstItem } from '../src/logic/firstItems';
+import type { Lay, LineParts, Operation, OperationStage, StageValues } from '../src/api/types';
+
+const values: StageValues = { top_tension: 300e3, bottom_tension: 200e3, head_x: 40, head_z: -15.75, head_clearance: 73, cable_tension: 300e3, cable_utilisation: 0.07, sagbend_von_mises: 60e6, sagbend_strain: 3e-4, overbend_strain: null, stinger_tip_clearance: null, largest_reaction: 14e3, largest_reaction_support: 'ramp 4', lay_back: 360, utilisation: 0.5, check: 'a check' };
+const stage = (part: Partial<OperationStage>): OperationStage => ({ name: 'stage 1', out: 92, tension: 300e3, barge_ahead: 0, governing: '', values, parts: null, failure: null, warnings: [], ...part });
+const failed = stage({ name: 'down', values: null, failure: { what: 'no equilibrium', where: 'at the winch', why: 'too little tension.', least_tension: 61.5e3 } });
+const operation = (stages: OperationStage[]): Operation => ({ title: 'Abandonment', out_name: 'Cable out', stages, hold_points: [], warnings: [] });
+
+describe('what a line is made of', () => {
+  const above: LineParts = { head_from: 92, head_to: 98, cable_at_far_end: false };
+  const below: LineParts = { head_from: 200, head_to: 206, cable_at_far_end: true };
+  test('abandoned: cable, head, pipe from the winch on', () => expect([0, 91, 95, 99, 500].map((s) => partAt(above, s))).toEqual(['cable', 'cable', 'head', 'pipe', 'pipe']));
+  test('started: pipe, head, cable to the anchor', () => expect([0, 199, 203, 207, 500].map((s) => partAt(below, s))).toEqual(['pipe', 'pipe', 'head', 'cable', 'cable']));
+  test('a lay is all pipe', () => expect(partAt(null, 3)).toBe('pipe'));
+  test('the elevation draws each by itself, without gaps between them', () => {
+    const lay = { pipe: { s: [0, 50, 95, 120, 200], x: [0, 50, 95, 120, 200], y: [0, 0, 0, 0, 0], z: [5, 0, -20, -40, -80] }, supports: [], touchdown: null, key: null } as unknown as Lay;
+    const lines = shape(lay, null, false, above).lines;
+    expect(lines.map((l) => l.name)).toEqual(['pipe', 'head', 'cable']);
+    expect(lines[2]!.values).toEqual([5, 0, -20, null, null]);
+    expect(lines[1]!.values).toEqual([null, null, -20, -40, null]);
+    expect(lines[0]!.values).toEqual([null, null, null, -40, -80]);
+  });
+});
+
+describe('the table of stages', () => {
+  test('has the columns that say something', () => {
+    const names = columnsOf(operation([stage({}), failed])).map((c) => c.name);
+    expect(names).toContain('head z');
+    expect(names).not.toContain('tip');
+    expect(names).not.toContain('ahead');
+    expect(columnsOf(operation([stage({}), stage({ barge_ahead: 12 })])).map((c) => c.name)).toContain('ahead');
+  });
+  test('shows values in engineering units, never -0', () => {
+    const columns = new Map(columnsOf(operation([stage({})])).map((c) => [c.name, c]));
+    expect(cell(columns.get('top')!, stage({}))).toBe('300.0');
+    expect(cell(columns.get('strain')!, stage({}))).toBe('0.030');
+    expect(cell(columns.get('cable')!, stage({}))).toBe('7.0');
+    expect(cell(columns.get('head z')!, stage({ values: { ...values, head_z: -0.001 } }))).toBe('0.0');
+    expect(cell(columns.get('top')!, failed)).toBe('–');
+  });
+  test('judges a stage by its largest utilisation', () => {
+    expect([0.5, 0.9, 1.01, null].map((u) => stageLevel(stage({ values: { ...values, utilisation: u } })))).toEqual(['good', 'near', 'over', 'unknown']);
+    expect(stageLevel(failed)).toBe('gone');
+  });
+  test('says why a stage cannot be, and what tension would do', () => {
+    expect(whyNot(failed)).toBe('no equilibrium, at the winch: too little tension. It can be with 61.5 kN or more at the top.');
+    expect(whyNot(stage({}))).toBe('');
+    expect(stageName(stage({}), 0)).toBe('1');
+    expect(stageName(failed, 4)).toBe('5 down');
+  });
+});
+
+describe('a first operation', () => {
+  const at = { depth: 89, joint: 12.2, tip: 85, touchdown: 420 };
+  const keys = (type: 'abandonment' | 'start_up' | 'move'): Record<string, unknown> => Object.fromEntries(firstOperation(type, at).map((c) => [c.path, c.value]));
+  test('of abandonment ends with more cable out than there is line to touchdown', () => {
+    expect(keys('abandonment')['operation.stages']).toEqual({ from: '26 m', to: '440 m', steps: 10, tension: 'hold' });
+    expect(keys('abandonment')['operation.cable']).toMatchObject({ breaking_load: '4200 kN' });
+  });
+  test('of start-up has an anchor on the bed', () => expect(keys('start_up')['operation.anchor']).toEqual({ depth: '89 m' }));
+  test('of a move goes a joint ahead', () => expect(keys('move')['operation.stages']).toMatchObject({ from: '0 m', to: '12 m' }));
+  test('a stage added in the form is one of its operation', () => {
+    expect(firstItem('operation.stages', 89, 'abandonment')).toEqual({ cable_out: '50 m' });
+    expect(firstItem('operation.stages', 89, 'start_up')).toEqual({ pipe_out: '100 m' });
+    expect(firstItem('operation.stages', 89, 'moored')).toEqual({ name: 'stage 1' });
+  });
+});
