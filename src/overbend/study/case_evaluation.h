@@ -80,7 +80,7 @@ struct CaseConduct {
   std::function<bool()> stop = {};  ///< Whether to end, a dynamic analysis at a checkpoint.
   /// Told how far a dynamic analysis is that began at the time `from` [s].
   std::function<void(const DynamicProgress& at, double from)> progress = {};
-  FileLock* files = nullptr;  ///< Held while HDF5 is used, which serves one thread alone.
+  FileLock* files = nullptr;    ///< Held while HDF5 is used, which serves one thread alone.
   bool until_exceeded = false;  ///< A dynamic analysis ends once a governing check is exceeded, and has its answer.
 };
 

@@ -63,8 +63,8 @@ class WatchedStore : public DynamicSink {
 }  // namespace
 
 RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
-                               const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               FileLock& writing, const RowWatch& rows, RunFiles files) {
+                               const std::function<DynamicControl(const DynamicProgress&)>& control, FileLock& writing,
+                               const RowWatch& rows, RunFiles files) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));

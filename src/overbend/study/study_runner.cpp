@@ -277,9 +277,14 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
   return one;
 }
 
-StudyResults gather_study(const fs::path& folder) {
+StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
   fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
+  return results;
+}
+
+StudyResults gather_study(const fs::path& folder) {
+  StudyResults results = study_so_far(folder);
   write_study_files(results, folder);
   write_study_report(results, folder / "report.html");
   return results;

@@ -55,6 +55,9 @@ StudyTally run_study_cases(const CaseBase& base, const StudyCases& cases, const 
 StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                          std::size_t number, const std::function<bool()>& stop);
 
+/// All that the records in the folder say, with extremes over seeds. Throws std::runtime_error where there is no study.
+StudyResults study_so_far(const std::filesystem::path& folder);
+
 /// Makes study.csv, study.xlsx, study.h5, summary.json and report.html from the records in the folder, and gives what
 /// they say. Throws std::runtime_error where there is no study, or FileFault.
 StudyResults gather_study(const std::filesystem::path& folder);
