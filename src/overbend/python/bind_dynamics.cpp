@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "python/bindings.h"
+#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
 #include "python/statics_handle.h"
@@ -93,7 +94,7 @@ StudyEnd run_in(const Description& description, const RunWish& wish, const fs::p
   }
   const StudyPlan plan = plan_of(description, wish);
   require_wish(case_folders(plan, folder), wish);
-  static std::mutex files;  // HDF5 serves one thread alone
+  InterpreterLock files;
   return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
 }
 

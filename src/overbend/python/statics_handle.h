@@ -23,6 +23,9 @@ class StaticsHandle {
   /// The equilibrium of the model; of an operation on the line that of the stage with this name or number. `start`: of
   /// a lay close by. Throws SolveFault where there is none, and what ModelHandle throws.
   StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start);
+  /// One that was found otherwise.
+  StaticsHandle(std::shared_ptr<ModelHandle> model, std::string stage, ModelStatics found)
+      : model_(std::move(model)), stage_(std::move(stage)), statics_(std::move(found)) {}
 
   const ModelStatics& statics() const { return statics_; }
   const std::shared_ptr<ModelHandle>& model() const { return model_; }

@@ -49,8 +49,8 @@ void write_statics(const SeekRun& run, const fs::path& folder) {
 
 }  // namespace
 
-SeekRun run_seek(const Description& description, const SeekDescription& wanted) {
-  SeekOutcome outcome = seek(description, wanted);
+SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
+  SeekOutcome outcome = seek(description, wanted, stop);
   SeekRun run{std::move(outcome.results), {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
