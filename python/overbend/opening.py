@@ -8,20 +8,27 @@ import pathlib
 from typing import Any, Union
 
 from .errors import ResultsError
+from . import _core
+from .operation import OperationResults
+from .model import Model
 from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .study import StudyResults
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
     """The results in a folder that the command line or this package wrote.
 
     Returns:
-        StaticResults, DynamicResults, SeedsResults, ComparisonResults, by what the folder holds.
+        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults, StudyResults, by what the folder
+        holds. A study that is not finished gives what there is so far.
 
     Raises:
         ResultsError: Where it holds none.
     """
     path = pathlib.Path(folder)
     path = path.parent if path.name in ("results.h5", "summary.json") else path
+    if (path / "study.json").is_file():
+        return StudyResults(path)
     if not (path / "summary.json").is_file():
         raise ResultsError(f"there are no results in '{path}'")
     summary = json.loads((path / "summary.json").read_text(encoding="utf-8"))
@@ -31,4 +38,9 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
         return SeedsResults(path)
     if "dynamic" in summary:
         return DynamicResults(path)
+    if "operation" in summary and _core.has_operation(str(path / "results.h5")):
+        core = _core.Operation.stored(str(path / "results.h5"))
+        return OperationResults(core, Model(core.model))
+    if "lay_table" in summary:
+        raise ResultsError(f"'{path}' holds a lay table: lay-table.csv is for other programs; model.lay_table() makes it again")
     return StaticResults(None, None, path)

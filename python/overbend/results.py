@@ -23,12 +23,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 @functools.cache
-def _units() -> dict[str, Any]:
+def summary_units() -> dict[str, Any]:
+    """Units of results in the places that these have in summary.json."""
     return _core.summary_units()
 
 
 @functools.cache
-def _descriptions() -> dict[str, Any]:
+def summary_descriptions() -> dict[str, Any]:
+    """Descriptions likewise."""
     return _core.summary_descriptions()
 
 
@@ -74,11 +76,11 @@ class Results:
     @functools.cached_property
     def checks(self) -> "Checks":
         """The code checks."""
-        return Checks(self.summary.get("checks", {}), _units().get("checks"), _descriptions().get("checks"))
+        return Checks(self.summary.get("checks", {}), summary_units().get("checks"), summary_descriptions().get("checks"))
 
     @functools.cached_property
     def _record(self) -> Record:
-        return Record(self.summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
+        return Record(self.summary.get(self._part, {}), summary_units().get(self._part), summary_descriptions().get(self._part))
 
     def _table(self, name: str) -> Table:
         group = self._tables[name]
@@ -199,7 +201,7 @@ class StaticResults(Results):
             ResultsError: Where the folder cannot be written.
         """
         if self._solved is None:
-            return _copy(self._folder, folder)
+            return copied_folder(self._folder, folder)
         self._solved.save(os.fspath(folder))
         return pathlib.Path(folder)
 
@@ -343,7 +345,7 @@ class DynamicResults(Results):
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Copies the files of the run, report.html with them, into a folder that is new or empty."""
-        return _copy(self._folder, folder)
+        return copied_folder(self._folder, folder)
 
     @property
     def plot(self) -> Any:
@@ -372,7 +374,7 @@ class _RunsInFolders:
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Copies all files into a folder that is new or empty."""
-        return _copy(self._folder, folder)
+        return copied_folder(self._folder, folder)
 
 
 class SeedsResults(_RunsInFolders):
@@ -450,7 +452,8 @@ def _model_of(results: Any) -> "Model":
     return results._model
 
 
-def _copy(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+def copied_folder(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+    """Copies a folder of results into one that is new or empty."""
     target = pathlib.Path(folder)
     if target.exists() and any(target.iterdir()):
         raise ResultsError(f"the folder '{target}' is not empty")
