@@ -20,8 +20,8 @@ def compare_folders(folders: Iterable[PathLike]) -> "FolderComparison":
     """Compares results that are in folders, as `overbend compare` does; the first is what the others are compared with.
 
     Args:
-        folders: Two or more folders of static or dynamic analyses, seeds or operations, or their results.h5. Mixtures are
-            compared on what they share.
+        folders: Two or more folders of static or dynamic analyses, seeds or operations, or their results.h5. Mixtures
+            are compared on what they share.
 
     Raises:
         ResultsError: Where one holds no results that can be compared.
@@ -38,8 +38,8 @@ class FolderComparison:
     Attributes:
         folders: name, path, title, version, governing and warnings of each.
         keys: Keys of the models that not all have alike: key, values (empty where not given).
-        results: Results, those that differ most first: name, text, unit, key (whether it is looked at first), values [SI],
-            None where a folder has none, changes against the first in parts of it.
+        results: Results, those that differ most first: name, text, unit, key (whether it is looked at first), values
+            [SI], None where a folder has none, changes against the first in parts of it.
         warnings: Warnings that not all have: text, has.
         notes: What is not compared and why.
     """
@@ -66,7 +66,8 @@ class FolderComparison:
 
         def column(name: str) -> Any:
             values = number if name == "row" else columns[name]
-            return labelled(np.array(values), name, ("row",), {"row": number}, "1" if name in ("row", "change") else "SI", name)
+            units = "1" if name in ("row", "change") else "SI"
+            return labelled(np.array(values), name, ("row",), {"row": number}, units, name)
 
         return Table(["row", *columns], column)
 
@@ -85,7 +86,8 @@ class FolderComparison:
 
 def _result(told: dict[str, Any]) -> Record:
     values = told["values"]
-    return Record({**told, "unit": stored_unit(told["unit"]), "changes": [_change(value, values[0]) for value in values]})
+    changes = [_change(value, values[0]) for value in values]
+    return Record({**told, "unit": stored_unit(told["unit"]), "changes": changes})
 
 
 def _change(value: Optional[float], first: Optional[float]) -> Optional[float]:

@@ -17,8 +17,8 @@ def changes_of(keys: Mapping[str, Any]) -> list[Change]:
     """The changes that put the values into the text of a model.
 
     Args:
-        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit, truth
-            values, lists and dicts of these for groups, None to remove the key.
+        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit,
+            truth values, lists and dicts of these for groups, None to remove the key.
     """
     return [change_of(key, value) for key, value in keys.items()]
 

@@ -23,12 +23,14 @@ RowProgress = Callable[[int, int], object]
 
 
 class LayTable:
-    """A lay in each row; what is varied also has rows for its least and largest value within which all checks are passed.
+    """A lay in each row; what is varied also has rows for its least and largest value within which all checks are
+    passed.
 
     Attributes:
-        table: Table over `index`: kind ('step', 'least', 'largest'), what is varied, depth [m], top_tension, bottom_tension
-            [N], lay_back [m], departure_angle [rad], stinger_tip_clearance [m], stresses [Pa], strains, largest_reaction [N],
-            utilisation, worst_check, verdict ('passed', 'exceeded', 'no lay') and reason; NaN where there is no lay.
+        table: Table over `index`: kind ('step', 'least', 'largest'), what is varied, depth [m], top_tension,
+            bottom_tension [N], lay_back [m], departure_angle [rad], stinger_tip_clearance [m], stresses [Pa], strains,
+            largest_reaction [N], utilisation, worst_check, verdict ('passed', 'exceeded', 'no lay') and reason; NaN
+            where there is no lay.
         vary: 'tension', 'lay_back', 'depth' or 'route'.
         warnings, assumptions: What an engineer should know.
         summary: The content of summary.json.
@@ -62,7 +64,8 @@ class LayTable:
         def column(name: str) -> Any:
             whole = self.table.column(name)
             values = place if name == "index" else np.asarray(whole.values)[chosen]
-            return labelled(values, name, ("index",), {"index": place}, whole.attrs["units"], whole.attrs["description"])
+            told = whole.attrs
+            return labelled(values, name, ("index",), {"index": place}, told["units"], told["description"])
 
         return Table(self.table.keys(), column)
 

@@ -207,20 +207,20 @@ class Model:
         return OperationResults(_core.Operation(self._core, progress), self)
 
     def lay_table(self, vary: Optional[str] = None, from_: Optional[str] = None, to: Optional[str] = None,
-                  step: Optional[str] = None, steps: Optional[int] = None, *, depths: "Depths" = None, least: bool = False,
-                  progress: "Optional[RowProgress]" = None) -> "LayTable":
+                  step: Optional[str] = None, steps: Optional[int] = None, *, depths: "Depths" = None,
+                  least: bool = False, progress: "Optional[RowProgress]" = None) -> "LayTable":
         """A table of lays: one quantity in steps, or the points of a route.
 
             model.lay_table('tension', from_='200 kN', to='400 kN', step='20 kN').table['lay_back']
 
         Args:
-            vary: 'tension' at the tensioner, 'lay_back' or 'depth' of the water; left out what the model's key `lay_table`
-                says, else tension.
+            vary: 'tension' at the tensioner, 'lay_back' or 'depth' of the water; left out what the model's key
+                `lay_table` says, else tension.
             from_, to: The least and the largest value, with units; left out they follow from the model's own lay.
             step: Difference of neighbouring rows, or
             steps: number of steps; rows are one more.
-            depths: In place of these, water depths along a route: pairs of distance and depth [m], or a CSV file with the
-                columns distance_m or kp_km and depth_m.
+            depths: In place of these, water depths along a route: pairs of distance and depth [m], or a CSV file with
+                the columns distance_m or kp_km and depth_m.
             least: Along a route with the least tension with which every governing check is passed, at every point.
             progress: Called now and then with rows done and rows asked for.
 
@@ -236,8 +236,8 @@ class Model:
         """The derivatives of all results of statics by numbers of the model file, at its equilibrium.
 
         Args:
-            keys: Keys with indices or names of items, 'supports.stinger.boxes[stinger 3].z'; left out every number that the
-                file has.
+            keys: Keys with indices or names of items, 'supports.stinger.boxes[stinger 3].z'; left out every number that
+                the file has.
             stage: Of an operation on the line, by name or number from 1.
             one_sided: Whether contacts that open or close within the tolerance of an input are looked at.
 

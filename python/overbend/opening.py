@@ -7,10 +7,10 @@ import os
 import pathlib
 from typing import Any, Union
 
-from .errors import ResultsError
 from . import _core
-from .operation import OperationResults
+from .errors import ResultsError
 from .model import Model
+from .operation import OperationResults
 from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
 from .study import StudyResults
 
@@ -19,8 +19,8 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
     """The results in a folder that the command line or this package wrote.
 
     Returns:
-        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults, StudyResults, by what the folder
-        holds. A study that is not finished gives what there is so far.
+        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults, StudyResults, by what the
+        folder holds. A study that is not finished gives what there is so far.
 
     Raises:
         ResultsError: Where it holds none.
@@ -42,5 +42,5 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
         core = _core.Operation.stored(str(path / "results.h5"))
         return OperationResults(core, Model(core.model))
     if "lay_table" in summary:
-        raise ResultsError(f"'{path}' holds a lay table: lay-table.csv is for other programs; model.lay_table() makes it again")
+        raise ResultsError(f"'{path}' holds a lay table, which is read from lay-table.csv; model.lay_table() makes one")
     return StaticResults(None, None, path)

@@ -25,8 +25,8 @@ _KEY_RESULTS = ("top_tension", "bottom_tension", "lay_back", "suspended_length")
 
 
 class Stage(Record):
-    """A stage: its place and tension by name (`stage.cable_out`, `stage.tension`, `stage.barge_ahead`), its key results as of
-    statics (`stage.lay_back`, `stage.sagbend.max_bending_stress`), `status`, `failure` and `checks`.
+    """A stage: its place and tension by name (`stage.cable_out`, `stage.tension`, `stage.barge_ahead`), its key results
+    as of statics (`stage.lay_back`, `stage.sagbend.max_bending_stress`), `status`, `failure` and `checks`.
 
     Attributes:
         static: StaticResults of the stage; raises NoSolution where it has no equilibrium.
@@ -54,7 +54,7 @@ class Stage(Record):
 
 
 class OperationResults(Sequence[Stage]):
-    """The stages of an operation in their order, by number from 0 or by name: `operation['head at the seabed'].tension`.
+    """The stages of an operation in their order, by number from 0 or by name: `operation['on the bed'].tension`.
 
     Attributes:
         title, type: Of the operation: 'abandonment', 'recovery', 'start_up', ...
@@ -116,11 +116,12 @@ class OperationResults(Sequence[Stage]):
     def worst(self) -> Optional[Record]:
         """The check that is used most at any stage, with `stage`, the name of that; None where none is judged."""
         worst = self.summary["checks"]["worst"]
-        return wrapped(worst, summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]) if worst else None
+        told = summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]
+        return wrapped(worst, *told) if worst else None
 
     @functools.cached_property
     def table(self) -> Table:
-        """A row for each stage: name, what is asked of it and found for it, key results, worst check; NaN where not given."""
+        """A row for each stage: name, what is asked of it and found for it, key results, worst check; else NaN."""
         columns: dict[str, Any] = {"name": _Column([stage["name"] for stage in self], "1", "Name of the stage")}
         for stage in self:
             for name, value in stage._values.items():
@@ -131,7 +132,7 @@ class OperationResults(Sequence[Stage]):
                                             stage._descriptions.get(name, ""))
         worst = [one._values.get("checks", {}).get("worst") or {} for one in self]
         columns["status"] = _Column([stage["status"] for stage in self], "1", "converged or failed")
-        columns["worst_check"] = _Column([one.get("name", "") for one in worst], "1", "Governing check that is used most")
+        columns["worst_check"] = _Column([one.get("name", "") for one in worst], "1", "Check that is used most")
         columns["utilisation"] = _Column([one.get("utilisation", np.nan) for one in worst], "1", "Of that check")
         number = np.arange(len(self))
 

@@ -9,7 +9,7 @@ from typing import Callable, Optional, TextIO, Union
 #: Called with runs done, runs, simulated time and end [s], and the top tension [N] of the run that is behind the others.
 Progress = Callable[[int, int, float, float, float], object]
 
-#: Called with the cases of a study that are done, all of them (0 where that is not known), and those without a solution.
+#: Called with the cases of a study that are done, all of them (0: not known), and those without a solution.
 CaseProgress = Callable[[int, int, int], object]
 
 

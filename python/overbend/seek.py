@@ -27,8 +27,9 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
          until: Optional[Mapping[str, Wish]] = None, minimise: Optional[str] = None) -> "SeekResult":
     """Finds values of keys with which the results of statics are as wanted; the model is not changed.
 
-    One key with one condition is searched over all its bounds: every answer and every jump of the result is told. Several
-    keys, several conditions or something to minimise are searched from the model's values to the nearest optimum.
+    One key with one condition is searched over all its bounds: every answer and every jump of the result is told.
+    Several keys, several conditions or something to minimise are searched from the model's values to the nearest
+    optimum.
 
         ob.seek(model, vary='tensioner.tension', until={'static.sagbend.max_bending_stress': '100 MPa'})
         ob.seek(model, vary={'supports.stinger.boxes[stinger *].z': {'within': '0.5 m'}},
@@ -36,17 +37,17 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
 
     Args:
         model: The model that it begins with.
-        vary: A key, several, or keys with their bounds: (lowest, highest), or {'within': how far either way}. Without bounds
-            from half the model's value to twice that; places and offsets 1 m either way. An item of a list is chosen by
-            index from 0, name or pattern; each that a pattern matches is an unknown of its own. All left out: what the model
-            file has as its key `seek`.
-        until: Conditions by results: '100 MPa' or '== 100 MPa', '<= 100 MPa', '>= 3 m'; or {'at_most': '100 MPa'}. Results have
-            their names in summary.json.
+        vary: A key, several, or keys with their bounds: (lowest, highest), or {'within': how far either way}. Without
+            bounds from half the model's value to twice that; places and offsets 1 m either way. An item of a list is
+            chosen by index from 0, name or pattern; each that a pattern matches is an unknown of its own. All left out:
+            what the model file has as its key `seek`.
+        until: Conditions by results: '100 MPa' or '== 100 MPa', '<= 100 MPa', '>= 3 m'; or {'at_most': '100 MPa'}.
+            Results have their names in summary.json.
         minimise: A result to make as small as the conditions allow.
 
     Raises:
-        NoSolution: Where nothing within the bounds meets the conditions; `why` says what is reached, and `results` is the
-            SeekResult without an answer.
+        NoSolution: Where nothing within the bounds meets the conditions; `why` says what is reached, and `results` is
+            the SeekResult without an answer.
         ModelError: Where a key, a result or a value cannot be.
     """
     if vary is None and until is None and minimise is None:
@@ -137,7 +138,8 @@ class SeekResult:
         return Table(["step", *columns], column)
 
     def save(self, folder: PathLike) -> pathlib.Path:
-        """Writes the files of `overbend seek -o`: statics of the answer with report, model.yaml, seek.csv, summary.json.
+        """Writes the files of `overbend seek -o`: statics of the answer with report, model.yaml, seek.csv,
+        summary.json.
 
         Raises:
             ResultsError: Where the folder cannot be written.
@@ -197,7 +199,7 @@ def _usual_bounds(model: Model, key: str) -> Bounds:
     if re.search(r"\.(x|y|z|offset)$", key):
         return {"within": "1 m"}
     value = model.get(key)
-    parts = re.fullmatch(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(.*)", value, re.DOTALL) if isinstance(value, str) else None
+    parts = re.fullmatch(r"\s*([-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?)\s*(.*)", str(value), re.DOTALL)
     if parts is None or float(parts[1]) == 0.0 or "*" in key:
         return {}
     low, high = sorted((0.5 * float(parts[1]), 2.0 * float(parts[1])))

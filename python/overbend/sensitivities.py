@@ -16,8 +16,8 @@ class Sensitivities:
     Attributes:
         inputs: Numbers of the model: name, key, text, unit, value, tolerance, own_tolerance, near [SI].
         results: Results: name, text, unit, value, key (whether it is one of the key results) [SI].
-        one_sided: Derivatives that hold on one side only, for a contact opens or closes within the tolerance: result, input,
-            support, closes, until (value of the input), beyond (derivative there).
+        one_sided: Derivatives that hold on one side only, for a contact opens or closes within the tolerance: result,
+            input, support, closes, until (value of the input), beyond (derivative there).
         without_effect: Names of inputs on which none of the results hangs.
         not_done: Names of inputs that cannot be changed a little.
         assumptions: What was assumed.
@@ -36,13 +36,13 @@ class Sensitivities:
 
     @property
     def derivatives(self) -> Any:
-        """All derivatives as a labelled array of shape (results, inputs); each in SI units of its result by its input."""
+        """All derivatives as a labelled array of shape (results, inputs), in SI units of result by input."""
         return self._matrix("derivatives", "Of the result by the input; SI units of both")
 
     @property
     def effects(self) -> Any:
-        """How far the tolerance of an input moves a result, the larger of both ways: an array (results, inputs) in SI units of
-        the result; beyond a contact that changes with the derivative there."""
+        """How far the tolerance of an input moves a result, the larger of both ways: an array (results, inputs) in SI
+        units of the result; beyond a contact that changes with the derivative there."""
         return self._matrix("effects", "Largest change of the result within the tolerance; SI unit of the result")
 
     def derivative(self, result: str, input: str) -> Number:

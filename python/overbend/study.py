@@ -35,14 +35,15 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
                               'environment.water_depth': {'from': '80 m', 'to': '100 m', 'step': '5 m'}},
                  gather=['static.lay_back', 'static.sagbend.max_bending_stress'])
 
-    A case that fails does not stop the others. Other threads of Python go on meanwhile. After Ctrl-C, a kill or a power cut a
-    second call with the same `out` goes on where the first ended, and so does `overbend study OUT/study.yaml -o OUT`.
+    A case that fails does not stop the others. Other threads of Python go on meanwhile. After Ctrl-C, a kill or a power
+    cut a second call with the same `out` goes on where the first ended, and so does `overbend study OUT/study.yaml -o
+    OUT`.
 
     Args:
         study: The model, or the path of a study file, which then says everything up to `keep`.
-        axes: Values by key of the model: a list of values as with_() takes them, or a dict with from, to and step or steps.
-            Every value is combined with every value of the other axes; {'values': [...], 'with': KEY} changes together with
-            the axis of that key.
+        axes: Values by key of the model: a list of values as with_() takes them, or a dict with from, to and step or
+            steps. Every value is combined with every value of the other axes; {'values': [...], 'with': KEY} changes
+            together with the axis of that key.
         sample: Keys drawn by a Latin hypercube: {'count': 200, 'seed': 1, 'keys': {KEY: {'distribution': 'normal',
             'mean': '250 kN', 'std': '5 kN'}}}.
         seeds: Of the waves, or how many; every case is run with each. Dynamic analyses only.
@@ -54,7 +55,8 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
             criterion every governing check is to be passed; {'checks': True, ...} in it asks for both.
         title: Of tables and report.
         keep: Whether all result files of every case stay.
-        out: Folder for the results. Left out: a temporary folder, which goes when the results do; their save() keeps them.
+        out: Folder for the results. Left out: a temporary folder, which goes when the results do; their save() keeps
+            them.
         threads: Cases at the same time; 0: as many as there are cores.
         retry_failed: Runs cases again that failed before.
         checkpoint: Time between checkpoints of dynamic analyses [s].
@@ -65,14 +67,15 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
         ResultsError: Where the folder holds another study, or the disk refuses.
         Interrupted: After Ctrl-C, with the folder from which the study can go on.
     """
-    asked = {"axes": axes, "sample": sample, "seeds": seeds, "analysis": analysis, "gather": gather, "duration": duration,
-             "operability": operability, "title": title, "keep": keep or None}
+    asked = {"axes": axes, "sample": sample, "seeds": seeds, "analysis": analysis, "gather": gather,
+             "duration": duration, "operability": operability, "title": title, "keep": keep or None}
     holder = tempfile.TemporaryDirectory(prefix="overbend-") if out is None else None
     folder = pathlib.Path(holder.name) / "study" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
     core = _study_of(study, asked, folder)
     tell, end = follower(progress, Cases)
     try:
-        interrupted = core.run(str(folder), threads=threads, retry_failed=retry_failed, checkpoint=checkpoint, progress=tell)
+        interrupted = core.run(str(folder), threads=threads, retry_failed=retry_failed, checkpoint=checkpoint,
+                               progress=tell)
     finally:
         end()
     if interrupted:
@@ -82,7 +85,8 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
     results = StudyResults(folder, core, holder)
     failed = len(results.failed)
     if failed:
-        python_warnings.warn(f"{failed} of {len(results)} cases have no solution: see `failed` of the results", stacklevel=2)
+        sentence = f"{failed} of {len(results)} cases have no solution: see `failed` of the results"
+        python_warnings.warn(sentence, stacklevel=2)
     return results
 
 
@@ -134,10 +138,11 @@ class StudyResults:
 
     @functools.cached_property
     def table(self) -> Table:
-        """A row for each case: inputs, seed, outputs [SI], passed, governing, utilisation, state, reason, folder, wall_time.
+        """A row for each case: inputs, seed, outputs [SI], passed, governing, utilisation, state, reason, folder,
+        wall_time.
 
-        Columns have the names of keys and results: table['tensioner.tension']. NaN stands where a case has no value. `passed`
-        is whether no governing check is exceeded, `state` is 'done', 'failed' or 'open'.
+        Columns have the names of keys and results: table['tensioner.tension']. NaN stands where a case has no value.
+        `passed` is whether no governing check is exceeded, `state` is 'done', 'failed' or 'open'.
         """
         paths = {"case": "/case/number"}
         paths.update({key: "/inputs/" + key.replace("/", "_") for key in self.inputs})
@@ -145,8 +150,8 @@ class StudyResults:
         paths.update({name: "/outputs/" + name.replace("/", "_") for name in self.outputs})
         for name in ("passed", "governing", "utilisation", "state", "reason", "folder", "wall_time"):
             paths[name] = f"/case/{name}"
-        paths = {name: path for name, path in paths.items() if self._source.has(path)}
-        return Table(list(paths), lambda name: self._column(name, paths[name])) if "case" in paths else Table([], _no_column)
+        there = {name: path for name, path in paths.items() if self._source.has(path)}
+        return Table(list(there), lambda name: self._column(name, there[name]))
 
     def _column(self, name: str, path: str) -> Any:
         values, units, description, _, _ = self._source.dataset(path)
@@ -183,9 +188,9 @@ class StudyResults:
             result: A gathered result or another column of the table.
 
         Returns:
-            An array with a dimension by the key of every crossed axis, then `draw` where there is a sample and `seed` where
-            there are several. Coordinates are the values of the axes [SI], or their words; those of axes that change together
-            with another lie over its dimension. NaN where a case has no value.
+            An array with a dimension by the key of every crossed axis, then `draw` where there is a sample and `seed`
+            where there are several. Coordinates are the values of the axes [SI], or their words; those of axes that
+            change together with another lie over its dimension. NaN where a case has no value.
         """
         if result not in self.table:
             raise KeyError(f"the study has no column '{result}'{nearest(result, self.table.keys())}")
@@ -216,10 +221,11 @@ class StudyResults:
 
     @property
     def extremes(self) -> Table:
-        """Extremes over the seeds: group, result, units, runs, mean, std, worst, and the most probable extreme of three hours by
-        `gumbel` and `acer` with the ends of their 95 % confidence intervals (`gumbel_low`, ...); NaN where there are too few.
+        """Extremes over the seeds: group, result, units, runs, mean, std, worst, and the most probable extreme of three
+        hours by `gumbel` and `acer` with the ends of their 95 % confidence intervals (`gumbel_low`, ...); NaN where
+        there are too few.
         """
-        return table_of(self._source, "/extremes") if self._source.names("/extremes") else Table([], _no_column)
+        return table_of(self._source, "/extremes")
 
     @property
     def operability(self) -> "Optional[Operability]":
@@ -244,7 +250,7 @@ class StudyResults:
                 self._core = _core.Study.read(str(self._folder / "study.yaml")) if (
                     self._folder / "study.yaml").is_file() else None
             if self._core is None:
-                raise ResultsError(f"the files of case {number} are not there; {self.command} --case {number} makes them")
+                raise ResultsError(f"case {number} has no files yet; {self.command} --case {number} makes them")
             folder = self._folder / self._core.run_case(str(self._folder), number)
         return open_results(folder)
 
@@ -262,19 +268,21 @@ class StudyResults:
     def __repr__(self) -> str:
         if self.operability is not None and not len(self):
             return f"<StudyResults of '{self.title}': limits of {self.operability.over}>"
-        states = self.table["state"].values
+        states = self.table["state"].values if len(self) else np.array([])
         return f"<StudyResults of '{self.title}': {int((states == 'done').sum())} of {len(self)} cases solved>"
 
 
 class Operability:
-    """Limits of operation: the largest value of one key with which a criterion holds, over all combinations of the others.
+    """Limits of operation: the largest value of one key with which a criterion holds, over all combinations of the
+    others.
 
     Attributes:
         over: The key whose largest value is looked for.
         least, largest, resolution: Of the values tried [SI].
         cells: A group for each combination: at, limit, beyond, decided, governing, below, above, runs, reason.
         workability, forecast_workability: Fractions of the time in which the sea is below the limit: months, year, and
-            outside, with seas outside of the chart; None without a scatter diagram. The second with alpha times the limit.
+            outside, with seas outside of the chart; None without a scatter diagram. The second with alpha times the
+            limit.
         remarks: What there is to say besides.
     """
 
@@ -313,7 +321,8 @@ class Operability:
     def _over_axes(self, name: str, otherwise: Any, units: str, description: str) -> Any:
         coords = {one["key"]: np.array(one["values"] if one["values"] else one["words"]) for one in self._told["axes"]}
         values = np.array([cell.get(name, otherwise) for cell in self._told["cells"]])
-        return labelled(values.reshape([len(axis) for axis in coords.values()]), name, tuple(coords), coords, units, description)
+        shape = [len(axis) for axis in coords.values()]
+        return labelled(values.reshape(shape), name, tuple(coords), coords, units, description)
 
     def __repr__(self) -> str:
         return f"<Operability: largest {self.over} over {len(self.cells)} cells, {self._told['runs']} analyses>"
@@ -321,10 +330,6 @@ class Operability:
 
 def _workability(told: Optional[Mapping[str, Any]]) -> Optional[Record]:
     return Record(told, {"year": "1", "outside": "1"}) if told else None
-
-
-def _no_column(name: str) -> Any:
-    raise KeyError(name)
 
 
 def _with_coords(array: Any, beside: Mapping[str, tuple[str, Any]]) -> Any:

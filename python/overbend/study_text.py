@@ -44,7 +44,11 @@ def _list(value: Any) -> Any:
     return [value] if isinstance(value, str) else list(value)
 
 
-_PLAIN = {"duration": _seconds, "gather": _list, "seeds": lambda seeds: seeds if isinstance(seeds, int) else list(seeds)}
+def _seeds(value: Any) -> Any:
+    return value if isinstance(value, int) else [int(seed) for seed in value]
+
+
+_PLAIN = {"duration": _seconds, "gather": _list, "seeds": _seeds}
 
 
 def _mapping(name: str, value: Any) -> Mapping[str, Any]:
