@@ -281,14 +281,26 @@ class DynamicResults(Results):
         return StaticResults(None, self._model, self._folder)
 
     @functools.cached_property
+    def _histories(self) -> dict[str, str]:
+        """Where every history is; of lines by themselves those at their ends, by the names of the lines."""
+        paths = {name: f"/dynamic/histories/{name}" for name in _below(self._source, "/dynamic/histories")}
+        for number, line in enumerate(self._quick.get("static", {}).get("lines", [])):
+            for end in ("first_tension", "second_tension"):
+                if self._source.has(f"/lines/{number}/{end}"):
+                    paths[f"{line['name']}/{end}"] = f"/lines/{number}/{end}"
+        if self._source.has("/lines/time"):
+            paths["time"] = "/lines/time"
+        return paths
+
+    @property
     def histories(self) -> list[str]:
         """The names of the histories."""
-        return [name for name in _below(self._source, "/dynamic/histories") if name != "time"]
+        return [name for name in self._histories if name != "time"]
 
     @functools.cached_property
     def time(self) -> np.ndarray:
         """Instants of the histories [s], from the beginning of the build-up; statistics count from t = 0."""
-        return self._source.dataset("/dynamic/histories/time")[0]
+        return self._source.dataset(self._histories["time"])[0]
 
     def history(self, name: str) -> Any:
         """A history as a labelled array over time [s].
@@ -301,7 +313,7 @@ class DynamicResults(Results):
         """
         if name not in self.histories:
             raise KeyError(f"there is no history '{name}'{nearest(name, self.histories)}; `histories` lists them")
-        values, units, description, frame, _ = self._source.dataset(f"/dynamic/histories/{name}")
+        values, units, description, frame, _ = self._source.dataset(self._histories[name])
         return labelled(values, name, ("time",), {"time": self.time}, units, description, frame)
 
     def envelope(self, name: str) -> Any:

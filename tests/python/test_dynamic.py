@@ -149,6 +149,14 @@ class Dynamics(unittest.TestCase):
         self.assertNotEqual(float(values[0]), float(values[1]))
         self.assertEqual(results[2].top_tension.max, float(values[1]))
 
+    def test_lines_by_themselves_run_and_have_the_histories_of_their_ends(self):
+        run = ob.Model.read(ROOT / "examples" / "jumper.yaml").dynamic(duration="5 s")
+        self.assertTrue(run.histories)
+        name = run.histories[0]
+        self.assertTrue(name.endswith("/first_tension"))
+        self.assertEqual(run.history(name).shape, run.time.shape)
+        self.assertGreater(float(run.history(name).values.max()), 0.0)
+
     def test_a_duration_that_is_none_is_an_error(self):
         for duration in ("10 kN", "soon", -1.0, 0):
             with self.assertRaises(ob.ModelError):
