@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import os
 import pathlib
-import tempfile
 import warnings as python_warnings
 from typing import Any, Iterable, Iterator, Mapping, Optional, Sequence, Union
 
@@ -18,6 +17,7 @@ from .model import Model, PathLike
 from .progress import CaseProgress, Cases, follower
 from .results import copied_folder
 from .study_text import study_text
+from .temporary import TemporaryFolder
 from .values import Number, labelled, stored_unit
 
 Study = Union[Model, str, "os.PathLike[str]"]
@@ -69,8 +69,8 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
     """
     asked = {"axes": axes, "sample": sample, "seeds": seeds, "analysis": analysis, "gather": gather,
              "duration": duration, "operability": operability, "title": title, "keep": keep or None}
-    holder = tempfile.TemporaryDirectory(prefix="overbend-") if out is None else None
-    folder = pathlib.Path(holder.name) / "study" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
+    holder = TemporaryFolder() if out is None else None
+    folder = holder.path / "study" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
     core = _study_of(study, asked, folder)
     tell, end = follower(progress, Cases)
     try:
@@ -80,7 +80,7 @@ def study(study: Study, axes: Optional[Mapping[str, Any]] = None, *, sample: Opt
         end()
     if interrupted:
         if holder is not None:
-            holder._finalizer.detach()  # type: ignore[attr-defined]
+            holder.keep()
         raise Interrupted(f"interrupted; the same call with out='{folder}' goes on", folder)
     results = StudyResults(folder, core, holder)
     failed = len(results.failed)
