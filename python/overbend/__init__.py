@@ -17,10 +17,11 @@ from .lay_table import LayTable
 from .model import Model
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
 from .operation import OperationResults
-from .results import DynamicResults, SeedsResults, ComparisonResults, StaticResults
-from .seek import SeekResult, seek
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
+from .seeking import SeekResult, seek
 from .sensitivities import Sensitivities
-from .study import Operability, StudyResults, study
+from .studies import Operability, StudyResults, study
 from .values import LabelledArray, Number, use_xarray
 
 version = __version__

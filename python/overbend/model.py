@@ -10,7 +10,8 @@ from . import _core
 from .errors import Interrupted, ModelError
 from .keys import changes_of
 from .progress import Progress, follower
-from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
 from .temporary import TemporaryFolder
 
 if TYPE_CHECKING:

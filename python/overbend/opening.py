@@ -11,8 +11,9 @@ from . import _core
 from .errors import ResultsError
 from .model import Model
 from .operation import OperationResults
-from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
-from .study import StudyResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
+from .studies import StudyResults
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
@@ -29,11 +30,11 @@ def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
     path = path.parent if path.name in ("results.h5", "summary.json") else path
     if (path / "study.json").is_file():
         return StudyResults(path)
+    if (path / "comparison.json").is_file():
+        return ComparisonResults(path)
     if not (path / "summary.json").is_file():
         raise ResultsError(f"there are no results in '{path}'")
     summary = json.loads((path / "summary.json").read_text(encoding="utf-8"))
-    if (path / "comparison.html").is_file():
-        return ComparisonResults(path)
     if "seeds" in summary:
         return SeedsResults(path)
     if "dynamic" in summary:

@@ -201,7 +201,7 @@ class StaticResults(Results):
         """The content of summary.json."""
         if self._solved is not None:
             return self._solved.summary(all=True)
-        return _summary_in(self._folder)
+        return summary_in(self._folder)
 
     @functools.cached_property
     def _quick(self) -> dict[str, Any]:
@@ -267,7 +267,7 @@ class DynamicResults(Results):
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """The content of summary.json."""
-        return _summary_in(self._folder)
+        return summary_in(self._folder)
 
     @functools.cached_property
     def _source(self) -> Any:
@@ -389,64 +389,6 @@ class DynamicResults(Results):
         return DynamicPlots(self)
 
 
-class _RunsInFolders:
-    """Several runs in folders of their own below one."""
-
-    def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
-        self._folder, self._model, self._holder = folder, model, holder
-        self.summary: dict[str, Any] = _summary_in(folder)
-
-    @property
-    def folder(self) -> pathlib.Path:
-        """Where the results are."""
-        return self._folder
-
-    def _run(self, name: str) -> DynamicResults:
-        if not (self._folder / name / "results.h5").is_file():
-            raise KeyError(f"there is no finished run '{name}' in '{self._folder}'")
-        return DynamicResults(self._folder / name, None, self._holder)
-
-    def save(self, folder: PathLike) -> pathlib.Path:
-        """Copies all files into a folder that is new or empty."""
-        return copied_folder(self._folder, folder)
-
-
-class SeedsResults(_RunsInFolders):
-    """Runs of several seeds: `results[3]` is the run of seed 3, `summary` what they give together, as summary.json."""
-
-    @property
-    def seeds(self) -> list[int]:
-        """The seeds whose runs are finished."""
-        return sorted(int(path.parent.name[5:]) for path in self._folder.glob("seed-*/results.h5"))
-
-    def __getitem__(self, seed: int) -> DynamicResults:
-        return self._run(f"seed-{seed}")
-
-    def __iter__(self) -> Any:
-        return (self[seed] for seed in self.seeds)
-
-    def __len__(self) -> int:
-        return len(self.seeds)
-
-    def values(self, name: str) -> Any:
-        """A result of every seed, by its name as goal seek has it: 'dynamic.top_tension.max'; labelled over seed."""
-        found = [self[seed][name] for seed in self.seeds]
-        units = found[0].units if found else "1"
-        return labelled(np.array([float(value) for value in found]), name, ("seed",), {"seed": np.array(self.seeds)}, units)
-
-
-class ComparisonResults(_RunsInFolders):
-    """Variants of a model in one sea: `results['off']` is the run of one, `summary` as summary.json."""
-
-    @property
-    def variants(self) -> list[str]:
-        """The names of the variants."""
-        return sorted(path.parent.name for path in self._folder.glob("*/results.h5"))
-
-    def __getitem__(self, variant: str) -> DynamicResults:
-        return self._run(variant)
-
-
 def _renamed(column: Any, name: str) -> Any:
     if hasattr(column, "rename"):
         return column.rename(name)
@@ -465,9 +407,10 @@ def _below(source: Any, group: str) -> list[str]:
     return found
 
 
-def _summary_in(folder: Optional[pathlib.Path]) -> dict[str, Any]:
+def summary_in(folder: Optional[pathlib.Path], file: str = "summary.json") -> dict[str, Any]:
+    """The content of a file of results. Raises ResultsError where there is none."""
     try:
-        return json.loads((pathlib.Path(folder or ".") / "summary.json").read_text(encoding="utf-8"))
+        return json.loads((pathlib.Path(folder or ".") / file).read_text(encoding="utf-8"))
     except (OSError, ValueError) as fault:
         raise ResultsError(f"there are no results in '{folder}': {fault}") from None
 

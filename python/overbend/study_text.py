@@ -8,7 +8,7 @@ from typing import Any, Mapping
 from . import _core
 from .errors import ModelError
 from .keys import flow
-from .seek import conditions
+from .seeking import conditions
 
 
 def study_text(asked: Mapping[str, Any]) -> str:

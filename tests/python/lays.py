@@ -25,9 +25,9 @@ def overbend(*arguments, code=0):
     return done.stdout
 
 
-def summary_of(folder):
-    """The content of summary.json."""
-    return json.loads(pathlib.Path(folder, "summary.json").read_text(encoding="utf-8"))
+def summary_of(folder, file="summary.json"):
+    """The content of summary.json, or of another file of results."""
+    return json.loads(pathlib.Path(folder, file).read_text(encoding="utf-8"))
 
 
 def without_times(value):
@@ -41,7 +41,8 @@ def moving_lay():
     """The same in a random sea on a heaving barge, ten seconds long, with a coarse mesh."""
     heave, pitch = {"amplitude": "0.3 m", "period": "7 s"}, {"amplitude": "0.5 deg", "period": "7 s"}
     return small_lay().with_({
-        "environment.waves": {"type": "jonswap", "hs": "1 m", "tp": "7 s", "from": "60 deg", "components": 20, "seed": 3},
+        "environment.waves": {"type": "jonswap", "hs": "1 m", "tp": "7 s", "from": "60 deg", "components": 20,
+                              "seed": 3},
         "vessel.motion": {"harmonic": {"heave": heave, "pitch": pitch}},
         "analysis.mesh": {"overbend_element": "2.5 m", "touchdown_element": "4 m", "longest_element": "8 m"},
         "analysis.dynamic": {"duration": "10 s", "build_up": "5 s", "output_step": "0.5 s"}})

@@ -98,6 +98,13 @@ StudyEnd run_in(const Description& description, const RunWish& wish, const fs::p
   return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
 }
 
+/// How it ended, with the reasons of the runs that failed.
+RunEnd all_told(const StudyEnd& end) {
+  std::string why = end.why;
+  for (const FailedCase& one : end.failed) why += (why.empty() ? "" : "; ") + one.name + ": " + one.why;
+  return {end.ending, why};
+}
+
 py::dict told_end(const StudyEnd& end) {
   py::list failed;
   for (const FailedCase& one : end.failed) failed.append(py::make_tuple(one.name, one.why));
@@ -122,8 +129,8 @@ py::dict run(const ModelHandle& model, const std::string& folder, const RunWish&
     told["interrupted"] = true;
     return told;
   }
-  const bool some = end.ending == RunEnding::no_solution && (end.seeds || end.comparison);  // and others failed
-  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(end);
+  const bool some = end.seeds && !end.seeds->runs.empty();  // and others failed
+  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(all_told(end));
   return told_end(end);
 }
 
