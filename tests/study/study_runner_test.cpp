@@ -320,24 +320,29 @@ TEST(study_runner, kept_cases_have_the_files_of_the_command_and_its_numbers) {
   }
 }
 
-/// Counts how often it is held.
+/// Counts how often it is held, in the place of the process's own lock while it lives.
 class CountedLock : public FileLock {
  public:
+  CountedLock() { set_hdf5_lock(*this); }
+  ~CountedLock() override { set_hdf5_lock(before_); }
+  CountedLock(const CountedLock&) = delete;
+  CountedLock& operator=(const CountedLock&) = delete;
   void lock() override {
     FileLock::lock();
     ++held;
   }
   int held = 0;
+
+ private:
+  FileLock& before_ = hdf5_lock();
 };
 
-TEST(study_runner, a_lock_that_is_brought_is_held_while_files_are_written) {
+TEST(study_runner, the_lock_of_hdf5_is_held_while_files_are_written) {
   const Tried tried("keep: true\naxes: [{key: tensioner.tension, values: [300 kN, 310 kN]}]\n");
-  CountedLock files;
-  StudyRunOptions options;
-  options.files = &files;
+  const CountedLock lock;
   StopAfter watch(1000);
-  ASSERT_EQ(run_whole_study(*tried.base, tried.folder(), options, watch).ending, RunEnding::done);
-  EXPECT_EQ(files.held, 3) << "for each case and for the tables";
+  ASSERT_EQ(run_whole_study(*tried.base, tried.folder(), {}, watch).ending, RunEnding::done);
+  EXPECT_EQ(lock.held, 3) << "for each case and for the tables";
 }
 
 TEST(study_runner, what_there_is_so_far_is_read_without_writing_tables) {

@@ -1,8 +1,8 @@
 // Folders of results beside each other.
 #include <pybind11/stl.h>
 
+#include "base/file_lock.h"
 #include "python/bindings.h"
-#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/to_python.h"
 #include "report/folder_comparison_page.h"
@@ -49,8 +49,7 @@ Json told_comparison(const FolderComparison& comparison) {
 }
 
 FolderComparison compared(const std::vector<std::string>& folders) {
-  InterpreterLock files;
-  const std::lock_guard hold(files);
+  const std::lock_guard hold(hdf5_lock());
   try {
     return compare_folders({folders.begin(), folders.end()});
   } catch (const std::runtime_error& fault) {

@@ -5,7 +5,6 @@
 
 #include "base/units.h"
 #include "python/bindings.h"
-#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
 #include "python/statics_handle.h"
@@ -94,8 +93,7 @@ StudyEnd run_in(const Description& description, const RunWish& wish, const fs::p
   }
   const StudyPlan plan = plan_of(description, wish);
   require_wish(case_folders(plan, folder), wish);
-  InterpreterLock files;
-  return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
+  return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, hdf5_lock());
 }
 
 /// How it ended, with the reasons of the runs that failed.

@@ -3,6 +3,7 @@
 
 #include <mutex>
 
+#include "base/file_lock.h"
 #include "python/bindings.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
@@ -70,6 +71,7 @@ std::shared_ptr<OperationHandle> solved_stages(const std::shared_ptr<ModelHandle
 }
 
 std::shared_ptr<OperationHandle> stored_operation(const std::string& h5) {
+  const std::lock_guard hold(hdf5_lock());
   StoredOperation read = read_operation_results(h5);
   return std::make_shared<OperationHandle>(
       OperationHandle{ModelHandle::from_text(read.model_text, read.model_file), std::move(read.results)});
@@ -91,6 +93,7 @@ std::shared_ptr<StaticsHandle> stage_of(const OperationHandle& operation, std::s
 }
 
 void save_operation(const OperationHandle& operation, const std::string& folder) {
+  const std::lock_guard hold(hdf5_lock());
   write_operation_run(operation.results, operation.model->description(), folder);
 }
 

@@ -1,4 +1,5 @@
 // Goal seek: what is wanted comes as the key `seek` of a model file.
+#include "base/file_lock.h"
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
 #include "python/bindings.h"
@@ -64,6 +65,7 @@ std::shared_ptr<SoughtHandle> seek_of(const ModelHandle& model, const std::strin
 }
 
 void save_seek(const SoughtHandle& found, const std::string& folder) {
+  const std::lock_guard hold(hdf5_lock());
   write_seek_run(found.run, found.description, folder);
 }
 

@@ -1,4 +1,5 @@
 // Statics of a model.
+#include "base/file_lock.h"
 #include "python/bindings.h"
 #include "python/statics_handle.h"
 #include "python/to_python.h"
@@ -28,7 +29,11 @@ void add_statics(py::module_& module) {
           py::arg("all"), "As summary.json; without `all` lacks the limits of roller friction and the hull's damping.")
       .def("tree", &StaticsHandle::tree, py::call_guard<py::gil_scoped_release>(), "As results.h5.")
       .def(
-          "save", [](const StaticsHandle& statics, const std::string& folder) { statics.save(folder); },
+          "save",
+          [](const StaticsHandle& statics, const std::string& folder) {
+            const std::lock_guard hold(hdf5_lock());
+            statics.save(folder);
+          },
           py::arg("folder"));
 }
 

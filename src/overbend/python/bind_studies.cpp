@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "python/bindings.h"
-#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/study_handle.h"
 #include "python/to_python.h"
@@ -29,13 +28,11 @@ struct StudyConduct {
 bool run_to_end(const StudyHandle& study, const std::string& folder, const StudyConduct& conduct,
                 const py::object& progress) {
   CaseCount count;
-  InterpreterLock files;
   bool interrupted = false;
   const auto work = [&] {
     study.open(folder);
     StudyRunOptions options{.threads = conduct.threads, .retry_failed = conduct.retry_failed};
     options.checkpoint_every = conduct.checkpoint_every;
-    options.files = &files;
     const WholeStudy whole = run_whole_study(study.base(), folder, options, count);
     interrupted = whole.ending == RunEnding::interrupted;
     if (whole.ending != RunEnding::done && !interrupted) throw UnusableFolder(whole.why);
@@ -70,8 +67,7 @@ std::string run_one(const StudyHandle& study, const std::string& folder, std::si
 }
 
 StudyResults read_so_far(const std::string& folder) {
-  InterpreterLock files;
-  const std::lock_guard hold(files);
+  const std::lock_guard hold(hdf5_lock());
   try {
     return study_so_far(folder);
   } catch (const std::runtime_error& fault) {

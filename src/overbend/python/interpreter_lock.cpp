@@ -2,36 +2,39 @@
 
 #include <pybind11/pybind11.h>
 
+#include <vector>
+
 namespace overbend {
 namespace {
 
 namespace py = pybind11;
 
-/// Of this thread, while it holds the lock.
 struct Hold {
   PyGILState_STATE state;
-  py::object h5py;  ///< Its lock; null where it is not loaded.
+  py::object h5py;  ///< Its lock; None where it is not loaded.
 };
-thread_local Hold hold;
+thread_local std::vector<Hold> holds;  ///< Of this thread, one in the other.
 
 /// h5py gives the interpreter's lock away while it waits for files, but never this one.
 py::object lock_of_h5py() {
   const auto objects = py::reinterpret_steal<py::object>(PyImport_GetModule(py::str("h5py._objects").ptr()));
-  return objects ? py::getattr(objects, "phil", py::none()) : py::none();
+  if (!objects) return py::none();
+  return py::getattr(objects, "phil", py::none());
 }
 
 }  // namespace
 
 void InterpreterLock::lock() {
-  hold.state = PyGILState_Ensure();
-  hold.h5py = lock_of_h5py();
-  if (!hold.h5py.is_none()) hold.h5py.attr("acquire")();
+  const PyGILState_STATE state = PyGILState_Ensure();
+  holds.push_back({state, lock_of_h5py()});
+  if (!holds.back().h5py.is_none()) holds.back().h5py.attr("acquire")();
 }
 
 void InterpreterLock::unlock() {
-  if (!hold.h5py.is_none()) hold.h5py.attr("release")();
-  hold.h5py = py::object();
-  PyGILState_Release(hold.state);
+  const PyGILState_STATE state = holds.back().state;
+  if (!holds.back().h5py.is_none()) holds.back().h5py.attr("release")();
+  holds.pop_back();
+  PyGILState_Release(state);
 }
 
 }  // namespace overbend

@@ -1,4 +1,4 @@
-/// The lock around files of results within Python.
+/// The lock around HDF5 within Python.
 #pragma once
 
 #include "base/file_lock.h"
@@ -6,7 +6,7 @@
 namespace overbend {
 
 /// Holds the interpreter's lock, and that of h5py where it is loaded: the same HDF5 library serves it and us, one
-/// thread at a time. A thread holds it once at a time, whether it has the interpreter's lock already or not.
+/// thread at a time. A thread that has the interpreter's lock already may hold it as well.
 class InterpreterLock : public FileLock {
  public:
   void lock() override;

@@ -1,8 +1,11 @@
 // The extension module overbend._core.
 #include "python/bindings.h"
+#include "python/interpreter_lock.h"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The engine behind the package overbend. Use that; nothing here is promised to stay.";
+  static auto* const lock = new overbend::InterpreterLock;  // threads may outlive the module
+  overbend::set_hdf5_lock(*lock);
   module.attr("version") = OVERBEND_VERSION;
   overbend::add_errors(module);
   overbend::add_results(module);

@@ -1,9 +1,12 @@
 /// Arrays of a netCDF-4 file, which is an HDF5 file: numbers with the names of their dimensions, and lists of words.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/file_lock.h"
 
 namespace overbend {
 
@@ -14,6 +17,7 @@ struct NetcdfArray {
   std::vector<double> values;
 };
 
+/// Holds the lock of HDF5 as long as it lives.
 class NetcdfFile {
  public:
   /// Throws std::runtime_error where it is no HDF5 file.
@@ -28,6 +32,7 @@ class NetcdfFile {
   std::vector<std::string> words(const std::string& name) const;
 
  private:
+  std::lock_guard<FileLock> hold_{hdf5_lock()};
   long long file_;
 };
 

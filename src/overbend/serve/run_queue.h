@@ -78,7 +78,7 @@ class RunQueue {
   std::filesystem::path folder_;
   EventHub& events_;
   LiveHistory live_;
-  FileLock files_;
+  FileLock& files_ = hdf5_lock();
 
   mutable std::mutex mutex_;  ///< Of what follows.
   std::condition_variable changed_;

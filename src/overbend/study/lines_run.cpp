@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/file_lock.h"
 #include "dynamics/lines_in_time.h"
 #include "report/report.h"
 #include "resultfiles/lines_writer.h"
@@ -163,6 +164,7 @@ SeedsResults gather_lines(const Description& description, const std::vector<Seed
 }
 
 void write_lines_run(const LinesResults& results, const Description& description, const std::filesystem::path& folder) {
+  const std::lock_guard hold(hdf5_lock());
   StagedFolder staged(folder);
   write_lines_files(results, description, staged.path());
   write_report(results, description.source_text, staged.path() / "report.html");

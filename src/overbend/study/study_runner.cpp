@@ -62,7 +62,6 @@ class StudyWork {
         folder_(folder),
         options_(options),
         watch_(watch),
-        files_(options.files != nullptr ? *options.files : own_files_),
         worker_(folder / "workers"),
         outputs_(study_outputs(base)) {}
 
@@ -189,7 +188,8 @@ class StudyWork {
     const SteadyClock::time_point begun = SteadyClock::now();
     const CaseQuestion question = cases_.question(one.number);
     const CaseConduct conduct{
-        folder_ / one.folder, base_.study().keep, options_.checkpoint_every, [this] { return ends(); }, {}, &files_};
+        folder_ / one.folder, base_.study().keep, options_.checkpoint_every, [this] { return ends(); }, {},
+        &hdf5_lock()};
     CaseAnswer answer;
     if (base_.study().analysis == StudyAnalysis::dynamic) {
       static_cast<RunEnd&>(answer) = statics_.take(base_, question, one.group, neighbour);
@@ -231,8 +231,6 @@ class StudyWork {
   const fs::path& folder_;
   const StudyRunOptions& options_;
   StudyWatch& watch_;
-  FileLock own_files_;
-  FileLock& files_;
   WorkerFile worker_;
   std::vector<StudyOutput> outputs_;
   std::vector<std::size_t> open_;
@@ -262,8 +260,7 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
                          const std::function<bool()>& stop) {
   const SteadyClock::time_point begun = SteadyClock::now();
   StudyCase one = cases.at(number);
-  FileLock files;
-  const CaseConduct conduct{folder / one.folder, true, 60.0, stop, {}, &files};
+  const CaseConduct conduct{folder / one.folder, true, 60.0, stop, {}, &hdf5_lock()};
   CaseNeighbour neighbour;
   const CaseAnswer answer = evaluate_case(base, cases.question(number), neighbour, conduct);
   const std::vector<StudyOutput> outputs = study_outputs(base);

@@ -17,7 +17,6 @@ struct StudyRunOptions {
               tasks = 1;           ///< Only the cases whose number leaves the remainder `task` when divided by `tasks`.
   double checkpoint_every = 60.0;  ///< Of dynamic analyses [s].
   bool tables = true;              ///< Made when all cases are run; several tasks leave them to who gathers.
-  FileLock* files = nullptr;       ///< Held while HDF5 is used; left out: a lock of the study's own.
 };
 
 /// Whoever follows a study. Called from several threads, but for begin().

@@ -11,7 +11,6 @@ namespace {
 bool find_limits(const CaseBase& base, const std::filesystem::path& folder, const StudyRunOptions& options,
                  StudyWatch& watch) {
   OperabilityConduct conduct{folder, options.threads, options.checkpoint_every, options.task, options.tasks};
-  conduct.files = options.files;
   conduct.stop = [&] { return watch.stop(); };
   conduct.told = [&](const TrialTold& trial) {
     if (!trial.known && trial.result.end != TrialEnd::open) watch.tried(trial);
@@ -42,8 +41,7 @@ WholeStudy run_whole_study(const CaseBase& base, const std::filesystem::path& fo
   if (!finished) {
     static_cast<RunEnd&>(whole) = {RunEnding::interrupted, "interrupted"};
   } else if (options.tables) {
-    FileLock own;
-    const std::lock_guard hold(options.files != nullptr ? *options.files : own);
+    const std::lock_guard hold(hdf5_lock());
     whole.results = gather_study(folder);
   }
   return whole;
