@@ -86,8 +86,8 @@ class SeedsResults(_RunsInFolders):
 
     @functools.cached_property
     def statistics(self) -> Record:
-        """By key result over the seeds: mean, std, min, max, and `gumbel` and `acer` with the most probable extreme of three
-        hours (`estimate`, and `low` and `high` of its 95 % confidence interval); None where there are too few.
+        """By key result over the seeds: mean, std, min, max, and `gumbel` and `acer` with the most probable extreme of
+        three hours (`estimate`, and `low` and `high` of its 95 % confidence interval); None where there are too few.
         """
         quantities = self._told["statistics"]
         return Record({name: _statistics(one) for name, one in quantities.items()},

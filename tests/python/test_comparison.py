@@ -26,7 +26,8 @@ class Comparisons(unittest.TestCase):
             self.assertEqual(compared.table["330kN"].shape, (len(compared.results),))
             compared.save(folder / "here")
             overbend("compare", folder / "300kN", folder / "330kN", "-o", folder / "there")
-            self.assertEqual((folder / "here/comparison.csv").read_bytes(), (folder / "there/comparison.csv").read_bytes())
+            tables = [(folder / place / "comparison.csv").read_bytes() for place in ("here", "there")]
+            self.assertEqual(tables[0], tables[1])
 
     def test_what_is_no_folder_of_results_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:

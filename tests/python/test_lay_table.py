@@ -13,7 +13,8 @@ from lays import overbend, small_lay, summary_of, without_times, EXAMPLES
 class LayTables(unittest.TestCase):
     def test_rows_are_those_of_the_command_line(self):
         with tempfile.TemporaryDirectory() as folder:
-            overbend("lay-table", EXAMPLES / "first-model.yaml", "--tension", "280 kN..360 kN/4", "-o", f"{folder}/table")
+            first = EXAMPLES / "first-model.yaml"
+            overbend("lay-table", first, "--tension", "280 kN..360 kN/4", "-o", f"{folder}/table")
             told = summary_of(f"{folder}/table")
         table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", step="20 kN")
         self.assertEqual(without_times(table.summary), without_times(told))
@@ -57,14 +58,16 @@ class LayTables(unittest.TestCase):
         self.assertIn("tension", table[0].reason)
 
     def test_values_that_cannot_be_are_refused(self):
-        for given in ({"vary": "tensions"}, {"vary": "tension", "from_": "200 kN"}, {"vary": "depth", "from_": "2 kN", "to": "3 kN"},
-                      {"vary": "tension", "from_": "200 kN", "to": "300 kN", "step": "30 kN"}, {"steps": 3}):
+        for given in ({"vary": "tensions"}, {"vary": "tension", "from_": "200 kN"}, {"steps": 3},
+                      {"vary": "depth", "from_": "2 kN", "to": "3 kN"},
+                      {"vary": "tension", "from_": "200 kN", "to": "300 kN", "step": "30 kN"}):
             with self.subTest(given), self.assertRaises(ob.ModelError):
                 small_lay().lay_table(**given)
 
     def test_files_and_progress(self):
         told = []
-        table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", steps=4, progress=lambda *at: told.append(at))
+        table = small_lay().lay_table("tension", from_="280 kN", to="360 kN", steps=4,
+                                      progress=lambda *at: told.append(at))
         self.assertTrue(told and told[-1][0] >= 5, told)
         with tempfile.TemporaryDirectory() as folder:
             table.save(f"{folder}/table")

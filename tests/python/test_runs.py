@@ -71,8 +71,8 @@ class Comparisons(unittest.TestCase):
             told = summary_of(folder / "there", "comparison.json")
             self.assertEqual(without_times(results.summary), without_times(told))
             self.assertEqual(results.variants, [one["name"] for one in told["comparison"]["variants"]])
-            column = next(iter(told["comparison"]["quantities"]))
-            self.assertEqual(list(results.table[column].values), [one[column] for one in told["comparison"]["variants"]])
+            column, runs = next(iter(told["comparison"]["quantities"])), told["comparison"]["variants"]
+            self.assertEqual(list(results.table[column].values), [one[column] for one in runs])
             self.assertEqual(results.supports[0].name, told["comparison"]["supports"][0]["name"])
             self.assertIsInstance(results[results.variants[0]], ob.DynamicResults)
             self.assertIsInstance(ob.open(folder / "there"), ob.ComparisonResults)

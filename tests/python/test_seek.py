@@ -48,7 +48,8 @@ class Seek(unittest.TestCase):
         self.assertAlmostEqual(found.model.static().sagbend.max_bending_stress / 120e6, 1.0, places=3)
 
     def test_limits_and_what_is_minimised(self):
-        most = ob.seek(small_lay(), vary="tensioner.tension", until={STRESS: "<= 120 MPa"}, minimise="static.top_tension")
+        most = ob.seek(small_lay(), vary="tensioner.tension", until={STRESS: "<= 120 MPa"},
+                       minimise="static.top_tension")
         same = ob.seek(small_lay(), vary="tensioner.tension", until={STRESS: {"at_most": "120 MPa"}})
         self.assertAlmostEqual(most.answer / same.answer, 1.0, places=3)
         self.assertEqual([goal["is"] for goal in most.goals], ["at_most", "minimised"])

@@ -35,7 +35,8 @@ class Studies(unittest.TestCase):
         self.folder = pathlib.Path(holder.name)
 
     def test_the_table_is_that_of_the_command_line(self):
-        results = ob.study(small_lay(), AXES, gather=[STRESS, "static.lay_back", "checks.governing"], out=self.folder / "here")
+        gathered = [STRESS, "static.lay_back", "checks.governing"]
+        results = ob.study(small_lay(), AXES, gather=gathered, out=self.folder / "here")
         overbend("study", self.folder / "here" / "study.yaml", "-o", self.folder / "there")
         with h5py.File(self.folder / "there" / "study.h5") as file:
             np.testing.assert_array_equal(results.table[STRESS].values, file[f"outputs/{STRESS}"][:])
@@ -66,7 +67,8 @@ class Studies(unittest.TestCase):
         self.assertEqual(grid.shape, (5, 3))
         self.assertEqual(list(grid.coords[DEPTH].values), [39.0, 40.0, 41.0])
         self.assertEqual(list(grid.coords["pipe.steel.yield_stress"].values), [400e6, 414e6, 430e6])
-        self.assertEqual(float(grid.sel({TENSION: 280e3, DEPTH: 41.0})), float(results.table["static.lay_back"].values[5]))
+        cell = grid.sel({TENSION: 280e3, DEPTH: 41.0})
+        self.assertEqual(float(cell), float(results.table["static.lay_back"].values[5]))
         self.assertEqual(results.table[TENSION].values[5], 280e3)
         with self.assertRaisesRegex(KeyError, "did you mean 'static.lay_back'"):
             results.grid("static.layback")
@@ -80,8 +82,9 @@ class Studies(unittest.TestCase):
         self.assertEqual((grid.shape, list(grid.coords)), ((5, 3), [TENSION, DEPTH]))
 
     def test_a_sample_draws_keys_at_random(self):
-        sample = {"count": 6, "seed": 2, "keys": {TENSION: {"distribution": "normal", "mean": "300 kN", "std": "10 kN"},
-                                                  "supports.stinger.boxes[stinger 2].z": {"from": "-7.3 m", "to": "-7.1 m"}}}
+        keys = {TENSION: {"distribution": "normal", "mean": "300 kN", "std": "10 kN"},
+                "supports.stinger.boxes[1].z": {"from": "-7.3 m", "to": "-7.1 m"}}
+        sample = {"count": 6, "seed": 2, "keys": keys}
         results = ob.study(small_lay(), {DEPTH: ["39 m", "40 m"]}, sample=sample, gather=["static.lay_back"])
         grid = results.grid(TENSION)
         self.assertEqual((grid.dims, grid.shape), ((DEPTH, "draw"), (2, 6)))
@@ -121,7 +124,8 @@ class Studies(unittest.TestCase):
             ob.study(small_lay().with_({DEPTH: "41 m"}), {TENSION: ["300 kN"]}, out=self.folder / "one")
 
     def test_an_interrupted_study_goes_on_to_the_same_results(self):
-        axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 101}, DEPTH: {"from": "36 m", "to": "44 m", "steps": 5}}
+        depths = {"from": "36 m", "to": "44 m", "step": "2 m"}
+        axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 101}, DEPTH: depths}
         whole = ob.study(small_lay(), axes, gather=["static.lay_back"])
         with self.assertRaises(ob.Interrupted) as raised:
             ob.study(small_lay(), axes, gather=["static.lay_back"], out=self.folder / "one", progress=Interrupter(5))
@@ -176,7 +180,8 @@ class Studies(unittest.TestCase):
         other = threading.Thread(target=count)
         other.start()
         told = []
-        ob.study(small_lay(), {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 301}}, progress=lambda *at: told.append(at))
+        axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 301}}
+        ob.study(small_lay(), axes, progress=lambda *at: told.append(at))
         stop.set()
         other.join()
         self.assertGreater(counted[0], 20)
@@ -213,8 +218,9 @@ class DynamicStudies(unittest.TestCase):
             for user in users:
                 user.start()
             try:
-                results = ob.study(moving_lay(), {TENSION: {"from": "290 kN", "to": "310 kN", "steps": 6}}, analysis="dynamic",
-                                   duration="1 s", keep=True, gather=["dynamic.top_tension.max"])
+                axes = {TENSION: {"from": "290 kN", "to": "310 kN", "steps": 6}}
+                results = ob.study(moving_lay(), axes, analysis="dynamic", duration="1 s", keep=True,
+                                   gather=["dynamic.top_tension.max"])
             finally:
                 stop.set()
                 for user in users:
@@ -224,7 +230,8 @@ class DynamicStudies(unittest.TestCase):
 
     def test_limits_are_looked_for_over_the_other_axes(self):
         limit = {"over": DEPTH, "resolution": "1 m", "criterion": {"static.lay_back": "<= 80 m"}}
-        results = ob.study(small_lay(), {DEPTH: ["30 m", "50 m"], TENSION: ["280 kN", "300 kN", "320 kN"]}, operability=limit)
+        axes = {DEPTH: ["30 m", "50 m"], TENSION: ["280 kN", "300 kN", "320 kN"]}
+        results = ob.study(small_lay(), axes, operability=limit)
         found = results.operability
         self.assertEqual((found.limit.dims, found.limit.shape), ((TENSION,), (3,)))
         self.assertEqual(found.limit.attrs["units"], "m")
