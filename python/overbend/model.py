@@ -246,9 +246,12 @@ class Model:
             NoSolution: Where there is no equilibrium, or it is about to snap to another place.
             ModelError: Where a key is none of these.
         """
-        from .sensitivities import Sensitivities
+        from .sensitivities import Sensitivities, require_keys
 
-        return Sensitivities(_core.sensitivities(self._core, str(stage), list(keys or []), one_sided))
+        chosen = list(keys or [])
+        told = _core.sensitivities(self._core, str(stage), chosen, one_sided)
+        require_keys(told, chosen)
+        return Sensitivities(told)
 
     def _run(self, out: Optional[PathLike], progress: Union[bool, Progress], **wish: Any) -> tuple[pathlib.Path, Any]:
         holder = TemporaryFolder() if out is None else None

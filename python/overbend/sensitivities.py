@@ -6,6 +6,7 @@ from typing import Any, Mapping, Sequence
 
 import numpy as np
 
+from .errors import ModelError
 from .groups import Record, Records, nearest
 from .values import Number, labelled, stored_unit
 
@@ -74,6 +75,16 @@ class Sensitivities:
 
     def __repr__(self) -> str:
         return f"<Sensitivities of {len(self.results)} results by {len(self.inputs)} inputs>"
+
+
+def require_keys(told: Mapping[str, Any], keys: Sequence[str]) -> None:
+    """Raises ModelError where one of the keys is no number of the model file."""
+    known = {*told["without_effect"], *told["not_done"]}
+    for one in told["inputs"]:
+        known |= {one["name"], one["key"]}
+    for key in keys:
+        if key not in known:
+            raise ModelError(f"'{key}' is no number that the model file has, written as there or by default")
 
 
 def _with_unit(told: Mapping[str, Any], quantities: Sequence[str]) -> Record:

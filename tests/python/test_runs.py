@@ -15,8 +15,8 @@ class Seeds(unittest.TestCase):
     def setUpClass(cls):
         cls.holder = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.holder.name)
-        moving_lay().write(cls.folder / "lay.yaml")
-        overbend("dynamic", cls.folder / "lay.yaml", "--seeds", "2,5", "--duration", "3 s", "-o", cls.folder / "there")
+        moving_lay().with_({"analysis.dynamic.seeds": [2, 5]}).write(cls.folder / "lay.yaml")
+        overbend("dynamic", cls.folder / "lay.yaml", "--duration", "3 s", "-o", cls.folder / "there")
         cls.told = summary_of(cls.folder / "there")["seeds"]
         cls.results = moving_lay().seeds([2, 5], duration="3 s", out=cls.folder / "here")
 

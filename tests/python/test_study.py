@@ -125,13 +125,13 @@ class Studies(unittest.TestCase):
 
     def test_an_interrupted_study_goes_on_to_the_same_results(self):
         depths = {"from": "36 m", "to": "44 m", "step": "2 m"}
-        axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 101}, DEPTH: depths}
+        axes = {TENSION: {"from": "250 kN", "to": "350 kN", "steps": 41}, DEPTH: depths}
         whole = ob.study(small_lay(), axes, gather=["static.lay_back"])
         with self.assertRaises(ob.Interrupted) as raised:
             ob.study(small_lay(), axes, gather=["static.lay_back"], out=self.folder / "one", progress=Interrupter(5))
         self.assertEqual(raised.exception.folder, self.folder / "one")
         so_far = ob.open(self.folder / "one")
-        self.assertTrue(5 <= len(so_far) - len(so_far.open) < 505, len(so_far.open))
+        self.assertTrue(5 <= len(so_far) - len(so_far.open) < 205, len(so_far.open))
         again = ob.study(small_lay(), axes, gather=["static.lay_back"], out=self.folder / "one")
         self.assertEqual(len(again.open), 0)
         np.testing.assert_array_equal(again.grid("static.lay_back").values, whole.grid("static.lay_back").values)
@@ -202,19 +202,20 @@ class DynamicStudies(unittest.TestCase):
 
     def test_h5py_may_be_used_in_other_threads(self):
         with tempfile.TemporaryDirectory() as folder:
-            file, stop, faults = pathlib.Path(folder, "other.h5"), threading.Event(), []
+            stop, faults, used = threading.Event(), [], []
 
-            def use():
+            def use(file):
                 try:
                     while not stop.is_set():
                         with h5py.File(file, "w") as other:
                             other["values"] = np.arange(1000.0)
                         with h5py.File(file) as other:
                             assert other["values"][999] == 999.0
+                        used.append(file)
                 except Exception as fault:  # noqa: BLE001
                     faults.append(fault)
 
-            users = [threading.Thread(target=use) for _ in range(2)]
+            users = [threading.Thread(target=use, args=(pathlib.Path(folder, name),)) for name in ("a.h5", "b.h5")]
             for user in users:
                 user.start()
             try:
@@ -226,10 +227,11 @@ class DynamicStudies(unittest.TestCase):
                 for user in users:
                     user.join()
             self.assertEqual(faults, [])
+            self.assertGreater(len(used), 10)
             self.assertEqual(results.case(3).top_tension.max, float(results.table["dynamic.top_tension.max"].values[3]))
 
     def test_limits_are_looked_for_over_the_other_axes(self):
-        limit = {"over": DEPTH, "resolution": "1 m", "criterion": {"static.lay_back": "<= 80 m"}}
+        limit = {"over": DEPTH, "resolution": "1 m", "criterion": {"static.lay_back": "<= 177 m"}}
         axes = {DEPTH: ["30 m", "50 m"], TENSION: ["280 kN", "300 kN", "320 kN"]}
         results = ob.study(small_lay(), axes, operability=limit)
         found = results.operability
@@ -238,10 +240,10 @@ class DynamicStudies(unittest.TestCase):
         for tension, depth in zip(found.limit.coords[TENSION].values, found.limit.values):
             lays = [small_lay().with_({TENSION: f"{tension} N", DEPTH: f"{deep} m"}).static().lay_back
                     for deep in (depth, depth + 1.0)]
-            self.assertLessEqual(lays[0], 80.0)
-            self.assertGreater(lays[1], 80.0)
+            self.assertLessEqual(lays[0], 177.0)
+            self.assertGreater(lays[1], 177.0)
         self.assertTrue(found.decided.values.all())
-        self.assertIn("static.lay_back at most 80 m", str(found.governing.values[0]))
+        self.assertIn("static.lay_back at most 177 m", str(found.governing.values[0]))
         self.assertIsNone(found.workability)
 
 
