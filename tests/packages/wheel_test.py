@@ -98,16 +98,28 @@ class Wheel(unittest.TestCase):
         self.assertEqual({name for name in names if name.startswith("overbend/") and not name.endswith(".so")}, sources)
         self.assertEqual(sum(name.endswith(".so") for name in names), 1)
 
+    def test_no_file_names_a_folder_of_the_machine_it_was_built_on(self):
+        with zipfile.ZipFile(self.wheel) as archive:
+            for name in archive.namelist():
+                self.assertNotIn(str(ROOT).encode(), archive.read(name), name)
+
     def test_uninstalling_leaves_nothing(self):
-        with tempfile.TemporaryDirectory() as place:
-            self.check(run(self.python, "-m", "pip", "install", "--no-index", "--no-deps", "--target", place, self.wheel))
-            self.assertTrue(pathlib.Path(place, "overbend/__init__.py").is_file())
         site = self.python.parents[1] / f"lib/python{sys.version_info[0]}.{sys.version_info[1]}/site-packages"
+        self.assertNotEqual(list(site.glob("overbend*")), [])
         try:
             self.check(run(self.python, "-m", "pip", "uninstall", "-y", "overbend"))
             self.assertEqual(list(site.glob("overbend*")), [])
         finally:
             self.check(run(self.python, "-m", "pip", "install", "--no-index", self.wheel))
+
+    def test_an_editable_installation_is_the_package_in_the_build_folder(self):
+        pip, settings = (self.python, "-m", "pip"), f"--config-settings=build-dir={BUILD}"
+        try:
+            self.check(run(*pip, "install", "--no-index", "--no-deps", settings, "-e", ROOT))
+            self.assertEqual(self.said("import overbend; print(overbend.__file__)"),
+                             str(BUILD / "python/overbend/__init__.py"))
+        finally:
+            self.check(run(*pip, "install", "--no-index", "--force-reinstall", "--no-deps", self.wheel))
 
 
 class BackEnd(unittest.TestCase):
