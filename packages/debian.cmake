@@ -6,7 +6,7 @@ if(TARGET overbend_python)
 endif()
 set(CPACK_PACKAGE_NAME overbend)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "Overbend developers <overbend@localhost>" CACHE STRING "Maintainer of the Debian packages")
+set(CPACK_PACKAGE_CONTACT "Overbend developers <overbend@example.org>" CACHE STRING "Maintainer of the Debian packages")
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_SET_DESTDIR ON)  # so that the prefix is /usr for what asks for it
 set(CPACK_INSTALL_PREFIX /usr)
