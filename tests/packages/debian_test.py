@@ -10,6 +10,7 @@ import pathlib
 import re
 import subprocess
 import sys
+import sysconfig
 import tempfile
 import unittest
 
@@ -32,7 +33,7 @@ def libraries_of(file):
 
 def package_of(library):
     """The Debian package that brings a shared library on this machine."""
-    told = said("dpkg-query", "--search", f"*/{library}")
+    told = said("dpkg-query", "--search", f"*/{sysconfig.get_config_var('MULTIARCH')}/{library}")
     return told.split(":")[0]
 
 
