@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core
 from .errors import ResultsError
-from .groups import Record, Records, Table, nearest, table_of, wrapped
+from .groups import Record, Records, Table, nearest, record_of, table_of, wrapped
 from .values import Number, labelled, xarray_module
 
 if TYPE_CHECKING:
@@ -169,6 +169,7 @@ class StaticResults(Results):
     _tables = {"pipe": "/static/stations", "supports": "/static/supports", "rows": "/static/rows",
                "rollers": "/static/rollers", "sections": "/static/sections", "structures": "/static/structures",
                "stinger_sections": "/static/stinger", "contacts": "/static/bed/contacts",
+               "bed_heights": "/static/bed/heights",
                "free_spans": "/static/bed/spans", "mooring_lines": "/moorings/lines"}
 
     def __init__(self, solved: "Optional[_core.Statics]", model: "Optional[Model]", folder: Optional[pathlib.Path] = None):
@@ -191,6 +192,15 @@ class StaticResults(Results):
     def model(self) -> "Model":
         """The model that these are the results of."""
         return _model_of(self)
+
+    @functools.cached_property
+    def scene(self) -> Record:
+        """Where things are, for figures of one's own.
+
+        `stern_shoe` and `tensioner` [m, W], `vessel_axes` (columns forward, port, up in W), `vessel_length`, `vessel_beam`,
+        `vessel_depth`, `vessel_draught`, `water_depth`, `pipe_outer_diameter`, `steel_outer_diameter` [m].
+        """
+        return record_of(self._source, "/static/scene")
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Writes the files that `overbend static -o` writes, report.html with them, whole or not at all.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any
 
 import numpy as np
 
@@ -17,17 +17,23 @@ class AlongPipe:
         self.overbend = draw.part_of(part)
         self.top = float(static.total_length)
         self.touchdown = self.top - float(static.touchdown.s)
-        self.boxes = [(str(name), self.top - float(s), float(length)) for name, s, length in _boxes(static)]
-        if self.overbend and not self.boxes:
-            raise ValueError("part: found 'overbend', but this line hangs from its tensioner without supports")
-        self.end = min(self.top, self._reach() if self.overbend else 1.15 * self.touchdown + 15)
+        self.boxes = _boxes(static)
+        self.end = self.end_of(static, self.overbend)
         self.lane = draw.lane_for([name for name, _, _ in self.boxes]) if self.overbend else 0.0
         self.ax = draw.axes(ax)
         self.ax.set_xlim(0.0, self.end)
 
-    def _reach(self) -> float:
-        last = max(at + 0.5 * length for _, at, length in self.boxes)
-        return last + max(5.0, 0.12 * last)
+    @staticmethod
+    def end_of(static: Any, overbend: bool) -> float:
+        """How far from the tensioner [m] a figure reaches: to a little beyond the last box, or beyond touchdown."""
+        top, boxes = float(static.total_length), _boxes(static)
+        if not overbend:
+            touchdown = top - float(static.touchdown.s)
+            return min(top, touchdown + max(30.0, 0.15 * touchdown))
+        if not boxes:
+            raise ValueError("part: found 'overbend', but this line hangs from its tensioner without supports")
+        last = max(at + 0.5 * length for _, at, length in boxes)
+        return min(top, last + max(5.0, 0.12 * last))
 
     def from_tensioner(self, s: Any) -> np.ndarray:
         """Distances from the tensioner [m] of arc lengths `s` from the anchor [m]."""
@@ -51,7 +57,6 @@ class AlongPipe:
             draw.upright(self.ax, self.touchdown, "touchdown")
         where = "overbend" if self.overbend else "whole line"
         draw.label(self.ax, f"{title}, {where}", draw.FROM_TENSIONER, y_label, self.lane)
-        draw.legend(self.ax, self.lane)
         return self.ax
 
     def place(self, at: float) -> str:
@@ -68,11 +73,13 @@ class AlongPipe:
         draw.mark(self.ax, at, value, text, colour)
 
 
-def _boxes(static: Any) -> list[tuple[Any, Any, Any]]:
-    supports: Optional[Any] = getattr(static, "supports", None)
-    if supports is None or len(supports) == 0:
+def _boxes(static: Any) -> list[tuple[str, float, float]]:
+    """Name, distance from the tensioner [m] and length [m] of the roller boxes; none in a J-lay."""
+    if "supports" not in dir(static) or len(static.supports) == 0:
         return []
-    return list(zip(np.asarray(supports["name"]), np.asarray(supports["s"]), np.asarray(supports["length"])))
+    top, supports = float(static.total_length), static.supports
+    columns = (np.asarray(supports[key]) for key in ("name", "s", "length"))
+    return [(str(name), top - float(s), float(length)) for name, s, length in zip(*columns)]
 
 
 def yield_stress(static: Any) -> float:

@@ -14,11 +14,9 @@ PIPE, SECOND, THIRD, ACCENT = "#0b5394", "#c77700", "#009e73", "#b3261e"
 DYNAMIC, BAND, PORT = "#6a3d9a", "#d9cce6", "#d55e00"
 STEEL, WATER, BED, CONTACT = "#7b8794", "#eaf3f9", "#e4dac6", "#e08a3c"
 ROLLERS = {"bottom": PIPE, "port": PORT, "starboard": THIRD}
-CURVES = [PIPE, SECOND, THIRD, DYNAMIC, PORT, STEEL]
 
 FROM_TENSIONER = "Distance along the pipe from the tensioner [m]"
 _SLANT = 50.0  # [deg] of names above or below a figure
-_SMALL = 5.5  # [in] narrower axes have their legend inside
 
 
 def axes(ax: Optional[Axes], size: tuple[float, float] = (9.6, 3.4)) -> Axes:
@@ -46,33 +44,40 @@ def axes(ax: Optional[Axes], size: tuple[float, float] = (9.6, 3.4)) -> Axes:
 
 
 def size_of(ax: Axes) -> tuple[float, float]:
-    """Returns width and height of the axes [in] before the layout makes room for its labels."""
+    """Returns about how wide and high the axes are [in], before the layout makes room for labels."""
     box = ax.get_position()
-    width, height = ax.figure.get_size_inches()
+    more = 1.15 if ax.figure.get_layout_engine() is not None else 1.0  # layouts use the margins of the figure
+    width, height = more * ax.figure.get_size_inches()
     return float(box.width * width), float(box.height * height)
 
 
 def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0) -> None:
-    """Sets title and labels; `lane` [pt] is kept free between plot and title."""
-    ax.set_title(title, loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane)
+    """Sets title and labels, and a legend of all that was drawn with a label, above the plot.
+
+    Args:
+        lane: kept free between plot and title [pt].
+    """
     ax.set_xlabel(x, color=SOFT)
     ax.set_ylabel(y, color=SOFT)
+    rows = _legend(ax, title, lane)
+    ax.set_title(title, loc="left", fontsize="medium", fontweight="bold", color=INK, pad=6 + lane + 14 * rows)
 
 
-def legend(ax: Axes, lane: float = 0.0) -> None:
-    """A legend of all that has a label: at the right above the plot, or inside where the plot is narrow."""
-    handles, names = ax.get_legend_handles_labels()
-    if not handles:
-        return
-    width = size_of(ax)[0]
-    if width < _SMALL or sum(map(len, names)) * 0.085 + 0.5 * len(names) > 0.62 * width:
-        ax.legend(loc="best", fontsize="small", framealpha=0.85, edgecolor="none")
-        return
+def _legend(ax: Axes, title: str, lane: float) -> int:
+    """A legend at the right beside the title, or in rows below it where the plot is narrow. Returns the number of rows."""
     from matplotlib.transforms import ScaledTranslation
 
-    above = ax.transAxes + ScaledTranslation(0, lane / 72, ax.figure.dpi_scale_trans)
-    ax.legend(handles, names, loc="lower right", bbox_to_anchor=(1.0, 1.0), bbox_transform=above, frameon=False,
-              ncol=len(names), borderaxespad=0.1, fontsize="small", handlelength=1.8, columnspacing=1.4)
+    handles, names = ax.get_legend_handles_labels()
+    if not handles:
+        return 0
+    wide, widest = 72 * size_of(ax)[0], 34 + 4.9 * max(map(len, names))
+    beside = 6.5 * len(title) + sum(34 + 4.9 * len(name) for name in names) < wide
+    columns = len(names) if beside else min(len(names), max(1, int(wide / widest)))
+    above = ax.transAxes + ScaledTranslation(0, (lane + 2) / 72, ax.figure.dpi_scale_trans)
+    side = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0)} if beside else {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+    ax.legend(handles, names, bbox_transform=above, frameon=False, ncol=columns, borderaxespad=0, borderpad=0.1,
+              fontsize="small", handlelength=1.8, columnspacing=1.4, labelspacing=0.25, **side)
+    return 0 if beside else -(-len(names) // columns)
 
 
 def halo() -> list[Any]:
@@ -83,7 +88,7 @@ def halo() -> list[Any]:
 
 
 def mark(ax: Axes, x: float, y: float, text: str, colour: str = PIPE, below: bool = False) -> None:
-    """A dot with a text beside it, towards the middle of the plot. The limits of `ax` must be set."""
+    """A dot with a text above or below, towards the middle of the plot. The limits of `ax` must be set."""
     left, right = ax.get_xlim()
     to_right = (x - left) < 0.5 * (right - left)
     ax.plot([x], [y], "o", color=colour, markeredgecolor="white", markersize=7, zorder=5, clip_on=False)
@@ -100,10 +105,10 @@ def upright(ax: Axes, x: float, text: str) -> None:
 
 
 def level(ax: Axes, y: float, text: str) -> None:
-    """A dashed line at a value with its name at the right end."""
+    """A dashed line at a value with its name on it."""
     ax.axhline(y, color=ACCENT, linewidth=1.2, linestyle=(0, (7, 4)), zorder=1.6)
-    ax.annotate(text, (1.0, y), xycoords=("axes fraction", "data"), xytext=(-4, 3), textcoords="offset points",
-                ha="right", va="bottom", color=ACCENT, fontsize="small", path_effects=halo())
+    ax.annotate(text, (0.6, y), xycoords=("axes fraction", "data"), xytext=(0, 2), textcoords="offset points",
+                ha="center", va="bottom", color=ACCENT, fontsize="small", path_effects=halo())
 
 
 def lane_for(names: list[str]) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import cycle
 from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
@@ -9,13 +10,12 @@ import numpy as np
 from . import drawing as draw
 from .along import AlongPipe, yield_stress
 from .rollers import Slots
-from .units import shown, with_unit
+from .units import shown, with_unit, words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_NAMES = {"effective_tension": "Effective tension", "bending_moment": "Bending moment", "von_mises": "von Mises stress",
-          "bending_stress": "Bending stress", "strain": "Strain"}
+_COLOURS = [draw.DYNAMIC, draw.SECOND, draw.THIRD, draw.PIPE, draw.PORT, draw.STEEL]
 _LONG = 7200.0  # [s] longer runs are drawn in minutes
 
 
@@ -47,7 +47,7 @@ class DynamicPlots:
         unit, factor, _ = shown(name, units[name])
         seconds, time_unit = (60.0, "min") if float(self._run.duration) > _LONG else (1.0, "s")
         values = []
-        for colour, (each, history) in zip(_repeated([draw.DYNAMIC, *draw.CURVES[:3], *draw.CURVES[4:]]), histories.items()):
+        for colour, (each, history) in zip(cycle(_COLOURS), histories.items()):
             time = np.asarray(history.coords["time"])
             seen = np.ones(len(time), bool) if between is None else (time >= between[0]) & (time <= between[1])
             values.append(factor * np.asarray(history)[seen])
@@ -57,9 +57,8 @@ class DynamicPlots:
             ax.axvspan(start / seconds, 0, color="#eceff2", linewidth=0, zorder=0)
         ax.set_xlim(start / seconds, end / seconds)
         ax.set_ylim(*draw.room(*draw.extent(*values), above=0.08, below=0.08))
-        words = _words(name) if not more else ""
-        draw.label(ax, words, f"Time from the end of the build-up [{time_unit}]", f"[{unit}]" if unit else "")
-        draw.legend(ax)
+        title = ", ".join(words_of(each) for each in histories)
+        draw.label(ax, title, f"Time from the end of the build-up [{time_unit}]", with_unit("" if more else title, unit).strip())
         return ax
 
     def envelope(self, name: str, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -76,7 +75,7 @@ class DynamicPlots:
         seen = figure.inside(s)
         at = figure.from_tensioner(s)[seen]
         low, high, mean, static = (factor * np.asarray(envelope[key])[seen] for key in ("min", "max", "mean", "static"))
-        figure.ax.fill_between(at, low, high, color=draw.BAND, linewidth=0, zorder=1.2, label="dynamic, min to max")
+        figure.ax.fill_between(at, low, high, color=draw.BAND, linewidth=0, zorder=1.2, label="min to max")
         figure.ax.plot(at, high, color=draw.DYNAMIC, linewidth=1.2)
         figure.ax.plot(at, low, color=draw.DYNAMIC, linewidth=0.8)
         figure.ax.plot(at, mean, color=draw.SECOND, linestyle=(0, (6, 3)), linewidth=1.3, label="mean")
@@ -86,7 +85,7 @@ class DynamicPlots:
         if least > 0 and high.max() > 0.5 * least:
             draw.level(figure.ax, least, f"yield {least:.0f} MPa")
             limits = limits[0], max(limits[1], 1.12 * least)
-        words = _NAMES.get(name, _words(name))
+        words = words_of(name)
         axes = figure.finish(words, with_unit(words, unit), limits)
         most = int(np.nanargmax(high))
         figure.mark_at(float(at[most]), float(high[most]), digits, unit, colour=draw.DYNAMIC)
@@ -105,7 +104,7 @@ class DynamicPlots:
         ax.set_xlim(0.0, float(frequency.max()))
         ax.set_ylim(0.0, 1.12 * float(density.max()) or 1.0)
         peak = frequency[density.argmax()]
-        words = _words(name) + (f", peak at {1 / peak:.1f} s" if peak > 0 else "")
+        words = words_of(name) + (f", peak at {1 / peak:.1f} s" if peak > 0 else "")
         draw.label(ax, words, "Frequency [Hz]", f"Spectral density [{unit or '1'}²/Hz]", lane=16)
         _periods(ax, float(frequency.max()))
         return ax
@@ -120,11 +119,10 @@ class DynamicPlots:
                   "approach_velocity": "Normal velocity at first contact [m/s]"}
         if over not in labels:
             raise ValueError(f"over: found {over!r}, expected 'time' or 'approach_velocity'")
-        hits = self._run.hardest_impacts
+        hits = self._run.hardest_impacts if "hardest_impacts" in dir(self._run) else []
         ax = draw.axes(ax)
-        count = len(hits)
-        draw.label(ax, f"Peak force of the {count} hardest impacts" if count else "No impacts", labels[over], "Peak force [kN]")
-        if count == 0:
+        if not hits:
+            draw.label(ax, "No impacts", labels[over], "Peak force [kN]")
             return ax
         force, x = 1e-3 * np.asarray(hits["peak_force"]), np.asarray(hits[over])
         rollers = self._run.rollers
@@ -137,11 +135,11 @@ class DynamicPlots:
         end = max(float(self._run.duration), float(x.max())) if over == "time" else 1.08 * float(x.max()) or 1.0
         ax.set_xlim(0.0, end)
         ax.set_ylim(0.0, 1.2 * float(force.max()))
+        draw.label(ax, f"Peak force of the {len(hits)} hardest impacts", labels[over], "Peak force [kN]")
         hardest = int(force.argmax())
         box = str(np.asarray(self._run.static.supports["name"])[int(np.asarray(rollers["box"])[at[hardest]])])
         draw.mark(ax, float(x[hardest]), float(force[hardest]), f"{force[hardest]:.1f} kN ({box}, {position[hardest]})",
                   draw.ROLLERS[position[hardest]])
-        draw.legend(ax)
         return ax
 
     def reactions(self, ax: Optional[Axes] = None, *, position: str = "bottom") -> Axes:
@@ -166,23 +164,12 @@ class DynamicPlots:
         ax.hlines(mean[loaded], at[loaded] - 0.36, at[loaded] + 0.36, color=draw.SECOND, linewidth=1.8, label="mean", zorder=3)
         ax.plot(at[static > 0], static[static > 0], "o", color=draw.PIPE, markersize=4.5, label="static", zorder=4)
         ax.set_ylim(0.0, draw.room(0.0, max(high.max(), static.max()) or 1.0)[1])
+        slots.furnish(ax)
         draw.label(ax, f"{position.capitalize()} rollers", "Roller rows of each box, from the tensioner astern",
                    "Reaction [kN]")
-        slots.furnish(ax)
-        draw.legend(ax)
         most = int(high.argmax())
         draw.mark(ax, at[most], high[most], f"{high[most]:.1f} kN ({slots.names[box[most]]})", draw.DYNAMIC)
         return ax
-
-
-def _words(name: str) -> str:
-    return (name[:1].upper() + name[1:]).replace("_", " ").replace("/", ", ")
-
-
-def _repeated(colours: list[str]) -> Any:
-    from itertools import cycle
-
-    return cycle(colours)
 
 
 def _periods(ax: Any, end: float) -> None:
@@ -191,7 +178,7 @@ def _periods(ax: Any, end: float) -> None:
     wide = 72 * draw.size_of(ax)[0] / end
     for period in (2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 60, 120):
         at = 1 / period
-        if at <= end and (last - at) * wide > 18:
+        if at <= end and (last - at) * wide > 18 and at * wide > 16:
             chosen.append(period)
             last = at
     above = ax.secondary_xaxis("top")

@@ -54,12 +54,11 @@ def roller_bars(static: Any, what: str, ax: Optional[Any], position: str = "bott
         raise ValueError(f"position: found {position!r}, expected one of {', '.join(map(repr, draw.ROLLERS))}")
     slots = Slots(static)
     ax = draw.axes(ax)
+    slots.furnish(ax)
     if what == "reaction":
         _reactions(static, ax, slots, rows, positions)
     else:
         _separations(static, ax, slots, rows, positions == position, position)
-    slots.furnish(ax)
-    draw.legend(ax)
     return ax
 
 

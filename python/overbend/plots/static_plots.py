@@ -10,7 +10,7 @@ from . import drawing as draw
 from .along import AlongPipe, yield_stress
 from .elevation import elevation
 from .rollers import roller_bars
-from .units import shown, with_unit
+from .units import shown, with_unit, words_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,12 +19,11 @@ if TYPE_CHECKING:
 _BESIDE = {
     "effective_tension": [("wall_tension", "wall tension", draw.SECOND, (0, (6, 4)))],
     "bending_moment": [
-        ("vertical_moment", "vertical part, sagging positive", draw.THIRD, (0, (9, 3))),
-        ("lateral_moment", "lateral part, to port positive", draw.SECOND, (0, (5, 3))),
+        ("vertical_moment", "vertical, sagging +", draw.THIRD, (0, (9, 3))),
+        ("lateral_moment", "lateral, to port +", draw.SECOND, (0, (5, 3))),
     ],
 }
 _OWN_NAME = {"effective_tension": "effective tension", "bending_moment": "magnitude"}
-_NO_ZERO = ("effective_tension", "wall_tension")
 
 
 class StaticPlots:
@@ -75,13 +74,12 @@ class StaticPlots:
         seen = figure.inside(s)
         at, values = figure.from_tensioner(s)[seen], factor * np.asarray(column)[seen]
         drawn = [values]
+        figure.ax.plot(at, values, color=draw.PIPE, linewidth=1.9, label=_OWN_NAME.get(name), zorder=3)
         for key, words, colour, dashes in _BESIDE.get(name, []):
             drawn.append(factor * np.asarray(self._static.pipe[key])[seen])
             figure.ax.plot(at, drawn[-1], color=colour, linestyle=dashes, linewidth=1.3, label=words)
-        figure.ax.plot(at, values, color=draw.PIPE, linewidth=1.9, label=_OWN_NAME.get(name))
-        limits = draw.room(*draw.extent(*drawn), zero=True)
-        words = _title(name, column)
-        limits = _with_yield(figure, name, limits, drawn)
+        limits = _with_yield(figure, name, draw.room(*draw.extent(*drawn), zero=True), drawn)
+        words = words_of(name)
         axes = figure.finish(words, with_unit(words, unit), limits)
         self._marks(figure, name, at, values, digits, unit)
         return axes
@@ -104,8 +102,7 @@ class StaticPlots:
         if name == "effective_tension":
             figure.mark_at(float(at[values.argmax()]), float(values.max()), digits, unit)
             if not figure.overbend:
-                bottom = float(np.interp(figure.touchdown, at[::-1], values[::-1]) if at[0] > at[-1] else
-                               np.interp(figure.touchdown, at, values))
+                bottom = float(np.interp(figure.touchdown, at[::-1], values[::-1]))  # stations run from the anchor
                 draw.mark(figure.ax, figure.touchdown, bottom, f"{bottom:.{digits}f} {unit} at touchdown", below=True)
             return
         if name not in ("bending_moment", "bending_stress", "von_mises", "strain"):
@@ -119,15 +116,6 @@ class StaticPlots:
             where = figure.top - float(of["at" if name == "bending_moment" else f"at_{name}"]["s"])
             if where <= figure.end:
                 figure.mark_at(where, peak, digits, unit)
-
-
-def _title(name: str, column: Any) -> str:
-    """The words of a quantity: those of the reports, else its name."""
-    words = {
-        "effective_tension": "Effective tension", "bending_moment": "Bending moment", "von_mises": "von Mises stress",
-        "bending_stress": "Bending stress", "strain": "Strain",
-    }
-    return words.get(name, name.replace("_", " ").capitalize())
 
 
 def _with_yield(figure: AlongPipe, name: str, limits: tuple[float, float], drawn: list[np.ndarray]) -> tuple[float, float]:

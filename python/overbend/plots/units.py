@@ -48,3 +48,11 @@ def shown(name: str, units: str) -> Shown:
 def with_unit(name: str, unit: str) -> str:
     """Returns a label such as "Tension [kN]"; the name alone for plain numbers."""
     return f"{name} [{unit}]" if unit else name
+
+
+_WORDS = {"von_mises": "von Mises stress"}
+
+
+def words_of(name: str) -> str:
+    """Returns the name of a quantity or a history in words: "Bending moment", "Support, stinger 8, reaction"."""
+    return _WORDS.get(name, (name[:1].upper() + name[1:]).replace("_", " ").replace("/", ", "))
