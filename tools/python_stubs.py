@@ -31,19 +31,48 @@ TYPES = [
     (re.compile(r"(?<![\w.])(capsule|iterable|iterator|sequence|module)\b"), "Any"),
     (re.compile(r"\bos\.PathLike\b"), "str"),
     (re.compile(r"\bnumpy\.ndarray(\[[^\]]*(\[[^\]]*\])?[^\]]*\])?"), "numpy.ndarray[Any, Any]"),
-    (re.compile(r"(?<![\w.])(list|dict|tuple|set)\b(?!\[)"), r"\1"),
 ]
 EMPTY = {"dict": "Dict[str, Any]", "list": "List[Any]", "tuple": "Tuple[Any, ...]", "set": "Set[Any]"}
 
 
+def split_arguments(text):
+    """The arguments of a signature: text between commas that stand in no brackets."""
+    found, depth = [""], 0
+    for letter in text:
+        depth += (letter in "([{<") - (letter in ")]}>")
+        if letter == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += letter
+    return [one.strip() for one in found if one.strip()]
+
+
+def type_word(word, module):
+    """A type of pybind11 as Python has it."""
+    word = word.strip().replace(f"{module}.", "")
+    for pattern, instead in TYPES:
+        word = pattern.sub(instead, word)
+    return EMPTY.get(word, word)
+
+
+def argument(text, module):
+    """An argument as a stub has it: every default is an ellipsis."""
+    name, _, rest = text.partition(":")
+    if not rest or name == "self":
+        return name
+    word, equals, default = rest.partition(" = ")
+    word = type_word(word, module)
+    if default == "None" and word != "Any" and not word.startswith("Optional"):
+        word = f"Optional[{word}]"
+    return f"{name}: {word}" + (" = ..." if equals else "")
+
+
 def typed(signature, module):
-    """A signature of pybind11 as Python reads it."""
-    signature = signature.replace(f"{module}.", "")
-    for pattern, word in TYPES:
-        signature = pattern.sub(word, signature)
-    signature = re.sub(r"(?<=: )(dict|list|tuple|set)(?=[,)= ]|$)", lambda m: EMPTY[m[1]], signature)
-    signature = re.sub(r"(?<=-> )(dict|list|tuple|set)$", lambda m: EMPTY[m[1]], signature)
-    return re.sub(r" = [^,()\[\]]*(\([^)]*\)|<[^>]*>)?(?=[,)])", " = ...", signature)
+    """A signature of pybind11, "name(argument: type = default) -> type", as Python reads it."""
+    head, _, result = signature.rpartition(") -> ")
+    name, _, arguments = head.partition("(")
+    listed = ", ".join(argument(one, module) for one in split_arguments(arguments))
+    return f"{name}({listed}) -> {type_word(result, module)}"
 
 
 def signatures(what, module):
@@ -51,10 +80,10 @@ def signatures(what, module):
     lines = (what.__doc__ or "").splitlines()
     name = re.escape(what.__name__)
     if len(lines) > 1 and lines[1].startswith("Overloaded function"):
-        return [typed(m[1], module) for line in lines if (m := re.match(rf"\d+\. ({name}\(.*)$", line))]
+        return [typed(m[1], module) for line in lines if (m := re.match(rf"\d+\. ({name}\(.*\) -> .*)$", line))]
     if lines and re.match(rf"{name}\(.*\) -> ", lines[0]):
         return [typed(lines[0], module)]
-    return [f"{what.__name__}(*args: Any, **keywords: Any) -> Any"]
+    return [f"{what.__name__}(self, *args: Any, **keywords: Any) -> " + ("None" if what.__name__ == "__init__" else "Any")]
 
 
 def functions(what, module, indent, decorator=""):
@@ -64,8 +93,8 @@ def functions(what, module, indent, decorator=""):
 
 
 def property_stub(name, what, module):
-    found = re.search(r"-> (.*)$", (what.fget.__doc__ or "").splitlines()[0] if what.fget.__doc__ else "")
-    result = typed(f"-> {found[1]}", module)[3:] if found else "Any"
+    found = re.match(r"\(.*\) -> (.*)$", (what.fget.__doc__ or " ").splitlines()[0])
+    result = type_word(found[1], module) if found else "Any"
     lines = ["    @property", f"    def {name}(self) -> {result}: ..."]
     if what.fset is not None:
         lines += [f"    @{name}.setter", f"    def {name}(self, value: {result}) -> None: ..."]

@@ -11,6 +11,7 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 
 from ._core import version as __version__
 from .errors import Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
+from .examples import example
 from .groups import Record, Records, Table
 from .model import Model
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
@@ -36,6 +37,7 @@ __all__ = [
     "SeedsResults",
     "StaticResults",
     "Table",
+    "example",
     "open",
     "use_xarray",
     "version",

@@ -98,7 +98,8 @@ class Results:
         try:
             value = self._table(name) if name in self._tables else self._record[name]
         except KeyError as fault:
-            raise AttributeError(fault.args[0] + nearest(name, self._names())) from None
+            known = name in self._tables  # and these results have no such table
+            raise AttributeError(fault.args[0] if known else f"there is no '{name}'{nearest(name, self._names())}") from None
         self.__dict__[name] = value
         return value
 

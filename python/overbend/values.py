@@ -27,6 +27,16 @@ class Number(float):
         number.description = description
         return number
 
+    def to(self, unit: str) -> float:
+        """The value in another unit of the same dimension: `static.top_tension.to('kN')`.
+
+        Raises:
+            ValueError: Where the unit is not known or of another dimension.
+        """
+        from ._core import quantity
+
+        return float(self) / quantity(f"1 {unit}", self.units)
+
     def __getnewargs__(self) -> tuple[float, str, str]:  # type: ignore[override]
         return float(self), self.units, self.description
 

@@ -22,10 +22,11 @@ def kernels(folder):
     """Kernels of which there is one: the Python that runs this test, with the package that it sees."""
     spec = pathlib.Path(folder) / "kernels" / "python3"
     spec.mkdir(parents=True)
-    path = os.pathsep.join(p for p in sys.path if p)
+    variables = {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p), "PYDEVD_DISABLE_FILE_VALIDATION": "1",
+                 "MPLBACKEND": "module://matplotlib_inline.backend_inline"}
     (spec / "kernel.json").write_text(json.dumps({
         "argv": [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"], "display_name": "Python 3",
-        "language": "python", "env": {"PYTHONPATH": path, "MPLBACKEND": "module://matplotlib_inline.backend_inline"}}))
+        "language": "python", "env": variables}))
     return KernelSpecManager(kernel_dirs=[str(spec.parent)], ensure_native_kernel=False)
 
 

@@ -6,5 +6,6 @@ matplotlib Axes that it drew into, so that a figure can be completed and saved; 
 
 from .dynamic_plots import DynamicPlots
 from .static_plots import StaticPlots
+from .study_plots import StudyPlots
 
-__all__ = ["DynamicPlots", "StaticPlots"]
+__all__ = ["DynamicPlots", "StaticPlots", "StudyPlots"]
