@@ -11,6 +11,7 @@ os.environ["MPLBACKEND"] = "Agg"
 
 import numpy as np
 from matplotlib import pyplot
+from matplotlib.patches import Rectangle
 
 import overbend as ob
 from overbend.plots.units import shown
@@ -28,6 +29,11 @@ tensioner: {x: 0 m, z: 15 m, guide: pinned, tension: 560 kN}
 def words(ax):
     """All texts in a figure."""
     return [text.get_text() for text in ax.texts] + [ax.get_title(loc="left"), ax.get_xlabel(), ax.get_ylabel()]
+
+
+def bars(ax):
+    """The bars of rollers in a figure."""
+    return [patch for patch in ax.patches if isinstance(patch, Rectangle) and abs(patch.get_width() - 0.72) < 1e-9]
 
 
 def longest_line(ax):
@@ -76,8 +82,8 @@ class StaticFigures(Drawing):
         self.assertEqual(self.static.plot.profile(part="overbend").get_aspect(), "auto")
 
     def test_bars_add_up_to_the_reactions_of_the_rollers(self):
-        bars = sum(bar.get_height() for bar in self.static.plot.reactions().patches if abs(bar.get_width() - 0.72) < 1e-9)
-        self.assertAlmostEqual(bars, 1e-3 * float(self.static.rollers.reaction.sum()), places=6)
+        total = sum(bar.get_height() for bar in bars(self.static.plot.reactions()))
+        self.assertAlmostEqual(total, 1e-3 * float(self.static.rollers.reaction.sum()), places=6)
 
     def test_a_roller_that_the_pipe_has_passed_is_a_cross(self):
         self.assertTrue(any(line.get_marker() == "x" for line in self.static.plot.separation(position="port").get_lines()))
@@ -157,8 +163,7 @@ class DynamicFigures(Drawing):
             self.run_.plot.impacts(over="force")
 
     def test_the_range_of_reactions_is_that_of_the_table(self):
-        ax = self.run_.plot.reactions()
-        tops = [bar.get_y() + bar.get_height() for bar in ax.patches if abs(bar.get_width() - 0.72) < 1e-9]
+        tops = [bar.get_y() + bar.get_height() for bar in bars(self.run_.plot.reactions())]
         bottom = self.run_.rollers.position.values == "bottom"
         self.assertAlmostEqual(max(tops), 1e-3 * self.run_.rollers.reaction_max.values[bottom].max())
 
@@ -166,13 +171,13 @@ class DynamicFigures(Drawing):
 class Units(unittest.TestCase):
     def test_figures_use_the_units_of_the_reports(self):
         source = (ROOT / "src/overbend/results/fields/shown_unit.h").read_text(encoding="utf-8")
-        rows = re.findall(r'\{+"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}', source)
-        self.assertGreater(len(rows), 10)
-        for si, name, factor, digits in rows:
-            value = eval(factor, {"std": None, "__builtins__": {}}) if "pi" not in factor else 180 / np.pi
-            if si != "1" or name == "":
-                self.assertEqual(shown("", si), (name, value, int(digits)), si)
-        for part, si, name, factor, digits in re.findall(r'\{"(\w+)", \{"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}\}', source):
+        own = re.findall(r'\{"(\w+)", \{"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}\}', source)
+        of_unit = re.findall(r'(?<!, )\{+"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}', source)
+        self.assertEqual((len(own), len(of_unit)), (3, 12))
+        for si, name, factor, digits in of_unit:
+            value = 180 / np.pi if "pi" in factor else float(factor)
+            self.assertEqual(shown("", si), (name, value, int(digits)), si)
+        for part, si, name, factor, digits in own:
             self.assertEqual(shown(part, si), (name, float(factor), int(digits)), part)
 
     def test_a_machine_without_matplotlib_gets_a_clear_error(self):

@@ -73,9 +73,14 @@ class AlongPipe:
         draw.mark(self.ax, at, value, text, colour)
 
 
+def has_supports(static: Any) -> bool:
+    """Returns whether the pipe passes over roller boxes; it does not in a J-lay."""
+    return len(getattr(static, "supports", [])) > 0
+
+
 def _boxes(static: Any) -> list[tuple[str, float, float]]:
     """Name, distance from the tensioner [m] and length [m] of the roller boxes; none in a J-lay."""
-    if "supports" not in dir(static) or len(static.supports) == 0:
+    if not has_supports(static):
         return []
     top, supports = float(static.total_length), static.supports
     columns = (np.asarray(supports[key]) for key in ("name", "s", "length"))

@@ -7,7 +7,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import drawing as draw
-from .along import AlongPipe
+from .along import AlongPipe, has_supports
 
 X_LABEL, Z_LABEL = "Distance astern of the stern shoe [m]", "Height [m]"
 
@@ -88,7 +88,7 @@ def _surroundings(ax: Any, hull: np.ndarray, bed: np.ndarray, across: tuple[floa
 
 def _structure(static: Any, ax: Any) -> None:
     """Ramp and stinger as a thick line under the pipe."""
-    if len(static.supports):
+    if has_supports(static):
         places = np.column_stack([np.asarray(static.supports[key]) for key in ("x", "y", "z")])
         ax.plot(astern_of(static.scene, places), places[:, 2], color=draw.STEEL, linewidth=3.0, zorder=2, solid_capstyle="butt")
 

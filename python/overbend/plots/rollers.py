@@ -7,6 +7,7 @@ from typing import Any, Optional
 import numpy as np
 
 from . import drawing as draw
+from .along import has_supports
 
 _GAP = 0.8  # between boxes, in widths of a row
 
@@ -42,7 +43,7 @@ def rollers_of(static: Any) -> tuple[np.ndarray, np.ndarray]:
 
     Raises: ValueError where the lay has no rollers.
     """
-    if len(static.supports) == 0:
+    if not has_supports(static):
         raise ValueError("this line hangs from its tensioner: it has no rollers to draw")
     return np.asarray(static.rollers["row"], dtype=int), np.asarray(static.rollers["position"]).astype(str)
 
