@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import pathlib
-import tempfile
 from typing import Any, Iterable, Mapping, Optional, Union
 
 from . import _core
@@ -12,6 +11,7 @@ from .errors import Interrupted, ModelError
 from .keys import changes_of
 from .progress import Progress, follower
 from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .temporary import TemporaryFolder
 
 PathLike = Union[str, "os.PathLike[str]"]
 Time = Union[str, float, int, None]
@@ -188,26 +188,21 @@ class Model:
         return ComparisonResults(folder, self, holder)
 
     def _run(self, out: Optional[PathLike], progress: Union[bool, Progress], **wish: Any) -> tuple[pathlib.Path, Any]:
-        holder = tempfile.TemporaryDirectory(prefix="overbend-") if out is None else None
-        folder = pathlib.Path(holder.name) / "results" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
+        holder = TemporaryFolder() if out is None else None
+        folder = holder.path / "results" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
         tell, end = follower(progress)
         try:
             told = _core.run(self._core, str(folder), progress=tell, **wish)
         finally:
             end()
         if told["interrupted"]:
-            kept = pathlib.Path(_keep(holder, folder)) if holder else folder
-            raise Interrupted(f"interrupted; model.dynamic(out='{kept}', resume=True) goes on", kept)
+            if holder:
+                holder.keep()
+            raise Interrupted(f"interrupted; model.dynamic(out='{folder}', resume=True) goes on", folder)
         return folder, holder
 
     def __repr__(self) -> str:
         return f"<Model '{self.title}', {self.file}>"
-
-
-def _keep(holder: "tempfile.TemporaryDirectory[str]", folder: pathlib.Path) -> str:
-    """The folder of an interrupted run: it must outlive the call."""
-    holder._finalizer.detach()  # type: ignore[attr-defined]
-    return str(folder)
 
 
 def _seconds(duration: Time) -> Optional[float]:

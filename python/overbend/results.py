@@ -41,6 +41,8 @@ class Results:
 
     #: The part of the summary whose values are attributes.
     _part = "static"
+    #: Names of what takes longer than the rest and is found when it is asked for.
+    _late: tuple[str, ...] = ()
     #: Tables by their names and the groups of results.h5 that they come from.
     _tables: dict[str, str] = {}
 
@@ -53,23 +55,28 @@ class Results:
         raise NotImplementedError
 
     @functools.cached_property
+    def _quick(self) -> dict[str, Any]:
+        """The summary, if need be without what is late."""
+        return self.summary
+
+    @functools.cached_property
     def _source(self) -> Any:
         raise NotImplementedError
 
     @property
     def title(self) -> str:
         """Title of the model."""
-        return self.summary.get("title", "")
+        return self._quick.get("title", "")
 
     @property
     def warnings(self) -> list[str]:
         """What an engineer should know about these results."""
-        return list(self._record["warnings"] if "warnings" in self._record else self.summary.get("warnings", []))
+        return self._sentences("warnings")
 
     @property
     def assumptions(self) -> list[str]:
         """What was assumed."""
-        return list(self._record["assumptions"] if "assumptions" in self._record else self.summary.get("assumptions", []))
+        return self._sentences("assumptions")
 
     @functools.cached_property
     def checks(self) -> "Checks":
@@ -78,13 +85,20 @@ class Results:
 
     @functools.cached_property
     def _record(self) -> Record:
-        return Record(self.summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
+        return self._part_of(self._quick)
+
+    def _sentences(self, name: str) -> list[str]:
+        part = self.summary.get(self._part, {})
+        return list(part[name] if name in part else self.summary.get(name, []))
+
+    def _part_of(self, summary: dict[str, Any]) -> Record:
+        return Record(summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
 
     def _table(self, name: str) -> Table:
         group = self._tables[name]
         if not self._source.names(group):
             raise KeyError(f"these results have no {name}")
-        rows = self.summary.get(self._part, {}).get(name)
+        rows = self._quick.get(self._part, {}).get(name)
         records = self._record[name] if isinstance(rows, list) and rows and isinstance(rows[0], dict) else None
         return table_of(self._source, group, records if isinstance(records, Records) else None)
 
@@ -96,7 +110,8 @@ class Results:
         if name.startswith("_"):
             raise AttributeError(name)
         try:
-            value = self._table(name) if name in self._tables else self._record[name]
+            record = self._part_of(self.summary) if name in self._late else self._record
+            value = self._table(name) if name in self._tables else record[name]
         except KeyError as fault:
             known = name in self._tables  # and these results have no such table
             raise AttributeError(fault.args[0] if known else f"there is no '{name}'{nearest(name, self._names())}") from None
@@ -113,7 +128,8 @@ class Results:
         Raises:
             KeyError: Where no result has this name.
         """
-        values, unit, one = _core.named_values(json.dumps(self.summary), name)
+        late = "checks." in name or any(f".{word}" in name for word in self._late)
+        values, unit, one = _core.named_values(json.dumps(self.summary if late else self._quick), name)
         if not values and "." not in name and "[" not in name:
             try:
                 return getattr(self, name)
@@ -167,6 +183,7 @@ class StaticResults(Results):
         sections, structures: What the pipe is made of.
     """
 
+    _late = ("roller_friction", "hull")
     _tables = {"pipe": "/static/stations", "supports": "/static/supports", "rows": "/static/rows",
                "rollers": "/static/rollers", "sections": "/static/sections", "structures": "/static/structures",
                "stinger_sections": "/static/stinger", "contacts": "/static/bed/contacts",
@@ -182,8 +199,12 @@ class StaticResults(Results):
     def summary(self) -> dict[str, Any]:
         """The content of summary.json."""
         if self._solved is not None:
-            return self._solved.summary()
+            return self._solved.summary(all=True)
         return _summary_in(self._folder)
+
+    @functools.cached_property
+    def _quick(self) -> dict[str, Any]:
+        return self._solved.summary(all=False) if self._solved is not None else self.summary
 
     @functools.cached_property
     def _source(self) -> Any:
@@ -271,14 +292,26 @@ class DynamicResults(Results):
         return StaticResults(None, self._model, self._folder)
 
     @functools.cached_property
+    def _histories(self) -> dict[str, str]:
+        """Where every history is; of lines by themselves those at their ends, by the names of the lines."""
+        paths = {name: f"/dynamic/histories/{name}" for name in _below(self._source, "/dynamic/histories")}
+        for number, line in enumerate(self._quick.get("static", {}).get("lines", [])):
+            for end in ("first_tension", "second_tension"):
+                if self._source.has(f"/lines/{number}/{end}"):
+                    paths[f"{line['name']}/{end}"] = f"/lines/{number}/{end}"
+        if self._source.has("/lines/time"):
+            paths["time"] = "/lines/time"
+        return paths
+
+    @property
     def histories(self) -> list[str]:
         """The names of the histories."""
-        return [name for name in _below(self._source, "/dynamic/histories") if name != "time"]
+        return [name for name in self._histories if name != "time"]
 
     @functools.cached_property
     def time(self) -> np.ndarray:
         """Instants of the histories [s], from the beginning of the build-up; statistics count from t = 0."""
-        return self._source.dataset("/dynamic/histories/time")[0]
+        return self._source.dataset(self._histories["time"])[0]
 
     def history(self, name: str) -> Any:
         """A history as a labelled array over time [s].
@@ -291,7 +324,7 @@ class DynamicResults(Results):
         """
         if name not in self.histories:
             raise KeyError(f"there is no history '{name}'{nearest(name, self.histories)}; `histories` lists them")
-        values, units, description, frame, _ = self._source.dataset(f"/dynamic/histories/{name}")
+        values, units, description, frame, _ = self._source.dataset(self._histories[name])
         return labelled(values, name, ("time",), {"time": self.time}, units, description, frame)
 
     def envelope(self, name: str) -> Any:
