@@ -29,7 +29,7 @@ class AlongPipe:
         top, boxes = float(static.total_length), _boxes(static)
         if not overbend:
             touchdown = top - float(static.touchdown.s)
-            return min(top, touchdown + max(30.0, 0.15 * touchdown))
+            return min(top, max(touchdown + max(30.0, 0.15 * touchdown), top - _last_span(static) + 20.0))
         if not boxes:
             raise ValueError("part: found 'overbend', but this line hangs from its tensioner without supports")
         last = max(at + 0.5 * length for _, at, length in boxes)
@@ -76,6 +76,16 @@ class AlongPipe:
 def has_supports(static: Any) -> bool:
     """Returns whether the pipe passes over roller boxes; it does not in a J-lay."""
     return len(getattr(static, "supports", [])) > 0
+
+
+def _last_span(static: Any) -> float:
+    """Arc length [m] at the far end of the last free span with a gap that can be seen; that of the tensioner without one."""
+    if not hasattr(static, "free_spans"):
+        return float(static.total_length)
+    spans = static.free_spans
+    seen = np.asarray(spans["largest_gap"]) > 0.05
+    ends = np.minimum(np.asarray(spans["s_from"]), np.asarray(spans["s_to"]))[seen]
+    return float(ends.min()) if ends.size else float(static.total_length)
 
 
 def _boxes(static: Any) -> list[tuple[str, float, float]]:

@@ -76,8 +76,10 @@ class StaticPlots:
         drawn = [values]
         figure.ax.plot(at, values, color=draw.PIPE, linewidth=1.9, label=_OWN_NAME.get(name), zorder=3)
         for key, words, colour, dashes in _BESIDE.get(name, []):
-            drawn.append(factor * np.asarray(self._static.pipe[key])[seen])
-            figure.ax.plot(at, drawn[-1], color=colour, linestyle=dashes, linewidth=1.3, label=words)
+            beside = factor * np.asarray(self._static.pipe[key])[seen]
+            if np.abs(beside).max() > 1e-3 * np.abs(values).max():  # out of the plane there may be nothing
+                drawn.append(beside)
+                figure.ax.plot(at, beside, color=colour, linestyle=dashes, linewidth=1.3, label=words)
         limits = _with_yield(figure, name, draw.room(*draw.extent(*drawn), zero=True), drawn)
         words = words_of(name)
         axes = figure.finish(words, with_unit(words, unit), limits)
