@@ -6,6 +6,7 @@
 """
 
 import argparse
+import functools
 import inspect
 import pathlib
 import re
@@ -13,6 +14,7 @@ import sys
 import textwrap
 
 import overbend
+import overbend.plots
 
 PAGE = pathlib.Path(__file__).resolve().parents[1] / "docs" / "python" / "reference.md"
 HEAD = """# Reference of the Python interface
@@ -22,97 +24,99 @@ HEAD = """# Reference of the Python interface
 All values are in SI units; `attrs` of an array and `units` of a number name the unit. The [guide](../guide/python.md)
 explains the whole on examples, the [notebooks](README.md) use it.
 """
-PARTS = ("Args:", "Returns:", "Raises:", "Yields:")
+# Modules in the order of the page, with their headings; others follow under their own names.
+HEADINGS = {
+    "model": "Models", "results": "Results", "seek": "Goal seek", "study": "Studies", "lay_table": "Lay tables",
+    "operation": "Operations on the line", "sensitivities": "Derivatives", "simulation": "Simulations step by step",
+    "controllers": "Controllers", "comparison": "Comparisons", "opening": "Results in folders", "plots": "Figures",
+    "groups": "Groups and tables", "values": "Numbers and arrays", "examples": "Examples", "errors": "Errors",
+}
+PART = re.compile(r"^(Args|Returns|Raises|Attributes[^:]*):(.*)$")
+SPECIAL = {"__getitem__": "{}[...]", "__len__": "len({})", "__call__": "{}(...)"}
+WIDTH = 120
+
+
+class Plain(str):
+    """An annotation that is shown without quotes."""
+
+    def __repr__(self):
+        return str(self)
 
 
 def wrapped(text, first="", rest=""):
-    return textwrap.fill(" ".join(text.split()), 120, initial_indent=first, subsequent_indent=rest, break_long_words=False,
-                         break_on_hyphens=False)
+    return textwrap.fill(" ".join(text.split()), WIDTH, initial_indent=first, subsequent_indent=rest,
+                         break_long_words=False, break_on_hyphens=False)
 
 
-def items(lines):
-    """Lines of a part, indented ones continuing the entry above, as a list."""
+def entries(lines):
+    """Lines of a part as a list; those indented deeper go on with the entry above."""
     indent = min(len(line) - len(line.lstrip()) for line in lines if line.strip())
-    entries = []
+    found = []
     for line in lines:
         if line.strip() and len(line) - len(line.lstrip()) == indent:
-            entries.append(line.strip())
+            found.append(line.strip())
         elif line.strip():
-            entries[-1] += " " + line.strip()
-    return [wrapped(re.sub(r"^([\w*, ]+?):\s", r"`\1`: ", entry), "- ", "  ") for entry in entries]
+            found[-1] += " " + line.strip()
+    return [wrapped(re.sub(r"^([\w*]+(, [\w*]+)*):\s", named, one), "- ", "  ") for one in found]
+
+
+def named(found):
+    return ", ".join(f"`{name}`" for name in found[1].split(", ")) + ": "
+
+
+def paragraphs(doc):
+    """A docstring as (first line, indented lines below it) and paragraphs, in their order."""
+    lines, at, blocks = inspect.cleandoc(doc).splitlines(), 0, []
+    while at < len(lines):
+        start, indented = at, lines[at].startswith(" ") or bool(PART.match(lines[at]))
+        at += 1
+        if indented:
+            while at < len(lines) and (lines[at].startswith(" ") or not lines[at].strip()):
+                at += 1
+        else:
+            while at < len(lines) and lines[at].strip() and not lines[at].startswith(" ") and not PART.match(lines[at]):
+                at += 1
+        if any(line.strip() for line in lines[start:at]):
+            blocks.append(lines[start:at])
+    return blocks
 
 
 def described(doc):
-    """A docstring as Markdown."""
-    if not doc:
-        return []
-    out, paragraph, lines = [], [], inspect.cleandoc(doc).splitlines() + [""]
-    at = 0
-
-    def close():
-        if paragraph:
-            out.extend([wrapped(" ".join(paragraph)), ""])
-            paragraph.clear()
-
-    while at < len(lines):
-        line = lines[at]
-        at += 1
-        word = next((part for part in PARTS if line.startswith(part)), None)
-        if word is None and line.startswith(" "):
-            close()
-            block = [line]
-            while at < len(lines) and (lines[at].startswith(" ") or (not lines[at] and lines[at + 1:at + 2] and
-                                                                     lines[at + 1].startswith(" "))):
-                block.append(lines[at])
-                at += 1
-            out.extend(["```python", *textwrap.dedent("\n".join(block)).splitlines(), "```", ""])
-        elif word is None:
-            paragraph.append(line.strip()) if line.strip() else close()
+    """A docstring as lines of Markdown."""
+    out = []
+    for block in paragraphs(doc or ""):
+        part = PART.match(block[0])
+        below = [line for line in block[1:] if line.strip()]
+        if part and below and not part[2].strip():
+            out += [f"*{part[1]}*:", "", *entries(below), ""]
+        elif part:
+            out += [wrapped(f"*{part[1]}*: " + " ".join([part[2], *below])), ""]
+        elif block[0].startswith(" "):
+            out += ["```python", *textwrap.dedent("\n".join(block)).strip("\n").splitlines(), "```", ""]
         else:
-            close()
-            said = line[len(word):].strip()
-            more = []
-            while at < len(lines) and lines[at].startswith(" "):
-                more.append(lines[at])
-                at += 1
-            if said:
-                out.extend([wrapped(" ".join([f"*{word[:-1]}*: {said}", *more])), ""])
-            elif more:
-                out.extend([f"*{word[:-1]}*:", "", *items(more), ""])
+            out += [wrapped(" ".join(block)), ""]
     return out
 
 
+def plain(annotation):
+    return annotation if annotation is inspect.Parameter.empty else Plain(str(annotation).replace("'", "").replace('"', ""))
+
+
 def call(name, function, bound):
-    """A signature, without self and without quotes round annotations."""
-    try:
-        signature = inspect.signature(function)
-    except (TypeError, ValueError):
-        return f"{name}(...)"
-    parameters = list(signature.parameters.values())[1 if bound else 0:]
-    return f"{name}{signature.replace(parameters=parameters)}"
-
-
-def shown_call(text):
-    """A signature as a block of code: in one line where it fits, else a line per argument."""
-    if len(text) <= 110:
-        return ["```python", text, "```", ""]
-    head, rest = text.split("(", 1)
-    inside, depth, arguments = rest, 0, [""]
-    for k, letter in enumerate(inside):
-        if letter in "([{":
-            depth += 1
-        elif letter in ")]}":
-            if depth == 0:
-                tail = inside[k:]
-                break
-            depth -= 1
-        if letter == "," and depth == 0:
-            arguments.append("")
-        else:
-            arguments[-1] += letter
-    lines = textwrap.fill(", ".join(a.strip() for a in arguments), 110, initial_indent="    ", subsequent_indent="    ",
-                          break_long_words=False, break_on_hyphens=False).splitlines()
-    return ["```python", f"{head}(", *lines, tail, "```", ""]
+    """A signature as a block of code, without self; in one line where it fits."""
+    signature = inspect.signature(function)
+    parameters = [p.replace(annotation=plain(p.annotation)) for p in signature.parameters.values()][1 if bound else 0:]
+    shown = signature.replace(parameters=parameters, return_annotation=plain(signature.return_annotation))
+    text = f"{name}{shown}"
+    if len(text) > WIDTH - 10:
+        listed = ", ".join(str(p) for p in parameters)
+        result = "" if shown.return_annotation is inspect.Signature.empty else f" -> {shown.return_annotation}"
+        stars = [p.kind for p in parameters]
+        if inspect.Parameter.KEYWORD_ONLY in stars and inspect.Parameter.VAR_POSITIONAL not in stars:
+            first = stars.index(inspect.Parameter.KEYWORD_ONLY)
+            listed = ", ".join([*map(str, parameters[:first]), "*", *map(str, parameters[first:])])
+        text = f"{name}(\n{textwrap.indent(textwrap.fill(listed, WIDTH - 4, break_long_words=False, break_on_hyphens=False), '    ')}\n){result}"
+    return ["```python", *text.splitlines(), "```", ""]
 
 
 def members(of):
@@ -121,60 +125,64 @@ def members(of):
     for base in of.__mro__:
         if base.__module__.partition(".")[0] == "overbend":
             for name, member in vars(base).items():
-                if not name.startswith("_") or name in ("__getitem__", "__len__", "__call__"):
+                if not name.startswith("_") or name in SPECIAL:
                     seen.setdefault(name, member)
     return seen
 
 
+def is_property(member):
+    return isinstance(member, (property, functools.cached_property))
+
+
 def member_text(owner, name, member):
     """What is told of a member of a class; nothing where it has no docstring."""
-    if isinstance(member, property):
-        doc = member.__doc__
-        result = inspect.signature(member.fget).return_annotation
-        kind = "" if result is inspect.Signature.empty else f": {result}"
-        head = [f"`{name}{kind}`", ""] if doc else []
+    if is_property(member):
+        getter = member.fget if isinstance(member, property) else member.func
+        doc, result = member.__doc__, inspect.signature(getter).return_annotation
+        head = [f"`{name}: {plain(result)}`", ""]
     elif isinstance(member, (classmethod, staticmethod)):
         doc = member.__func__.__doc__
-        head = shown_call(call(f"{owner}.{name}", member.__func__, isinstance(member, classmethod))) if doc else []
+        head = call(f"{owner}.{name}", member.__func__, isinstance(member, classmethod))
     elif inspect.isfunction(member):
-        doc = member.__doc__
-        head = shown_call(call(name, member, True)) if doc else []
+        doc, head = member.__doc__, [] if name in SPECIAL else call(name, member, True)
     else:
         return []
-    return [f"#### {owner}.{name}", "", *head, *described(doc)] if doc else []
+    title = SPECIAL[name].format(owner) if name in SPECIAL else f"{owner}.{name}"
+    return [f"#### {title}", "", *head, *described(doc)] if doc else []
 
 
 def class_text(name, of):
-    bases = [base.__name__ for base in of.__bases__ if base is not object]
-    out = [f"### {name}" + (f" ({', '.join(bases)})" if bases else ""), "", *described(of.__doc__)]
+    bases = [base.__name__ for base in of.__bases__ if base is not object and not base.__name__.startswith("_")]
+    out = [f"### {name}", ""] + ([f"A {bases[0]}" + "".join(f" and a {base}" for base in bases[1:]) + ".", ""] if bases else [])
+    out += described(of.__doc__)
+    init = vars(of).get("__init__")
+    if init is not None and init.__doc__ and not init.__doc__.lstrip().startswith("Not for users"):
+        out += call(name, init, True) + described(init.__doc__)
     for member_name, member in members(of).items():
         out += member_text(name, member_name, member)
     return out
 
 
 def function_text(name, function):
-    return [f"### {name}", "", *shown_call(call(name, function, False)), *described(function.__doc__)]
+    return [f"### {name}", "", *call(name, function, False), *described(function.__doc__)]
 
 
 def public():
-    """(name, object) of all that users see, by the module in which it is defined."""
-    modules = {}
-    plots = sys.modules.get("overbend.plots") or __import__("overbend.plots").plots
-    for package in (overbend, plots):
+    """What users see: by the module in which it is defined, in the order of the page."""
+    modules = {home: {} for home in HEADINGS}
+    for package in (overbend, overbend.plots):
         for name in package.__all__:
             what = getattr(package, name)
             if inspect.isclass(what) or inspect.isfunction(what):
-                home = "overbend.plots" if what.__module__.startswith("overbend.plots") else what.__module__
-                modules.setdefault(home, {})[name] = what
-    return modules
+                modules.setdefault(what.__module__.split(".")[1], {})[name] = what
+    return {home: found for home, found in modules.items() if found}
 
 
 def page():
     out = [HEAD]
-    for home, members_of in public().items():
-        out += [f"## {home.rpartition('.')[2].replace('_', ' ').strip().capitalize()}", ""]
-        out += described(sys.modules[home].__doc__)
-        for name, what in members_of.items():
+    for home, found in public().items():
+        out += [f"## {HEADINGS.get(home, home)}", "", *described(sys.modules[f"overbend.{home}"].__doc__)]
+        for name, what in sorted(found.items(), key=lambda one: inspect.getsourcelines(one[1])[1]):
             out += class_text(name, what) if inspect.isclass(what) else function_text(name, what)
     return re.sub(r"\n{3,}", "\n\n", "\n".join(out)).rstrip() + "\n"
 
@@ -182,15 +190,14 @@ def page():
 def undocumented():
     """Names of public classes, functions, methods and properties without a docstring."""
     missing = []
-    for home, members_of in public().items():
-        for name, what in members_of.items():
-            if not what.__doc__:
-                missing.append(f"{home}.{name}")
-            for each, member in (members(what) if inspect.isclass(what) else {}).items():
+    for home, found in public().items():
+        for name, what in found.items():
+            whole = {"": what, **(members(what) if inspect.isclass(what) else {})}
+            for each, member in whole.items():
                 told = getattr(member, "__func__", member)
-                if isinstance(member, (property, classmethod, staticmethod)) or inspect.isfunction(member):
-                    if not told.__doc__ and not each.startswith("__"):
-                        missing.append(f"{home}.{name}.{each}")
+                own = is_property(member) or inspect.isfunction(told) or inspect.isclass(told)
+                if own and not told.__doc__ and not each.startswith("__"):
+                    missing.append(f"overbend.{home}.{name}" + (f".{each}" if each else ""))
     return missing
 
 
