@@ -19,9 +19,8 @@ def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: 
         numbers: Whether values are written into the cells.
     """
     ax.grid(False)
-    ax.set_facecolor("white")
-    empty = np.where(np.isfinite(values), np.nan, 0.0)
-    ax.pcolor(x.edges(), y.edges(), np.ma.masked_invalid(empty), hatch="////", alpha=0.0, edgecolor=draw.STEEL, linewidth=0)
+    if not np.isfinite(values).all():  # what lies behind shows in the cells without a value
+        ax.patch.set(hatch="////", edgecolor="#b4bec7")
     cells = ax.pcolormesh(x.edges(), y.edges(), np.ma.masked_invalid(values), cmap="viridis", edgecolor="white", linewidth=0.4)
     bar = ax.figure.colorbar(cells, ax=ax, pad=0.02)
     bar.set_label(words, color=draw.SOFT)

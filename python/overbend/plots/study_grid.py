@@ -41,7 +41,10 @@ class Axis:
     def nearest(self, value: Any) -> int:
         """Number of the value nearest to one given [SI], or of a word."""
         if not self.numbers:
-            return [str(word) for word in self.stored].index(str(value))
+            words = [str(word) for word in self.stored]
+            if str(value) not in words:
+                raise ValueError(f"{self.key}: found {value!r}, expected one of {', '.join(words)}")
+            return words.index(str(value))
         return int(np.abs(self.stored - float(value)).argmin())
 
 

@@ -54,6 +54,8 @@ class StudyPlots:
             ax.plot(across.at, mean, color=colour, linewidth=1.6, label=words or None)
             for these, fill in ((good, colour), (~good, "white")):
                 ax.plot(across.at[these], mean[these], "o", color=colour, markerfacecolor=fill, markersize=4.5)
+        if (~passed & np.isfinite(curves).any(axis=-1)).any():
+            ax.plot([], [], "o", color=draw.INK, markerfacecolor="white", markersize=4.5, label="check exceeded")
         across.ticks(ax.xaxis)
         title = f"{grid.words} over {across.key}" + ("" if by is None else f", by {by}")
         draw.label(ax, title, across.label, with_unit(y, grid.unit))
