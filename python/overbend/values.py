@@ -111,6 +111,7 @@ def labelled(values: Any, name: str, dims: Sequence[str], coords: Mapping[str, A
         attrs["frame"] = frame
     xarray = xarray_module()
     if xarray is None:
-        return LabelledArray(values, name, dims, {key: np.asarray(value) for key, value in coords.items()}, attrs)
+        plain = {key: value if isinstance(value, LabelledArray) else np.asarray(value) for key, value in coords.items()}
+        return LabelledArray(values, name, dims, plain, attrs)
     return xarray.DataArray(values, dims=tuple(dims), coords={key: (key, np.asarray(value), getattr(value, "attrs", {}))
                                                               for key, value in coords.items()}, name=name, attrs=attrs)

@@ -13,13 +13,14 @@ from .units import shown, with_unit
 class Axis:
     """Values of a key in the unit that figures show; words stand at 0, 1, 2, ..."""
 
-    def __init__(self, key: str, values: np.ndarray, units: str) -> None:
+    def __init__(self, key: str, coordinate: Any) -> None:
         """
         Args:
-            values: Numbers in `units` [SI], or words.
+            coordinate: Numbers with their unit in `attrs` [SI], or words.
         """
+        values = np.asarray(coordinate)
         self.key, self.stored = key, values
-        self.unit, factor, _ = shown(key, units)
+        self.unit, factor, _ = shown(key, str(getattr(coordinate, "attrs", {}).get("units", "1")))
         self.numbers = values.dtype.kind in "fiu"
         self.at = factor * values.astype(float) if self.numbers else np.arange(len(values), dtype=float)
         plain = [f"{value:g}" for value in self.at] if self.numbers else [str(value) for value in values]
@@ -57,8 +58,7 @@ class Grid:
         self.words = result
         self._values = factor * self._seeds_last(array)
         self._passed = self._seeds_last(study.grid("passed")).astype(bool)
-        self._axes = [Axis(str(key), np.asarray(array.coords[key]), study.input_units(str(key))) for key in array.dims
-                      if key != "seed"]
+        self._axes = [Axis(str(key), array.coords[key]) for key in array.dims if key != "seed"]
 
     @staticmethod
     def _seeds_last(array: Any) -> np.ndarray:

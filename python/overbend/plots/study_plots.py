@@ -109,8 +109,7 @@ class StudyPlots:
             raise ValueError("operability: this study has not looked for limits; give it `operability`")
         limit = found.limit
         unit, factor, _ = shown(found.over, limit.attrs["units"])
-        axes = [Axis(str(key), np.asarray(limit.coords[key]), self._study.input_units(str(key))) for key in limit.dims
-                if len(limit.coords[key]) > 1 or len(limit.dims) == 1]
+        axes = [Axis(str(key), limit.coords[key]) for key in limit.dims if len(limit.coords[key]) > 1 or len(limit.dims) == 1]
         values = factor * np.asarray(limit).reshape([len(axis.at) for axis in axes])
         words = with_unit(f"Largest {found.over}", unit)
         if len(axes) == 1:
