@@ -99,7 +99,8 @@ def described(doc):
 
 
 def plain(annotation):
-    return annotation if annotation is inspect.Parameter.empty else Plain(str(annotation).replace("'", "").replace('"', ""))
+    none = annotation is inspect.Parameter.empty
+    return annotation if none else Plain(str(annotation).replace("'", "").replace('"', ""))
 
 
 def call(name, function, bound):
@@ -115,7 +116,7 @@ def call(name, function, bound):
         if inspect.Parameter.KEYWORD_ONLY in stars and inspect.Parameter.VAR_POSITIONAL not in stars:
             first = stars.index(inspect.Parameter.KEYWORD_ONLY)
             listed = ", ".join([*map(str, parameters[:first]), "*", *map(str, parameters[first:])])
-        text = f"{name}(\n{textwrap.indent(textwrap.fill(listed, WIDTH - 4, break_long_words=False, break_on_hyphens=False), '    ')}\n){result}"
+        text = f"{name}(\n{wrapped(listed, '    ', '    ')}\n){result}"
     return ["```python", *text.splitlines(), "```", ""]
 
 
@@ -153,7 +154,7 @@ def member_text(owner, name, member):
 
 def class_text(name, of):
     bases = [base.__name__ for base in of.__bases__ if base is not object and not base.__name__.startswith("_")]
-    out = [f"### {name}", ""] + ([f"A {bases[0]}" + "".join(f" and a {base}" for base in bases[1:]) + ".", ""] if bases else [])
+    out = [f"### {name}", ""] + ([f"Derived from {' and '.join(bases)}.", ""] if bases else [])
     out += described(of.__doc__)
     init = vars(of).get("__init__")
     if init is not None and init.__doc__ and not init.__doc__.lstrip().startswith("Not for users"):

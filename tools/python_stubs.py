@@ -83,7 +83,8 @@ def signatures(what, module):
         return [typed(m[1], module) for line in lines if (m := re.match(rf"\d+\. ({name}\(.*\) -> .*)$", line))]
     if lines and re.match(rf"{name}\(.*\) -> ", lines[0]):
         return [typed(lines[0], module)]
-    return [f"{what.__name__}(self, *args: Any, **keywords: Any) -> " + ("None" if what.__name__ == "__init__" else "Any")]
+    result = "None" if what.__name__ == "__init__" else "Any"
+    return [f"{what.__name__}(self, *args: Any, **keywords: Any) -> {result}"]
 
 
 def functions(what, module, indent, decorator=""):

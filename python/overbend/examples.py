@@ -16,14 +16,15 @@ def example(name: str) -> pathlib.Path:
         FileNotFoundError: Where there is none of that name, with those there are; or no examples at all.
     """
     package = pathlib.Path(__file__).resolve().parent
-    prefixes = [package.parents[2] / "share" / "doc" / "overbend", *package.parents, pathlib.Path.cwd(), *pathlib.Path.cwd().parents]
+    here = pathlib.Path.cwd()
+    prefixes = [package.parents[2] / "share" / "doc" / "overbend", *package.parents, here, *here.parents]
     folders = [prefix / "examples" for prefix in prefixes if (prefix / "examples" / "bgl1.yaml").is_file()]
     for folder in folders:
         if (folder / name).is_file():
             return folder / name
     if not folders:
-        raise FileNotFoundError(f"the examples are not installed: none of share/doc/overbend/examples near '{package}', nor "
-                                f"examples in '{pathlib.Path.cwd()}' or above it")
+        raise FileNotFoundError(f"the examples are not installed: there is no '{prefixes[0]}/examples', and no folder "
+                                f"'examples' in '{here}' or above it")
     there = sorted(str(path.relative_to(folders[0])) for path in folders[0].rglob("*.yaml"))
     close = difflib.get_close_matches(name, there, n=1)
     meant = f"; did you mean '{close[0]}'?" if close else ""

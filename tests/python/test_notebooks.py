@@ -36,7 +36,8 @@ class Notebooks(unittest.TestCase):
         nbformat.validate(notebook)
         with tempfile.TemporaryDirectory() as folder:
             manager = AsyncKernelManager(kernel_name="python3", kernel_spec_manager=kernels(folder))
-            client = NotebookClient(notebook, km=manager, timeout=LONGEST, resources={"metadata": {"path": str(path.parent)}})
+            place = {"metadata": {"path": str(path.parent)}}
+            client = NotebookClient(notebook, km=manager, timeout=LONGEST, resources=place)
             client.execute()
         return notebook
 

@@ -86,11 +86,13 @@ class StaticFigures(Drawing):
         self.assertAlmostEqual(total, 1e-3 * float(self.static.rollers.reaction.sum()), places=6)
 
     def test_a_roller_that_the_pipe_has_passed_is_a_cross(self):
-        self.assertTrue(any(line.get_marker() == "x" for line in self.static.plot.separation(position="port").get_lines()))
+        lines = self.static.plot.separation(position="port").get_lines()
+        self.assertTrue(any(line.get_marker() == "x" for line in lines))
 
     def test_figures_go_into_the_axes_that_are_given(self):
         plot = self.static.plot
-        for draw in (plot.profile, plot.tension, plot.moment, plot.stress, plot.strain, plot.reactions, plot.separation):
+        along = [plot.profile, plot.tension, plot.moment, plot.stress, plot.strain]
+        for draw in (*along, plot.reactions, plot.separation):
             ax = pyplot.subplots(figsize=(4, 3))[1]
             self.assertIs(draw(ax), ax)
             self.assertEqual(len(ax.figure.axes), 1)
@@ -109,7 +111,8 @@ class StaticFigures(Drawing):
         for use in (True, False):
             ob.use_xarray(use)
             try:
-                lines.append(longest_line(ob.Model.read(EXAMPLES / "first-model.yaml").static().plot.moment()).get_ydata())
+                static = ob.Model.read(EXAMPLES / "first-model.yaml").static()
+                lines.append(longest_line(static.plot.moment()).get_ydata())
             finally:
                 ob.use_xarray(True)
         np.testing.assert_array_equal(*lines)
@@ -129,8 +132,8 @@ class JLay(Drawing):
 class DynamicFigures(Drawing):
     @classmethod
     def setUpClass(cls):
-        cls.run_ = ob.Model.read(EXAMPLES / "bgl1-workable-sea.yaml").with_({"analysis.dynamic.build_up": "10 s"}).dynamic(
-            duration="20 s")
+        model = ob.Model.read(EXAMPLES / "bgl1-workable-sea.yaml").with_({"analysis.dynamic.build_up": "10 s"})
+        cls.run_ = model.dynamic(duration="20 s")
 
     def test_a_history_is_in_kilonewtons_over_time(self):
         line = longest_line(self.run_.plot.history("top_tension"))
@@ -157,7 +160,8 @@ class DynamicFigures(Drawing):
         self.assertAlmostEqual(area / (1e-3 * since.std()) ** 2, 1.0, delta=0.3)  # windows and trend change it
 
     def test_impacts_and_reactions_are_drawn(self):
-        for ax in (self.run_.plot.impacts(), self.run_.plot.impacts(over="approach_velocity"), self.run_.plot.reactions()):
+        plot = self.run_.plot
+        for ax in (plot.impacts(), plot.impacts(over="approach_velocity"), plot.reactions()):
             ax.figure.canvas.draw()
         with self.assertRaisesRegex(ValueError, "expected 'time' or 'approach_velocity'"):
             self.run_.plot.impacts(over="force")

@@ -31,8 +31,8 @@ class Reference(unittest.TestCase):
 
     def test_every_class_and_function_is_on_the_page(self):
         page = self.tool.page()
-        missing = [name for name in overbend.__all__ if callable(getattr(overbend, name)) and f"\n### {name}\n" not in page]
-        self.assertEqual(missing, [])
+        names = [name for name in overbend.__all__ if callable(getattr(overbend, name))]
+        self.assertEqual([name for name in names if f"\n### {name}\n" not in page], [])
 
     def test_a_docstring_becomes_paragraphs_lists_and_code(self):
         doc = """What it is.

@@ -1,7 +1,7 @@
 """Figures of results, drawn by matplotlib in the style and the units of the reports.
 
-`static.plot.tension()`, `run.plot.envelope('von_mises')`, `study.plot.map('static.lay_back')`. Every function returns the
-matplotlib Axes that it drew into, so that a figure can be completed and saved; given `ax`, it draws into that.
+`static.plot.tension()`, `run.plot.envelope('von_mises')`, `study.plot.map('static.lay_back')`. Every function returns
+the matplotlib Axes that it drew into, so that a figure can be completed and saved; given `ax`, it draws into that.
 """
 
 from .dynamic_plots import DynamicPlots

@@ -79,7 +79,7 @@ def has_supports(static: Any) -> bool:
 
 
 def _last_span(static: Any) -> float:
-    """Arc length [m] at the far end of the last free span with a gap that can be seen; that of the tensioner without one."""
+    """Arc length [m] at the far end of the last free span that can be seen; that of the tensioner without one."""
     if not hasattr(static, "free_spans"):
         return float(static.total_length)
     spans = static.free_spans

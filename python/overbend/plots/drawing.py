@@ -29,8 +29,8 @@ def axes(ax: Optional[Axes], size: tuple[float, float] = (9.6, 3.4)) -> Axes:
             from matplotlib import pyplot
         except ImportError:
             raise ImportError(
-                "figures are drawn by matplotlib, which is not installed: apt install python3-matplotlib, or pip install "
-                "matplotlib"
+                "figures are drawn by matplotlib, which is not installed: apt install python3-matplotlib, or "
+                "pip install matplotlib"
             ) from None
         ax = pyplot.subplots(figsize=size, layout="constrained")[1]
     ax.grid(True, color=LINE, linewidth=0.7)
@@ -64,7 +64,7 @@ def label(ax: Axes, title: str, x: str, y: str, lane: float = 0.0) -> None:
 
 
 def _legend(ax: Axes, title: str, lane: float) -> int:
-    """A legend at the right beside the title, or in rows below it where the plot is narrow. Returns the number of rows."""
+    """A legend beside the title, or in rows below it where the plot is narrow. Returns the number of rows."""
     from matplotlib.transforms import ScaledTranslation
 
     handles, names = ax.get_legend_handles_labels()
@@ -74,9 +74,9 @@ def _legend(ax: Axes, title: str, lane: float) -> int:
     beside = 6.5 * len(title) + sum(34 + 4.9 * len(name) for name in names) < wide
     columns = len(names) if beside else min(len(names), max(1, int(wide / widest)))
     above = ax.transAxes + ScaledTranslation(0, (lane + 2) / 72, ax.figure.dpi_scale_trans)
-    side = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0)} if beside else {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
-    ax.legend(handles, names, bbox_transform=above, frameon=False, ncol=columns, borderaxespad=0, borderpad=0.1,
-              fontsize="small", handlelength=1.8, columnspacing=1.4, labelspacing=0.25, **side)
+    ax.legend(handles, names, loc="lower right" if beside else "lower left", bbox_to_anchor=(float(beside), 1.0),
+              bbox_transform=above, frameon=False, ncol=columns, borderaxespad=0, borderpad=0.1, fontsize="small",
+              handlelength=1.8, columnspacing=1.4, labelspacing=0.25)
     return 0 if beside else -(-len(names) // columns)
 
 

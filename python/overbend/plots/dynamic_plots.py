@@ -22,8 +22,8 @@ _LONG = 7200.0  # [s] longer runs are drawn in minutes
 class DynamicPlots:
     """Figures of a dynamic analysis: `run.plot.envelope('von_mises')`. All return matplotlib Axes.
 
-    Without `ax` each makes a figure of its own. Values are in the units of the reports (kN, kN m, MPa, m); time counts from
-    the end of the build-up, which is shaded.
+    Without `ax` each makes a figure of its own. Values are in the units of the reports (kN, kN m, MPa, m); time counts
+    from the end of the build-up, which is shaded.
     """
 
     def __init__(self, run: Any) -> None:
@@ -42,7 +42,7 @@ class DynamicPlots:
         units = {each: str(history.attrs["units"]) for each, history in histories.items()}
         if len(set(units.values())) > 1:
             found = ", ".join(f"{each} [{unit}]" for each, unit in units.items())
-            raise ValueError(f"history: found {found}, expected histories of one unit; draw the others into axes of their own")
+            raise ValueError(f"history: found {found}, expected histories of one unit; draw each into axes of its own")
         ax = draw.axes(ax, (9.6, 3.0))
         unit, factor, _ = shown(name, units[name])
         seconds, time_unit = (60.0, "min") if float(self._run.duration) > _LONG else (1.0, "s")
@@ -58,7 +58,8 @@ class DynamicPlots:
         ax.set_xlim(start / seconds, end / seconds)
         ax.set_ylim(*draw.room(*draw.extent(*values), above=0.08, below=0.08))
         title = ", ".join(words_of(each) for each in histories)
-        draw.label(ax, title, f"Time from the end of the build-up [{time_unit}]", with_unit("" if more else title, unit).strip())
+        draw.label(ax, title, f"Time from the end of the build-up [{time_unit}]",
+                   with_unit("" if more else title, unit).strip())
         return ax
 
     def envelope(self, name: str, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -159,9 +160,10 @@ class DynamicPlots:
         static = 1e-3 * np.asarray(rollers["static_reaction"])[these]
         loaded = (high > 0) | (static > 0)
         ax = draw.axes(ax)
-        ax.bar(at[loaded], (high - low)[loaded], 0.72, low[loaded], color=draw.BAND, edgecolor=draw.DYNAMIC, linewidth=0.9,
-               label="min to max", zorder=2)
-        ax.hlines(mean[loaded], at[loaded] - 0.36, at[loaded] + 0.36, color=draw.SECOND, linewidth=1.8, label="mean", zorder=3)
+        ax.bar(at[loaded], (high - low)[loaded], 0.72, low[loaded], color=draw.BAND, edgecolor=draw.DYNAMIC,
+               linewidth=0.9, label="min to max", zorder=2)
+        ax.hlines(mean[loaded], at[loaded] - 0.36, at[loaded] + 0.36, color=draw.SECOND, linewidth=1.8, label="mean",
+                  zorder=3)
         ax.plot(at[static > 0], static[static > 0], "o", color=draw.PIPE, markersize=4.5, label="static", zorder=4)
         ax.set_ylim(0.0, draw.room(0.0, max(high.max(), static.max()) or 1.0)[1])
         slots.furnish(ax)

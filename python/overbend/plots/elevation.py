@@ -24,7 +24,8 @@ def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     bed = _bed(static, np.linspace(*across, 400))
     low = z.min() if overbend else min(z.min(), bed[:, 1].min())
     high = z.max() if overbend else max(z.max(), hull[:, 1].max())
-    up = (low - (0.12 if overbend else 0.06) * (high - low), high + max(0.14 * (high - low), 0.0 if overbend else 0.04 * np.ptp(across)))
+    above = max(0.14 * (high - low), 0.0 if overbend else 0.04 * np.ptp(across))  # for the word above the tensioner
+    up = (low - (0.12 if overbend else 0.06) * (high - low), high + above)
     ax = draw.axes(ax, (9.6, 4.2) if overbend else _figure(np.ptp(across), np.ptp(up)))
     _surroundings(ax, hull, bed, across, up)
     _rollers(static, ax) if overbend else _structure(static, ax)
@@ -41,8 +42,8 @@ def elevation(static: Any, ax: Optional[Any], overbend: bool) -> Any:
     touchdown = static.touchdown
     at = float(touchdown["astern"])
     ax.plot([at], [float(touchdown["z"])], "o", color=draw.ACCENT, markeredgecolor="white", markersize=7, zorder=5)
-    ax.annotate(f"touchdown at {at:.1f} m", (at, float(touchdown["z"])), xytext=(0, 9), textcoords="offset points", ha="center",
-                color=draw.ACCENT, fontsize="small", fontweight="bold", path_effects=draw.halo(), zorder=6)
+    ax.annotate(f"touchdown at {at:.1f} m", (at, float(touchdown["z"])), xytext=(0, 9), textcoords="offset points",
+                ha="center", color=draw.ACCENT, fontsize="small", fontweight="bold", path_effects=draw.halo(), zorder=6)
     ax.set_aspect("equal", adjustable="box")
     return ax
 
@@ -79,7 +80,8 @@ def _bed(static: Any, x: np.ndarray) -> np.ndarray:
     return np.column_stack([x, z0 + slope * x])
 
 
-def _surroundings(ax: Any, hull: np.ndarray, bed: np.ndarray, across: tuple[float, float], up: tuple[float, float]) -> None:
+def _surroundings(ax: Any, hull: np.ndarray, bed: np.ndarray, across: tuple[float, float],
+                  up: tuple[float, float]) -> None:
     ax.fill_between(across, up[0], 0.0, color=draw.WATER, linewidth=0, zorder=0)
     ax.fill_between(bed[:, 0], min(up[0], bed[:, 1].min()) - 1, bed[:, 1], color=draw.BED, linewidth=0, zorder=0.5)
     ax.plot(across, (0, 0), color="#6fa8cc", linewidth=1.0, zorder=0.6)
@@ -90,7 +92,8 @@ def _structure(static: Any, ax: Any) -> None:
     """Ramp and stinger as a thick line under the pipe."""
     if has_supports(static):
         places = np.column_stack([np.asarray(static.supports[key]) for key in ("x", "y", "z")])
-        ax.plot(astern_of(static.scene, places), places[:, 2], color=draw.STEEL, linewidth=3.0, zorder=2, solid_capstyle="butt")
+        ax.plot(astern_of(static.scene, places), places[:, 2], color=draw.STEEL, linewidth=3.0, zorder=2,
+                solid_capstyle="butt")
 
 
 def _rollers(static: Any, ax: Any) -> None:
@@ -104,5 +107,6 @@ def _rollers(static: Any, ax: Any) -> None:
     box = np.asarray(rows["support"], dtype=int)
     for k, name in enumerate(np.asarray(static.supports["name"]).astype(str)):
         middle = np.flatnonzero(box == k)
-        ax.annotate(name, (at[middle].mean(), places[middle, 2].min()), xytext=(-2, -6), textcoords="offset points", rotation=40,
-                    rotation_mode="anchor", ha="right", va="center", color=draw.SOFT, fontsize="small", path_effects=draw.halo())
+        ax.annotate(name, (at[middle].mean(), places[middle, 2].min()), xytext=(-2, -6), textcoords="offset points",
+                    rotation=40, rotation_mode="anchor", ha="right", va="center", color=draw.SOFT, fontsize="small",
+                    path_effects=draw.halo())

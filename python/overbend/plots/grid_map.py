@@ -21,7 +21,8 @@ def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: 
     ax.grid(False)
     if not np.isfinite(values).all():  # what lies behind shows in the cells without a value
         ax.patch.set(hatch="////", edgecolor="#b4bec7")
-    cells = ax.pcolormesh(x.edges(), y.edges(), np.ma.masked_invalid(values), cmap="viridis", edgecolor="white", linewidth=0.4)
+    cells = ax.pcolormesh(x.edges(), y.edges(), np.ma.masked_invalid(values), cmap="viridis", edgecolor="white",
+                          linewidth=0.4)
     bar = ax.figure.colorbar(cells, ax=ax, pad=0.02)
     bar.set_label(words, color=draw.SOFT)
     bar.outline.set_visible(False)

@@ -70,7 +70,8 @@ def _reactions(static: Any, ax: Any, slots: Slots, rows: np.ndarray, positions: 
         these = positions == position
         if not these.any():
             continue
-        ax.bar(slots.of_row[rows[these]], values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
+        at = slots.of_row[rows[these]]
+        ax.bar(at, values[these], 0.72, below[rows[these]], color=colour, label=position, zorder=2)
         np.add.at(below, rows[these], values[these])
     ax.set_ylim(0.0, draw.room(0.0, float(below.max()) or 1.0)[1])
     draw.label(ax, "Normal reactions", "Roller rows of each box, from the tensioner astern", "Reaction [kN]")
@@ -90,7 +91,8 @@ def _separations(static: Any, ax: Any, slots: Slots, rows: np.ndarray, these: np
     colour = draw.ROLLERS[position]
     ax.bar(at[~passed], values[~passed], 0.72, color=colour, zorder=2)
     if passed.any():
-        ax.plot(at[passed], np.zeros(passed.sum()), "x", color=colour, zorder=4, label="the pipe has passed the end of the roller")
+        ax.plot(at[passed], np.zeros(passed.sum()), "x", color=colour, zorder=4,
+                label="the pipe has passed the end of the roller")
     ax.set_ylim(*draw.room(*draw.extent(values[~passed]), above=0.12, below=0.12, zero=True))
     least = f"; smallest {np.min(values[~passed]):.2f} mm" if not passed.all() else ""
     draw.label(ax, f"{position.capitalize()} rollers{least}", "Roller rows of each box, from the tensioner astern",

@@ -29,8 +29,8 @@ _OWN_NAME = {"effective_tension": "effective tension", "bending_moment": "magnit
 class StaticPlots:
     """Figures of a static analysis: `static.plot.tension()`. All return matplotlib Axes.
 
-    Without `ax` each makes a figure of its own. Values are in the units of the reports (kN, kN m, MPa, m), distances along
-    the pipe are counted from the tensioner. `part` is 'whole' for the line from the tensioner to a little beyond
+    Without `ax` each makes a figure of its own. Values are in the units of the reports (kN, kN m, MPa, m), distances
+    along the pipe are counted from the tensioner. `part` is 'whole' for the line from the tensioner to a little beyond
     touchdown, or 'overbend' for tensioner to stinger tip.
     """
 
@@ -38,7 +38,7 @@ class StaticPlots:
         self._static = static
 
     def profile(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
-        """Draws the elevation of pipe, vessel and seabed: heights above the water over the distance astern of the stern shoe.
+        """Draws the elevation of pipe, vessel and seabed: heights above the water over the distance astern of the shoe.
 
         The whole line is true to scale; the overbend has its heights enlarged and shows which roller rows carry.
         """
@@ -49,7 +49,7 @@ class StaticPlots:
         return self.along("effective_tension", ax, part=part)
 
     def moment(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
-        """Draws the bending moment along the pipe [kN m]: its magnitude, and its parts in and out of the vertical plane."""
+        """Draws the bending moment along the pipe [kN m]: magnitude, and parts in and out of the vertical plane."""
         return self.along("bending_moment", ax, part=part)
 
     def stress(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -94,8 +94,8 @@ class StaticPlots:
         """Draws the clear distance between pipe and rollers [mm], row by row of each box; negative is penetration.
 
         Args:
-            position: of the rollers: 'bottom', 'port' or 'starboard'. A cross marks a roller that the pipe has passed over
-                the end of.
+            position: of the rollers: 'bottom', 'port' or 'starboard'. A cross marks a roller that the pipe has passed
+                over the end of.
         """
         return roller_bars(self._static, "separation", ax, position)
 
@@ -120,7 +120,8 @@ class StaticPlots:
                 figure.mark_at(where, peak, digits, unit)
 
 
-def _with_yield(figure: AlongPipe, name: str, limits: tuple[float, float], drawn: list[np.ndarray]) -> tuple[float, float]:
+def _with_yield(figure: AlongPipe, name: str, limits: tuple[float, float],
+                drawn: list[np.ndarray]) -> tuple[float, float]:
     """Adds the yield stress to a figure of stress that comes near it. Returns the limits."""
     least = 1e-6 * yield_stress(figure.static) if name in ("von_mises", "bending_stress", "axial_stress") else 0.0
     if least <= 0 or draw.extent(*drawn)[1] < 0.5 * least:

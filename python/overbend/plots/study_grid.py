@@ -77,9 +77,11 @@ class Grid:
 
         Raises: ValueError where there are several, unless the `first` of them will do.
         """
-        free = [axis.key for axis in self._axes if len(axis.at) > 1 and axis.key not in keys and axis.key not in (at or {})]
+        taken = {*keys, *(at or {})}
+        free = [axis.key for axis in self._axes if len(axis.at) > 1 and axis.key not in taken]
         if len(free) > 1 and not first:
-            raise ValueError(f"found further axes {', '.join(map(repr, free))}, expected one: choose with by=KEY, at={{KEY: value}}")
+            named = ", ".join(map(repr, free))
+            raise ValueError(f"found further axes {named}, expected one: choose with by=KEY, at={{KEY: value}}")
         return free[0] if free else None
 
     def take(self, keys: Sequence[str], at: Optional[Mapping[str, Any]], of: Optional[np.ndarray] = None) -> np.ndarray:
@@ -93,7 +95,8 @@ class Grid:
         for number in reversed(range(len(self._axes))):
             axis = self._axes[number]
             if axis.key not in keys:
-                values = np.take(values, axis.nearest((at or {})[axis.key]) if axis.key in (at or {}) else 0, axis=number)
+                chosen = axis.nearest(at[axis.key]) if at and axis.key in at else 0
+                values = np.take(values, chosen, axis=number)
         kept = [axis.key for axis in self._axes if axis.key in keys]
         return np.transpose(values, [*(kept.index(key) for key in keys), len(kept)])
 

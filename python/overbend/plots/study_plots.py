@@ -21,8 +21,8 @@ _COLOURS = [draw.PIPE, draw.SECOND, draw.THIRD, draw.DYNAMIC, draw.PORT, draw.ST
 class StudyPlots:
     """Figures of a study: `study.plot.curve('tensioner.tension', 'static.lay_back')`. All return matplotlib Axes.
 
-    Without `ax` each makes a figure of its own. Keys and results have the names of `study.inputs` and `study.outputs`; values
-    are in the units of the reports. A hollow dot is a case in which a governing code check is exceeded.
+    Without `ax` each makes a figure of its own. Keys and results have the names of `study.inputs` and `study.outputs`;
+    values are in the units of the reports. A hollow dot is a case in which a governing code check is exceeded.
     """
 
     def __init__(self, study: Any) -> None:
@@ -30,7 +30,7 @@ class StudyPlots:
 
     def curve(self, x: str, y: str, ax: Optional[Axes] = None, *, by: Optional[str] = None,
               at: Optional[Mapping[str, Any]] = None) -> Axes:
-        """Draws a result over one axis of the study; where there are several seeds their mean, and a band from least to largest.
+        """Draws a result over one axis of the study; of several seeds the mean, and a band from least to largest.
 
         Args:
             x: key of the axis.
@@ -49,8 +49,8 @@ class StudyPlots:
             values, good = (curves, passed) if by is None else (curves[k], passed[k])
             mean = grid.over_seeds(values, np.nanmean)
             if values.shape[-1] > 1:
-                ax.fill_between(across.at, grid.over_seeds(values, np.nanmin), grid.over_seeds(values, np.nanmax), color=colour,
-                                alpha=0.18, linewidth=0)
+                least, most = (grid.over_seeds(values, rule) for rule in (np.nanmin, np.nanmax))
+                ax.fill_between(across.at, least, most, color=colour, alpha=0.18, linewidth=0)
             ax.plot(across.at, mean, color=colour, linewidth=1.6, label=words or None)
             for these, fill in ((good, colour), (~good, "white")):
                 ax.plot(across.at[these], mean[these], "o", color=colour, markerfacecolor=fill, markersize=4.5)
@@ -65,7 +65,8 @@ class StudyPlots:
             at: Optional[Mapping[str, Any]] = None) -> Axes:
         """Draws a result over two axes of the study as coloured cells; the mean where there are several seeds.
 
-        Cells without a result are hatched. A line runs between cells that pass all governing checks and those that do not.
+        Cells without a result are hatched. A line runs between cells that pass all governing checks and those that do
+        not.
 
         Args:
             result: the result, or another column of numbers.
@@ -77,7 +78,7 @@ class StudyPlots:
         x = x or grid.other_than([y] if y else [], at, first=True)
         y = y or grid.other_than([x] if x else [], at, first=True)
         if x is None or y is None:
-            raise ValueError(f"map: found one axis with several values, expected two; use plot.curve({x!r}, {result!r})")
+            raise ValueError(f"map: found one axis with several values, expected two; plot.curve({x!r}, {result!r})")
         values = grid.over_seeds(grid.take([y, x], at), np.nanmean)
         ax = draw.axes(ax, (7.2, 4.2))
         draw_map(ax, grid.axis(x), grid.axis(y), values, with_unit(result, grid.unit), passed=grid.passed([y, x], at))
@@ -94,8 +95,8 @@ class StudyPlots:
         ax = draw.axes(ax, (6.4, 3.8))
         for these, fill, words in ((good, draw.PIPE, "checks passed"), (~good, "white", "check exceeded")):
             if np.isfinite(up[these]).any():
-                ax.plot(across[these], up[these], "o", color=draw.PIPE if these is good else draw.ACCENT, markerfacecolor=fill,
-                        markersize=4, label=words)
+                edge = draw.PIPE if these is good else draw.ACCENT
+                ax.plot(across[these], up[these], "o", color=edge, markerfacecolor=fill, markersize=4, label=words)
         draw.label(ax, f"{y} over {x}", with_unit(x, units[0].unit), with_unit(y, units[1].unit))
         return ax
 
@@ -109,7 +110,8 @@ class StudyPlots:
             raise ValueError("operability: this study has not looked for limits; give it `operability`")
         limit = found.limit
         unit, factor, _ = shown(found.over, limit.attrs["units"])
-        axes = [Axis(str(key), limit.coords[key]) for key in limit.dims if len(limit.coords[key]) > 1 or len(limit.dims) == 1]
+        keys = [key for key in limit.dims if len(limit.coords[key]) > 1 or len(limit.dims) == 1]
+        axes = [Axis(str(key), limit.coords[key]) for key in keys]
         values = factor * np.asarray(limit).reshape([len(axis.at) for axis in axes])
         words = with_unit(f"Largest {found.over}", unit)
         if len(axes) == 1:
