@@ -12,6 +12,7 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 from ._core import version as __version__
 from .comparison import FolderComparison, compare_folders
 from .errors import Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
+from .examples import example
 from .groups import Record, Records, Table
 from .lay_table import LayTable
 from .model import Model
@@ -51,6 +52,7 @@ __all__ = [
     "StudyResults",
     "Table",
     "compare_folders",
+    "example",
     "open",
     "seek",
     "study",
