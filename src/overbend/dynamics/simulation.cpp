@@ -66,6 +66,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     : options_(options),
       setup_(make_setup(model, start, top_tension, options)),
       clock_(make_clock(options, setup_.interval)),
+      controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
       shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
       ahead_W_(level_ahead(model.mean_pose)) {
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
@@ -121,6 +122,7 @@ bool Simulation::begin() {
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);
   observe_tension(state_, 0.0);
+  controllers_.begin(*assembly_, state_);
   watch_.start(assembly_->machine_tension());
   energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale);
   ended_.clear();
@@ -205,11 +207,24 @@ void Simulation::observe(SimulationObserver& observer) {
 }
 
 void Simulation::set_tension(double wanted) {
-  TensionerLaw& law = set_law();
-  const double shift = wanted - law.wanted;
-  law.wanted = wanted;
-  law.low += shift;
-  law.high += shift;
+  set_wanted_tension(set_law(), wanted);
+}
+
+void Simulation::command(const std::string& machine, const MachineCommand& command) {
+  controllers_.command(machine, command, setup_.system, state_);
+}
+
+void Simulation::ask_controllers() {
+  if (!failure_ && controllers_.active()) {
+    failure_ = controllers_.ask(*assembly_, now().move.paid_out, setup_.system, state_);
+  }
+}
+
+/// The instant that the next steps lead to: a tick of the clock, or that of a controller before it [s].
+double Simulation::next_target() const {
+  constexpr double kSameInstant = 1e-9;  // [s]
+  const double tick = next_tick(), asked = controllers_.next_time();
+  return asked < tick - kSameInstant ? asked : tick;
 }
 
 void Simulation::adapt(double h) {
@@ -319,14 +334,15 @@ bool Simulation::step() {
   if (failure_ || finished()) return false;
   const WallTime measured(report_.wall_time);
   if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
-  const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
+  ask_controllers();
+  const double target = next_target();
   double to_event = kUnlimited, h = 0.0;
   do {
     if (failure_) return false;
     const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
   } while (!attempt(h, target, to_event));
-  if (state_.time >= target) reach_tick();
+  if (state_.time >= next_tick()) reach_tick();
   convey();
   return true;
 }
