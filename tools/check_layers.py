@@ -12,7 +12,7 @@ import sys
 
 EVERYTHING = {
     "base", "model", "results", "numerics", "mechanics", "hull", "moorings", "system", "statics", "dynamics", "recording", "checks",
-    "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app",
+    "modelfile", "seafiles", "runstore", "resultfiles", "study", "report", "serve", "app", "python",
 }
 
 # Layer -> the layers it may include, besides itself.
@@ -35,10 +35,11 @@ MAY_INCLUDE = {
     "modelfile": {"seafiles", "checks", "resultfiles", "model", "base"},
     "runstore": PLAIN,
     "resultfiles": {"runstore"} | PLAIN,
-    "study": EVERYTHING - {"app", "serve"},
-    "report": EVERYTHING - {"app", "serve", "study"},
-    "serve": EVERYTHING - {"app"},
-    "app": EVERYTHING,
+    "study": EVERYTHING - {"app", "serve", "python"},
+    "report": EVERYTHING - {"app", "serve", "python", "study"},
+    "serve": EVERYTHING - {"app", "python"},
+    "python": EVERYTHING - {"app", "serve"},
+    "app": EVERYTHING - {"python"},
 }
 
 # How a library's headers begin -> the layers that may use it. A library that is not here may not be used anywhere.
@@ -49,7 +50,8 @@ LIBRARIES = [
     ("immintrin.h", {"mechanics"}),
     ("yaml-cpp/", {"base", "modelfile", "seafiles"}),
     ("hdf5", {"resultfiles", "seafiles"}),
-    ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve"}),
+    ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve", "python"}),
+    ("pybind11/", {"python"}),
     ("httplib.h", {"serve"}),
     ("xlsxwriter.h", {"resultfiles"}),
     ("udunits2.h", {"base"}),

@@ -9,7 +9,7 @@ namespace {
 
 /// Whole columns of one length; the first is the scale of the others where `scale` is not empty.
 struct ColumnsWriter {
-  Hdf5Writer& file;
+  DatasetSink& file;
   std::string group;
   std::string scale;
 
@@ -33,7 +33,7 @@ struct ColumnsReader {
   }
 };
 
-void write_inputs(Hdf5Writer& file, const std::string& group, const std::vector<CheckRow>& rows) {
+void write_inputs(DatasetSink& file, const std::string& group, const std::vector<CheckRow>& rows) {
   TableWriter inputs;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (const CheckInput& input : rows[i].inputs) {
@@ -48,7 +48,7 @@ void write_inputs(Hdf5Writer& file, const std::string& group, const std::vector<
 
 }  // namespace
 
-void write_checks(Hdf5Writer& file, const std::string& group, const CheckTable& table) {
+void write_checks(DatasetSink& file, const std::string& group, const CheckTable& table) {
   if (table.rows.empty()) return;
   file.group(group, "Code checks");
   ValueWriter values{file, group};
@@ -90,7 +90,7 @@ CheckTable read_checks(const Hdf5Reader& file, const std::string& group) {
   return table;
 }
 
-void write_design(Hdf5Writer& file, const StationDesign& design) {
+void write_design(DatasetSink& file, const StationDesign& design) {
   file.group("/dynamic/design", "Design values of the code checks at the stations of /dynamic/stations");
   const ColumnsWriter columns{file, "/dynamic/design", "/dynamic/stations/s"};
   visit_station_design(design, columns);

@@ -15,7 +15,7 @@ std::string along_group(std::size_t spot) {
   return std::string(kGroup) + "/along_" + std::to_string(spot);
 }
 
-void write_along(Hdf5Writer& file, std::size_t number, const FatigueSpot& spot) {
+void write_along(DatasetSink& file, std::size_t number, const FatigueSpot& spot) {
   file.group(along_group(number), "Spot " + std::to_string(number) + " at the stations of /dynamic/stations");
   auto write = [&](const ResultField& field, const std::vector<double>& values) {
     const std::string path = along_group(number) + "/" + field.name;
@@ -49,7 +49,7 @@ std::string fatigue_table(const DynamicResults& results) {
   return table.text();
 }
 
-void write_fatigue(Hdf5Writer& file, const DynamicResults& results) {
+void write_fatigue(DatasetSink& file, const DynamicResults& results) {
   if (!results.fatigue) return;
   file.group(kGroup, "Fatigue of welds while the pipe is laid");
   ValueWriter values{file, kGroup};

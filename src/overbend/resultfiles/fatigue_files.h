@@ -12,7 +12,7 @@ namespace overbend {
 std::string fatigue_table(const DynamicResults& results);
 
 /// Groups /dynamic/fatigue; nothing where the run has no fatigue.
-void write_fatigue(Hdf5Writer& file, const DynamicResults& results);
+void write_fatigue(DatasetSink& file, const DynamicResults& results);
 void read_fatigue(const Hdf5Reader& file, DynamicResults& results);
 
 }  // namespace overbend

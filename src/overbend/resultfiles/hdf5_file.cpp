@@ -349,4 +349,77 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& path) const {
   return values;
 }
 
+namespace {
+
+std::string text_attribute(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return {};
+  const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "HDF5 attribute");
+  const Hdf5Handle type = text_type();
+  char* text = nullptr;
+  require(H5Aread(attribute, type, static_cast<void*>(&text)), std::string("the attribute ") + name + " is no text");
+  const std::string value = text == nullptr ? "" : text;
+  H5free_memory(text);
+  return value;
+}
+
+std::string path_of(hid_t object) {
+  const ssize_t length = H5Iget_name(object, nullptr, 0);
+  if (length <= 0) return {};
+  std::string path(static_cast<std::size_t>(length) + 1, '\0');
+  H5Iget_name(object, path.data(), path.size());
+  path.pop_back();
+  return path;
+}
+
+/// Path of the scale of a dimension; empty where it has none.
+std::string scale_of(hid_t set, unsigned dimension) {
+  const auto first = [](hid_t, unsigned, hid_t scale, void* path) {
+    *static_cast<std::string*>(path) = path_of(scale);
+    return herr_t{1};
+  };
+  std::string path;
+  if (H5DSget_num_scales(set, dimension) > 0) H5DSiterate_scales(set, dimension, nullptr, first, &path);
+  return path;
+}
+
+}  // namespace
+
+std::vector<std::string> Hdf5Reader::names(const std::string& group) const {
+  const auto add = [](hid_t at, const char* name, const H5L_info_t*, void* list) {
+    H5O_info_t info{};
+    if (H5Oget_info_by_name(at, name, &info, H5P_DEFAULT) < 0) return herr_t{-1};
+    static_cast<std::vector<std::string>*>(list)->emplace_back(std::string(name) +
+                                                               (info.type == H5O_TYPE_GROUP ? "/" : ""));
+    return herr_t{0};
+  };
+  std::vector<std::string> list;
+  require(H5Literate_by_name(file_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &list, H5P_DEFAULT),
+          "the file '" + name_ + "' has no group " + group);
+  return list;
+}
+
+Dataset Hdf5Reader::whole(const std::string& path) const {
+  const Hdf5Handle set = dataset(path);
+  const Hdf5Handle space(H5Dget_space(set), H5Sclose, "HDF5 dataspace");
+  const Hdf5Handle type(H5Dget_type(set), H5Tclose, "HDF5 type");
+  Dataset found;
+  found.shape.resize(static_cast<std::size_t>(std::max(H5Sget_simple_extent_ndims(space), 0)));
+  if (!found.shape.empty()) H5Sget_simple_extent_dims(space, found.shape.data(), nullptr);
+  const H5T_class_t kind = H5Tget_class(type);
+  if (kind == H5T_STRING) {
+    found.values = texts(path);
+  } else if (kind == H5T_INTEGER) {
+    found.values = counts(path);
+  } else {
+    found.values = doubles(path);
+  }
+  found.units = text_attribute(set, "units");
+  found.description = text_attribute(set, "description");
+  found.frame = text_attribute(set, "frame");
+  for (unsigned i = 0; i < found.shape.size(); ++i) {
+    found.scales.push_back(H5DSis_scale(set) > 0 ? path : scale_of(set, i));
+  }
+  return found;
+}
+
 }  // namespace overbend

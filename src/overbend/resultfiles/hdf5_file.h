@@ -7,12 +7,15 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "results/fields/result_field.h"
+#include "resultfiles/dataset_sink.h"
 
 namespace overbend {
+
+static_assert(std::is_same_v<Extent, hsize_t>);
 
 /// Owns one HDF5 identifier.
 class Hdf5Handle {
@@ -37,27 +40,25 @@ class Hdf5Handle {
 
 /// A file being written. Datasets carry the attributes units, frame and description. All functions throw FileFault when
 /// the disk refuses.
-class Hdf5Writer {
+class Hdf5Writer final : public DatasetSink {
  public:
   explicit Hdf5Writer(const std::filesystem::path& file);
   /// To change a file that was closed by one of these.
   static Hdf5Writer reopen(const std::filesystem::path& file);
 
-  void group(const std::string& path, const std::string& description);
-  void attribute(const std::string& object, const std::string& name, const std::string& text);
+  void group(const std::string& path, const std::string& description) override;
+  void attribute(const std::string& object, const std::string& name, const std::string& text) override;
 
-  /// Numbers of any shape, row by row; an empty shape is a scalar. `path` is the dataset's.
   void write(const std::string& path, const ResultField& field, const std::vector<double>& values,
-             const std::vector<hsize_t>& shape);
+             const std::vector<Extent>& shape) override;
   void write(const std::string& path, const ResultField& field, const std::vector<int>& values,
-             const std::vector<hsize_t>& shape);
+             const std::vector<Extent>& shape) override;
   void write(const std::string& path, const ResultField& field, const std::vector<std::int64_t>& values,
-             const std::vector<hsize_t>& shape);
+             const std::vector<Extent>& shape) override;
   void write(const std::string& path, const ResultField& field, const std::vector<std::uint64_t>& values,
-             const std::vector<hsize_t>& shape);
-  /// UTF-8 texts.
+             const std::vector<Extent>& shape) override;
   void write(const std::string& path, const ResultField& field, const std::vector<std::string>& values,
-             const std::vector<hsize_t>& shape);
+             const std::vector<Extent>& shape) override;
 
   /// Makes a compressed dataset in chunks of `chunk_rows` along its first dimension, to be filled by write_rows().
   template <class Number>
@@ -72,9 +73,8 @@ class Hdf5Writer {
   /// Gives a dataset of numbers other values, as many as it has.
   void overwrite(const std::string& path, const std::vector<double>& values);
 
-  /// Makes a 1-D dataset the dimension scale `name`, and attaches it to a dimension of others.
-  void make_scale(const std::string& path, const std::string& name);
-  void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0);
+  void make_scale(const std::string& path, const std::string& name) override;
+  void attach_scale(const std::string& path, const std::string& scale, unsigned dimension = 0) override;
 
   /// Closes and seals the file (runstore/file_seal.h); throws FileFault when it could not be written to the end (disk
   /// full).
@@ -110,6 +110,11 @@ class Hdf5Reader {
   /// A single integer without sign.
   std::uint64_t seed(const std::string& path) const;
   std::vector<std::string> texts(const std::string& path) const;
+
+  /// What stands directly in a group, "/" for the whole, in the order of names; groups end with '/'.
+  std::vector<std::string> names(const std::string& group) const;
+  /// A dataset with all that is told of it.
+  Dataset whole(const std::string& path) const;
 
  private:
   Hdf5Handle dataset(const std::string& path) const;

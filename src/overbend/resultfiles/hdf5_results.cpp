@@ -1,4 +1,5 @@
 #include "resultfiles/check_hdf5.h"
+#include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/mooring_hdf5.h"
 #include "resultfiles/results_writer.h"
@@ -14,7 +15,7 @@
 namespace overbend {
 namespace {
 
-void write_region(Hdf5Writer& file, const std::string& group, const std::string& description,
+void write_region(DatasetSink& file, const std::string& group, const std::string& description,
                   const RegionResult& region) {
   file.group(group, description);
   visit_region(region, [&](const ResultField& field, const Extreme& extreme) {
@@ -24,7 +25,7 @@ void write_region(Hdf5Writer& file, const std::string& group, const std::string&
   });
 }
 
-void write_supports(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_supports(DatasetSink& file, const std::string& group, const StaticResults& results) {
   TableWriter boxes, rows, rollers;
   for (const SupportResult& support : results.supports) {
     for (const RowResult& row : support.rows) {
@@ -48,7 +49,7 @@ void write_supports(Hdf5Writer& file, const std::string& group, const StaticResu
   rollers.write(file, group + "/rollers", "Rollers: bottom first, then port and starboard");
 }
 
-void write_tables(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_tables(DatasetSink& file, const std::string& group, const StaticResults& results) {
   TableWriter stations, sections, structures;
   for (const StructureResult& structure : results.structures) {
     structures(index_field("Number of the structure, from 0"), structures.rows());
@@ -69,7 +70,7 @@ void write_tables(Hdf5Writer& file, const std::string& group, const StaticResult
   structures.write(file, group + "/structures", "What is built into the pipe");
 }
 
-void write_stinger(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_stinger(DatasetSink& file, const std::string& group, const StaticResults& results) {
   if (results.stinger.empty()) return;
   TableWriter sections, tanks;
   for (const StingerSectionResult& section : results.stinger) {
@@ -88,7 +89,7 @@ void write_stinger(Hdf5Writer& file, const std::string& group, const StaticResul
 }
 
 template <class Function, class Part>
-void write_part(Hdf5Writer& file, const std::string& group, const std::string& description, Function visit_part,
+void write_part(DatasetSink& file, const std::string& group, const std::string& description, Function visit_part,
                 const Part& part) {
   file.group(group, description);
   ValueWriter visit{file, group};
@@ -96,7 +97,7 @@ void write_part(Hdf5Writer& file, const std::string& group, const std::string& d
 }
 
 /// Head, cable and anchor of a line with a cable.
-void write_cable_parts(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_cable_parts(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const auto head = [](const auto& part, auto& visit) { visit_head(part, visit); };
   const auto cable = [](const auto& part, auto& visit) { visit_cable(part, visit); };
   const auto anchor = [](const auto& part, auto& visit) { visit_far_anchor(part, visit); };
@@ -108,7 +109,7 @@ void write_cable_parts(Hdf5Writer& file, const std::string& group, const StaticR
 }
 
 /// The laid pipe on an uneven bed.
-void write_bed(Hdf5Writer& file, const std::string& group, const BedResults& bed) {
+void write_bed(DatasetSink& file, const std::string& group, const BedResults& bed) {
   write_part(
       file, group, "Laid pipe on an uneven seabed", [](const auto& part, auto& visit) { visit_laid_pipe(part, visit); },
       bed);
@@ -133,7 +134,7 @@ void write_bed(Hdf5Writer& file, const std::string& group, const BedResults& bed
 }
 
 /// How the pipe lies on its route, and the answers to how it is held by friction.
-void write_route_parts(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_route_parts(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const auto route = [](const auto& part, auto& visit) { visit_route(part, visit); };
   if (results.route) write_part(file, group + "/route", "Pipe on its route", route, *results.route);
   if (results.roller_friction.empty()) return;
@@ -148,7 +149,7 @@ void write_route_parts(Hdf5Writer& file, const std::string& group, const StaticR
 
 }  // namespace
 
-void write_model_group(Hdf5Writer& file, const Description& description) {
+void write_model_group(DatasetSink& file, const Description& description) {
   file.group("/model", "Model and program version");
   ValueWriter visit{file, "/model"};
   write_model_text(file, description.source_text);
@@ -162,13 +163,13 @@ void write_model_group(Hdf5Writer& file, const Description& description) {
   visit_lay_stage(*description.stage, visit);
 }
 
-void write_model_text(Hdf5Writer& file, const std::string& text) {
+void write_model_text(DatasetSink& file, const std::string& text) {
   ValueWriter visit{file, "/model"};
   visit(ResultField{"text", "1", "Text of the model file"}, text);
   visit(ResultField{"hash", "1", "FNV-1a (64 bit) of the text"}, text_hash(text));
 }
 
-void write_lay_group(Hdf5Writer& file, const std::string& group, const StaticResults& results) {
+void write_lay_group(DatasetSink& file, const std::string& group, const StaticResults& results) {
   const auto keys = [](const auto& part, auto& visit) { visit_key_results(part, visit); };
   const auto touchdown = [](const auto& part, auto& visit) { visit_touchdown(part, visit); };
   const auto sums = [](const auto& part, auto& visit) { visit_sums(part, visit); };
@@ -199,14 +200,14 @@ void write_lay_group(Hdf5Writer& file, const std::string& group, const StaticRes
   write_route_parts(file, group, results);
 }
 
-void write_results_heading(Hdf5Writer& file, const std::string& title, const Description& description) {
+void write_results_heading(DatasetSink& file, const std::string& title, const Description& description) {
   file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
   file.attribute("/", "title", title);
   file.attribute("/", "source", "overbend " OVERBEND_VERSION);
   write_model_group(file, description);
 }
 
-void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description) {
+void write_static_groups(DatasetSink& file, const StaticResults& results, const Description& description) {
   write_results_heading(file, results.title, description);
   write_lay_group(file, "/static", results);
   if (results.moorings) write_moorings(file, *results.moorings);

@@ -1,4 +1,4 @@
-/// Writes results to HDF5 as their fields are visited; see results/fields/result_field.h.
+/// Writes results as datasets while their fields are visited; see results/fields/result_field.h.
 #pragma once
 
 #include <cstdint>
@@ -6,13 +6,13 @@
 #include <optional>
 
 #include "model/description.h"
-#include "resultfiles/hdf5_file.h"
+#include "resultfiles/dataset_sink.h"
 
 namespace overbend {
 
 /// Writes single values into a group as they are visited.
 struct ValueWriter {
-  Hdf5Writer& file;
+  DatasetSink& file;
   std::string group;
 
   std::string path(const ResultField& field) const { return group + "/" + field.name; }
@@ -70,7 +70,7 @@ class TableWriter {
   int rows() const { return static_cast<int>(rows_); }
 
   /// Writes nothing for a table without rows.
-  void write(Hdf5Writer& file, const std::string& group, const std::string& description) const {
+  void write(DatasetSink& file, const std::string& group, const std::string& description) const {
     if (rows_ == 0) return;
     file.group(group, description);
     const std::string scale = group + "/" + columns_.front().field.name;
@@ -110,7 +110,7 @@ class TableWriter {
   }
   std::vector<Column> columns_;
   std::size_t next_ = 0;
-  hsize_t rows_ = 0;
+  Extent rows_ = 0;
 };
 
 inline ResultField index_field(const char* description) {
@@ -118,18 +118,18 @@ inline ResultField index_field(const char* description) {
 }
 
 /// The group model: text, file, version, machine.
-void write_model_group(Hdf5Writer& file, const Description& description);
+void write_model_group(DatasetSink& file, const Description& description);
 
 /// The model's text and its hash in the group model.
-void write_model_text(Hdf5Writer& file, const std::string& text);
+void write_model_text(DatasetSink& file, const std::string& text);
 
 /// What a file of results says about itself, and the group model.
-void write_results_heading(Hdf5Writer& file, const std::string& title, const Description& description);
+void write_results_heading(DatasetSink& file, const std::string& title, const Description& description);
 
 /// A lay under `group`: key results, regions, tables and checks.
-void write_lay_group(Hdf5Writer& file, const std::string& group, const StaticResults& results);
+void write_lay_group(DatasetSink& file, const std::string& group, const StaticResults& results);
 
 /// The groups model and static, and what the file says about itself.
-void write_static_groups(Hdf5Writer& file, const StaticResults& results, const Description& description);
+void write_static_groups(DatasetSink& file, const StaticResults& results, const Description& description);
 
 }  // namespace overbend

@@ -7,7 +7,7 @@ namespace overbend {
 namespace {
 
 template <class Row, class Function>
-void write_rows(Hdf5Writer& file, const std::string& group, const char* description, const std::vector<Row>& rows,
+void write_rows(DatasetSink& file, const std::string& group, const char* description, const std::vector<Row>& rows,
                 Function visit_row) {
   TableWriter table;
   for (const Row& row : rows) {
@@ -34,7 +34,7 @@ constexpr auto kDamping = [](auto& row, auto& visit) { visit_mode_damping(row, v
 
 }  // namespace
 
-void write_hull(Hdf5Writer& file, const HullResults& hull) {
+void write_hull(DatasetSink& file, const HullResults& hull) {
   file.group("/hull", "The hull's radiated waves, damping and steady loads");
   ValueWriter values{file, "/hull"};
   visit_hull(hull, values);

@@ -1,6 +1,7 @@
 #include "resultfiles/lines_writer.h"
 
 #include "resultfiles/csv_fields.h"
+#include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/json_fields.h"
 #include "resultfiles/seeds_writer.h"
@@ -21,12 +22,9 @@ Json line_json(const SummaryStyle& style, const LineResult& line) {
   return json.take();
 }
 
-void write_lines_hdf5(const LinesResults& results, const Description& description, const std::filesystem::path& path) {
-  Hdf5Writer file(path);
-  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
-  file.attribute("/", "title", results.title);
-  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  write_model_group(file, description);
+}  // namespace
+
+void write_lines_groups(DatasetSink& file, const LinesResults& results) {
   file.group("/lines", "Lines between two ends, by their number in the model, from 0");
   ValueWriter heading{file, "/lines"};
   visit_heading(results, heading);
@@ -62,12 +60,16 @@ void write_lines_hdf5(const LinesResults& results, const Description& descriptio
       file.attach_scale(group + "/" + name, "/lines/time");
     }
   }
-  file.close();
 }
 
-}  // namespace
-
 namespace {
+
+void write_lines_hdf5(const LinesResults& results, const Description& description, const std::filesystem::path& path) {
+  Hdf5Writer file(path);
+  write_results_heading(file, results.title, description);
+  write_lines_groups(file, results);
+  file.close();
+}
 
 /// All but what is over time.
 JsonWriter<SummaryStyle> rest_json(const LinesResults& results) {

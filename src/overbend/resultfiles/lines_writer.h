@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/description.h"
+#include "resultfiles/dataset_sink.h"
 #include "results/line_results.h"
 #include "results/seeds_results.h"
 
@@ -12,6 +13,9 @@ namespace overbend {
 
 /// The text of summary.json: static.lines and, where there was a run, dynamic.lines. SI.
 std::string lines_summary(const LinesResults& results);
+
+/// The group /lines.
+void write_lines_groups(DatasetSink& file, const LinesResults& results);
 
 /// The text of lines.csv: a row per node of every line, engineering units.
 std::string lines_table(const LinesResults& results);

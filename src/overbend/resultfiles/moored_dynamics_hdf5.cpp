@@ -30,7 +30,7 @@ MooringLineDynamics& line_of(TableReader& table, std::vector<MooringLineDynamics
 
 }  // namespace
 
-void write_moored_dynamics(Hdf5Writer& file, const DynamicResults& results) {
+void write_moored_dynamics(DatasetSink& file, const DynamicResults& results) {
   if (results.vessel) {
     file.group("/dynamic/vessel", "Motion of the floating vessel: whole, slow and wave part");
     ValueWriter values{file, "/dynamic/vessel"};

@@ -7,7 +7,7 @@
 namespace overbend {
 
 /// Writes nothing where the vessel does not float.
-void write_moored_dynamics(Hdf5Writer& file, const DynamicResults& results);
+void write_moored_dynamics(DatasetSink& file, const DynamicResults& results);
 
 /// Gives back what write_moored_dynamics wrote, bit for bit.
 void read_moored_dynamics(const Hdf5Reader& file, DynamicResults& results);

@@ -63,7 +63,7 @@ void visit_matrices(Function visit) {
       [](auto& state) -> auto& { return state.mooring_force; });
 }
 
-void write_matrices(Hdf5Writer& file, const std::vector<const MooredState*>& states) {
+void write_matrices(DatasetSink& file, const std::vector<const MooredState*>& states) {
   visit_matrices([&](const char* name, const char* what, std::size_t size, auto member) {
     std::vector<double> all;
     for (const MooredState* state : states) {
@@ -74,7 +74,7 @@ void write_matrices(Hdf5Writer& file, const std::vector<const MooredState*>& sta
   });
 }
 
-void write_lines(Hdf5Writer& file, const std::vector<const MooredState*>& states) {
+void write_lines(DatasetSink& file, const std::vector<const MooredState*>& states) {
   TableWriter vessels, periods, lines, shapes;
   for (const MooredState* state : states) {
     for (const PeriodResult& period : state->vessel.natural_periods) {
@@ -173,7 +173,7 @@ void visit_step(Step& step, Pipe& pipe, bool& has_pipe, Visit& visit) {
   visit(ResultField{"tip_clearance", "m", "Separation at the last row of the stinger"}, pipe.stinger_tip_clearance);
 }
 
-void write_steps(Hdf5Writer& file, const MooringResults& results) {
+void write_steps(DatasetSink& file, const MooringResults& results) {
   TableWriter steps, lines, anchors;
   for (const MoveStep& step : results.steps) {
     for (std::size_t i = 0; i < step.lengths.size(); ++i) {
@@ -229,7 +229,7 @@ void read_steps(const Hdf5Reader& file, MooringResults& results) {
 
 }  // namespace
 
-void write_moorings(Hdf5Writer& file, const MooringResults& results) {
+void write_moorings(DatasetSink& file, const MooringResults& results) {
   file.group("/moorings", "Hull and mooring lines at rest");
   ValueWriter values{file, "/moorings"};
   visit_operation(results, values);

@@ -7,12 +7,12 @@
 namespace overbend {
 
 /// Rest and stages; not the hull.
-void write_moorings(Hdf5Writer& file, const MooringResults& results);
+void write_moorings(DatasetSink& file, const MooringResults& results);
 
 /// Gives back what write_moorings wrote, bit for bit; nullopt where there is none.
 std::optional<MooringResults> read_moorings(const Hdf5Reader& file);
 
-void write_hull(Hdf5Writer& file, const HullResults& hull);
+void write_hull(DatasetSink& file, const HullResults& hull);
 std::optional<HullResults> read_hull(const Hdf5Reader& file);
 
 }  // namespace overbend

@@ -5,6 +5,7 @@
 
 #include "resultfiles/csv_fields.h"
 #include "resultfiles/finite_visitor.h"
+#include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/mooring_hdf5.h"
 #include "resultfiles/move_table.h"
@@ -39,10 +40,7 @@ void visit_table_row(const std::string& state, const MooringLineResult& line, Vi
 
 void write_hdf5(const MooringResults& results, const Description& description, const std::filesystem::path& path) {
   Hdf5Writer file(path);
-  file.attribute("/", "Conventions", "overbend-results-1; SI units; attributes units, frame, description");
-  file.attribute("/", "title", results.title);
-  file.attribute("/", "source", "overbend " OVERBEND_VERSION);
-  write_model_group(file, description);
+  write_results_heading(file, results.title, description);
   write_moorings(file, results);
   if (results.hull) write_hull(file, *results.hull);
   file.close();

@@ -5,6 +5,7 @@
 #include "model/operation_words.h"
 #include "resultfiles/finite_check.h"
 #include "resultfiles/finite_visitor.h"
+#include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/stage_table.h"
 #include "resultfiles/xlsx_table.h"
@@ -25,7 +26,7 @@ void require_finite_stages(const OperationResults& results) {
   }
 }
 
-void write_stage(Hdf5Writer& file, const std::string& group, const StageResult& stage) {
+void write_stage(DatasetSink& file, const std::string& group, const StageResult& stage) {
   file.group(group, "A stage of the operation");
   ValueWriter visit{file, group};
   visit_lay_stage(stage.stage, visit);
@@ -40,10 +41,7 @@ void write_stage(Hdf5Writer& file, const std::string& group, const StageResult& 
 
 }  // namespace
 
-void write_operation_hdf5(const OperationResults& results, const Description& description,
-                          const std::filesystem::path& path) {
-  Hdf5Writer file(path);
-  write_results_heading(file, results.title, description);
+void write_operation_groups(DatasetSink& file, const OperationResults& results) {
   file.group("/operation", "Stages of an operation on the line");
   ValueWriter visit{file, "/operation"};
   visit_operation_heading(results, visit);
@@ -52,6 +50,13 @@ void write_operation_hdf5(const OperationResults& results, const Description& de
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     write_stage(file, fmt::format("/operation/stage_{:03}", i + 1), results.stages[i]);
   }
+}
+
+void write_operation_hdf5(const OperationResults& results, const Description& description,
+                          const std::filesystem::path& path) {
+  Hdf5Writer file(path);
+  write_results_heading(file, results.title, description);
+  write_operation_groups(file, results);
   file.close();
 }
 

@@ -5,12 +5,16 @@
 #include <string>
 
 #include "model/description.h"
+#include "resultfiles/dataset_sink.h"
 #include "results/operation_results.h"
 
 namespace overbend {
 
 /// The text of summary.json: operation.stages, each with the keys of `static` or its failure, in SI.
 std::string operation_summary(const OperationResults& results);
+
+/// The group /operation, in it a group per stage.
+void write_operation_groups(DatasetSink& file, const OperationResults& results);
 
 /// Writes results.h5: groups model and operation, in it a group per stage with the tables of a static analysis.
 void write_operation_hdf5(const OperationResults& results, const Description& description,

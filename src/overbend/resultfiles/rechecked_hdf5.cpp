@@ -1,6 +1,7 @@
 #include "resultfiles/rechecked_hdf5.h"
 
 #include "resultfiles/check_hdf5.h"
+#include "resultfiles/hdf5_file.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"

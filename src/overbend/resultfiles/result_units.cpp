@@ -20,13 +20,28 @@ Json dimension(std::string_view unit) {
   return other == kOther.end() ? std::string(unit) : std::string(other->second);
 }
 
+/// What is told of a field that holds a number.
+enum class Told {
+  dimension,  ///< Its unit as base/units.h writes it.
+  unit,       ///< Its unit as results.h5 has it.
+  description,
+};
+
+Json told_of(const ResultField& f, Told told) {
+  if (told == Told::description) return std::string(f.description).append(f.aspect);
+  if (told == Told::unit) return f.units == kVaries ? Json(nullptr) : Json(f.units);
+  return dimension(f.units);
+}
+
 /// One of everything that may be there, whatever the results at hand.
 struct UnitStyle : ValueStyle<Json, Output::summary> {
+  Told told = Told::dimension;
+
   static Json number(double) { return nullptr; }
   static Json text(const std::string&) { return nullptr; }
   template <class Integer>
-  static Json count(Integer) {
-    return "1";
+  Json count(Integer) const {
+    return told == Told::description ? Json(nullptr) : Json("1");
   }
   template <HasResultWords Enum>
   static Json word(Enum) {
@@ -54,11 +69,11 @@ struct UnitStyle : ValueStyle<Json, Output::summary> {
 template <>
 class JsonWriter<UnitStyle> {
  public:
-  explicit JsonWriter(const UnitStyle& = {}) {}
+  explicit JsonWriter(const UnitStyle& style = {}) : told_(style.told) {}
 
-  void operator()(const ResultField& f, double) { put(f, dimension(f.units)); }
-  void operator()(const ResultField& f, const std::optional<double>&) { put(f, dimension(f.units)); }
-  void operator()(const ResultField& f, int) { put(f, "1"); }
+  void operator()(const ResultField& f, double) { put(f, told_of(f, told_)); }
+  void operator()(const ResultField& f, const std::optional<double>&) { put(f, told_of(f, told_)); }
+  void operator()(const ResultField& f, int) { put(f, told_of(f, told_)); }
   void operator()(const ResultField& f, const Vec3&) {
     const std::optional<std::string_view> key = f.key(Output::summary);
     if (!key) return;
@@ -67,7 +82,7 @@ class JsonWriter<UnitStyle> {
       before.pop_back();  // of "at/" the components stand in the object
     }
     if (!before.empty()) before += '/';
-    for (const char* axis : {"x", "y", "z"}) (*this)[before + axis] = dimension(f.units);
+    for (const char* axis : {"x", "y", "z"}) (*this)[before + axis] = told_of(f, told_);
   }
   template <class Other>
   void operator()(const ResultField& f, const Other&) {
@@ -80,7 +95,7 @@ class JsonWriter<UnitStyle> {
     for (const char* part : {"min", "max", "mean", "std"}) {
       std::string name(key->substr(0, star));
       name += star == std::string_view::npos ? "/" + std::string(part) : part + std::string(key->substr(star + 1));
-      (*this)[name] = dimension(f.units);
+      (*this)[name] = told_of(f, told_);
     }
   }
   template <class Visit>
@@ -103,6 +118,7 @@ class JsonWriter<UnitStyle> {
     if (const std::optional<std::string_view> key = f.key(Output::summary)) (*this)[*key] = std::move(unit);
   }
 
+  Told told_;
   Json object_ = Json::object();
 };
 
@@ -121,30 +137,52 @@ void add_mooring_units(const UnitStyle& style, Json& statics) {
 
 }  // namespace
 
+namespace {
+
+Json static_summary_told(const UnitStyle& style) {
+  const StaticResults any;
+  Json told;
+  told["checks"] = summary_checks(style, any.checks);
+  told["static"] = static_part(style, any);
+  add_mooring_units(style, told["static"]);
+  return told;
+}
+
+Json dynamic_summary_told(const UnitStyle& style) {
+  const StaticResults statics;
+  DynamicResults any;
+  any.supports.resize(1);
+  Json told = static_summary_told(style);
+  told["dynamic"] = dynamic_part(style, statics, any);
+  return told;
+}
+
+UnitStyle telling(Told told) {
+  UnitStyle style;
+  style.told = told;
+  return style;
+}
+
+}  // namespace
+
 const Json& summary_units() {
-  static const Json kUnits = [] {
-    const UnitStyle style;
-    const StaticResults any;
-    Json units;
-    units["checks"] = summary_checks(style, any.checks);
-    units["static"] = static_part(style, any);
-    add_mooring_units(style, units["static"]);
-    return units;
-  }();
+  static const Json kUnits = static_summary_told(telling(Told::dimension));
   return kUnits;
 }
 
 const Json& dynamic_summary_units() {
-  static const Json kUnits = [] {
-    const UnitStyle style;
-    const StaticResults statics;
-    DynamicResults any;
-    any.supports.resize(1);
-    Json units = summary_units();
-    units["dynamic"] = dynamic_part(style, statics, any);
-    return units;
-  }();
+  static const Json kUnits = dynamic_summary_told(telling(Told::dimension));
   return kUnits;
+}
+
+const Json& stored_summary_units() {
+  static const Json kUnits = dynamic_summary_told(telling(Told::unit));
+  return kUnits;
+}
+
+const Json& summary_descriptions() {
+  static const Json kDescriptions = dynamic_summary_told(telling(Told::description));
+  return kDescriptions;
 }
 
 }  // namespace overbend

@@ -12,4 +12,10 @@ const nlohmann::ordered_json& summary_units();
 /// The same of a dynamic analysis: with the key `dynamic`.
 const nlohmann::ordered_json& dynamic_summary_units();
 
+/// The same with units as results.h5 has them: "Pa", "N m".
+const nlohmann::ordered_json& stored_summary_units();
+
+/// The descriptions of the numbers in their place, of a dynamic analysis as well.
+const nlohmann::ordered_json& summary_descriptions();
+
 }  // namespace overbend

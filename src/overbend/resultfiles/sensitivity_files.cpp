@@ -25,8 +25,8 @@ std::string derivative_unit(const SensitivityOutput& result, const SensitivityIn
 }
 
 template <class Row, class VisitRow>
-void write_rows(Hdf5Writer& file, const std::string& path, const std::string& description, const std::vector<Row>& rows,
-                VisitRow visit_row) {
+void write_rows(DatasetSink& file, const std::string& path, const std::string& description,
+                const std::vector<Row>& rows, VisitRow visit_row) {
   TableWriter table;
   for (const Row& row : rows) {
     table(index_field("Number of the line, from 0"), table.rows());
@@ -100,7 +100,7 @@ std::string sensitivities_table(const SensitivityResults& s) {
   return table.text();
 }
 
-void write_sensitivities(Hdf5Writer& file, const SensitivityResults& s) {
+void write_sensitivities(DatasetSink& file, const SensitivityResults& s) {
   file.group(kGroup, "What results hang on: derivatives of the results by the inputs, in SI");
   ValueWriter values{file, kGroup};
   visit_heads(s, values);

@@ -10,7 +10,7 @@
 namespace overbend {
 
 class Hdf5Reader;
-class Hdf5Writer;
+class DatasetSink;
 
 /// The key `sensitivities`: inputs, results, `derivatives` with a row for each result and a column for each input in
 /// SI, and those of them that hold on one side only.
@@ -19,7 +19,7 @@ nlohmann::ordered_json sensitivities_json(const SensitivityResults& sensitivitie
 /// A line for each result and input.
 std::string sensitivities_table(const SensitivityResults& sensitivities);
 
-void write_sensitivities(Hdf5Writer& file, const SensitivityResults& sensitivities);
+void write_sensitivities(DatasetSink& file, const SensitivityResults& sensitivities);
 /// What was written; nothing where the file has none.
 std::optional<SensitivityResults> read_sensitivities(const Hdf5Reader& file);
 

@@ -1,0 +1,246 @@
+"""Groups of values and tables, as results are made of."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+from typing import Any, Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+
+from .values import Number, labelled, xarray_module
+
+Summary = Mapping[str, Any]
+
+
+def nearest(name: str, names: Sequence[str]) -> str:
+    """A sentence on what might have been meant: "; did you mean 'lay_back'?", empty where nothing is like it."""
+    close = difflib.get_close_matches(name, list(names), n=1)
+    return f"; did you mean '{close[0]}'?" if close else ""
+
+
+def wrapped(value: Any, units: Any = None, descriptions: Any = None) -> Any:
+    """A value of a summary as users get it: groups as Record, lists of groups as Records, numbers as Number."""
+    if isinstance(value, dict):
+        return Record(value, units if isinstance(units, dict) else {},
+                      descriptions if isinstance(descriptions, dict) else {})
+    if isinstance(value, list):
+        one_unit = units[0] if isinstance(units, list) and units else units
+        one_description = descriptions[0] if isinstance(descriptions, list) and descriptions else descriptions
+        items = [wrapped(item, one_unit, one_description) for item in value]
+        return Records(items) if items and isinstance(items[0], Record) else items
+    if isinstance(value, float):
+        return Number(value, units if isinstance(units, str) else "1",
+                      descriptions if isinstance(descriptions, str) else "")
+    return value
+
+
+class Record:
+    """A group of values: `record.name` and `record['name']`; `dir()` lists the names."""
+
+    def __init__(self, values: Summary, units: Mapping[str, Any] | None = None,
+                 descriptions: Mapping[str, Any] | None = None):
+        self._values, self._units, self._descriptions = values, units or {}, descriptions or {}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._values:
+            raise KeyError(f"there is no '{name}'{nearest(name, list(self._values))}")
+        return wrapped(self._values[name], self._units.get(name), self._descriptions.get(name))
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self[name]
+        except KeyError as fault:
+            raise AttributeError(fault.args[0]) from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(name for name in self._values if name.isidentifier())})
+
+    def keys(self) -> list[str]:
+        """The names of its values."""
+        return list(self._values)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The values as plain dicts, lists and numbers."""
+        return _plain(self._values)
+
+    def __repr__(self) -> str:
+        return "\n".join(_told(name, self[name]) for name in self._values) or "(nothing)"
+
+
+class Records(Sequence[Record]):
+    """A list of groups; those that have names are also found by them: `records['stinger 3']`."""
+
+    def __init__(self, items: Sequence[Record]):
+        self._items = list(items)
+
+    def __getitem__(self, which: Any) -> Any:
+        if not isinstance(which, str):
+            return self._items[which]
+        for item in self._items:
+            if "name" in item and item["name"] == which:
+                return item
+        names = self.names()
+        raise KeyError(f"there is no '{which}'{nearest(which, names)}; there are: {', '.join(names)}")
+
+    def __len__(self) -> int:
+        return len(self._items)
+
+    def names(self) -> list[str]:
+        """The names of the items, of those that have one."""
+        return [item["name"] for item in self._items if "name" in item]
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} groups" + (": " + ", ".join(self.names()) if self.names() else "") + ">"
+
+
+class Table:
+    """Columns over one dimension: `table.name` or `table['name']` is a labelled array, `len(table)` the number of rows.
+
+    A table of things with names also has a row for each: `supports['stinger 3'].reaction`.
+    """
+
+    def __init__(self, names: Sequence[str], column: Callable[[str], Any], records: Records | None = None):
+        """
+        Args:
+            names: Of the columns; the first is what the others stand over.
+            column: Gives the labelled array of a name.
+            records: The rows with all that is told of each, where that is more than the columns.
+        """
+        self._names, self._make, self._records = list(names), functools.lru_cache(maxsize=None)(column), records
+
+    def keys(self) -> list[str]:
+        """The names of the columns."""
+        return list(self._names)
+
+    def column(self, name: str) -> Any:
+        """A column as a labelled array of shape (rows,)."""
+        if name not in self._names:
+            raise KeyError(f"the table has no column '{name}'{nearest(name, self._names)}")
+        return self._make(name)
+
+    def row_names(self) -> list[str]:
+        """The names of the rows; empty where they have none."""
+        if self._records is not None:
+            return self._records.names()
+        return [str(name) for name in self.column("name").values] if "name" in self._names else []
+
+    def __getitem__(self, which: Any) -> Any:
+        if isinstance(which, str) and which in self._names:
+            return self.column(which)
+        if isinstance(which, str):
+            rows = self.row_names()
+            if which not in rows:
+                raise KeyError(f"there is neither a column nor a row '{which}'{nearest(which, self._names + rows)}")
+            which = rows.index(which)
+        if self._records is not None and len(self._records) == len(self):
+            return self._records[which]
+        return self._row(int(which))
+
+    def _row(self, index: int) -> Record:
+        if not -len(self) <= index < len(self):
+            raise IndexError(f"the table has {len(self)} rows")
+        columns = {name: self.column(name) for name in self._names}
+        return Record({name: column.values[index].item() for name, column in columns.items()},
+                      {name: column.attrs["units"] for name, column in columns.items()},
+                      {name: column.attrs["description"] for name, column in columns.items()})
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self.column(name)
+        except KeyError as fault:
+            raise AttributeError(fault.args[0]) from None
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
+    def __iter__(self) -> Iterator[Record]:
+        return (self[index] for index in range(len(self)))
+
+    def __len__(self) -> int:
+        return len(self.column(self._names[0])) if self._names else 0
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(name for name in self._names if name.isidentifier())})
+
+    def to_dict(self) -> dict[str, np.ndarray]:
+        """The columns as plain numpy arrays."""
+        return {name: self.column(name).values for name in self._names}
+
+    def to_xarray(self) -> Any:
+        """The table as an xarray.Dataset."""
+        xarray = xarray_module()
+        if xarray is None:
+            raise ImportError("to_xarray() needs the package xarray (python3-xarray)")
+        return xarray.Dataset({name: self.column(name) for name in self._names[1:]},
+                              coords={self._names[0]: self.column(self._names[0])})
+
+    def to_pandas(self) -> Any:
+        """The table as a pandas.DataFrame, its first column as the index."""
+        import pandas
+
+        return pandas.DataFrame(self.to_dict()).set_index(self._names[0])
+
+    def __repr__(self) -> str:
+        lines = [f"<Table of {len(self)} rows>"]
+        for name in self._names:
+            attrs = self.column(name).attrs
+            lines.append(f"  {name:<28}{_unit(attrs['units']):<10}{attrs['description']}")
+        return "\n".join(lines)
+
+
+def table_of(source: Any, group: str, records: Records | None = None) -> Table:
+    """The table of a group of datasets: those with one dimension in common, that of the scale first.
+
+    Args:
+        source: With names(group) and dataset(path), as results.h5 and trees in memory have them.
+        group: Path of the group, "/static/stations".
+        records: The rows, where more is told of them than the columns.
+    """
+    names = [name for name in source.names(group) if not name.endswith("/")]
+    told = {name: source.dataset(f"{group}/{name}") for name in names}
+    columns = {name: one for name, one in told.items() if getattr(one[0], "ndim", 0) == 1}
+    scale = next((one[4][0].rsplit("/", 1)[-1] for one in columns.values() if one[4] and one[4][0]), "index")
+    ordered = ([scale] if scale in columns else []) + [name for name in columns if name != scale]
+
+    def column(name: str) -> Any:
+        values, units, description, frame, _ = columns[name]
+        coords = {scale: columns[scale][0]} if scale in columns and len(columns[scale][0]) == len(values) else {}
+        return labelled(values, name, (scale,), coords, units, description, frame)
+
+    return Table(ordered, column, records)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {name: _plain(item) for name, item in value.items()}
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return value
+
+
+def _unit(units: str) -> str:
+    return "" if units == "1" else units
+
+
+def _told(name: str, value: Any) -> str:
+    if isinstance(value, Number):
+        return f"{name:<28}{float(value):>14.6g} {_unit(value.units)}".rstrip()
+    if isinstance(value, Record):
+        return f"{name}: " + ", ".join(value.keys())
+    if isinstance(value, str) and len(value) > 60:
+        value = value[:57] + "..."
+    return f"{name:<28}{value!r:>14}"

@@ -1,0 +1,55 @@
+"""Values that users give for keys of a model, as YAML."""
+
+from __future__ import annotations
+
+import numbers
+from typing import Any, Mapping
+
+import numpy as np
+
+from .errors import ModelError
+
+Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
+
+
+def changes_of(keys: Mapping[str, Any]) -> list[Change]:
+    """The changes that put the values into the text of a model.
+
+    Args:
+        keys: Of the model: texts with their units ("260 kN"), numbers where the key has no unit, truth values, lists and
+            dicts of these for groups, None to remove the key.
+    """
+    return [change_of(key, value) for key, value in keys.items()]
+
+
+def change_of(key: str, value: Any) -> Change:
+    """The change of one key."""
+    if value is None:
+        return key, "remove", ""
+    if isinstance(value, (Mapping, list, tuple, np.ndarray)):
+        return key, "flow", flow(value, key)
+    return key, "scalar", scalar(value, key)
+
+
+def scalar(value: Any, key: str = "") -> str:
+    """A single value as YAML has it; numbers with all their digits."""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (str, numbers.Integral)):
+        return str(value)
+    if isinstance(value, numbers.Real):
+        return repr(float(value))
+    raise ModelError(f"{key}: found {value!r}, expected a text such as '260 kN', a number, a truth value, a list or a dict")
+
+
+def flow(value: Any, key: str = "") -> str:
+    """A list or a group in YAML's flow style, on one line."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{name}: {flow(item, key)}" for name, item in value.items()) + "}"
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return "[" + ", ".join(flow(item, key) for item in value) + "]"
+    if isinstance(value, str):
+        from ._core import flow_scalar
+
+        return flow_scalar(value)
+    return scalar(value, key)

@@ -1,0 +1,219 @@
+"""Models: read, changed, solved."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from typing import Any, Iterable, Mapping, Optional, Union
+
+from . import _core
+from .errors import Interrupted, ModelError
+from .keys import changes_of
+from .progress import Progress, follower
+from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+
+PathLike = Union[str, "os.PathLike[str]"]
+Time = Union[str, float, int, None]
+
+
+class Model:
+    """A model file as it was read. It does not change: `with_` gives another one."""
+
+    def __init__(self, core: "_core.Model"):
+        """Not for users: see `read` and `from_text`."""
+        self._core = core
+
+    @classmethod
+    def read(cls, path: PathLike) -> "Model":
+        """The model of a file.
+
+        Raises:
+            ModelError: With file, line and key of everything that is wrong.
+        """
+        return cls(_core.Model.read(os.fspath(path)))
+
+    @classmethod
+    def from_text(cls, text: str, file: PathLike = "model.yaml") -> "Model":
+        """The model of a text.
+
+        Args:
+            text: As a model file has it.
+            file: Names the text in messages; files that it mentions lie beside this one.
+
+        Raises:
+            ModelError: As of read().
+        """
+        return cls(_core.Model.from_text(text, os.fspath(file)))
+
+    @property
+    def text(self) -> str:
+        """The text of the model file; with changed keys, comments and layout kept."""
+        return self._core.text
+
+    @property
+    def file(self) -> str:
+        """Path of the file as it was given."""
+        return self._core.file
+
+    @property
+    def title(self) -> str:
+        """The title in the model."""
+        return self._core.title
+
+    @property
+    def warnings(self) -> list[str]:
+        """Unusual input that was accepted."""
+        return self._core.warnings
+
+    @property
+    def assumptions(self) -> list[str]:
+        """What was assumed where the file says nothing."""
+        return self._core.assumptions
+
+    def with_(self, changes: Optional[Mapping[str, Any]] = None, /, **keys: Any) -> "Model":
+        """The model with keys set anew, one after the other.
+
+        Args:
+            changes: Values by key: 'tensioner.tension', 'supports.stinger.boxes[stinger 3].z'; items of lists by index
+                from 0, name or pattern (`stinger *`). A value is a text with its unit ('260 kN'), a number where the key
+                has no unit, a truth value, a list or dict of these for a whole group, None to remove the key.
+            keys: The same: with_(title='Another').
+
+        Raises:
+            ModelError: Where a key is unknown or a value cannot be.
+        """
+        return Model(self._core.changed(changes_of({**(changes or {}), **keys})))
+
+    def get(self, key: str, default: Any = None) -> Any:
+        """What the text has for a key: a text such as '260 kN', a list or a dict; `default` where it is left out."""
+        value = self._core.value(key)
+        return default if value is None else value
+
+    def __getitem__(self, key: str) -> Any:
+        value = self._core.value(key)
+        if value is None:
+            raise KeyError(f"the model's text has no '{key}'")
+        return value
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys and texts of the file as nested dicts and lists."""
+        return self._core.tree
+
+    def write(self, path: PathLike, overwrite: bool = False) -> pathlib.Path:
+        """Writes the text to a file. Files that the model names are named as before.
+
+        Raises:
+            FileExistsError: Where the file is there and is not to be overwritten.
+        """
+        target = pathlib.Path(path)
+        with target.open("w" if overwrite else "x", encoding="utf-8") as stream:
+            stream.write(self.text)
+        return target
+
+    def static(self, start: Optional[StaticResults] = None, stage: Union[str, int] = "") -> StaticResults:
+        """The static equilibrium with its code checks.
+
+        Args:
+            start: An equilibrium close by, from which this one is found in a few iterations. Results agree with those found
+                from nothing to the accuracy of statics, as long as there is one equilibrium only: across a current there may
+                be several, and the one that is found then depends on the start.
+            stage: Of an operation on the line, by name or number from 1.
+
+        Raises:
+            NoSolution: Where there is no equilibrium, with the reason.
+            ModelError: Where the model asks for what is not computed.
+        """
+        return StaticResults(_core.Statics(self._core, str(stage), start._solved if start is not None else None), self)
+
+    def dynamic(self, duration: Time = None, seed: Optional[int] = None, out: Optional[PathLike] = None, *,
+                stage: Union[str, int] = "", resume: bool = False, restart: bool = False, checkpoint: float = 30.0,
+                progress: Union[bool, Progress] = False) -> DynamicResults:
+        """A dynamic analysis: one run in time.
+
+        Other threads of Python go on meanwhile. Ctrl-C ends the run at a checkpoint.
+
+        Args:
+            duration: '600 s' or a number of seconds, in place of the model's.
+            seed: Of the waves; left out the model's first.
+            out: Folder for the results, as `overbend dynamic -o` writes them. Left out: a temporary folder, which goes when
+                the results do; their save() keeps them.
+            stage: Of an operation on the line, by name or number from 1.
+            resume: Goes on with an unfinished run in `out`, where there is one.
+            restart: Begins anew where there is one.
+            checkpoint: Time between checkpoints [s].
+            progress: True for a line on the terminal, or a function (see progress.Progress), called ten times a second.
+
+        Raises:
+            Interrupted: After Ctrl-C, with the folder from which the run can go on.
+            NoSolution: Where statics or a time step cannot be solved.
+            ModelError, ResultsError: Where the input or the folder cannot be used.
+        """
+        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), resume=resume, restart=restart,
+                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress)
+        return DynamicResults(folder, self, holder)
+
+    def seeds(self, seeds: Union[int, Iterable[int]], duration: Time = None, out: Optional[PathLike] = None, *,
+              stage: Union[str, int] = "", threads: int = 0, resume: bool = False, restart: bool = False,
+              checkpoint: float = 30.0, progress: Union[bool, Progress] = False) -> SeedsResults:
+        """Several realisations of the same sea side by side.
+
+        Args:
+            seeds: The seeds, or how many: 5 for 1 to 5.
+            threads: Runs at the same time; 0: as many as there are cores.
+
+        The others as of dynamic(), which also says what is raised. A run that fails does not stop the others: `failed` of the
+        results lists it.
+        """
+        chosen = list(range(1, seeds + 1)) if isinstance(seeds, int) else [int(seed) for seed in seeds]
+        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), seeds=chosen, several=True,
+                                   threads=threads, resume=resume, restart=restart, checkpoint=checkpoint,
+                                   progress=progress)
+        return SeedsResults(folder, self, holder)
+
+    def compare(self, of: str = "tensioner", duration: Time = None, out: Optional[PathLike] = None, *, threads: int = 0,
+                resume: bool = False, restart: bool = False, checkpoint: float = 30.0,
+                progress: Union[bool, Progress] = False) -> ComparisonResults:
+        """Variants of the model in the same sea: the tensioner off, controlled and constant, or rollers against gap springs.
+
+        Args:
+            of: 'tensioner' or 'contact'.
+
+        The others as of dynamic() and seeds().
+        """
+        if of not in ("tensioner", "contact"):
+            raise ValueError(f"of: found {of!r}, expected 'tensioner' or 'contact'")
+        folder, holder = self._run(out, of=of, duration=_seconds(duration), threads=threads, resume=resume,
+                                   restart=restart, checkpoint=checkpoint, progress=progress)
+        return ComparisonResults(folder, self, holder)
+
+    def _run(self, out: Optional[PathLike], progress: Union[bool, Progress], **wish: Any) -> tuple[pathlib.Path, Any]:
+        holder = tempfile.TemporaryDirectory(prefix="overbend-") if out is None else None
+        folder = pathlib.Path(holder.name) / "results" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
+        tell, end = follower(progress)
+        try:
+            told = _core.run(self._core, str(folder), progress=tell, **wish)
+        finally:
+            end()
+        if told["interrupted"]:
+            kept = pathlib.Path(_keep(holder, folder)) if holder else folder
+            raise Interrupted(f"interrupted; model.dynamic(out='{kept}', resume=True) goes on", kept)
+        return folder, holder
+
+    def __repr__(self) -> str:
+        return f"<Model '{self.title}', {self.file}>"
+
+
+def _keep(holder: "tempfile.TemporaryDirectory[str]", folder: pathlib.Path) -> str:
+    """The folder of an interrupted run: it must outlive the call."""
+    holder._finalizer.detach()  # type: ignore[attr-defined]
+    return str(folder)
+
+
+def _seconds(duration: Time) -> Optional[float]:
+    if duration is None:
+        return None
+    seconds = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
+    if not seconds > 0.0:
+        raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
+    return seconds

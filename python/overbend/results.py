@@ -1,0 +1,458 @@
+"""Results of analyses: key results by their names in summary.json, tables by those in results.h5."""
+
+from __future__ import annotations
+
+import functools
+import json
+import os
+import pathlib
+import shutil
+from typing import TYPE_CHECKING, Any, Optional, Union
+
+import numpy as np
+
+from . import _core
+from .errors import ResultsError
+from .groups import Record, Records, Table, nearest, table_of, wrapped
+from .values import Number, labelled, xarray_module
+
+if TYPE_CHECKING:
+    from .model import Model
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+
+@functools.cache
+def _units() -> dict[str, Any]:
+    return _core.summary_units()
+
+
+@functools.cache
+def _descriptions() -> dict[str, Any]:
+    return _core.summary_descriptions()
+
+
+class Results:
+    """What static and dynamic results have in common.
+
+    Key results are attributes by their names in summary.json: `static.lay_back`, `run.top_tension.max`. An item gives a
+    result by its name as goal seek and studies have it: `static['static.supports[stinger *].reaction']`.
+    """
+
+    #: The part of the summary whose values are attributes.
+    _part = "static"
+    #: Tables by their names and the groups of results.h5 that they come from.
+    _tables: dict[str, str] = {}
+
+    def __init__(self, model: "Optional[Model]"):
+        self._model = model
+
+    @functools.cached_property
+    def summary(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        raise NotImplementedError
+
+    @functools.cached_property
+    def _source(self) -> Any:
+        raise NotImplementedError
+
+    @property
+    def title(self) -> str:
+        """Title of the model."""
+        return self.summary.get("title", "")
+
+    @property
+    def warnings(self) -> list[str]:
+        """What an engineer should know about these results."""
+        return list(self._record["warnings"] if "warnings" in self._record else self.summary.get("warnings", []))
+
+    @property
+    def assumptions(self) -> list[str]:
+        """What was assumed."""
+        return list(self._record["assumptions"] if "assumptions" in self._record else self.summary.get("assumptions", []))
+
+    @functools.cached_property
+    def checks(self) -> "Checks":
+        """The code checks."""
+        return Checks(self.summary.get("checks", {}), _units().get("checks"), _descriptions().get("checks"))
+
+    @functools.cached_property
+    def _record(self) -> Record:
+        return Record(self.summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
+
+    def _table(self, name: str) -> Table:
+        group = self._tables[name]
+        if not self._source.names(group):
+            raise KeyError(f"these results have no {name}")
+        rows = self.summary.get(self._part, {}).get(name)
+        records = self._record[name] if isinstance(rows, list) and rows and isinstance(rows[0], dict) else None
+        return table_of(self._source, group, records if isinstance(records, Records) else None)
+
+    def _names(self) -> list[str]:
+        tables = [name for name, group in self._tables.items() if self._source.names(group)]
+        return [*self._record.keys(), *(name for name in tables if name not in self._record)]
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            value = self._table(name) if name in self._tables else self._record[name]
+        except KeyError as fault:
+            raise AttributeError(fault.args[0] + nearest(name, self._names())) from None
+        self.__dict__[name] = value
+        return value
+
+    def __getitem__(self, name: str) -> Any:
+        """A result by name: a Number, an array where a pattern chooses several items.
+
+        Args:
+            name: "static.sagbend.max_bending_stress", "static.supports[stinger *].reaction", also within min(), max(),
+                mean() or spread(); the name of an attribute as well.
+
+        Raises:
+            KeyError: Where no result has this name.
+        """
+        values, unit, one = _core.named_values(json.dumps(self.summary), name)
+        if not values and "." not in name and "[" not in name:
+            try:
+                return getattr(self, name)
+            except AttributeError as fault:
+                raise KeyError(*fault.args) from None
+        if not values:
+            raise KeyError(f"there is no result '{name}'{nearest(name, _core.result_paths())}")
+        return Number(values[0], unit) if one else np.array(values)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *self._names()})
+
+    def __repr__(self) -> str:
+        checks = self.checks
+        worst = f", worst check {checks.worst.name}: {checks.worst.utilisation:.3f}" if checks.worst else ""
+        return f"<{type(self).__name__} of '{self.title}'{worst}, {len(self.warnings)} warnings>"
+
+
+class Checks(Records):
+    """The code checks, a group for each: `.name`, `.status`, `.utilisation`, ...
+
+    Attributes:
+        worst: The governing check that is used most; None where none is judged.
+    """
+
+    def __init__(self, part: dict[str, Any], units: Any, descriptions: Any):
+        whole = wrapped(part, units, descriptions)
+        listed = whole["list"] if "list" in whole else []
+        super().__init__(listed if isinstance(listed, Records) else [])
+        self.worst: Optional[Record] = whole["worst"] if "worst" in whole else None
+
+    @property
+    def passed(self) -> bool:
+        """Whether no governing check is exceeded."""
+        return not any(check["governing"] and check["status"] == "exceeded" for check in self)
+
+    @property
+    def exceeded(self) -> list[Record]:
+        """The checks that are exceeded."""
+        return [check for check in self if check["status"] == "exceeded"]
+
+
+class StaticResults(Results):
+    """An equilibrium with its code checks.
+
+    Attributes beside the key results of summary.json (lay_back [m], top_tension [N], departure_angle [rad], touchdown,
+    overbend, sagbend, ...):
+        pipe: Table of the stations over s, the unstressed arc length from the anchor [m]: effective_tension [N],
+            bending_moment [N m], von_mises [Pa], strain, x, y, z [m] (world: x east, y north, z up), ...
+        supports, rows, rollers: Tables of the roller boxes, their rows and rollers: reaction [N], separation [m], ...
+        sections, structures: What the pipe is made of.
+    """
+
+    _tables = {"pipe": "/static/stations", "supports": "/static/supports", "rows": "/static/rows",
+               "rollers": "/static/rollers", "sections": "/static/sections", "structures": "/static/structures",
+               "stinger_sections": "/static/stinger", "contacts": "/static/bed/contacts",
+               "free_spans": "/static/bed/spans", "mooring_lines": "/moorings/lines"}
+
+    def __init__(self, solved: "Optional[_core.Statics]", model: "Optional[Model]", folder: Optional[pathlib.Path] = None):
+        """Not for users: see Model.static() and overbend.open()."""
+        super().__init__(model)
+        self._solved, self._folder = solved, folder
+
+    @functools.cached_property
+    def summary(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        if self._solved is not None:
+            return self._solved.summary()
+        return _summary_in(self._folder)
+
+    @functools.cached_property
+    def _source(self) -> Any:
+        return self._solved.tree() if self._solved is not None else _file_in(self._folder)
+
+    @property
+    def model(self) -> "Model":
+        """The model that these are the results of."""
+        return _model_of(self)
+
+    def save(self, folder: PathLike) -> pathlib.Path:
+        """Writes the files that `overbend static -o` writes, report.html with them, whole or not at all.
+
+        Raises:
+            ResultsError: Where the folder cannot be written.
+        """
+        if self._solved is None:
+            return _copy(self._folder, folder)
+        self._solved.save(os.fspath(folder))
+        return pathlib.Path(folder)
+
+    @property
+    def plot(self) -> Any:
+        """Figures with matplotlib: plot.profile(), plot.tension(), plot.moment(), ..."""
+        from .plots import StaticPlots
+
+        return StaticPlots(self)
+
+
+class DynamicResults(Results):
+    """A run in time: key results of summary.json's `dynamic` (top_tension.max [N], lay_back, ...), tables, histories.
+
+    Attributes beside them:
+        static: The statics that it began at, a StaticResults.
+        stations: Table of the stations: the static state and the envelopes.
+        supports, rollers: Tables over time: reactions [N], separations [m], impacts.
+        impacts, hardest_impacts: Tables of impacts: time [s], roller, peak_force [N], ...
+        extremes: Table of the most probable largest or smallest values in three hours.
+    """
+
+    _part = "dynamic"
+    _tables = {"stations": "/dynamic/stations", "supports": "/dynamic/supports", "rollers": "/dynamic/rollers",
+               "impacts": "/dynamic/impacts", "hardest_impacts": "/dynamic/hardest_impacts",
+               "extremes": "/dynamic/extremes", "stinger_sections": "/dynamic/stinger",
+               "mooring_lines": "/dynamic/moorings/lines", "mooring_events": "/dynamic/moorings/events",
+               "fatigue_spots": "/dynamic/fatigue/spots"}
+    _in_static = {"effective_tension": "static_tension", "bending_moment": "static_moment"}
+
+    def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
+        """Not for users: see Model.dynamic() and overbend.open()."""
+        super().__init__(model)
+        self._folder, self._holder = folder, holder
+
+    @property
+    def folder(self) -> pathlib.Path:
+        """Where the results are."""
+        return self._folder
+
+    @functools.cached_property
+    def summary(self) -> dict[str, Any]:
+        """The content of summary.json."""
+        return _summary_in(self._folder)
+
+    @functools.cached_property
+    def _source(self) -> Any:
+        return _file_in(self._folder)
+
+    @property
+    def model(self) -> "Model":
+        """The model that these are the results of."""
+        return _model_of(self)
+
+    @functools.cached_property
+    def static(self) -> StaticResults:
+        """The statics that the run began at. Their `checks` are those of the run."""
+        return StaticResults(None, self._model, self._folder)
+
+    @functools.cached_property
+    def histories(self) -> list[str]:
+        """The names of the histories."""
+        return [name for name in _below(self._source, "/dynamic/histories") if name != "time"]
+
+    @functools.cached_property
+    def time(self) -> np.ndarray:
+        """Instants of the histories [s], from the beginning of the build-up; statistics count from t = 0."""
+        return self._source.dataset("/dynamic/histories/time")[0]
+
+    def history(self, name: str) -> Any:
+        """A history as a labelled array over time [s].
+
+        Args:
+            name: One of `histories`: 'top_tension', 'support/stinger 8/reaction', ...
+
+        Raises:
+            KeyError: Where there is none of that name.
+        """
+        if name not in self.histories:
+            raise KeyError(f"there is no history '{name}'{nearest(name, self.histories)}; `histories` lists them")
+        values, units, description, frame, _ = self._source.dataset(f"/dynamic/histories/{name}")
+        return labelled(values, name, ("time",), {"time": self.time}, units, description, frame)
+
+    def envelope(self, name: str) -> Any:
+        """What a quantity along the pipe was over time: min, max, mean, std and static over the arc length s [m].
+
+        Args:
+            name: 'effective_tension' [N], 'bending_moment' [N m], 'bending_stress', 'von_mises' [Pa], 'strain', or a place
+                'x', 'y', 'z' [m].
+
+        Returns:
+            An xarray.Dataset, or a Table where xarray is not used.
+        """
+        stations = self.stations
+        known = sorted(column[:-4] for column in stations.keys() if column.endswith("_max"))
+        if name not in known:
+            raise KeyError(f"there is no envelope of '{name}'; there are: {', '.join(known)}")
+        columns = {part: stations.column(f"{name}_{part}") for part in ("min", "max", "mean", "std")}
+        static = self._in_static.get(name, f"static_{name}")
+        if static in stations:
+            columns["static"] = stations.column(static)
+        columns = {part: _renamed(column, part) for part, column in columns.items()}
+        xarray = xarray_module()
+        if xarray is not None:
+            return xarray.Dataset(columns, attrs={"quantity": name, "units": columns["max"].attrs["units"]})
+        return Table(["s", *columns], lambda column: stations.column("s") if column == "s" else columns[column])
+
+    def spectrum(self, name: str) -> Any:
+        """Variance density of a history over frequency [Hz], of the histories that have one (see `spectra`)."""
+        if name not in self.spectra:
+            raise KeyError(f"there is no spectrum of '{name}'{nearest(name, self.spectra)}; `spectra` lists them")
+        group = f"/dynamic/spectra/{name}"
+        values, units, description, frame, _ = self._source.dataset(f"{group}/density")
+        frequency = self._source.dataset(f"{group}/frequency")[0]
+        return labelled(values, name, ("frequency",), {"frequency": frequency}, units, description, frame)
+
+    @functools.cached_property
+    def spectra(self) -> list[str]:
+        """The names of the histories that have a spectrum."""
+        names = _below(self._source, "/dynamic/spectra")
+        return [name[: -len("/density")] for name in names if name.endswith("/density")]
+
+    def snapshots(self, name: str = "z", first: int = 0, count: Optional[int] = None) -> Any:
+        """The line at successive instants, as a labelled array of shape (instants, stations).
+
+        Args:
+            name: 'x', 'y', 'z' [m], 'effective_tension' [N] or 'von_mises' [Pa].
+            first: First instant.
+            count: How many; left out all from there on. Only these are read.
+        """
+        path = f"/dynamic/snapshots/{name}"
+        if name not in ("x", "y", "z", "effective_tension", "von_mises") or not self._source.has(path):
+            raise KeyError(f"there are no snapshots of '{name}'; there are: x, y, z, effective_tension, von_mises")
+        total = self._source.extent(path)
+        count = max(0, min(total - first, total if count is None else count))
+        time = self._source.lines("/dynamic/snapshots/time", first, count)
+        arc = self._source.dataset("/dynamic/stations/s")[0]
+        values = self._source.lines(path, first, count).reshape(count, len(arc))
+        units = {"effective_tension": "N", "von_mises": "Pa"}.get(name, "m")
+        return labelled(values, name, ("time", "s"), {"time": time, "s": arc}, units)
+
+    def save(self, folder: PathLike) -> pathlib.Path:
+        """Copies the files of the run, report.html with them, into a folder that is new or empty."""
+        return _copy(self._folder, folder)
+
+    @property
+    def plot(self) -> Any:
+        """Figures with matplotlib: plot.history(name), plot.envelope(name), plot.spectrum(name), ..."""
+        from .plots import DynamicPlots
+
+        return DynamicPlots(self)
+
+
+class _RunsInFolders:
+    """Several runs in folders of their own below one."""
+
+    def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
+        self._folder, self._model, self._holder = folder, model, holder
+        self.summary: dict[str, Any] = _summary_in(folder)
+
+    @property
+    def folder(self) -> pathlib.Path:
+        """Where the results are."""
+        return self._folder
+
+    def _run(self, name: str) -> DynamicResults:
+        if not (self._folder / name / "results.h5").is_file():
+            raise KeyError(f"there is no finished run '{name}' in '{self._folder}'")
+        return DynamicResults(self._folder / name, None, self._holder)
+
+    def save(self, folder: PathLike) -> pathlib.Path:
+        """Copies all files into a folder that is new or empty."""
+        return _copy(self._folder, folder)
+
+
+class SeedsResults(_RunsInFolders):
+    """Runs of several seeds: `results[3]` is the run of seed 3, `summary` what they give together, as summary.json."""
+
+    @property
+    def seeds(self) -> list[int]:
+        """The seeds whose runs are finished."""
+        return sorted(int(path.parent.name[5:]) for path in self._folder.glob("seed-*/results.h5"))
+
+    def __getitem__(self, seed: int) -> DynamicResults:
+        return self._run(f"seed-{seed}")
+
+    def __iter__(self) -> Any:
+        return (self[seed] for seed in self.seeds)
+
+    def __len__(self) -> int:
+        return len(self.seeds)
+
+    def values(self, name: str) -> Any:
+        """A result of every seed, by its name as goal seek has it: 'dynamic.top_tension.max'; labelled over seed."""
+        found = [self[seed][name] for seed in self.seeds]
+        units = found[0].units if found else "1"
+        return labelled(np.array([float(value) for value in found]), name, ("seed",), {"seed": np.array(self.seeds)}, units)
+
+
+class ComparisonResults(_RunsInFolders):
+    """Variants of a model in one sea: `results['off']` is the run of one, `summary` as summary.json."""
+
+    @property
+    def variants(self) -> list[str]:
+        """The names of the variants."""
+        return sorted(path.parent.name for path in self._folder.glob("*/results.h5"))
+
+    def __getitem__(self, variant: str) -> DynamicResults:
+        return self._run(variant)
+
+
+def _renamed(column: Any, name: str) -> Any:
+    if hasattr(column, "rename"):
+        return column.rename(name)
+    column.name = name
+    return column
+
+
+def _below(source: Any, group: str) -> list[str]:
+    """The datasets in a group and the groups below it, by their paths from there."""
+    found: list[str] = []
+    for name in source.names(group):
+        if name.endswith("/"):
+            found += [f"{name}{deeper}" for deeper in _below(source, f"{group}/{name[:-1]}")]
+        else:
+            found.append(name)
+    return found
+
+
+def _summary_in(folder: Optional[pathlib.Path]) -> dict[str, Any]:
+    try:
+        return json.loads((pathlib.Path(folder or ".") / "summary.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError) as fault:
+        raise ResultsError(f"there are no results in '{folder}': {fault}") from None
+
+
+def _file_in(folder: Optional[pathlib.Path]) -> "_core.ResultFile":
+    return _core.ResultFile(str(pathlib.Path(folder or ".") / "results.h5"))
+
+
+def _model_of(results: Any) -> "Model":
+    if results._model is None:
+        from .model import Model
+
+        source = results._source
+        text, file = source.dataset("/model/text")[0], source.dataset("/model/file")[0]
+        results._model = Model.from_text(str(text), str(file))
+    return results._model
+
+
+def _copy(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+    target = pathlib.Path(folder)
+    if target.exists() and any(target.iterdir()):
+        raise ResultsError(f"the folder '{target}' is not empty")
+    shutil.copytree(source or ".", target, dirs_exist_ok=True)
+    return target

@@ -1,0 +1,106 @@
+"""Numbers and arrays that know their units."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any, Mapping, Sequence
+
+import numpy as np
+
+_use_xarray = True
+
+
+class Number(float):
+    """A number that knows its unit and what it is; otherwise a plain float, [SI].
+
+    Attributes:
+        units: SI unit as in results.h5: "N", "Pa", "rad"; "1" of a plain number.
+        description: What it is.
+    """
+
+    units: str
+    description: str
+
+    def __new__(cls, value: float, units: str = "1", description: str = "") -> "Number":
+        number = super().__new__(cls, value)
+        number.units = units
+        number.description = description
+        return number
+
+    def __getnewargs__(self) -> tuple[float, str, str]:  # type: ignore[override]
+        return float(self), self.units, self.description
+
+
+class LabelledArray(np.ndarray):
+    """What stands for an xarray.DataArray where xarray is not installed: an array with `dims`, `coords`, `attrs`, `name`.
+
+    What is calculated from it, and parts of it, are plain arrays.
+    """
+
+    name: str
+    dims: tuple[str, ...]
+    coords: Mapping[str, np.ndarray]
+    attrs: Mapping[str, str]
+
+    def __new__(cls, values: Any, name: str, dims: Sequence[str], coords: Mapping[str, np.ndarray],
+                attrs: Mapping[str, str]) -> "LabelledArray":
+        array = np.asarray(values).view(cls)
+        array.name, array.dims, array.coords, array.attrs = name, tuple(dims), dict(coords), dict(attrs)
+        return array
+
+    def __array_finalize__(self, other: Any) -> None:
+        self.name, self.dims, self.coords, self.attrs = "", (), {}, {}
+
+    def __array_wrap__(self, array: np.ndarray, context: Any = None) -> Any:
+        return np.asarray(array)[()]
+
+    def __getitem__(self, index: Any) -> Any:
+        return np.asarray(self)[index]
+
+    @property
+    def values(self) -> np.ndarray:
+        """The plain numpy array."""
+        return np.asarray(self)
+
+
+def use_xarray(use: bool) -> None:
+    """Whether arrays are xarray.DataArray, the default where xarray is installed, or always LabelledArray."""
+    global _use_xarray
+    _use_xarray = use
+
+
+@functools.cache
+def _xarray() -> Any:
+    try:
+        import xarray
+    except ImportError:
+        return None
+    return xarray
+
+
+def xarray_module() -> Any:
+    """The module xarray; None where it is not installed or not wanted."""
+    return _xarray() if _use_xarray else None
+
+
+def labelled(values: Any, name: str, dims: Sequence[str], coords: Mapping[str, Any], units: str = "1",
+             description: str = "", frame: str = "") -> Any:
+    """An array with labels: an xarray.DataArray, or a LabelledArray (see use_xarray).
+
+    Args:
+        values: Of shape (len of every dimension); not copied.
+        name: Name of the quantity.
+        dims: Names of its dimensions.
+        coords: Arrays over them, each of one dimension of the same name.
+        units: SI unit.
+        description: What it is.
+        frame: Of which axes a vector's components are, empty or "none" otherwise.
+    """
+    attrs = {"units": units, "description": description, "long_name": description}
+    if frame and frame != "none":
+        attrs["frame"] = frame
+    xarray = xarray_module()
+    if xarray is None:
+        return LabelledArray(values, name, dims, {key: np.asarray(value) for key, value in coords.items()}, attrs)
+    return xarray.DataArray(values, dims=tuple(dims), coords={key: (key, np.asarray(value), getattr(value, "attrs", {}))
+                                                              for key, value in coords.items()}, name=name, attrs=attrs)

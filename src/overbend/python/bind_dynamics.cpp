@@ -1,0 +1,154 @@
+// Dynamic analyses into folders: one run, several seeds, a comparison.
+#include <pybind11/stl.h>
+
+#include <chrono>
+
+#include "base/units.h"
+#include "python/bindings.h"
+#include "python/python_errors.h"
+#include "python/run_watch.h"
+#include "python/statics_handle.h"
+#include "python/without_lock.h"
+#include "runstore/run_store.h"
+#include "study/lines_run.h"
+#include "study/study.h"
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+
+/// What is asked for.
+struct RunWish {
+  std::string stage;  ///< Of an operation on the line.
+  std::optional<double> duration;
+  std::vector<std::uint64_t> seeds;  ///< Empty: one run with the model's first seed.
+  bool several = false;              ///< A folder for each seed, even of one.
+  std::string of;                    ///< Of a comparison: "tensioner" or "contact".
+  bool resume = false, restart = false;
+  double checkpoint_every = 30.0;
+  int threads = 0;
+};
+
+StudyPlan taken(std::variant<StudyPlan, std::string> plan) {
+  if (const auto* fault = std::get_if<std::string>(&plan)) throw std::invalid_argument(*fault);
+  return std::get<StudyPlan>(std::move(plan));
+}
+
+StudyPlan plan_of(const Description& description, const RunWish& wish) {
+  if (wish.of == "contact") return taken(plan_comparison(ComparisonOf::contact, description, wish.duration));
+  if (!wish.of.empty()) return taken(plan_comparison(ComparisonOf::tensioner, description, wish.duration));
+  if (wish.several) return taken(plan_seeds(wish.seeds, wish.duration));
+  StudyPlan plan = plan_single(wish.duration);
+  if (!wish.seeds.empty()) plan.cases.front().seed = wish.seeds.front();
+  return plan;
+}
+
+/// What was begun and not finished in a folder is neither lost nor gone on with unasked.
+void require_wish(const std::vector<fs::path>& folders, const RunWish& wish) {
+  if (wish.resume || wish.restart) return;
+  for (const fs::path& folder : folders) {
+    if (RunStore::find(folder)) {
+      throw EndedRun({RunEnding::fault, "there is an unfinished run in '" + folder.string() +
+                                            "'; resume=True goes on with it, restart=True begins anew"});
+    }
+  }
+}
+
+/// Lines by themselves: one run.
+RunEnd run_lines_alone(Description description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
+  if (!description.dynamics) {
+    return {RunEnding::wrong_input, "the model has no analysis.dynamic, which says for how long it is to run"};
+  }
+  description.dynamics->duration = wish.duration.value_or(description.dynamics->duration);
+  require_wish({folder}, wish);
+  const Model model = build_model(description);
+  DynamicOptions options = dynamic_options(model);
+  if (!wish.seeds.empty()) options.seed = wish.seeds.front();
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last = Clock::now();
+  const LinesOutcome outcome = run_lines_in(folder, model, options, wish.resume, [&](const DynamicProgress& at) {
+    watch.progress(0, at);
+    if (watch.stop()) return DynamicControl::stop;
+    if (std::chrono::duration<double>(Clock::now() - last).count() < wish.checkpoint_every) {
+      return DynamicControl::go_on;
+    }
+    last = Clock::now();
+    return DynamicControl::checkpoint;
+  });
+  if (outcome.stopped) return {RunEnding::interrupted, "interrupted"};
+  if (outcome.failure) throw SolveFault(*outcome.failure);
+  return {};
+}
+
+StudyEnd run_in(const Description& description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
+  if (is_lines_alone(description)) {
+    if (wish.several || !wish.of.empty()) {
+      throw std::invalid_argument("lines by themselves have one run at a time: model.dynamic(seed=...)");
+    }
+    StudyEnd end;
+    static_cast<RunEnd&>(end) = run_lines_alone(description, wish, folder, watch);
+    return end;
+  }
+  const StudyPlan plan = plan_of(description, wish);
+  require_wish(case_folders(plan, folder), wish);
+  static std::mutex files;  // HDF5 serves one thread alone
+  return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
+}
+
+py::dict told_end(const StudyEnd& end) {
+  py::list failed;
+  for (const FailedCase& one : end.failed) failed.append(py::make_tuple(one.name, one.why));
+  py::dict told;
+  told["interrupted"] = end.ending == RunEnding::interrupted;
+  told["why"] = end.why;
+  told["failed"] = failed;
+  return told;
+}
+
+/// Runs until the end or until Python is interrupted; then a checkpoint is in the folder.
+py::dict run(const ModelHandle& model, const std::string& folder, const RunWish& wish, const py::object& progress) {
+  RunWatch watch;
+  StudyEnd end;
+  py::object raised = py::none();
+  try {
+    work_beside([&] { end = run_in(chosen_description(model, wish.stage), wish, folder, watch); }, watch.stopped,
+                [&] { watch.tell(progress); });
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_KeyboardInterrupt)) throw;
+    py::dict told = told_end(end);
+    told["interrupted"] = true;
+    return told;
+  }
+  const bool some = end.ending == RunEnding::no_solution && (end.seeds || end.comparison);  // and others failed
+  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(end);
+  return told_end(end);
+}
+
+double quantity(const std::string& text, const std::string& unit) {
+  const QuantityReading reading = parse_quantity(text, unit);
+  if (reading.value) return *reading.value;
+  throw std::invalid_argument("found " + reading.found + ", expected " + dimension_words(unit) +
+                              (reading.hint.empty() ? "" : "; " + reading.hint));
+}
+
+}  // namespace
+
+void add_dynamics(py::module_& module) {
+  module.def(
+      "run",
+      [](const ModelHandle& model, const std::string& folder, const std::string& stage, std::optional<double> duration,
+         const std::vector<std::uint64_t>& seeds, bool several, const std::string& of, bool resume, bool restart,
+         double checkpoint, int threads, const py::object& progress) {
+        return run(model, folder, {stage, duration, seeds, several, of, resume, restart, checkpoint, threads},
+                   progress);
+      },
+      py::arg("model"), py::arg("folder"), py::kw_only(), py::arg("stage") = "", py::arg("duration") = py::none(),
+      py::arg("seeds") = std::vector<std::uint64_t>(), py::arg("several") = false, py::arg("of") = "",
+      py::arg("resume") = false, py::arg("restart") = false, py::arg("checkpoint") = 30.0, py::arg("threads") = 0,
+      py::arg("progress") = py::none(), "Runs into the folder: {interrupted, why, failed}.");
+  module.def("quantity", &quantity, py::arg("text"), py::arg("unit"), "A text such as '600 s' in the SI unit.");
+}
+
+}  // namespace overbend

@@ -1,0 +1,20 @@
+/// The parts of the Python extension module overbend._core. What users see is the Python package in python/overbend; it
+/// stands on these few functions and classes.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace overbend {
+
+/// Makes Python exceptions of the engine's.
+void add_errors(pybind11::module_& module);
+/// Trees of datasets and files of results.
+void add_results(pybind11::module_& module);
+/// Models.
+void add_model(pybind11::module_& module);
+/// Statics of a model.
+void add_statics(pybind11::module_& module);
+/// Dynamic analyses into folders.
+void add_dynamics(pybind11::module_& module);
+
+}  // namespace overbend

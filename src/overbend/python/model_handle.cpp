@@ -1,0 +1,121 @@
+#include "python/model_handle.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "base/require.h"
+#include "modelfile/chosen_keys.h"
+#include "modelfile/yaml_path.h"
+#include "modelfile/yaml_reader.h"
+
+namespace overbend {
+namespace {
+
+/// Whether what the key says decides on files that only a whole reading takes up.
+bool names_files(const YamlChange& change) {
+  return change.path.starts_with("vessel") || change.path.starts_with("environment.waves") ||
+         change.path.find("bathymetry") != std::string::npos;
+}
+
+std::string sentence_of_nothing(const YamlNode& tree, const std::string& key, const std::vector<NamePart>& parts) {
+  std::string sentence = "the key '" + key + "' chooses no item of the model";
+  std::string list;
+  for (const std::string& name : names_to_choose(tree, parts)) list += (list.empty() ? "" : ", ") + name;
+  return list.empty() ? sentence : sentence + "; there are: " + list;
+}
+
+/// Every key that the change's own one chooses.
+void choose(const YamlNode& tree, const YamlChange& change, std::vector<YamlChange>& list) {
+  const auto parts = name_parts(change.path);
+  if (!parts) throw std::invalid_argument("'" + change.path + "' is no key of a model");
+  const std::vector<ChosenKey> keys = chosen_keys(tree, *parts);
+  // An index behind the end of a list appends to it.
+  if (keys.empty() && change.kind != YamlChange::Kind::remove && change.path.ends_with(']')) {
+    list.push_back(change);
+    return;
+  }
+  if (keys.empty()) throw std::invalid_argument(sentence_of_nothing(tree, change.path, *parts));
+  for (const ChosenKey& key : keys) list.push_back({key.path, change.kind, change.value});
+}
+
+YamlNode tree_of(const std::string& text, const std::string& file) {
+  Diagnostics faults;
+  std::optional<YamlNode> tree = parse_yaml(text, file, faults);
+  if (!tree || faults.has_errors()) throw UnreadableModel(std::move(faults));
+  return std::move(*tree);
+}
+
+Description taken(ModelReading reading) {
+  if (!reading.description) throw UnreadableModel(std::move(reading.diagnostics));
+  return std::move(*reading.description);
+}
+
+}  // namespace
+
+std::shared_ptr<ModelHandle> ModelHandle::read(const std::string& path) {
+  std::shared_ptr<ModelHandle> model(new ModelHandle);
+  model->whole_ = taken(read_model(path));
+  model->file_ = path;
+  model->text_ = model->whole_->source_text;
+  model->tree_ = tree_of(model->text_, path);
+  return model;
+}
+
+std::shared_ptr<ModelHandle> ModelHandle::from_text(const std::string& text, const std::string& file) {
+  std::shared_ptr<ModelHandle> model(new ModelHandle);
+  model->whole_ = taken(read_model_text(text, file));
+  model->file_ = file;
+  model->text_ = text;
+  model->tree_ = tree_of(text, file);
+  return model;
+}
+
+std::shared_ptr<ModelHandle> ModelHandle::changed(const std::vector<YamlChange>& changes) const {
+  std::vector<YamlChange> list;
+  for (const YamlChange& change : changes) choose(tree_, change, list);
+  const bool whole = still().vessel.coupled || std::ranges::any_of(list, names_files);
+  if (YamlNode tree = tree_; !whole && edit_tree(tree, list)) {
+    if (ModelReading reading = read_still_model(tree, file_); reading.description) {
+      std::shared_ptr<ModelHandle> model(new ModelHandle);
+      model->file_ = file_;
+      model->tree_ = std::move(tree);
+      model->still_ = std::move(*reading.description);
+      const std::lock_guard<std::mutex> hold(mutex_);
+      model->text_ = text_;
+      model->pending_ = pending_;
+      if (text_is_new_) model->pending_.clear();
+      model->pending_.insert(model->pending_.end(), list.begin(), list.end());
+      model->text_is_new_ = false;
+      return model;
+    }
+  }
+  return from_text(edit_yaml(text(), list), file_);
+}
+
+const std::string& ModelHandle::text() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  if (!text_is_new_) {
+    text_ = edit_yaml(text_, pending_);
+    text_is_new_ = true;
+  }
+  return text_;
+}
+
+const Description& ModelHandle::description() const {
+  const std::string& whole_text = text();
+  const std::lock_guard<std::mutex> hold(mutex_);
+  if (!whole_) whole_ = taken(read_model_text(whole_text, file_));
+  return *whole_;
+}
+
+const YamlNode* ModelHandle::find(const std::string& key) const {
+  const auto parts = name_parts(key);
+  if (!parts) throw std::invalid_argument("'" + key + "' is no key of a model");
+  const std::vector<ChosenKey> keys = chosen_keys(tree_, *parts);
+  if (keys.empty()) return nullptr;
+  std::string rest;
+  const std::vector<YamlSpot> spots = follow_path(tree_, keys.front().path, rest);
+  return rest.empty() ? spots.back().node : nullptr;
+}
+
+}  // namespace overbend

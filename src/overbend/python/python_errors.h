@@ -1,0 +1,36 @@
+/// Errors of the engine as exceptions of Python: what is thrown from a function of the module becomes one by its type.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "statics/statics.h"
+#include "study/run_ending.h"
+
+namespace overbend {
+
+/// Why there is no equilibrium.
+class SolveFault : public std::runtime_error {
+ public:
+  explicit SolveFault(StaticFailure failure) : std::runtime_error(failure.what), failure_(std::move(failure)) {}
+  const StaticFailure& failure() const { return failure_; }
+
+ private:
+  StaticFailure failure_;
+};
+
+/// A run or a choice that ended otherwise than well.
+class EndedRun : public std::runtime_error {
+ public:
+  explicit EndedRun(RunEnd end) : std::runtime_error(end.why), end_(std::move(end)) {}
+  const RunEnd& end() const { return end_; }
+
+ private:
+  RunEnd end_;
+};
+
+/// overbend.errors.ResultsError; the interpreter's lock must be held.
+[[noreturn]] void raise_results_error(const std::string& sentence);
+
+}  // namespace overbend

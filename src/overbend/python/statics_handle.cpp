@@ -1,0 +1,72 @@
+#include "python/statics_handle.h"
+
+#include "python/python_errors.h"
+#include "resultfiles/hdf5_visitors.h"
+#include "resultfiles/lines_writer.h"
+#include "resultfiles/mooring_hdf5.h"
+#include "resultfiles/summary_json.h"
+#include "study/stage_choice.h"
+#include "study/static_run.h"
+
+namespace overbend {
+namespace {
+
+/// The model at the stage; one with an operation and without a stage is the lay as such, and says so.
+Description staged(const Description& whole, const std::string& stage) {
+  if (stage.empty()) {
+    Description lay = whole;
+    lay.warnings.push_back(no_stage_warning(whole));
+    return lay;
+  }
+  std::variant<Description, RunEnd> chosen = choose_stage(whole, stage);
+  if (const RunEnd* fault = std::get_if<RunEnd>(&chosen)) throw EndedRun(*fault);
+  return std::get<Description>(std::move(chosen));
+}
+
+}  // namespace
+
+Description chosen_description(const ModelHandle& model, const std::string& stage) {
+  const Description& whole = model.description();
+  if (stage.empty() && !is_lay_operation(whole.operation.type)) return whole;
+  return staged(whole, stage);
+}
+
+StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start)
+    : model_(std::move(model)), stage_(stage) {
+  const bool plain = stage_.empty() && !is_lay_operation(model_->still().operation.type);
+  Model made = build_model(plain ? model_->still() : chosen_description(*model_, stage_));
+  const bool close = start != nullptr && start->statics_.solution;
+  statics_ = solve_model(made, close ? &*start->statics_.solution : nullptr);
+  if (statics_.failure && close) statics_ = solve_model(made = build_model(made.description));
+  if (statics_.failure) throw SolveFault(*statics_.failure);
+  if (statics_.lay) tell_friction(made, {statics_.solution, {}, {}}, *statics_.lay);
+  tell_hull(made, statics_);
+}
+
+nlohmann::ordered_json StaticsHandle::summary() const {
+  if (statics_.lay) return static_summary_json(*statics_.lay);
+  if (statics_.moorings) return mooring_summary_json(*statics_.moorings);
+  return nlohmann::ordered_json::parse(lines_summary(*statics_.lines));
+}
+
+std::shared_ptr<ResultTree> StaticsHandle::tree() const {
+  auto tree = std::make_shared<ResultTree>();
+  const auto moorings = [&](const MooringResults& found) { write_moorings(*tree, found); };
+  if (statics_.lines) write_lines_groups(*tree, *statics_.lines);
+  if (statics_.moorings) {
+    moorings(*statics_.moorings);
+    if (statics_.moorings->hull) write_hull(*tree, *statics_.moorings->hull);
+  }
+  if (statics_.lay) {
+    write_lay_group(*tree, "/static", *statics_.lay);
+    if (statics_.lay->moorings) moorings(*statics_.lay->moorings);
+    if (statics_.lay->hull) write_hull(*tree, *statics_.lay->hull);
+  }
+  return tree;
+}
+
+void StaticsHandle::save(const std::filesystem::path& folder) const {
+  write_model_statics(statics_, chosen_description(*model_, stage_), folder);
+}
+
+}  // namespace overbend

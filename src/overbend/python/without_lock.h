@@ -1,0 +1,23 @@
+/// Work of the engine while other threads of Python go on.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <functional>
+
+namespace overbend {
+
+/// Calls without the interpreter's lock.
+template <class Function>
+auto without_lock(Function make) {
+  const pybind11::gil_scoped_release free;
+  return make();
+}
+
+/// Does `work` in a thread of its own, without the interpreter's lock. This one waits, ten times a second lets Python
+/// see its signals and calls `tell` with the lock. Where either raises, `stop` becomes true, the end of the work is
+/// awaited, and the exception is thrown: KeyboardInterrupt after Ctrl-C. Exceptions of the work are thrown here.
+void work_beside(const std::function<void()>& work, std::atomic<bool>& stop, const std::function<void()>& tell);
+
+}  // namespace overbend

@@ -1,0 +1,159 @@
+"""Statics from Python against those of the command line."""
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+import overbend as ob
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = os.environ["OVERBEND_PROGRAM"]
+BGL1 = ROOT / "examples" / "bgl1.yaml"
+
+
+def summary_of(folder):
+    return json.loads(pathlib.Path(folder, "summary.json").read_text(encoding="utf-8"))
+
+
+def without_times(value):
+    """A summary without what differs from run to run."""
+    if isinstance(value, dict):
+        return {key: without_times(item) for key, item in value.items() if key not in ("wall_time", "history")}
+    return [without_times(item) for item in value] if isinstance(value, list) else value
+
+
+class Statics(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.holder = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.holder.name, "bgl1")
+        subprocess.run([PROGRAM, "static", str(BGL1), "-o", str(cls.folder)], check=True, capture_output=True)
+        cls.told = summary_of(cls.folder)
+        cls.static = ob.Model.read(BGL1).static()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.holder.cleanup()
+
+    def test_the_summary_is_that_of_the_command_line(self):
+        self.assertEqual(without_times(self.static.summary), without_times(self.told))
+
+    def test_key_results_are_attributes_with_units(self):
+        self.assertEqual(self.static.lay_back, self.told["static"]["lay_back"])
+        self.assertEqual(self.static.lay_back.units, "m")
+        self.assertIn("stern shoe", self.static.lay_back.description)
+        self.assertEqual(self.static.sagbend.max_bending_stress, self.told["static"]["sagbend"]["max_bending_stress"])
+        self.assertEqual(self.static.sagbend.max_bending_stress.units, "Pa")
+        self.assertEqual(self.static.touchdown.x.units, "m")
+        self.assertEqual(str(self.static.lay_back), str(float(self.static.lay_back)))
+
+    def test_the_pipe_is_a_table_over_its_arc_length(self):
+        pipe = self.static.pipe
+        self.assertEqual(pipe.effective_tension.shape, (len(pipe),))
+        self.assertEqual(pipe.effective_tension.attrs["units"], "N")
+        self.assertEqual(pipe.effective_tension.dims, ("s",))
+        self.assertEqual(float(pipe.effective_tension.values[-1]), self.static.top_tension)
+        self.assertTrue(np.all(np.diff(pipe.s.values) > 0.0))
+        self.assertEqual(pipe["bending_moment"].values.tolist(), pipe.bending_moment.values.tolist())
+
+    def test_arrays_are_not_copied_and_cannot_be_written(self):
+        first, again = self.static.pipe.z.values, self.static.pipe.z.values
+        self.assertTrue(np.shares_memory(first, again))
+        with self.assertRaises(ValueError):
+            first[0] = 1.0
+
+    def test_arrays_outlive_the_results_that_they_are_of(self):
+        array = ob.Model.read(ROOT / "examples" / "first-model.yaml").static().pipe.z
+        self.assertTrue(np.all(np.isfinite(array.values)))
+
+    def test_supports_are_found_by_name(self):
+        told = self.told["static"]["supports"]
+        for box in told:
+            self.assertEqual(self.static.supports[box["name"]].reaction, box["reaction"])
+        self.assertEqual(self.static.supports.reaction.values.tolist(), [box["reaction"] for box in told])
+        self.assertEqual(self.static.supports[0].reaction.units, "N")
+        with self.assertRaises(KeyError) as caught:
+            self.static.supports[told[0]["name"] + "x"]
+        self.assertIn(told[0]["name"], str(caught.exception))
+
+    def test_results_are_found_by_the_names_of_goal_seek(self):
+        told = self.told["static"]["supports"]
+        names = [box["name"] for box in told if box["name"].startswith("stinger")]
+        reactions = self.static["static.supports[stinger *].reaction"]
+        self.assertEqual(reactions.tolist(), [box["reaction"] for box in told if box["name"] in names])
+        self.assertEqual(self.static["max(static.supports[stinger *].reaction)"], max(reactions))
+        self.assertEqual(self.static["static.sagbend.max_bending_stress"], self.static.sagbend.max_bending_stress)
+        with self.assertRaises(KeyError):
+            self.static["static.sagbend.max_bending_stres"]
+
+    def test_an_unknown_name_says_what_might_be_meant(self):
+        with self.assertRaises(AttributeError) as caught:
+            self.static.layback
+        self.assertIn("lay_back", str(caught.exception))
+
+    def test_checks_have_the_governing_one(self):
+        self.assertEqual(self.static.checks.worst.utilisation, self.told["checks"]["worst"]["utilisation"])
+        self.assertEqual(len(self.static.checks), len(self.told["checks"]["list"]))
+        self.assertEqual(self.static.checks.passed, not self.static.checks.exceeded)
+
+    def test_without_xarray_arrays_are_numpy_with_the_same_labels(self):
+        ob.use_xarray(False)
+        try:
+            plain = ob.Model.read(BGL1).static().pipe.effective_tension
+        finally:
+            ob.use_xarray(True)
+        self.assertIsInstance(plain, ob.LabelledArray)
+        self.assertEqual(plain.attrs["units"], "N")
+        self.assertEqual(plain.values.tolist(), self.static.pipe.effective_tension.values.tolist())
+        self.assertEqual(plain.coords["s"].tolist(), self.static.pipe.s.values.tolist())
+        self.assertIsInstance(plain / 1e3, np.ndarray)
+        self.assertEqual(float(plain.max()), float(plain.values.max()))
+
+    def test_what_is_saved_is_what_the_command_line_writes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            saved = self.static.save(pathlib.Path(folder, "results"))
+            self.assertEqual(without_times(summary_of(saved)), without_times(self.told))
+            self.assertEqual(pathlib.Path(saved, "pipe.csv").read_bytes(), (self.folder / "pipe.csv").read_bytes())
+            self.assertTrue((saved / "report.html").is_file())
+
+    def test_a_folder_of_results_opens_to_the_same(self):
+        opened = ob.open(self.folder)
+        self.assertIsInstance(opened, ob.StaticResults)
+        self.assertEqual(opened.lay_back, self.static.lay_back)
+        for name in self.static.pipe.keys():
+            ours, stored = self.static.pipe[name], opened.pipe[name]
+            np.testing.assert_array_equal(ours.values, stored.values)
+            self.assertEqual(ours.attrs, stored.attrs)
+        self.assertEqual(opened.model.text, BGL1.read_text(encoding="utf-8"))
+
+    def test_a_lay_started_from_one_close_by_is_the_same_lay(self):
+        model = ob.Model.read(ROOT / "examples" / "first-model.yaml")
+        start = model.static()
+        closer = model.with_({"tensioner.tension": "310 kN"})
+        self.assertAlmostEqual(closer.static(start=start).lay_back / closer.static().lay_back, 1.0, places=4)
+
+    def test_where_there_is_no_equilibrium_the_reason_is_told(self):
+        with self.assertRaises(ob.NoSolution) as caught:
+            ob.Model.read(ROOT / "examples" / "first-model.yaml").with_({"tensioner.tension": "1 kN"}).static()
+        self.assertTrue(caught.exception.why)
+        self.assertIn(caught.exception.what, str(caught.exception))
+
+    def test_a_folder_without_results_is_an_error(self):
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(ob.ResultsError):
+            ob.open(folder)
+
+    def test_moored_barges_and_lines_by_themselves_have_results_too(self):
+        moored = ob.Model.read(ROOT / "examples" / "moored-barge.yaml").static()
+        self.assertTrue(len(moored.moorings) >= 3)
+        self.assertGreater(moored.moorings[0].fairlead_tension, 0.0)
+        lines = ob.Model.read(ROOT / "examples" / "jumper.yaml").static()
+        self.assertTrue(lines.lines[0].first)
+
+
+if __name__ == "__main__":
+    unittest.main()
