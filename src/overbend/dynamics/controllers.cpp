@@ -213,7 +213,7 @@ std::optional<StaticFailure> Controllers::ask(const Assembly& assembly, double p
       const MachineCommand asked = machine.controller->command(reading_of(assembly, state, machine, paid_out));
       command(machine.name, asked, system, state);
     } catch (const std::exception& fault) {
-      return StaticFailure{"the controller of " + machine.words + " failed", at_time(state.time), fault.what(), true};
+      return StaticFailure{kControllerOf + machine.words + " failed", at_time(state.time), fault.what(), true};
     }
   }
   return std::nullopt;

@@ -13,6 +13,9 @@
 
 namespace overbend {
 
+/// How failures of controllers begin.
+inline constexpr const char* kControllerOf = "the controller of ";
+
 /// A machine that takes commands.
 struct CommandedMachine {
   std::string name;   ///< kTensionerMachine, or the mooring line's.
