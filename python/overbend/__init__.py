@@ -10,17 +10,21 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 """
 
 from ._core import version as __version__
-from .errors import Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
+from .controllers import Controller, SetTension, get_include
+from .errors import ControllerError, Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
 from .groups import Record, Records, Table
 from .model import Model
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
 from .results import DynamicResults, SeedsResults, ComparisonResults, StaticResults
+from .simulation import Simulation, State
 from .values import LabelledArray, Number, use_xarray
 
 version = __version__
 
 __all__ = [
     "ComparisonResults",
+    "Controller",
+    "ControllerError",
     "DynamicResults",
     "Fault",
     "Interrupted",
@@ -33,9 +37,13 @@ __all__ = [
     "Record",
     "Records",
     "ResultsError",
+    "SetTension",
     "SeedsResults",
+    "Simulation",
+    "State",
     "StaticResults",
     "Table",
+    "get_include",
     "open",
     "use_xarray",
     "version",

@@ -16,7 +16,7 @@ std::string shown(const py::handle& object) {
 MachineCommand command_of(const py::handle& answer) {
   using Kind = MachineCommand::Kind;
   if (answer.is_none()) return {Kind::leave, 0.0};
-  const py::object set_tension = py::module_::import("overbend.simulation").attr("SetTension");
+  const py::object set_tension = py::module_::import("overbend.controllers").attr("SetTension");
   if (!PyBool_Check(answer.ptr()) && !py::isinstance<py::str>(answer)) {
     const double value = PyFloat_AsDouble(answer.ptr());
     if (PyErr_Occurred() == nullptr) return {py::isinstance(answer, set_tension) ? Kind::tension : Kind::speed, value};
