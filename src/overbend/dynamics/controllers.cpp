@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -118,6 +120,22 @@ MachineReading reading_of(const Assembly& assembly, const SystemState& state, co
   return seen;
 }
 
+using ReadingNumbers = std::array<double, sizeof(MachineReading) / sizeof(double)>;
+
+/// What is seen at a time up to that of `now`; of `now` itself at its instant and where nothing was seen before.
+MachineReading between(const MachineReading& before, const MachineReading& now, double time) {
+  MachineReading seen = now;
+  if (time < now.time - kSameInstant && before.time < time) {
+    const double share = (time - before.time) / (now.time - before.time);
+    const auto first = std::bit_cast<ReadingNumbers>(before);
+    auto last = std::bit_cast<ReadingNumbers>(now);
+    for (std::size_t i = 0; i < last.size(); ++i) last[i] = first[i] + share * (last[i] - first[i]);
+    seen = std::bit_cast<MachineReading>(last);
+  }
+  seen.time = time;
+  return seen;
+}
+
 /// Why a command cannot be obeyed; empty where it can.
 std::string obstacle_to(const MachineCommand& command, const TensionerLaw& law, bool winch) {
   switch (command.kind) {
@@ -183,10 +201,10 @@ bool Controllers::active() const {
   return std::any_of(machines_.begin(), machines_.end(), [](const CommandedMachine& m) { return m.controller; });
 }
 
-double Controllers::next_time() const {
+double Controllers::shortest_interval() const {
   double least = std::numeric_limits<double>::infinity();
   for (const CommandedMachine& machine : machines_) {
-    if (machine.controller != nullptr) least = std::min(least, static_cast<double>(machine.next) * machine.interval);
+    if (machine.controller != nullptr) least = std::min(least, machine.interval);
   }
   return least;
 }
@@ -203,18 +221,20 @@ void Controllers::begin(const Assembly& assembly, SystemState& state) const {
 std::optional<StaticFailure> Controllers::ask(const Assembly& assembly, double paid_out, System& system,
                                               SystemState& state) {
   for (CommandedMachine& machine : machines_) {
-    if (machine.controller == nullptr) continue;
-    if (static_cast<double>(machine.next) * machine.interval > state.time + kSameInstant) continue;
-    ++machine.next;
     const AttachmentState& at = state.attachments[machine.attachment];
-    if (at.parted) continue;
+    if (machine.controller == nullptr || at.parted) continue;
     if (at.machine.state == TensionerState::at_limit && !machine.stopped_at) machine.stopped_at = state.time;
-    try {
-      const MachineCommand asked = machine.controller->command(reading_of(assembly, state, machine, paid_out));
-      command(machine.name, asked, system, state);
-    } catch (const std::exception& fault) {
-      return StaticFailure{kControllerOf + machine.words + " failed", at_time(state.time), fault.what(), true};
+    const MachineReading now = reading_of(assembly, state, machine, paid_out);
+    while (machine.asked_at() <= state.time + kSameInstant) {
+      const MachineReading seen = between(machine.before, now, machine.asked_at());
+      ++machine.next;
+      try {
+        command(machine.name, machine.controller->command(seen), system, state);
+      } catch (const std::exception& fault) {
+        return StaticFailure{kControllerOf + machine.words + " failed", at_time(seen.time), fault.what(), true};
+      }
     }
+    machine.before = now;
   }
   return std::nullopt;
 }
@@ -281,13 +301,15 @@ void Controllers::save(const System& system, DynamicCheckpoint& checkpoint) cons
     numbers.insert(numbers.end(), {static_cast<double>(machine.next), machine.fastest_asked,
                                    machine.stopped_at.value_or(kNeverHappened),
                                    machine.forgot_at.value_or(kNeverHappened), law.wanted, law.low, law.high});
+    const auto before = std::bit_cast<ReadingNumbers>(machine.before);
+    numbers.insert(numbers.end(), before.begin(), before.end());
     if (machine.controller != nullptr) checkpoint.arrays.push_back({memory_name(machine), machine.controller->save()});
   }
   checkpoint.arrays.push_back({"controllers", std::move(numbers)});
 }
 
 void Controllers::restore(const DynamicCheckpoint& checkpoint, System& system) {
-  constexpr std::size_t kNumbers = 7;
+  constexpr std::size_t kOwn = 7, kNumbers = kOwn + std::tuple_size_v<ReadingNumbers>;
   const std::vector<double>& numbers = checkpoint_array(checkpoint, "controllers");
   if (numbers.size() != kNumbers * machines_.size()) {
     throw std::runtime_error("the checkpoint is of a run with other controllers");
@@ -303,6 +325,9 @@ void Controllers::restore(const DynamicCheckpoint& checkpoint, System& system) {
     law.wanted = v[4];
     law.low = v[5];
     law.high = v[6];
+    ReadingNumbers before{};
+    std::copy_n(v + kOwn, before.size(), before.begin());
+    machine.before = std::bit_cast<MachineReading>(before);
     if (machine.controller == nullptr) continue;
     const std::vector<double>& memory = checkpoint_array(checkpoint, memory_name(machine));
     machine.controller->restore(memory);

@@ -22,9 +22,11 @@ struct CommandedMachine {
   std::string words;  ///< For messages: "the tensioner", "the winch of mooring line 'bow'".
   std::size_t attachment = 0;
   Controller* controller = nullptr;
-  double interval = 0.0;               ///< [s]
-  std::int64_t next = 0;               ///< It is asked next at this multiple of the interval.
-  double fastest_asked = 0.0;          ///< Largest speed that was asked for [m/s].
+  double interval = 0.0;       ///< [s]
+  MachineReading before{};     ///< What was seen at the instant before.
+  std::int64_t next = 0;       ///< It is asked next at this multiple of the interval.
+  double fastest_asked = 0.0;  ///< Largest speed that was asked for [m/s].
+  double asked_at() const { return static_cast<double>(next) * interval; }  ///< [s]
   std::optional<double> stopped_at{};  ///< When it was first found at the end of its travel [s].
   std::optional<double> forgot_at{};   ///< Where it was taken up last without a memory of its controller's [s].
 };
@@ -41,12 +43,13 @@ class Controllers {
   const std::vector<CommandedMachine>& machines() const { return machines_; }
   /// Whether somebody is asked at all.
   bool active() const;
-  /// The first instant at which somebody has yet to be asked; infinite where nobody is [s].
-  double next_time() const;
+  /// The shortest of their intervals; infinite where nobody is asked. No step should be longer [s].
+  double shortest_interval() const;
   /// What winches measure, before the first step.
   void begin(const Assembly& assembly, SystemState& state) const;
-  /// Asks those whose time has come. `paid_out`: by the tensioner since the start [m]. Allocates nothing but on
-  /// failure.
+  /// Asks at the present instant, for those times that have come since the instant before: what they see is between the
+  /// two, straight; what they answer is in force from now on. `paid_out`: by the tensioner since the start [m].
+  /// Allocates nothing but on failure.
   std::optional<StaticFailure> ask(const Assembly& assembly, double paid_out, System& system, SystemState& state);
   /// Throws std::invalid_argument for what the machine cannot do; the message begins with what was asked.
   void command(const std::string& machine, const MachineCommand& command, System& system, SystemState& state);

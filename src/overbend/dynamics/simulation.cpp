@@ -69,6 +69,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
       controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
       shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
       ahead_W_(level_ahead(model.mean_pose)) {
+  options_.max_step = std::min(options_.max_step, controllers_.shortest_interval());
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
@@ -220,13 +221,6 @@ void Simulation::ask_controllers() {
   }
 }
 
-/// The instant that the next steps lead to: a tick of the clock, or that of a controller before it [s].
-double Simulation::next_target() const {
-  constexpr double kSameInstant = 1e-9;  // [s]
-  const double tick = next_tick(), asked = controllers_.next_time();
-  return asked < tick - kSameInstant ? asked : tick;
-}
-
 void Simulation::adapt(double h) {
   if (options_.fixed_step) {
     chooser_.wanted = *options_.fixed_step;
@@ -335,14 +329,14 @@ bool Simulation::step() {
   const WallTime measured(report_.wall_time);
   if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
   ask_controllers();
-  const double target = next_target();
+  const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
   do {
     if (failure_) return false;
     const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
   } while (!attempt(h, target, to_event));
-  if (state_.time >= next_tick()) reach_tick();
+  if (state_.time >= target) reach_tick();
   convey();
   return true;
 }

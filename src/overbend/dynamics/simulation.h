@@ -93,7 +93,6 @@ class Simulation {
   void rest_moorings();
   bool part_lines();
   void ask_controllers();
-  double next_target() const;
   bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);
@@ -107,7 +106,6 @@ class Simulation {
   void find_elevation();
   double to_timed_event() const;
   double step_to_tensioner(double h) const;
-  double next_tick() const { return static_cast<double>(clock_.tick + 1) * clock_.interval; }
 
   DynamicOptions options_;
   RunSetup setup_;
