@@ -42,7 +42,10 @@ class Controller:
     A controller is a function `f(t, seen)` of the time [s] and of what the instruments show. It answers with what the
     machine shall do until it is asked again: a number is a speed of paying out [m/s], negative to haul in; a SetTension is
     a tension that the machine restores by its own law; None leaves it to that law. The machine goes to a speed within its
-    acceleration and keeps it, within its velocity and its travel; steps end where it is asked, exactly.
+    acceleration and keeps it, within its velocity and its travel.
+
+    It is asked for the multiples of its interval exactly. What it answers is in force from the end of the time step within
+    which that instant falls: steps are shorter than the interval, or as long.
 
     `seen` has `time` [s], `tension` [N], `paid_out` [m], `speed` [m/s], `set_tension` [N], `length` of a mooring line [m],
     `guide_speed`, that of the guide or fairlead along the line [m/s], `vessel` and `vessel_velocity`: (6,) surge, sway,
@@ -57,7 +60,7 @@ class Controller:
         Args:
             function: A function of Python, or a compiled one: from ctypes, from numba's `cfunc`, or its address; see
                 overbend_controller.h in get_include().
-            interval: It is asked at the multiples of this [s].
+            interval: It is asked for the multiples of this [s].
             memory: Of a compiled one: the numbers that its last argument points to at the start of a run.
         """
         self.interval = float(interval)

@@ -146,7 +146,7 @@ class Model:
             checkpoint: Time between checkpoints [s].
             controllers: Functions that drive machines, by 'tensioner' or the name of a mooring line for its winch; see
                 controllers.Controller. A run that was begun with some is resumed with some for the same machines.
-            interval: At whose multiples functions are asked [s].
+            interval: For whose multiples functions are asked [s].
             progress: True for a line on the terminal, or a function (see progress.Progress), called ten times a second.
 
         Raises:
@@ -170,7 +170,7 @@ class Model:
             stage: Of an operation on the line, by name or number from 1.
             controllers: As of dynamic(). A mooring line with None takes commands by `sim.command()` alone; the tensioner
                 takes them always.
-            interval: At whose multiples functions are asked [s].
+            interval: For whose multiples functions are asked [s].
 
         Raises:
             NoSolution: Where there is no equilibrium to begin with.

@@ -107,7 +107,7 @@ class Simulation:
     def advance(self, until: Union[float, str]) -> None:
         """Steps up to the first instant at or after a time, the end of the run at most.
 
-        Rows of output and the instants of controllers are met exactly. Other threads of Python go on meanwhile; Ctrl-C ends
+        Rows of output are met exactly. Other threads of Python go on meanwhile; Ctrl-C ends
         it after an accepted step, from which it can go on.
 
         Args:

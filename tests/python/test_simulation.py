@@ -171,7 +171,7 @@ class Controllers(unittest.TestCase):
         cls.model = sea_model()
         cls.calm = calm_model()
 
-    def test_a_function_is_asked_at_its_interval_and_sees_the_machine(self):
+    def test_a_function_is_asked_for_its_interval_and_sees_the_machine(self):
         seen = []
         sim = self.model.simulation(controllers={"tensioner": lambda t, now: seen.append((t, now))}, interval=0.2)
         sim.advance(4.0)

@@ -30,7 +30,8 @@ class Controller {
   Controller& operator=(const Controller&) = delete;
   virtual ~Controller() = default;
 
-  /// Asked at its interval. An exception (of std::exception) ends the run, which tells what() of it.
+  /// Asked for the multiples of its interval, in order. An exception (of std::exception) ends the run, which tells
+  /// what() of it.
   virtual MachineCommand command(const MachineReading& seen) = 0;
   /// What it remembers from one call to the next, for checkpoints.
   virtual std::vector<double> save() const { return {}; }
@@ -44,7 +45,7 @@ struct ControllerUse {
   std::string machine = kTensionerMachine;  ///< Or the name of a mooring line, whose winch it is.
   /// Has to outlive the simulation. Null: the machine takes commands between steps alone, see Simulation::command.
   Controller* controller = nullptr;
-  double interval = 0.1;  ///< At whose multiples it is asked [s].
+  double interval = 0.1;  ///< For whose multiples it is asked; no step is longer [s].
 };
 
 /// A compiled function with its memory.

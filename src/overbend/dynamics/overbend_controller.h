@@ -1,7 +1,8 @@
 /* Controllers of Overbend in compiled code: C and C++. docs/guide/python-controllers.md shows how one is used.
  *
- * A controller drives the tensioner, or the winch of a mooring line, during an analysis in time. It is asked at a fixed
- * interval, which time steps meet exactly, and answers with what its machine shall do until it is asked again. */
+ * A controller drives the tensioner, or the winch of a mooring line, during an analysis in time. It is asked for the
+ * multiples of an interval and answers with what its machine shall do until it is asked again, from the end of the time
+ * step within which that instant falls; no step is longer than the interval. */
 #ifndef OVERBEND_CONTROLLER_H
 #define OVERBEND_CONTROLLER_H
 
