@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core
 from .errors import ResultsError
-from .groups import Record, Records, Table, nearest, table_of, wrapped
+from .groups import Record, Records, Table, nearest, record_of, table_of, wrapped
 from .values import Number, labelled, xarray_module
 
 if TYPE_CHECKING:
@@ -116,7 +116,8 @@ class Results:
             record = self._part_of(self.summary) if name in self._late else self._record
             value = self._table(name) if name in self._tables else record[name]
         except KeyError as fault:
-            raise AttributeError(fault.args[0] + nearest(name, self._names())) from None
+            known = name in self._tables  # and these results have no such table
+            raise AttributeError(fault.args[0] if known else f"there is no '{name}'{nearest(name, self._names())}") from None
         self.__dict__[name] = value
         return value
 
@@ -189,6 +190,7 @@ class StaticResults(Results):
     _tables = {"pipe": "/static/stations", "supports": "/static/supports", "rows": "/static/rows",
                "rollers": "/static/rollers", "sections": "/static/sections", "structures": "/static/structures",
                "stinger_sections": "/static/stinger", "contacts": "/static/bed/contacts",
+               "bed_heights": "/static/bed/heights",
                "free_spans": "/static/bed/spans", "mooring_lines": "/moorings/lines"}
 
     def __init__(self, solved: "Optional[_core.Statics]", model: "Optional[Model]", folder: Optional[pathlib.Path] = None):
@@ -215,6 +217,15 @@ class StaticResults(Results):
     def model(self) -> "Model":
         """The model that these are the results of."""
         return _model_of(self)
+
+    @functools.cached_property
+    def scene(self) -> Record:
+        """Where things are, for figures of one's own.
+
+        `stern_shoe` and `tensioner` [m, W], `vessel_axes` (columns forward, port, up in W), `vessel_length`, `vessel_beam`,
+        `vessel_depth`, `vessel_draught`, `water_depth`, `pipe_outer_diameter`, `steel_outer_diameter` [m].
+        """
+        return record_of(self._source, "/static/scene")
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Writes the files that `overbend static -o` writes, report.html with them, whole or not at all.

@@ -267,6 +267,23 @@ TEST(study_runner, a_case_alone_leaves_all_its_files) {
   EXPECT_EQ(run(tried).done, 14U);
 }
 
+TEST(study_runner, a_case_that_fails_alone_keeps_the_result_that_the_study_found) {
+  const Tried tried("axes: [{key: tensioner.tension, values: [300 kN, 5 kN]}]\ngather: [static.lay_back]\n");
+  open_study(*tried.base, *tried.cases, tried.folder());
+  StudyCase solved = tried.cases->at(1);  // as if the case beside it had led to a solution
+  solved.state = StudyCaseState::done;
+  solved.values = {123.0};
+  solved.passed = true;
+  write_case_record(solved, tried.cases->inputs(), study_outputs(*tried.base), tried.folder());
+  const std::string record = "out/" + solved.folder + "/case.json", before = tried.scratch.read(record);
+  const StudyCase alone = run_study_case(*tried.base, *tried.cases, tried.folder(), 1, [] { return false; });
+  EXPECT_EQ(alone.state, StudyCaseState::failed);
+  EXPECT_NE(alone.reason.find("tension"), std::string::npos) << alone.reason;
+  EXPECT_NE(alone.reason.find("its record is kept"), std::string::npos) << alone.reason;
+  EXPECT_EQ(tried.scratch.read(record), before);
+  EXPECT_EQ(read_study(tried.folder()).cases[1].values[0], 123.0);
+}
+
 TEST(study_runner, a_goal_seek_in_every_case_gathers_its_answer) {
   const Tried tried(
       "analysis: seek\naxes: [{key: environment.water_depth, values: [19.5 m, 20.5 m]}]\n"

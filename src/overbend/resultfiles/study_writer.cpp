@@ -50,6 +50,11 @@ TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t 
   return number_cell(one.inputs[i], 1.0 / factor_of(input));
 }
 
+TableCell verdict_cell(const StudyCase& one) {
+  if (one.passed && !is_checked(one)) return "no check";
+  return VerdictCell{one.passed, one.passed ? "passed" : "exceeded"};
+}
+
 std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
   std::vector<TableCell> cells = {static_cast<double>(one.number), one.folder};
   for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], one, i));
@@ -65,7 +70,7 @@ std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& on
       cells.push_back(number_cell(one.values[i], shown_output(output).factor));
     }
   }
-  cells.push_back(done ? TableCell(VerdictCell{one.passed, one.passed ? "passed" : "exceeded"}) : std::monostate());
+  cells.push_back(done ? verdict_cell(one) : std::monostate());
   cells.emplace_back(one.governing);
   cells.push_back(number_cell(one.utilisation, 1.0));
   cells.emplace_back(state_word(one));

@@ -98,6 +98,7 @@ CaseAnswer answer_dynamics(const CaseBase& base, const CaseQuestion& question, C
                                        conduct.files != nullptr ? *conduct.files : own, {}, files);
   if (exceeded && end.ending == RunEnding::interrupted) {  // there is nothing to go on with
     static_cast<RunEnd&>(end) = {};
+    keep_lasting_checks(end.results->checks);
     if (auto left = RunStore::resume(conduct.folder, prepared.input, seed)) left->store.remove();
   }
   CaseAnswer answer{static_cast<const RunEnd&>(end)};

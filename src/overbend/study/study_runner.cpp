@@ -245,6 +245,12 @@ class StudyWork {
   std::exception_ptr fault_;
 };
 
+/// Why a case that has failed alone leaves its record as it is.
+const char* kept_words(RunEnding ending) {
+  return ending == RunEnding::no_solution ? "; the study found a solution from the cases around, and its record is kept"
+                                          : "; the study has a result of this case, and its record is kept";
+}
+
 }  // namespace
 
 void StudyWatch::begin(std::size_t /*open*/, std::size_t /*finished*/) {}
@@ -268,6 +274,10 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
   one.wall_time = seconds_since(begun);
   if (answer.ending == RunEnding::interrupted) {
     one.state = StudyCaseState::open;
+    return one;
+  }
+  if (one.state == StudyCaseState::failed && recorded_state(folder, number) == StudyCaseState::done) {
+    one.reason += kept_words(answer.ending);
     return one;
   }
   write_case_record(one, cases.inputs(), outputs, folder);

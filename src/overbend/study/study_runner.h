@@ -50,7 +50,8 @@ struct StudyTally {
 StudyTally run_study_cases(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                            const StudyRunOptions& options, StudyWatch& watch);
 
-/// Runs one case by itself, whatever its record says, with all result files in its folder, and records it.
+/// Runs one case by itself, whatever its record says, with all result files in its folder, and records it. Where it
+/// fails although its record has a result, which another case may have led to, the record stays and the reason says so.
 StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                          std::size_t number, const std::function<bool()>& stop);
 
