@@ -196,9 +196,10 @@ class Table:
 
     def __repr__(self) -> str:
         lines = [f"<Table of {len(self)} rows>"]
+        width = max([28, *(len(name) + 2 for name in self._names)])
         for name in self._names:
             attrs = self.column(name).attrs
-            lines.append(f"  {name:<28}{_unit(attrs['units']):<10}{attrs['description']}")
+            lines.append(f"  {name:<{width}}{_unit(attrs['units']):<10}{attrs['description']}")
         return "\n".join(lines)
 
 

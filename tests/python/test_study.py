@@ -67,6 +67,7 @@ class Studies(unittest.TestCase):
         self.assertEqual(grid.shape, (5, 3))
         self.assertEqual(list(grid.coords[DEPTH].values), [39.0, 40.0, 41.0])
         self.assertEqual(list(grid.coords["pipe.steel.yield_stress"].values), [400e6, 414e6, 430e6])
+        self.assertEqual([grid.coords[key].attrs["units"] for key in AXES], ["N", "m"])
         cell = grid.sel({TENSION: 280e3, DEPTH: 41.0})
         self.assertEqual(float(cell), float(results.table["static.lay_back"].values[5]))
         self.assertEqual(results.table[TENSION].values[5], 280e3)
