@@ -48,7 +48,8 @@ except KeyboardInterrupt:
 def sea_model(**keys):
     """BGL-1 in a sea that a barge works in, coarse, for 4 s after a build-up of 2 s."""
     return ob.Model.read(WAVES).with_({**COARSE, "analysis.dynamic.build_up": "2 s", "analysis.dynamic.duration": "4 s",
-                                       "environment.waves.components": 40, "tensioner.range": ["240 kN", "260 kN"],
+                                       "environment.waves.components": 40, "tensioner.mode": "controlled",
+                                       "tensioner.range": ["240 kN", "260 kN"],
                                        **keys})
 
 

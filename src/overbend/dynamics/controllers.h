@@ -43,8 +43,9 @@ class Controllers {
   const std::vector<CommandedMachine>& machines() const { return machines_; }
   /// Whether somebody is asked at all.
   bool active() const;
-  /// The shortest of their intervals; infinite where nobody is asked. No step should be longer [s].
-  double shortest_interval() const;
+  /// The longest step that leaves them time to act: a quarter more than the shortest interval, so that the usual
+  /// longest step serves the usual interval; infinite where nobody is asked [s].
+  double longest_step() const;
   /// What winches measure, before the first step.
   void begin(const Assembly& assembly, SystemState& state) const;
   /// Asks at the present instant, for those times that have come since the instant before: what they see is between the

@@ -2,7 +2,7 @@
  *
  * A controller drives the tensioner, or the winch of a mooring line, during an analysis in time. It is asked for the
  * multiples of an interval and answers with what its machine shall do until it is asked again, from the end of the time
- * step within which that instant falls; no step is longer than the interval. */
+ * step within which that instant falls; no step is longer than 1.25 intervals. */
 #ifndef OVERBEND_CONTROLLER_H
 #define OVERBEND_CONTROLLER_H
 
