@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from .errors import ModelError
+from .values import Number
 
 #: A time: seconds, or a text with its unit; None where it is left out.
 Time = Union[str, float, int, None]
@@ -19,8 +20,8 @@ def changes_of(keys: Mapping[str, Any]) -> list[Change]:
     """The changes that put the values into the text of a model.
 
     Args:
-        keys: Of the model: texts with their units ("260 kN"), numbers where the key has no unit, truth values, lists and
-            dicts of these for groups, None to remove the key.
+        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit,
+            truth values, lists and dicts of these for groups, None to remove the key.
     """
     return [change_of(key, value) for key, value in keys.items()]
 
@@ -40,6 +41,8 @@ def scalar(value: Any, key: str = "") -> str:
         return "true" if value else "false"
     if isinstance(value, (str, numbers.Integral)):
         return str(value)
+    if isinstance(value, Number) and value.units != "1":
+        return f"{float(value)!r} {value.units}"
     if isinstance(value, numbers.Real):
         return repr(float(value))
     raise ModelError(f"{key}: found {value!r}, expected a text such as '260 kN', a number, a truth value, a list or a dict")

@@ -7,6 +7,7 @@
 #include "dynamics/controllers.h"
 #include "python/bindings.h"
 #include "python/given_controller.h"
+#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
 #include "python/statics_handle.h"
@@ -98,8 +99,15 @@ StudyEnd run_in(const Description& description, const RunWish& wish, const fs::p
   }
   const StudyPlan plan = plan_of(description, wish);
   require_wish(case_folders(plan, folder), wish);
-  static std::mutex files;  // HDF5 serves one thread alone
+  InterpreterLock files;
   return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
+}
+
+/// How it ended, with the reasons of the runs that failed.
+RunEnd all_told(const StudyEnd& end) {
+  std::string why = end.why;
+  for (const FailedCase& one : end.failed) why += (why.empty() ? "" : "; ") + one.name + ": " + one.why;
+  return {end.ending, why};
 }
 
 py::dict told_end(const StudyEnd& end) {
@@ -116,7 +124,6 @@ py::dict told_end(const StudyEnd& end) {
 py::dict run(const ModelHandle& model, const std::string& folder, const RunWish& wish, const py::object& progress) {
   RunWatch watch;
   StudyEnd end;
-  py::object raised = py::none();
   try {
     const auto work = [&] { end = run_in(chosen_description(model, wish.stage), wish, folder, watch); };
     work_beside([&] { work_with_calls(work); }, watch.stopped, [&] { watch.tell(progress); });
@@ -130,8 +137,8 @@ py::dict run(const ModelHandle& model, const std::string& folder, const RunWish&
     raise_of_controllers(wish.controllers, end.why);
     raise_controller_error(end.why, "", "");
   }
-  const bool some = end.ending == RunEnding::no_solution && (end.seeds || end.comparison);  // and others failed
-  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(end);
+  const bool some = end.seeds && !end.seeds->runs.empty();  // and others failed
+  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(all_told(end));
   return told_end(end);
 }
 
