@@ -465,6 +465,27 @@ TEST(controllers, of_a_winch_do_what_its_program_does) {
   EXPECT_NEAR(asked.seen.back().length - asked.seen.front().length, 2.0, 1e-9);
 }
 
+TEST(controllers, of_winches_that_keep_a_tension_set_it_and_go_on_from_a_checkpoint) {
+  Description d = moored(WinchMode::tension, 8.0);
+  d.moorings->winches.back().tension = 320e3;
+  const std::string name = d.moorings->lines.front().name;
+  Asked asked([](const MachineReading& now) {
+    if (now.time < 1.0 - 1e-9) return MachineCommand{};
+    return now.time < 3.0 - 1e-9 ? speed(-0.05) : set_to(280e3);
+  });
+  MooredRun whole(d, {{name, &asked, 0.1}}), resumed(d, {{name, &asked, 0.1}});
+  ASSERT_TRUE(whole.simulation->advance(2.5));
+  EXPECT_EQ(asked.seen.back().set_tension, 320e3);
+  EXPECT_EQ(whole.fairlead().machine.commanded, -0.05);
+  resumed.simulation->restore(whole.simulation->checkpoint());
+  ASSERT_TRUE(whole.simulation->advance(8.0));
+  EXPECT_EQ(asked.seen.back().set_tension, 280e3);
+  EXPECT_GT(whole.fairlead().way.rate, 0.0);  // it pays out for the lower tension
+  ASSERT_TRUE(resumed.simulation->advance(8.0));
+  EXPECT_EQ(resumed.simulation->now().state->lines.at(1).q, whole.simulation->now().state->lines.at(1).q);
+  EXPECT_EQ(resumed.fairlead().way.moved, whole.fairlead().way.moved);
+}
+
 TEST(controllers, of_a_winch_need_one_and_lines_of_elements) {
   Description d = moored(WinchMode::hold, 1.0);
   const std::string name = d.moorings->lines.front().name;
