@@ -10,6 +10,8 @@
 extern "C" {
 #endif
 
+/* Names as C has them: NOLINTBEGIN(readability-identifier-naming) */
+
 /* What a controller sees of its machine and of the vessel. All values are doubles, in SI units; new ones are added at
  * the end alone. Numbers in brackets: place among the doubles, for languages that see an array. */
 struct overbend_reading {
@@ -36,6 +38,8 @@ enum overbend_answer {
  * the doubles that it was registered with, which it may change: they belong to the run's state and are saved with it.
  */
 typedef int (*overbend_controller)(const struct overbend_reading* seen, double* command, double* memory);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }
