@@ -2,7 +2,7 @@
 """What a controller in Python costs a storm: bench/python_controller.py [SECONDS [PAIRS]].
 
 BGL-1 in its storm with and without a controller that is asked every 0.1 s and answers nothing, in turn, so that what else
-the machine does falls on both alike. Told are the times, the steps, and the ratio of the medians; beside them the time
+the computer does falls on both alike. Told are processor times, steps, and the ratio of the medians; beside them the time
 that the function itself takes.
 """
 
@@ -11,7 +11,7 @@ import statistics
 import sys
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "build/release/python"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "build/release/python"))
 import overbend as ob  # noqa: E402
 
 
@@ -32,9 +32,9 @@ class Law:
 
 def storm(model: "ob.Model", seconds: float, law: "Law | None") -> "tuple[float, int]":
     sim = model.simulation(duration=seconds, controllers={"tensioner": law} if law else None)
-    begun = time.perf_counter()
+    begun = time.process_time()
     sim.advance(seconds)
-    return time.perf_counter() - begun, sim.steps
+    return time.process_time() - begun, sim.steps
 
 
 def main() -> None:

@@ -45,7 +45,7 @@ class Controller:
     acceleration and keeps it, within its velocity and its travel.
 
     It is asked for the multiples of its interval exactly. What it answers is in force from the end of the time step within
-    which that instant falls: steps are shorter than the interval, or as long.
+    which that instant falls; no step is longer than 1.25 intervals.
 
     `seen` has `time` [s], `tension` [N], `paid_out` [m], `speed` [m/s], `set_tension` [N], `length` of a mooring line [m],
     `guide_speed`, that of the guide or fairlead along the line [m/s], `vessel` and `vessel_velocity`: (6,) surge, sway,

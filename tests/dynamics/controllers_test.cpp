@@ -124,7 +124,7 @@ class Tensions : public SimulationObserver {
   }
 };
 
-TEST(controllers, are_asked_for_the_multiples_of_their_interval_exactly_and_no_step_is_longer) {
+TEST(controllers, are_asked_for_the_multiples_of_their_interval_exactly_and_no_step_is_much_longer) {
   for (const double interval : {0.1, 0.07, 0.6}) {
     Asked asked;
     Simulated simulation(brief_case(), with(brief_case(), &asked, interval));
@@ -137,7 +137,7 @@ TEST(controllers, are_asked_for_the_multiples_of_their_interval_exactly_and_no_s
       EXPECT_NEAR(asked.seen[i].tension, tensions.at(asked.seen[i].time), 1e-6);
     }
     EXPECT_GT(asked.seen.back().time, 4.0 - interval - 0.125);
-    EXPECT_LE(tensions.longest, interval * (1.0 + 1e-9));
+    EXPECT_LE(tensions.longest, 1.25 * interval * (1.0 + 1e-9));
     EXPECT_EQ(simulation.time(), 4.0);
   }
 }
@@ -162,32 +162,31 @@ TEST(controllers, see_what_the_instruments_of_the_machine_show) {
   EXPECT_GT(std::abs(seen.guide_speed), 1e-4);
 }
 
-// The guide goes away along the pipe as its barge does: what its speed adds up to is what the pipe is pulled by.
+// By so much as it goes away in a step the pipe would be stretched.
 TEST(controllers, see_the_speed_of_the_guide_along_the_pipe) {
   Asked asked;
-  Simulated simulation(brief_case(), with(brief_case(), &asked, 0.02));
-  const auto along = [&] {
-    const EndMotion& guide = simulation.now().assembly->surroundings().ends[1];
-    return guide.place.dot(guide.direction);
-  };
-  simulation.advance(1.0);
-  const double from = along();
-  simulation.advance(3.0);
-  double way = 0.0;
-  for (const MachineReading& at : asked.seen) {
-    if (at.time > 1.0 - 1e-9 && at.time < 3.0 - 1e-9) way += 0.02 * at.guide_speed;
+  Simulated simulation(brief_case(), with(brief_case(), &asked, 0.05));
+  double fastest = 0.0;
+  for (double t = 0.0; t <= 3.5; t += 0.5) {
+    simulation.advance(t);
+    const EndMotion from = simulation.now().assembly->surroundings().ends[1];
+    simulation.step();  // asks at its beginning
+    const double way = (simulation.now().assembly->surroundings().ends[1].place - from.place).dot(from.direction);
+    EXPECT_EQ(asked.seen.back().time, t);
+    EXPECT_NEAR(asked.seen.back().guide_speed, way / simulation.now().step, 0.01);  // half a step's acceleration
+    fastest = std::max(fastest, std::abs(asked.seen.back().guide_speed));
   }
-  EXPECT_NEAR(way, along() - from, 0.02 * std::abs(along() - from) + 2e-3);  // rectangles; the guide pitches, too
+  EXPECT_GT(fastest, 0.02);
 }
 
 TEST(controllers, that_answer_nothing_leave_every_bit_as_it_is) {
   for (const Case* c : {&brief_case(), &controlled_case()}) {
     Asked asked;
-    Simulated alone(*c), with_one(*c, with(*c, &asked, c->model.description.dynamics->output_step));
+    Simulated alone(*c), with_one(*c, with(*c, &asked));
     alone.advance(4.0);
     with_one.advance(4.0);
     expect_same(alone, with_one);
-    EXPECT_EQ(asked.seen.size(), 12U);
+    EXPECT_EQ(asked.seen.size(), 60U);
   }
 }
 
@@ -228,13 +227,14 @@ TEST(controllers, pay_out_what_speed_and_ramps_make) {
   EXPECT_LT(simulation.tension(), 245e3);
 }
 
+// The bed holds the pipe by friction: a fraction of a millimetre is what 5 kN take.
 TEST(controllers, reach_the_tension_that_they_want_by_speed) {
-  constexpr double kWanted = 245e3, kGain = 1e-5;  // [m/s/N] 0.05 m/s at 5 kN
+  constexpr double kWanted = 245e3, kGain = 2e-7;  // 1 mm/s at 5 kN
   Asked asked([&](const MachineReading& now) { return speed(kGain * (now.tension - kWanted)); });
   Simulated simulation(calm_case(), with(calm_case(), &asked));
   ASSERT_TRUE(simulation.advance(40.0));
   EXPECT_NEAR(simulation.tension(), kWanted, 50.0);
-  EXPECT_GT(simulation.travel(), 0.05);
+  EXPECT_GT(simulation.travel(), 1e-4);
   EXPECT_LT(std::abs(simulation.energy().drift()), 1e-3);
 }
 
@@ -245,9 +245,8 @@ TEST(controllers, that_imitate_the_law_of_the_tensioner_give_nearly_its_run) {
   d.tensioner.mode = TensionerMode::controlled;
   d.tensioner.velocity = 0.02;
   d.tensioner.delay = 0.0;
-  d.tensioner.range_low = 230e3;  // it is out of range at once
-  d.tensioner.range_high = 245e3;
-  d.tensioner.tension = 240e3;
+  d.tensioner.range_low = 240e3;
+  d.tensioner.range_high = 255e3;
   const Case own(d);
   d.tensioner.mode = TensionerMode::locked;
   const Case led(d);
@@ -256,6 +255,7 @@ TEST(controllers, that_imitate_the_law_of_the_tensioner_give_nearly_its_run) {
     return speed(0.02 * std::clamp(error > 0.0 ? error / 5e3 : error / 10e3, -1.0, 1.0));
   });
   Simulated by_law(own), by_controller(led, with(led, &governor, 0.02));
+  by_law.set_tension(240e3);  // 230 to 245 kN: it is out of range at once
   for (double t = 0.5; t <= 20.0; t += 0.5) {
     by_law.advance(t);
     by_controller.advance(t);
@@ -463,6 +463,27 @@ TEST(controllers, of_a_winch_do_what_its_program_does) {
   EXPECT_EQ(asked.seen.front().time, 0.0);
   EXPECT_GT(asked.seen.front().tension, 50e3);
   EXPECT_NEAR(asked.seen.back().length - asked.seen.front().length, 2.0, 1e-9);
+}
+
+TEST(controllers, of_winches_that_keep_a_tension_set_it_and_go_on_from_a_checkpoint) {
+  Description d = moored(WinchMode::tension, 8.0);
+  d.moorings->winches.back().tension = 320e3;
+  const std::string name = d.moorings->lines.front().name;
+  Asked asked([](const MachineReading& now) {
+    if (now.time < 1.0 - 1e-9) return MachineCommand{};
+    return now.time < 3.0 - 1e-9 ? speed(-0.05) : set_to(280e3);
+  });
+  MooredRun whole(d, {{name, &asked, 0.1}}), resumed(d, {{name, &asked, 0.1}});
+  ASSERT_TRUE(whole.simulation->advance(2.5));
+  EXPECT_EQ(asked.seen.back().set_tension, 320e3);
+  EXPECT_EQ(whole.fairlead().machine.commanded, -0.05);
+  resumed.simulation->restore(whole.simulation->checkpoint());
+  ASSERT_TRUE(whole.simulation->advance(8.0));
+  EXPECT_EQ(asked.seen.back().set_tension, 280e3);
+  EXPECT_GT(whole.fairlead().way.rate, 0.0);  // it pays out for the lower tension
+  ASSERT_TRUE(resumed.simulation->advance(8.0));
+  EXPECT_EQ(resumed.simulation->now().state->lines.at(1).q, whole.simulation->now().state->lines.at(1).q);
+  EXPECT_EQ(resumed.fairlead().way.moved, whole.fairlead().way.moved);
 }
 
 TEST(controllers, of_a_winch_need_one_and_lines_of_elements) {

@@ -45,7 +45,7 @@ struct ControllerUse {
   std::string machine = kTensionerMachine;  ///< Or the name of a mooring line, whose winch it is.
   /// Has to outlive the simulation. Null: the machine takes commands between steps alone, see Simulation::command.
   Controller* controller = nullptr;
-  double interval = 0.1;  ///< For whose multiples it is asked; no step is longer [s].
+  double interval = 0.1;  ///< For whose multiples it is asked [s].
 };
 
 /// A compiled function with its memory.

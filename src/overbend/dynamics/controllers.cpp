@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kSameInstant = 1e-9;       ///< [s]
 constexpr double kShortestInterval = 1e-3;  ///< [s]
+constexpr double kOfInterval = 1.25;        ///< No step is longer than this.
 constexpr double kNeverHappened = 1e300;    ///< In a checkpoint, in place of a time.
 
 std::string quoted(const std::vector<std::string>& names) {
@@ -201,12 +202,12 @@ bool Controllers::active() const {
   return std::any_of(machines_.begin(), machines_.end(), [](const CommandedMachine& m) { return m.controller; });
 }
 
-double Controllers::shortest_interval() const {
+double Controllers::longest_step() const {
   double least = std::numeric_limits<double>::infinity();
   for (const CommandedMachine& machine : machines_) {
     if (machine.controller != nullptr) least = std::min(least, machine.interval);
   }
-  return least;
+  return kOfInterval * least;
 }
 
 void Controllers::begin(const Assembly& assembly, SystemState& state) const {

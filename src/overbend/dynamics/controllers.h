@@ -22,13 +22,14 @@ struct CommandedMachine {
   std::string words;  ///< For messages: "the tensioner", "the winch of mooring line 'bow'".
   std::size_t attachment = 0;
   Controller* controller = nullptr;
-  double interval = 0.0;       ///< [s]
-  MachineReading before{};     ///< What was seen at the instant before.
-  std::int64_t next = 0;       ///< It is asked next at this multiple of the interval.
-  double fastest_asked = 0.0;  ///< Largest speed that was asked for [m/s].
-  double asked_at() const { return static_cast<double>(next) * interval; }  ///< [s]
+  double interval = 0.0;               ///< [s]
+  MachineReading before{};             ///< What was seen at the instant before.
+  std::int64_t next = 0;               ///< It is asked next at this multiple of the interval.
+  double fastest_asked = 0.0;          ///< Largest speed that was asked for [m/s].
   std::optional<double> stopped_at{};  ///< When it was first found at the end of its travel [s].
   std::optional<double> forgot_at{};   ///< Where it was taken up last without a memory of its controller's [s].
+
+  double asked_at() const { return static_cast<double>(next) * interval; }  ///< Next [s].
 };
 
 class Controllers {
@@ -43,8 +44,9 @@ class Controllers {
   const std::vector<CommandedMachine>& machines() const { return machines_; }
   /// Whether somebody is asked at all.
   bool active() const;
-  /// The shortest of their intervals; infinite where nobody is asked. No step should be longer [s].
-  double shortest_interval() const;
+  /// The longest step that leaves them time to act: a quarter more than the shortest interval, so that the usual
+  /// longest step serves the usual interval; infinite where nobody is asked [s].
+  double longest_step() const;
   /// What winches measure, before the first step.
   void begin(const Assembly& assembly, SystemState& state) const;
   /// Asks at the present instant, for those times that have come since the instant before: what they see is between the

@@ -2,13 +2,15 @@
  *
  * A controller drives the tensioner, or the winch of a mooring line, during an analysis in time. It is asked for the
  * multiples of an interval and answers with what its machine shall do until it is asked again, from the end of the time
- * step within which that instant falls; no step is longer than the interval. */
+ * step within which that instant falls; no step is longer than 1.25 intervals. */
 #ifndef OVERBEND_CONTROLLER_H
 #define OVERBEND_CONTROLLER_H
 
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Names as C has them: NOLINTBEGIN(readability-identifier-naming) */
 
 /* What a controller sees of its machine and of the vessel. All values are doubles, in SI units; new ones are added at
  * the end alone. Numbers in brackets: place among the doubles, for languages that see an array. */
@@ -36,6 +38,8 @@ enum overbend_answer {
  * the doubles that it was registered with, which it may change: they belong to the run's state and are saved with it.
  */
 typedef int (*overbend_controller)(const struct overbend_reading* seen, double* command, double* memory);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

@@ -123,8 +123,8 @@ py::dict run(const ModelHandle& model, const std::string& folder, const RunWish&
   RunWatch watch;
   StudyEnd end;
   try {
-    work_beside([&] { end = run_in(chosen_description(model, wish.stage), wish, folder, watch); }, watch.stopped,
-                [&] { watch.tell(progress); });
+    const auto work = [&] { end = run_in(chosen_description(model, wish.stage), wish, folder, watch); };
+    work_beside([&] { work_with_calls(work); }, watch.stopped, [&] { watch.tell(progress); });
   } catch (py::error_already_set& error) {
     if (!error.matches(PyExc_KeyboardInterrupt)) throw;
     py::dict told = told_end(end);

@@ -168,7 +168,7 @@ py::dict machine_of(const SimulationHandle& handle, const std::string& name) {
 void advance_to(const Handle& handle, double until) {
   std::atomic<bool> stop = false;
   try {
-    work_beside([&] { handle->advance(until, stop); }, stop, {});
+    work_beside([&] { work_with_calls([&] { handle->advance(until, stop); }); }, stop, {});
   } catch (const SolveFault& fault) {
     tell_failure(*handle, fault);
   }
@@ -179,7 +179,7 @@ bool take_step(const Handle& handle) {
   std::atomic<bool> stop = false;
   bool stepped = false;
   try {
-    work_beside([&] { stepped = handle->step(); }, stop, {});
+    work_beside([&] { work_with_calls([&] { stepped = handle->step(); }); }, stop, {});
   } catch (const SolveFault& fault) {
     tell_failure(*handle, fault);
   }
@@ -231,7 +231,7 @@ void add_simulation(py::module_& module) {
       .def(
           "command",
           [](const Handle& handle, const std::string& machine, const py::object& answer) {
-            handle->command(machine, command_of(answer));
+            handle->command(machine, command_of(answer, set_tension_class()));
           },
           py::arg("machine"), py::arg("command"))
       .def_property_readonly("time", [](const Handle& handle) { return handle->simulation().time(); })

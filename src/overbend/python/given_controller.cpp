@@ -13,10 +13,13 @@ std::string shown(const py::handle& object) {
 
 }  // namespace
 
-MachineCommand command_of(const py::handle& answer) {
+py::object set_tension_class() {
+  return py::module_::import("overbend.controllers").attr("SetTension");
+}
+
+MachineCommand command_of(const py::handle& answer, const py::object& set_tension) {
   using Kind = MachineCommand::Kind;
   if (answer.is_none()) return {Kind::leave, 0.0};
-  const py::object set_tension = py::module_::import("overbend.controllers").attr("SetTension");
   if (!PyBool_Check(answer.ptr()) && !py::isinstance<py::str>(answer)) {
     const double value = PyFloat_AsDouble(answer.ptr());
     if (PyErr_Occurred() == nullptr) return {py::isinstance(answer, set_tension) ? Kind::tension : Kind::speed, value};
@@ -26,7 +29,10 @@ MachineCommand command_of(const py::handle& answer) {
 }
 
 PythonController::PythonController(py::function function, py::object save, py::object restore)
-    : function_(std::move(function)), save_(std::move(save)), restore_(std::move(restore)) {}
+    : function_(std::move(function)),
+      save_(std::move(save)),
+      restore_(std::move(restore)),
+      set_tension_(set_tension_class()) {}
 
 /// Where a function raises, its exception is kept as it is for who started the run.
 void PythonController::keep(py::error_already_set& error) const {
@@ -37,7 +43,7 @@ void PythonController::keep(py::error_already_set& error) const {
 MachineCommand PythonController::command(const MachineReading& seen) {
   const py::gil_scoped_acquire hold;
   try {
-    return command_of(function_(seen.time, seen));
+    return command_of(function_(seen.time, seen), set_tension_);
   } catch (py::error_already_set& error) {
     keep(error);
     throw std::runtime_error(error.what());

@@ -29,7 +29,7 @@ class PythonController : public Controller {
   void keep(pybind11::error_already_set& error) const;
 
   pybind11::function function_;
-  pybind11::object save_, restore_;
+  pybind11::object save_, restore_, set_tension_;
   mutable pybind11::object raised_;  ///< An exception; none.
 };
 
@@ -48,7 +48,9 @@ std::vector<ControllerUse> uses_of(const GivenControllers& given);
 /// Raises what one of them raised while it was called: the end of a run that failed for it.
 void raise_of_controllers(const GivenControllers& given, const std::string& why);
 
-/// What Python says a machine shall do: None, a speed [m/s], or overbend.SetTension [N]. Throws std::invalid_argument.
-MachineCommand command_of(const pybind11::handle& answer);
+/// What Python says a machine shall do: None, a speed [m/s], or a `set_tension` [N], the class overbend.SetTension.
+/// Throws std::invalid_argument.
+MachineCommand command_of(const pybind11::handle& answer, const pybind11::object& set_tension);
+pybind11::object set_tension_class();
 
 }  // namespace overbend

@@ -15,6 +15,15 @@ auto without_lock(Function make) {
   return make();
 }
 
+/// Calls `work` in a thread that Python does not know, so that taking the interpreter's lock within it is cheap: what
+/// Python keeps of the thread is made once.
+template <class Function>
+void work_with_calls(Function work) {
+  const pybind11::gil_scoped_acquire known;
+  const pybind11::gil_scoped_release free;
+  work();
+}
+
 /// Does `work` in a thread of its own, without the interpreter's lock. This one waits, ten times a second lets Python
 /// see its signals and calls `tell` with the lock. Where either raises, `stop` becomes true, the end of the work is
 /// awaited, and the exception is thrown: KeyboardInterrupt after Ctrl-C. Exceptions of the work are thrown here.
