@@ -1,4 +1,5 @@
 # The component `python`: the package, and what tells pip and importlib.metadata of it.
+find_package(Python REQUIRED COMPONENTS Interpreter)  # the one that the module is built for
 set(OVERBEND_PYTHON_DIR "" CACHE STRING "Folder of Python packages below the prefix; empty: where Python looks there")
 set(METADATA ${CMAKE_CURRENT_BINARY_DIR}/METADATA)
 set(INSTALLER ${CMAKE_CURRENT_BINARY_DIR}/INSTALLER)
