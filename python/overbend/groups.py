@@ -224,6 +224,20 @@ def table_of(source: Any, group: str, records: Records | None = None) -> Table:
     return Table(ordered, column, records)
 
 
+def record_of(source: Any, group: str) -> Record:
+    """The single values and the vectors that stand directly in a group of datasets.
+
+    Args:
+        source: As of table_of().
+        group: Path of the group, "/static/scene".
+    """
+    told = {name: source.dataset(f"{group}/{name}") for name in source.names(group) if not name.endswith("/")}
+    vectors = ("component", "axis")
+    values = {name: labelled(one[0], name, vectors[:one[0].ndim], {}, *one[1:4]) if isinstance(one[0], np.ndarray) else one[0]
+              for name, one in told.items()}
+    return Record(values, {name: one[1] for name, one in told.items()}, {name: one[2] for name, one in told.items()})
+
+
 def _plain(value: Any) -> Any:
     if isinstance(value, dict):
         return {name: _plain(item) for name, item in value.items()}

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import numbers
-from typing import Any, Mapping
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 
+from . import _core
 from .errors import ModelError
+from .values import Number
 
+#: A time: seconds, or a text with its unit; None where it is left out.
+Time = Union[str, float, int, None]
 Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
 
 
@@ -16,8 +20,8 @@ def changes_of(keys: Mapping[str, Any]) -> list[Change]:
     """The changes that put the values into the text of a model.
 
     Args:
-        keys: Of the model: texts with their units ("260 kN"), numbers where the key has no unit, truth values, lists and
-            dicts of these for groups, None to remove the key.
+        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit,
+            truth values, lists and dicts of these for groups, None to remove the key.
     """
     return [change_of(key, value) for key, value in keys.items()]
 
@@ -37,6 +41,8 @@ def scalar(value: Any, key: str = "") -> str:
         return "true" if value else "false"
     if isinstance(value, (str, numbers.Integral)):
         return str(value)
+    if isinstance(value, Number) and value.units != "1":
+        return f"{float(value)!r} {value.units}"
     if isinstance(value, numbers.Real):
         return repr(float(value))
     raise ModelError(f"{key}: found {value!r}, expected a text such as '260 kN', a number, a truth value, a list or a dict")
@@ -53,3 +59,13 @@ def flow(value: Any, key: str = "") -> str:
 
         return flow_scalar(value)
     return scalar(value, key)
+
+
+def seconds(duration: Time) -> Optional[float]:
+    """A duration in seconds; None where it is left out."""
+    if duration is None:
+        return None
+    value = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
+    if not value > 0.0:
+        raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
+    return value

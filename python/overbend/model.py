@@ -4,17 +4,25 @@ from __future__ import annotations
 
 import os
 import pathlib
-import tempfile
-from typing import Any, Iterable, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
 
 from . import _core
+from .controllers import Controllers, given_controllers
 from .errors import Interrupted, ModelError
-from .keys import changes_of
+from .keys import Time, changes_of, seconds
 from .progress import Progress, follower
-from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
+from .simulation import Simulation, simulate
+from .temporary import TemporaryFolder
+
+if TYPE_CHECKING:
+    from .lay_table import Depths, LayTable, RowProgress
+    from .operation import OperationResults
+    from .sensitivities import Sensitivities
 
 PathLike = Union[str, "os.PathLike[str]"]
-Time = Union[str, float, int, None]
+StageProgress = Callable[[int, int, str], object]
 
 
 class Model:
@@ -128,6 +136,7 @@ class Model:
 
     def dynamic(self, duration: Time = None, seed: Optional[int] = None, out: Optional[PathLike] = None, *,
                 stage: Union[str, int] = "", resume: bool = False, restart: bool = False, checkpoint: float = 30.0,
+                controllers: Optional[Controllers] = None, interval: float = 0.1,
                 progress: Union[bool, Progress] = False) -> DynamicResults:
         """A dynamic analysis: one run in time.
 
@@ -142,16 +151,39 @@ class Model:
             resume: Goes on with an unfinished run in `out`, where there is one.
             restart: Begins anew where there is one.
             checkpoint: Time between checkpoints [s].
+            controllers: Functions that drive machines, by 'tensioner' or the name of a mooring line for its winch; see
+                controllers.Controller. A run that was begun with some is resumed with some for the same machines.
+            interval: For whose multiples functions are asked [s].
             progress: True for a line on the terminal, or a function (see progress.Progress), called ten times a second.
 
         Raises:
             Interrupted: After Ctrl-C, with the folder from which the run can go on.
             NoSolution: Where statics or a time step cannot be solved.
+            ControllerError: Where a controller answers what its machine cannot do. What a controller raises comes as it is.
             ModelError, ResultsError: Where the input or the folder cannot be used.
         """
-        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), resume=resume, restart=restart,
-                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress)
+        folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), resume=resume, restart=restart,
+                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress,
+                                   controllers=given_controllers(controllers, interval))
         return DynamicResults(folder, self, holder)
+
+    def simulation(self, duration: Time = None, seed: Optional[int] = None, *, stage: Union[str, int] = "",
+                   controllers: Optional[Controllers] = None, interval: float = 0.1) -> Simulation:
+        """A dynamic analysis that goes on step by step, from rest before the build-up of the sea. It writes no files.
+
+        Args:
+            duration: '600 s' or a number of seconds, in place of the model's.
+            seed: Of the waves; left out the model's first.
+            stage: Of an operation on the line, by name or number from 1.
+            controllers: As of dynamic(). A mooring line with None takes commands by `sim.command()` alone; the tensioner
+                takes them always.
+            interval: For whose multiples functions are asked [s].
+
+        Raises:
+            NoSolution: Where there is no equilibrium to begin with.
+            ModelError: Where the input, or a machine that is to be controlled, cannot be used.
+        """
+        return simulate(self._core, str(stage), duration, seed, given_controllers(controllers, interval))
 
     def seeds(self, seeds: Union[int, Iterable[int]], duration: Time = None, out: Optional[PathLike] = None, *,
               stage: Union[str, int] = "", threads: int = 0, resume: bool = False, restart: bool = False,
@@ -166,7 +198,7 @@ class Model:
         results lists it.
         """
         chosen = list(range(1, seeds + 1)) if isinstance(seeds, int) else [int(seed) for seed in seeds]
-        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), seeds=chosen, several=True,
+        folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), seeds=chosen, several=True,
                                    threads=threads, resume=resume, restart=restart, checkpoint=checkpoint,
                                    progress=progress)
         return SeedsResults(folder, self, holder)
@@ -183,37 +215,79 @@ class Model:
         """
         if of not in ("tensioner", "contact"):
             raise ValueError(f"of: found {of!r}, expected 'tensioner' or 'contact'")
-        folder, holder = self._run(out, of=of, duration=_seconds(duration), threads=threads, resume=resume,
+        folder, holder = self._run(out, of=of, duration=seconds(duration), threads=threads, resume=resume,
                                    restart=restart, checkpoint=checkpoint, progress=progress)
         return ComparisonResults(folder, self, holder)
 
+    def operation(self, progress: Optional[StageProgress] = None) -> "OperationResults":
+        """Solves the stages of the operation on the line one after the other, each from the one before.
+
+        Args:
+            progress: Called now and then with stages done, stages, and the name of the last one.
+
+        Raises:
+            ModelError: Where the model has no operation on the line.
+        """
+        from .operation import OperationResults
+
+        return OperationResults(_core.Operation(self._core, progress), self)
+
+    def lay_table(self, vary: Optional[str] = None, from_: Optional[str] = None, to: Optional[str] = None,
+                  step: Optional[str] = None, steps: Optional[int] = None, *, depths: "Depths" = None,
+                  least: bool = False, progress: "Optional[RowProgress]" = None) -> "LayTable":
+        """A table of lays: one quantity in steps, or the points of a route.
+
+            model.lay_table('tension', from_='200 kN', to='400 kN', step='20 kN').table['lay_back']
+
+        Args:
+            vary: 'tension' at the tensioner, 'lay_back' or 'depth' of the water; left out what the model's key
+                `lay_table` says, else tension.
+            from_, to: The least and the largest value, with units; left out they follow from the model's own lay.
+            step: Difference of neighbouring rows, or
+            steps: number of steps; rows are one more.
+            depths: In place of these, water depths along a route: pairs of distance and depth [m], or a CSV file with
+                the columns distance_m or kp_km and depth_m.
+            least: Along a route with the least tension with which every governing check is passed, at every point.
+            progress: Called now and then with rows done and rows asked for.
+
+        Raises:
+            ModelError: Where a value cannot be.
+        """
+        from .lay_table import lay_table
+
+        return lay_table(self, vary, from_, to, step, steps, depths, least, progress)
+
+    def sensitivities(self, keys: Optional[Iterable[str]] = None, *, stage: Union[str, int] = "",
+                      one_sided: bool = True) -> "Sensitivities":
+        """The derivatives of all results of statics by numbers of the model file, at its equilibrium.
+
+        Args:
+            keys: Keys with indices or names of items, 'supports.stinger.boxes[stinger 3].z'; left out every number that
+                the file has.
+            stage: Of an operation on the line, by name or number from 1.
+            one_sided: Whether contacts that open or close within the tolerance of an input are looked at.
+
+        Raises:
+            NoSolution: Where there is no equilibrium, or it is about to snap to another place.
+            ModelError: Where a key is none of these.
+        """
+        from .sensitivities import Sensitivities
+
+        return Sensitivities(_core.sensitivities(self._core, str(stage), list(keys or []), one_sided))
+
     def _run(self, out: Optional[PathLike], progress: Union[bool, Progress], **wish: Any) -> tuple[pathlib.Path, Any]:
-        holder = tempfile.TemporaryDirectory(prefix="overbend-") if out is None else None
-        folder = pathlib.Path(holder.name) / "results" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
+        holder = TemporaryFolder() if out is None else None
+        folder = holder.path / "results" if holder else pathlib.Path(os.fspath(out))  # type: ignore[arg-type]
         tell, end = follower(progress)
         try:
             told = _core.run(self._core, str(folder), progress=tell, **wish)
         finally:
             end()
         if told["interrupted"]:
-            kept = pathlib.Path(_keep(holder, folder)) if holder else folder
-            raise Interrupted(f"interrupted; model.dynamic(out='{kept}', resume=True) goes on", kept)
+            if holder:
+                holder.keep()
+            raise Interrupted(f"interrupted; model.dynamic(out='{folder}', resume=True) goes on", folder)
         return folder, holder
 
     def __repr__(self) -> str:
         return f"<Model '{self.title}', {self.file}>"
-
-
-def _keep(holder: "tempfile.TemporaryDirectory[str]", folder: pathlib.Path) -> str:
-    """The folder of an interrupted run: it must outlive the call."""
-    holder._finalizer.detach()  # type: ignore[attr-defined]
-    return str(folder)
-
-
-def _seconds(duration: Time) -> Optional[float]:
-    if duration is None:
-        return None
-    seconds = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
-    if not seconds > 0.0:
-        raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
-    return seconds

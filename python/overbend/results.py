@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _core
 from .errors import ResultsError
-from .groups import Record, Records, Table, nearest, table_of, wrapped
+from .groups import Record, Records, Table, nearest, record_of, table_of, wrapped
 from .values import Number, labelled, xarray_module
 
 if TYPE_CHECKING:
@@ -23,12 +23,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 @functools.cache
-def _units() -> dict[str, Any]:
+def summary_units() -> dict[str, Any]:
+    """Units of results in the places that these have in summary.json."""
     return _core.summary_units()
 
 
 @functools.cache
-def _descriptions() -> dict[str, Any]:
+def summary_descriptions() -> dict[str, Any]:
+    """Descriptions likewise."""
     return _core.summary_descriptions()
 
 
@@ -41,6 +43,8 @@ class Results:
 
     #: The part of the summary whose values are attributes.
     _part = "static"
+    #: Names of what takes longer than the rest and is found when it is asked for.
+    _late: tuple[str, ...] = ()
     #: Tables by their names and the groups of results.h5 that they come from.
     _tables: dict[str, str] = {}
 
@@ -53,38 +57,51 @@ class Results:
         raise NotImplementedError
 
     @functools.cached_property
+    def _quick(self) -> dict[str, Any]:
+        """The summary, if need be without what is late."""
+        return self.summary
+
+    @functools.cached_property
     def _source(self) -> Any:
         raise NotImplementedError
 
     @property
     def title(self) -> str:
         """Title of the model."""
-        return self.summary.get("title", "")
+        return self._quick.get("title", "")
 
     @property
     def warnings(self) -> list[str]:
         """What an engineer should know about these results."""
-        return list(self._record["warnings"] if "warnings" in self._record else self.summary.get("warnings", []))
+        return self._sentences("warnings")
 
     @property
     def assumptions(self) -> list[str]:
         """What was assumed."""
-        return list(self._record["assumptions"] if "assumptions" in self._record else self.summary.get("assumptions", []))
+        return self._sentences("assumptions")
 
     @functools.cached_property
     def checks(self) -> "Checks":
         """The code checks."""
-        return Checks(self.summary.get("checks", {}), _units().get("checks"), _descriptions().get("checks"))
+        return Checks(self.summary.get("checks", {}), summary_units().get("checks"), summary_descriptions().get("checks"))
 
     @functools.cached_property
     def _record(self) -> Record:
-        return Record(self.summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
+        return self._part_of(self._quick)
+
+    def _sentences(self, name: str) -> list[str]:
+        part = self.summary.get(self._part, {})
+        return list(part[name] if name in part else self.summary.get(name, []))
+
+    def _part_of(self, summary: dict[str, Any]) -> Record:
+        told = summary_units().get(self._part), summary_descriptions().get(self._part)
+        return Record(summary.get(self._part, {}), *told)
 
     def _table(self, name: str) -> Table:
         group = self._tables[name]
         if not self._source.names(group):
             raise KeyError(f"these results have no {name}")
-        rows = self.summary.get(self._part, {}).get(name)
+        rows = self._quick.get(self._part, {}).get(name)
         records = self._record[name] if isinstance(rows, list) and rows and isinstance(rows[0], dict) else None
         return table_of(self._source, group, records if isinstance(records, Records) else None)
 
@@ -96,9 +113,11 @@ class Results:
         if name.startswith("_"):
             raise AttributeError(name)
         try:
-            value = self._table(name) if name in self._tables else self._record[name]
+            record = self._part_of(self.summary) if name in self._late else self._record
+            value = self._table(name) if name in self._tables else record[name]
         except KeyError as fault:
-            raise AttributeError(fault.args[0] + nearest(name, self._names())) from None
+            known = name in self._tables  # and these results have no such table
+            raise AttributeError(fault.args[0] if known else f"there is no '{name}'{nearest(name, self._names())}") from None
         self.__dict__[name] = value
         return value
 
@@ -112,7 +131,8 @@ class Results:
         Raises:
             KeyError: Where no result has this name.
         """
-        values, unit, one = _core.named_values(json.dumps(self.summary), name)
+        late = "checks." in name or any(f".{word}" in name for word in self._late)
+        values, unit, one = _core.named_values(json.dumps(self.summary if late else self._quick), name)
         if not values and "." not in name and "[" not in name:
             try:
                 return getattr(self, name)
@@ -166,9 +186,11 @@ class StaticResults(Results):
         sections, structures: What the pipe is made of.
     """
 
+    _late = ("roller_friction", "hull")
     _tables = {"pipe": "/static/stations", "supports": "/static/supports", "rows": "/static/rows",
                "rollers": "/static/rollers", "sections": "/static/sections", "structures": "/static/structures",
                "stinger_sections": "/static/stinger", "contacts": "/static/bed/contacts",
+               "bed_heights": "/static/bed/heights",
                "free_spans": "/static/bed/spans", "mooring_lines": "/moorings/lines"}
 
     def __init__(self, solved: "Optional[_core.Statics]", model: "Optional[Model]", folder: Optional[pathlib.Path] = None):
@@ -180,8 +202,12 @@ class StaticResults(Results):
     def summary(self) -> dict[str, Any]:
         """The content of summary.json."""
         if self._solved is not None:
-            return self._solved.summary()
-        return _summary_in(self._folder)
+            return self._solved.summary(all=True)
+        return summary_in(self._folder)
+
+    @functools.cached_property
+    def _quick(self) -> dict[str, Any]:
+        return self._solved.summary(all=False) if self._solved is not None else self.summary
 
     @functools.cached_property
     def _source(self) -> Any:
@@ -192,6 +218,15 @@ class StaticResults(Results):
         """The model that these are the results of."""
         return _model_of(self)
 
+    @functools.cached_property
+    def scene(self) -> Record:
+        """Where things are, for figures of one's own.
+
+        `stern_shoe` and `tensioner` [m, W], `vessel_axes` (columns forward, port, up in W), `vessel_length`, `vessel_beam`,
+        `vessel_depth`, `vessel_draught`, `water_depth`, `pipe_outer_diameter`, `steel_outer_diameter` [m].
+        """
+        return record_of(self._source, "/static/scene")
+
     def save(self, folder: PathLike) -> pathlib.Path:
         """Writes the files that `overbend static -o` writes, report.html with them, whole or not at all.
 
@@ -199,7 +234,7 @@ class StaticResults(Results):
             ResultsError: Where the folder cannot be written.
         """
         if self._solved is None:
-            return _copy(self._folder, folder)
+            return copied_folder(self._folder, folder)
         self._solved.save(os.fspath(folder))
         return pathlib.Path(folder)
 
@@ -243,7 +278,7 @@ class DynamicResults(Results):
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """The content of summary.json."""
-        return _summary_in(self._folder)
+        return summary_in(self._folder)
 
     @functools.cached_property
     def _source(self) -> Any:
@@ -260,14 +295,26 @@ class DynamicResults(Results):
         return StaticResults(None, self._model, self._folder)
 
     @functools.cached_property
+    def _histories(self) -> dict[str, str]:
+        """Where every history is; of lines by themselves those at their ends, by the names of the lines."""
+        paths = {name: f"/dynamic/histories/{name}" for name in _below(self._source, "/dynamic/histories")}
+        for number, line in enumerate(self._quick.get("static", {}).get("lines", [])):
+            for end in ("first_tension", "second_tension"):
+                if self._source.has(f"/lines/{number}/{end}"):
+                    paths[f"{line['name']}/{end}"] = f"/lines/{number}/{end}"
+        if self._source.has("/lines/time"):
+            paths["time"] = "/lines/time"
+        return paths
+
+    @property
     def histories(self) -> list[str]:
         """The names of the histories."""
-        return [name for name in _below(self._source, "/dynamic/histories") if name != "time"]
+        return [name for name in self._histories if name != "time"]
 
     @functools.cached_property
     def time(self) -> np.ndarray:
         """Instants of the histories [s], from the beginning of the build-up; statistics count from t = 0."""
-        return self._source.dataset("/dynamic/histories/time")[0]
+        return self._source.dataset(self._histories["time"])[0]
 
     def history(self, name: str) -> Any:
         """A history as a labelled array over time [s].
@@ -280,7 +327,7 @@ class DynamicResults(Results):
         """
         if name not in self.histories:
             raise KeyError(f"there is no history '{name}'{nearest(name, self.histories)}; `histories` lists them")
-        values, units, description, frame, _ = self._source.dataset(f"/dynamic/histories/{name}")
+        values, units, description, frame, _ = self._source.dataset(self._histories[name])
         return labelled(values, name, ("time",), {"time": self.time}, units, description, frame)
 
     def envelope(self, name: str) -> Any:
@@ -343,7 +390,7 @@ class DynamicResults(Results):
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Copies the files of the run, report.html with them, into a folder that is new or empty."""
-        return _copy(self._folder, folder)
+        return copied_folder(self._folder, folder)
 
     @property
     def plot(self) -> Any:
@@ -351,64 +398,6 @@ class DynamicResults(Results):
         from .plots import DynamicPlots
 
         return DynamicPlots(self)
-
-
-class _RunsInFolders:
-    """Several runs in folders of their own below one."""
-
-    def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
-        self._folder, self._model, self._holder = folder, model, holder
-        self.summary: dict[str, Any] = _summary_in(folder)
-
-    @property
-    def folder(self) -> pathlib.Path:
-        """Where the results are."""
-        return self._folder
-
-    def _run(self, name: str) -> DynamicResults:
-        if not (self._folder / name / "results.h5").is_file():
-            raise KeyError(f"there is no finished run '{name}' in '{self._folder}'")
-        return DynamicResults(self._folder / name, None, self._holder)
-
-    def save(self, folder: PathLike) -> pathlib.Path:
-        """Copies all files into a folder that is new or empty."""
-        return _copy(self._folder, folder)
-
-
-class SeedsResults(_RunsInFolders):
-    """Runs of several seeds: `results[3]` is the run of seed 3, `summary` what they give together, as summary.json."""
-
-    @property
-    def seeds(self) -> list[int]:
-        """The seeds whose runs are finished."""
-        return sorted(int(path.parent.name[5:]) for path in self._folder.glob("seed-*/results.h5"))
-
-    def __getitem__(self, seed: int) -> DynamicResults:
-        return self._run(f"seed-{seed}")
-
-    def __iter__(self) -> Any:
-        return (self[seed] for seed in self.seeds)
-
-    def __len__(self) -> int:
-        return len(self.seeds)
-
-    def values(self, name: str) -> Any:
-        """A result of every seed, by its name as goal seek has it: 'dynamic.top_tension.max'; labelled over seed."""
-        found = [self[seed][name] for seed in self.seeds]
-        units = found[0].units if found else "1"
-        return labelled(np.array([float(value) for value in found]), name, ("seed",), {"seed": np.array(self.seeds)}, units)
-
-
-class ComparisonResults(_RunsInFolders):
-    """Variants of a model in one sea: `results['off']` is the run of one, `summary` as summary.json."""
-
-    @property
-    def variants(self) -> list[str]:
-        """The names of the variants."""
-        return sorted(path.parent.name for path in self._folder.glob("*/results.h5"))
-
-    def __getitem__(self, variant: str) -> DynamicResults:
-        return self._run(variant)
 
 
 def _renamed(column: Any, name: str) -> Any:
@@ -429,9 +418,10 @@ def _below(source: Any, group: str) -> list[str]:
     return found
 
 
-def _summary_in(folder: Optional[pathlib.Path]) -> dict[str, Any]:
+def summary_in(folder: Optional[pathlib.Path], file: str = "summary.json") -> dict[str, Any]:
+    """The content of a file of results. Raises ResultsError where there is none."""
     try:
-        return json.loads((pathlib.Path(folder or ".") / "summary.json").read_text(encoding="utf-8"))
+        return json.loads((pathlib.Path(folder or ".") / file).read_text(encoding="utf-8"))
     except (OSError, ValueError) as fault:
         raise ResultsError(f"there are no results in '{folder}': {fault}") from None
 
@@ -450,7 +440,8 @@ def _model_of(results: Any) -> "Model":
     return results._model
 
 
-def _copy(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+def copied_folder(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+    """Copies a folder of results into one that is new or empty."""
     target = pathlib.Path(folder)
     if target.exists() and any(target.iterdir()):
         raise ResultsError(f"the folder '{target}' is not empty")

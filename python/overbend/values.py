@@ -27,6 +27,16 @@ class Number(float):
         number.description = description
         return number
 
+    def to(self, unit: str) -> float:
+        """The value in another unit of the same dimension: `static.top_tension.to('kN')`.
+
+        Raises:
+            ValueError: Where the unit is not known or of another dimension.
+        """
+        from ._core import quantity
+
+        return float(self) / quantity(f"1 {unit}", self.units)
+
     def __getnewargs__(self) -> tuple[float, str, str]:  # type: ignore[override]
         return float(self), self.units, self.description
 
@@ -61,6 +71,11 @@ class LabelledArray(np.ndarray):
     def values(self) -> np.ndarray:
         """The plain numpy array."""
         return np.asarray(self)
+
+
+def stored_unit(unit: str) -> str:
+    """The unit as results.h5 has it: "Pa" for "N/m^2"."""
+    return {"N*m": "N m", "N/m^2": "Pa", "m-1": "1/m"}.get(unit, unit)
 
 
 def use_xarray(use: bool) -> None:
@@ -101,6 +116,7 @@ def labelled(values: Any, name: str, dims: Sequence[str], coords: Mapping[str, A
         attrs["frame"] = frame
     xarray = xarray_module()
     if xarray is None:
-        return LabelledArray(values, name, dims, {key: np.asarray(value) for key, value in coords.items()}, attrs)
+        plain = {key: value if isinstance(value, LabelledArray) else np.asarray(value) for key, value in coords.items()}
+        return LabelledArray(values, name, dims, plain, attrs)
     return xarray.DataArray(values, dims=tuple(dims), coords={key: (key, np.asarray(value), getattr(value, "attrs", {}))
                                                               for key, value in coords.items()}, name=name, attrs=attrs)

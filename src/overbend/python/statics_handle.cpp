@@ -5,11 +5,16 @@
 #include "resultfiles/lines_writer.h"
 #include "resultfiles/mooring_hdf5.h"
 #include "resultfiles/summary_json.h"
+#include "study/lay_beside.h"
 #include "study/stage_choice.h"
 #include "study/static_run.h"
 
 namespace overbend {
 namespace {
+
+constexpr const char* kStartedBeside =
+    "the equilibrium was found from another one that was given to start from; where something pushes the pipe sideways "
+    "there may be several, and the one from nothing may be another";
 
 /// The model at the stage; one with an operation and without a stage is the lay as such, and says so.
 Description staged(const Description& whole, const std::string& stage) {
@@ -34,22 +39,58 @@ Description chosen_description(const ModelHandle& model, const std::string& stag
 StaticsHandle::StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start)
     : model_(std::move(model)), stage_(stage) {
   const bool plain = stage_.empty() && !is_lay_operation(model_->still().operation.type);
-  Model made = build_model(plain ? model_->still() : chosen_description(*model_, stage_));
-  const bool close = start != nullptr && start->statics_.solution;
-  statics_ = solve_model(made, close ? &*start->statics_.solution : nullptr);
-  if (statics_.failure && close) statics_ = solve_model(made = build_model(made.description));
+  made_.emplace(build_model(plain ? model_->still() : chosen_description(*model_, stage_)));
+  const bool lay = made_->description.has_pipe;
+  const bool close = lay && start != nullptr && start->statics_.solution;
+  if (!lay) {
+    statics_ = solve_model(*made_);
+  } else if (!close || !take_lay(solve_lay(*made_, &*start->statics_.solution))) {
+    made_.emplace(build_model(made_->description));  // as it was before the attempt
+    take_lay(solve_lay(*made_));
+  } else {
+    if (pushed_sideways(*made_)) statics_.lay->warnings.emplace_back(kStartedBeside);
+    still_ = start->still();
+  }
   if (statics_.failure) throw SolveFault(*statics_.failure);
-  if (statics_.lay) tell_friction(made, {statics_.solution, {}, {}}, *statics_.lay);
-  tell_hull(made, statics_);
 }
 
-nlohmann::ordered_json StaticsHandle::summary() const {
+/// False where there is none.
+bool StaticsHandle::take_lay(LayOutcome outcome) {
+  statics_ = {};
+  statics_.failure = std::move(outcome.failure);
+  if (statics_.failure) return false;
+  statics_.lay = unjudged_statics(*made_, outcome);
+  statics_.solution = std::move(outcome.solution);
+  return true;
+}
+
+std::optional<StaticSolution> StaticsHandle::still() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  return still_;
+}
+
+const ModelStatics& StaticsHandle::whole() const {
+  const std::lock_guard<std::mutex> hold(mutex_);
+  if (told_) return statics_;
+  if (statics_.lay) {
+    judge_statics(*made_, *statics_.solution, *statics_.lay, still_);
+    tell_friction(*made_, {statics_.solution, {}, {}}, *statics_.lay);
+  }
+  tell_hull(*made_, statics_);
+  told_ = true;
+  return statics_;
+}
+
+nlohmann::ordered_json StaticsHandle::summary(bool all) const {
+  if (all) whole();
+  const std::lock_guard<std::mutex> hold(mutex_);
   if (statics_.lay) return static_summary_json(*statics_.lay);
   if (statics_.moorings) return mooring_summary_json(*statics_.moorings);
   return nlohmann::ordered_json::parse(lines_summary(*statics_.lines));
 }
 
 std::shared_ptr<ResultTree> StaticsHandle::tree() const {
+  whole();
   auto tree = std::make_shared<ResultTree>();
   const auto moorings = [&](const MooringResults& found) { write_moorings(*tree, found); };
   if (statics_.lines) write_lines_groups(*tree, *statics_.lines);
@@ -66,7 +107,7 @@ std::shared_ptr<ResultTree> StaticsHandle::tree() const {
 }
 
 void StaticsHandle::save(const std::filesystem::path& folder) const {
-  write_model_statics(statics_, chosen_description(*model_, stage_), folder);
+  write_model_statics(whole(), chosen_description(*model_, stage_), folder);
 }
 
 }  // namespace overbend

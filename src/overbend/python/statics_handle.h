@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -23,20 +24,33 @@ class StaticsHandle {
   /// The equilibrium of the model; of an operation on the line that of the stage with this name or number. `start`: of
   /// a lay close by. Throws SolveFault where there is none, and what ModelHandle throws.
   StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start);
+  /// One that was found otherwise, with all that is told of it.
+  StaticsHandle(std::shared_ptr<ModelHandle> model, std::string stage, ModelStatics found)
+      : model_(std::move(model)), stage_(std::move(stage)), told_(true), statics_(std::move(found)) {}
 
-  const ModelStatics& statics() const { return statics_; }
+  /// With everything that is told beside the equilibrium itself and may take longer than that: code checks with the lay
+  /// in still water, the limits of roller friction, the hull's radiation and damping. Found when they are asked for.
+  /// May be called by several threads.
+  const ModelStatics& whole() const;
   const std::shared_ptr<ModelHandle>& model() const { return model_; }
-  /// As summary.json.
-  nlohmann::ordered_json summary() const;
+  /// As summary.json; with `all` false without what only whole() has.
+  nlohmann::ordered_json summary(bool all) const;
   /// As results.h5, without the model.
   std::shared_ptr<ResultTree> tree() const;
   /// Writes the files of `overbend static`. Throws UnusableFolder.
   void save(const std::filesystem::path& folder) const;
 
  private:
+  bool take_lay(LayOutcome outcome);
+  std::optional<StaticSolution> still() const;
+
   std::shared_ptr<ModelHandle> model_;
   std::string stage_;
-  ModelStatics statics_;
+  std::optional<Model> made_;
+  mutable std::mutex mutex_;  ///< On what follows.
+  mutable bool told_ = false;
+  mutable ModelStatics statics_;
+  mutable std::optional<StaticSolution> still_;  ///< The lay in still water, to start from and as found.
 };
 
 }  // namespace overbend

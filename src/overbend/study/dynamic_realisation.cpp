@@ -63,8 +63,8 @@ class WatchedStore : public DynamicSink {
 }  // namespace
 
 RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
-                               const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing, const RowWatch& rows, RunFiles files) {
+                               const std::function<DynamicControl(const DynamicProgress&)>& control, FileLock& writing,
+                               const RowWatch& rows, RunFiles files) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
@@ -73,6 +73,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   DynamicOptions options = dynamic_options(shared.model);
   options.seed = seed;
+  options.controllers = shared.controllers;
   DynamicOutcome outcome;
   try {
     WatchedStore sink(begun->store, rows);
@@ -88,13 +89,13 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   if (outcome.failure) {
     begun->store.remove();
-    return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
+    return {failed_end(*outcome.failure)};
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);
   warn_of_large_motion(shared.description.vessel, *outcome.results);
   if (files == RunFiles::all) {
-    const std::lock_guard<std::mutex> hold(writing);
+    const std::lock_guard hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
   }
   std::vector<HistoryPeaks> peaks;
@@ -105,13 +106,13 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   return {{RunEnding::done}, std::move(peaks), std::move(outcome.results)};
 }
 
-void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
+void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, FileLock& writing) {
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_motions(shared.statics, shared.description, results, run->store);
   finish_histories(results, run->store);
   warn_of_large_motion(shared.description.vessel, results);
-  const std::lock_guard<std::mutex> hold(writing);
+  const std::lock_guard hold(writing);
   write_results(shared, results, run->store, folder);
 }
 

@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "checks/run_checks.h"
 #include "statics/current_effect.h"
-#include "statics/recovery_parts.h"
+#include "study/static_run.h"
 
 namespace overbend {
 namespace {
-
-/// Whether side rollers may bear.
-bool pushed_sideways(const Model& model) {
-  const Description& lay = model.description;
-  return has_current(model) || lay.vessel.heel != 0.0 || lay.route.given() || lay.environment.seabed.slope != 0.0;
-}
 
 /// `lay`: what the equilibrium itself starts from; the lay in still water, which has one, starts from that of `start`.
 ModelStatics solved(Model& model, const StaticSolution* lay, const LayStart* start, LayStart& found) {
@@ -24,16 +17,20 @@ ModelStatics solved(Model& model, const StaticSolution* lay, const LayStart* sta
     statics.failure = std::move(outcome.failure);
     return statics;
   }
-  statics.lay = recover_in_current(model, *outcome.solution);
+  statics.lay = unjudged_statics(model, outcome);
   if (start != nullptr) found.still = start->still;
-  find_current_effect(model, *outcome.solution, *statics.lay, found.still);
-  fill_checks(model, *statics.lay);
+  judge_statics(model, *outcome.solution, *statics.lay, found.still);
   found.lay = *outcome.solution;
   statics.solution = std::move(outcome.solution);
   return statics;
 }
 
 }  // namespace
+
+bool pushed_sideways(const Model& model) {
+  const Description& lay = model.description;
+  return has_current(model) || lay.vessel.heel != 0.0 || lay.route.given() || lay.environment.seabed.slope != 0.0;
+}
 
 ModelStatics solve_beside(Model& model, const std::vector<const LayStart*>& starts,
                           std::shared_ptr<const LayStart>* found) {

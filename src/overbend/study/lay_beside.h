@@ -13,6 +13,9 @@ struct LayStart {
   std::optional<StaticSolution> still;  ///< In still water, where the checks need that.
 };
 
+/// Whether something pushes the lay sideways, so that side rollers may bear and there may be several equilibria.
+bool pushed_sideways(const Model& model);
+
 /// The equilibrium of the model and its results, as solve_model gives them: from the first of the starts, from nothing
 /// where that does not serve, and where neither way leads to one from the other starts. Null ones are left out.
 ///

@@ -8,9 +8,10 @@
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/staged_folder.h"
+#include "statics/current_effect.h"
 #include "statics/friction_cases.h"
 #include "statics/hull_account.h"
-#include "statics/recovery.h"
+#include "statics/recovery_parts.h"
 #include "statics/side_rollers.h"
 
 namespace overbend {
@@ -24,8 +25,8 @@ void add_missing(const std::vector<std::string>& sentences, std::vector<std::str
 
 }  // namespace
 
-StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
-  StaticResults results = recover_statics(model, *lay.solution);
+StaticResults unjudged_statics(const Model& model, const LayOutcome& lay) {
+  StaticResults results = recover_in_current(model, *lay.solution);
   if (lay.moorings) {
     add_missing(lay.moorings->warnings, results.warnings);
     add_missing(lay.moorings->assumptions, results.assumptions);
@@ -34,7 +35,19 @@ StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
     }
     results.moorings = lay.moorings;
   }
+  return results;
+}
+
+void judge_statics(const Model& model, const StaticSolution& solution, StaticResults& results,
+                   std::optional<StaticSolution>& still) {
+  find_current_effect(model, solution, results, still);
   fill_checks(model, results);
+}
+
+StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
+  StaticResults results = unjudged_statics(model, lay);
+  std::optional<StaticSolution> still;
+  judge_statics(model, *lay.solution, results, still);
   return results;
 }
 

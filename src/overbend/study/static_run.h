@@ -13,6 +13,14 @@ namespace overbend {
 /// Results of an equilibrium with the table of code checks.
 StaticResults checked_statics(const Model& model, const LayOutcome& lay);
 
+// Its two steps, for who may do without the second, which solves the same lay in still water where the checks need it.
+
+StaticResults unjudged_statics(const Model& model, const LayOutcome& lay);
+/// Adds what the current adds, and the code checks. The lay in still water starts from `still` where there is one, and
+/// is left there.
+void judge_statics(const Model& model, const StaticSolution& solution, StaticResults& results,
+                   std::optional<StaticSolution>& still);
+
 /// Adds what friction decides: statics/friction_cases.h. Solves some more lays, each from this one.
 void tell_friction(Model model, const LayOutcome& lay, StaticResults& results);
 

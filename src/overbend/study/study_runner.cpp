@@ -62,6 +62,7 @@ class StudyWork {
         folder_(folder),
         options_(options),
         watch_(watch),
+        files_(options.files != nullptr ? *options.files : own_files_),
         worker_(folder / "workers"),
         outputs_(study_outputs(base)) {}
 
@@ -230,13 +231,14 @@ class StudyWork {
   const fs::path& folder_;
   const StudyRunOptions& options_;
   StudyWatch& watch_;
+  FileLock own_files_;
+  FileLock& files_;
   WorkerFile worker_;
   std::vector<StudyOutput> outputs_;
   std::vector<std::size_t> open_;
   std::vector<Block> blocks_;
   std::shared_ptr<const LayStart> start_;
   SharedStatics statics_;
-  std::mutex files_;  ///< HDF5 serves one thread alone.
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> stopped_{false};
   std::mutex mutex_;  ///< Of what follows.
@@ -266,7 +268,7 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
                          const std::function<bool()>& stop) {
   const SteadyClock::time_point begun = SteadyClock::now();
   StudyCase one = cases.at(number);
-  std::mutex files;
+  FileLock files;
   const CaseConduct conduct{folder / one.folder, true, 60.0, stop, {}, &files};
   CaseNeighbour neighbour;
   const CaseAnswer answer = evaluate_case(base, cases.question(number), neighbour, conduct);
@@ -285,9 +287,14 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
   return one;
 }
 
-StudyResults gather_study(const fs::path& folder) {
+StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
   fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
+  return results;
+}
+
+StudyResults gather_study(const fs::path& folder) {
+  StudyResults results = study_so_far(folder);
   write_study_files(results, folder);
   write_study_report(results, folder / "report.html");
   return results;

@@ -1,0 +1,196 @@
+"""Figures show the numbers of the results, in the units of the reports."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+os.environ["MPLBACKEND"] = "Agg"
+
+import numpy as np
+from matplotlib import pyplot
+from matplotlib.patches import Rectangle
+
+import overbend as ob
+from overbend.plots.units import shown
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "examples"
+JLAY = """overbend: 1
+environment: {water_depth: 400 m, seabed: {stiffness: 100 kN/m^2}}
+pipe: {steel: {outside_diameter: 12.75 in, wall_thickness: 15.9 mm, yield_stress: 414 MPa}}
+vessel: {stern_shoe: {x: -60 m, z: 4 m}}
+tensioner: {x: 0 m, z: 15 m, guide: pinned, tension: 560 kN}
+"""
+
+
+def words(ax):
+    """All texts in a figure."""
+    return [text.get_text() for text in ax.texts] + [ax.get_title(loc="left"), ax.get_xlabel(), ax.get_ylabel()]
+
+
+def bars(ax):
+    """The bars of rollers in a figure."""
+    return [patch for patch in ax.patches if isinstance(patch, Rectangle) and abs(patch.get_width() - 0.72) < 1e-9]
+
+
+def longest_line(ax):
+    return max(ax.get_lines(), key=lambda line: len(line.get_xdata()))
+
+
+class Drawing(unittest.TestCase):
+    def tearDown(self):
+        pyplot.close("all")
+
+    def assert_says(self, ax, text):
+        self.assertTrue(any(text in one for one in words(ax)), f"'{text}' is not among {words(ax)}")
+
+
+class StaticFigures(Drawing):
+    @classmethod
+    def setUpClass(cls):
+        cls.static = ob.Model.read(EXAMPLES / "bgl1.yaml").static()
+
+    def test_a_curve_has_the_values_of_the_table_over_the_distance_from_the_tensioner(self):
+        line = longest_line(self.static.plot.along("bending_stress"))
+        from_top = self.static.total_length - self.static.pipe.s.values
+        seen = from_top <= line.get_xdata().max() + 1e-9
+        np.testing.assert_allclose(line.get_xdata(), from_top[seen], rtol=1e-12)
+        np.testing.assert_allclose(line.get_ydata(), 1e-6 * self.static.pipe.bending_stress.values[seen], rtol=1e-12)
+
+    def test_marks_have_the_key_results(self):
+        ax = self.static.plot.moment()
+        for region in (self.static.overbend, self.static.sagbend):
+            self.assert_says(ax, f"{region.max_bending_moment / 1e3:.1f} kN m")
+        self.assert_says(self.static.plot.tension(), f"{self.static.bottom_tension / 1e3:.1f} kN at touchdown")
+        self.assert_says(self.static.plot.profile(), f"touchdown at {self.static.lay_back:.1f} m")
+
+    def test_stress_is_beside_the_yield_stress(self):
+        self.assert_says(self.static.plot.stress(), "yield 414 MPa")
+        self.assert_says(self.static.plot.stress(), "von Mises stress [MPa]")
+
+    def test_the_overbend_names_its_boxes_and_ends_behind_the_last(self):
+        ax = self.static.plot.stress(part="overbend")
+        self.assert_says(ax, "stinger 8")
+        self.assertLess(ax.get_xlim()[1], 110)
+        self.assertGreater(self.static.plot.stress().get_xlim()[1], self.static.length_top_to_touchdown)
+
+    def test_the_line_is_true_to_scale_in_the_whole_elevation(self):
+        self.assertEqual(self.static.plot.profile().get_aspect(), 1.0)
+        self.assertEqual(self.static.plot.profile(part="overbend").get_aspect(), "auto")
+
+    def test_bars_add_up_to_the_reactions_of_the_rollers(self):
+        total = sum(bar.get_height() for bar in bars(self.static.plot.reactions()))
+        self.assertAlmostEqual(total, 1e-3 * float(self.static.rollers.reaction.sum()), places=6)
+
+    def test_a_roller_that_the_pipe_has_passed_is_a_cross(self):
+        lines = self.static.plot.separation(position="port").get_lines()
+        self.assertTrue(any(line.get_marker() == "x" for line in lines))
+
+    def test_figures_go_into_the_axes_that_are_given(self):
+        plot = self.static.plot
+        along = [plot.profile, plot.tension, plot.moment, plot.stress, plot.strain]
+        for draw in (*along, plot.reactions, plot.separation):
+            ax = pyplot.subplots(figsize=(4, 3))[1]
+            self.assertIs(draw(ax), ax)
+            self.assertEqual(len(ax.figure.axes), 1)
+            ax.figure.canvas.draw()
+
+    def test_what_cannot_be_drawn_is_said(self):
+        with self.assertRaisesRegex(ValueError, "part: found 'stinger', expected 'whole' or 'overbend'"):
+            self.static.plot.tension(part="stinger")
+        with self.assertRaisesRegex(ValueError, "expected one of 'bottom', 'port', 'starboard'"):
+            self.static.plot.separation(position="top")
+        with self.assertRaisesRegex(KeyError, "did you mean 'curvature'"):
+            self.static.plot.along("curvatur")
+
+    def test_plain_arrays_are_drawn_as_labelled_ones(self):
+        lines = []
+        for use in (True, False):
+            ob.use_xarray(use)
+            try:
+                static = ob.Model.read(EXAMPLES / "first-model.yaml").static()
+                lines.append(longest_line(static.plot.moment()).get_ydata())
+            finally:
+                ob.use_xarray(True)
+        np.testing.assert_array_equal(*lines)
+
+
+class JLay(Drawing):
+    def test_a_line_without_supports_has_its_figures_but_those_of_rollers(self):
+        static = ob.Model.from_text(JLAY).static()
+        for draw in (static.plot.profile, static.plot.tension, static.plot.moment, static.plot.stress):
+            draw().figure.canvas.draw()
+        with self.assertRaisesRegex(ValueError, "no rollers"):
+            static.plot.reactions()
+        with self.assertRaisesRegex(ValueError, "without supports"):
+            static.plot.tension(part="overbend")
+
+
+class DynamicFigures(Drawing):
+    @classmethod
+    def setUpClass(cls):
+        model = ob.Model.read(EXAMPLES / "bgl1-workable-sea.yaml").with_({"analysis.dynamic.build_up": "10 s"})
+        cls.run_ = model.dynamic(duration="20 s")
+
+    def test_a_history_is_in_kilonewtons_over_time(self):
+        line = longest_line(self.run_.plot.history("top_tension"))
+        np.testing.assert_allclose(line.get_ydata(), 1e-3 * self.run_.history("top_tension").values)
+        self.assertEqual((line.get_xdata()[0], line.get_xdata()[-1]), (-10.0, 20.0))
+
+    def test_a_window_of_time_is_drawn_alone(self):
+        ax = self.run_.plot.history("top_tension", "bottom_tension", between=(5, 10))
+        self.assertEqual(ax.get_xlim(), (5, 10))
+        self.assertEqual([text.get_text() for text in ax.get_legend().get_texts()], ["top_tension", "bottom_tension"])
+
+    def test_histories_of_several_units_do_not_share_axes(self):
+        with self.assertRaisesRegex(ValueError, r"top_tension \[N\], lay_back \[m\], expected histories of one unit"):
+            self.run_.plot.history("top_tension", "lay_back")
+
+    def test_an_envelope_names_its_largest_value(self):
+        ax = self.run_.plot.envelope("von_mises")
+        self.assert_says(ax, f"{float(self.run_.envelope('von_mises')['max'].max()) / 1e6:.1f} MPa")
+
+    def test_a_spectrum_holds_the_variance_of_its_history(self):
+        line = longest_line(self.run_.plot.spectrum("top_tension"))
+        since = self.run_.history("top_tension").values[self.run_.time >= 0]
+        area = np.trapz(line.get_ydata(), line.get_xdata())
+        self.assertAlmostEqual(area / (1e-3 * since.std()) ** 2, 1.0, delta=0.3)  # windows and trend change it
+
+    def test_impacts_and_reactions_are_drawn(self):
+        plot = self.run_.plot
+        for ax in (plot.impacts(), plot.impacts(over="approach_velocity"), plot.reactions()):
+            ax.figure.canvas.draw()
+        with self.assertRaisesRegex(ValueError, "expected 'time' or 'approach_velocity'"):
+            self.run_.plot.impacts(over="force")
+
+    def test_the_range_of_reactions_is_that_of_the_table(self):
+        tops = [bar.get_y() + bar.get_height() for bar in bars(self.run_.plot.reactions())]
+        bottom = self.run_.rollers.position.values == "bottom"
+        self.assertAlmostEqual(max(tops), 1e-3 * self.run_.rollers.reaction_max.values[bottom].max())
+
+
+class Units(unittest.TestCase):
+    def test_figures_use_the_units_of_the_reports(self):
+        source = (ROOT / "src/overbend/results/fields/shown_unit.h").read_text(encoding="utf-8")
+        own = re.findall(r'\{"(\w+)", \{"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}\}', source)
+        of_unit = re.findall(r'(?<!, )\{+"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}', source)
+        self.assertEqual((len(own), len(of_unit)), (3, 12))
+        for si, name, factor, digits in of_unit:
+            value = 180 / np.pi if "pi" in factor else float(factor)
+            self.assertEqual(shown("", si), (name, value, int(digits)), si)
+        for part, si, name, factor, digits in own:
+            self.assertEqual(shown(part, si), (name, float(factor), int(digits)), part)
+
+    def test_a_machine_without_matplotlib_gets_a_clear_error(self):
+        code = ("import sys; sys.modules['matplotlib'] = None; import overbend as ob\n"
+                f"static = ob.Model.read({str(EXAMPLES / 'first-model.yaml')!r}).static()\n"
+                "try: static.plot.tension()\nexcept ImportError as fault: print(fault)")
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+        self.assertIn("python3-matplotlib", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
