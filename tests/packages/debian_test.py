@@ -75,10 +75,12 @@ class DebianPackages(unittest.TestCase):
 
     def test_the_python_package_solves_a_lay_from_where_it_is_unpacked(self):
         model = self.root / "usr/share/doc/overbend/examples/first-model.yaml"
-        code = f"import overbend; print(overbend.__file__, overbend.Model.read('{model}').static().lay_back)"
+        code = ("import overbend; model = overbend.example('first-model.yaml'); "
+                "print(overbend.__file__, model, overbend.Model.read(model).static().lay_back)")
         env = {**os.environ, "PYTHONPATH": str(self.root / PYTHON), "PYTHONDONTWRITEBYTECODE": "1"}
-        where, lay_back = said("/usr/bin/python3", "-c", code, env=env, cwd="/").split()
+        where, found, lay_back = said("/usr/bin/python3", "-c", code, env=env, cwd="/").split()
         self.assertEqual(pathlib.Path(where), self.root / PYTHON / "overbend/__init__.py")
+        self.assertEqual(pathlib.Path(found), model)
         with tempfile.TemporaryDirectory() as out:
             told = said(self.root / "usr/bin/overbend", "static", model, "-o", out)
             summary = pathlib.Path(out, "summary.json").read_text()
