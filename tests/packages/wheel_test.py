@@ -95,13 +95,20 @@ class Wheel(unittest.TestCase):
         self.assertIn(f"{info}/LICENSE", names)
         sources = {f"overbend/{file.relative_to(ROOT / 'python/overbend')}"
                    for file in (ROOT / "python/overbend").rglob("*") if file.suffix in (".py", ".pyi", ".typed")}
-        self.assertEqual({name for name in names if name.startswith("overbend/") and not name.endswith(".so")}, sources)
+        header = "overbend/include/overbend_controller.h"
+        others = {name for name in names if name.startswith("overbend/") and not name.endswith(".so")}
+        self.assertEqual(others, sources | {header})
         self.assertEqual(sum(name.endswith(".so") for name in names), 1)
 
     def test_no_file_names_a_folder_of_the_machine_it_was_built_on(self):
         with zipfile.ZipFile(self.wheel) as archive:
             for name in archive.namelist():
                 self.assertFalse(str(ROOT).encode() in archive.read(name), name)
+
+    def test_controllers_in_c_find_their_header(self):
+        folder = self.said("import overbend; print(overbend.get_include())")
+        self.assertTrue(folder.startswith(str(self.python.parents[1])), folder)
+        self.check(run("cc", "-fsyntax-only", "-x", "c", f"{folder}/overbend_controller.h"))
 
     def test_uninstalling_leaves_nothing(self):
         site = self.python.parents[1] / f"lib/python{sys.version_info[0]}.{sys.version_info[1]}/site-packages"
