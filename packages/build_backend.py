@@ -106,7 +106,8 @@ def fits(build):
 def configure(build):
     """Makes a build folder for this Python, with the package alone."""
     run("cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DOVERBEND_TESTS=OFF",
-        "-DOVERBEND_BENCH=OFF", "-DOVERBEND_PYTHON_MODULE=ON", f"-DOVERBEND_PYTHON={sys.executable}")
+        "-DOVERBEND_BENCH=OFF", "-DOVERBEND_PYTHON_MODULE=ON", f"-DOVERBEND_PYTHON={sys.executable}",
+        f"-DPython_EXECUTABLE={sys.executable}")  # also where an earlier environment is gone
 
 
 def installed_files(build, folder):

@@ -12,6 +12,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 import zipfile
@@ -171,6 +172,16 @@ class BackEnd(unittest.TestCase):
     def test_a_build_that_fails_says_which_command_did(self):
         with self.assertRaisesRegex(build_backend.BuildFailed, "`false --now` failed"):
             build_backend.run("false", "--now")
+
+    @unittest.skipUnless((ROOT / ".git").exists(), "these sources are no clone")
+    def test_a_source_archive_has_what_the_build_needs(self):
+        with tarfile.open(self.folder / build_backend.build_sdist(self.folder)) as archive:
+            names = set(archive.getnames())
+        top = f"overbend-{build_backend.version()}"
+        for name in ("PKG-INFO", "pyproject.toml", "packages/build_backend.py", "CMakeLists.txt", "web/package-lock.json",
+                     "report/package-lock.json", "python/overbend/__init__.py"):
+            self.assertIn(f"{top}/{name}", names)
+        self.assertFalse([name for name in names if name.startswith((f"{top}/build/", f"{top}/.git/"))])
 
     def test_metadata_has_version_and_readme(self):
         name = build_backend.prepare_metadata_for_build_wheel(self.folder)
