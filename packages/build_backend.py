@@ -20,7 +20,8 @@ import zipfile
 
 from python_metadata import ROOT, metadata, version
 
-TAG = "cp{0}{1}-cp{0}{1}-{2}".format(*sys.version_info[:2], sysconfig.get_platform().replace("-", "_").replace(".", "_"))
+PYTHON = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+TAG = f"{PYTHON}-{PYTHON}-" + sysconfig.get_platform().replace("-", "_").replace(".", "_")
 NAME = f"overbend-{version()}"
 WHEEL = f"Wheel-Version: 1.0\nGenerator: overbend\nRoot-Is-Purelib: false\nTag: {TAG}\n"
 

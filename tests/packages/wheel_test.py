@@ -42,8 +42,8 @@ class Wheel(unittest.TestCase):
         # pip is Debian's, seen through --system-site-packages, like numpy.
         cls.check(run("/usr/bin/python3", "-m", "venv", "--system-site-packages", "--without-pip", place / "venv"))
         cls.python = place / "venv/bin/python"
-        cls.check(run(cls.python, "-m", "pip", "wheel", "--no-deps", f"--config-settings=build-dir={BUILD}", "-w", place,
-                      ROOT))
+        settings = f"--config-settings=build-dir={BUILD}"
+        cls.check(run(cls.python, "-m", "pip", "wheel", "--no-deps", settings, "-w", place, ROOT))
         cls.wheel = next(place.glob("*.whl"))
         cls.check(run(cls.python, "-m", "pip", "install", "--no-index", cls.wheel))
 
@@ -178,8 +178,8 @@ class BackEnd(unittest.TestCase):
         with tarfile.open(self.folder / build_backend.build_sdist(self.folder)) as archive:
             names = set(archive.getnames())
         top = f"overbend-{build_backend.version()}"
-        for name in ("PKG-INFO", "pyproject.toml", "packages/build_backend.py", "CMakeLists.txt", "web/package-lock.json",
-                     "report/package-lock.json", "python/overbend/__init__.py"):
+        for name in ("PKG-INFO", "pyproject.toml", "packages/build_backend.py", "CMakeLists.txt",
+                     "web/package-lock.json", "report/package-lock.json", "python/overbend/__init__.py"):
             self.assertIn(f"{top}/{name}", names)
         self.assertFalse([name for name in names if name.startswith((f"{top}/build/", f"{top}/.git/"))])
 
