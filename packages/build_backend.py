@@ -20,7 +20,8 @@ import zipfile
 
 from python_metadata import ROOT, metadata, version
 
-TAG = "cp{0}{1}-cp{0}{1}-{2}".format(*sys.version_info[:2], sysconfig.get_platform().replace("-", "_").replace(".", "_"))
+PYTHON = f"cp{sys.version_info[0]}{sys.version_info[1]}"
+TAG = f"{PYTHON}-{PYTHON}-" + sysconfig.get_platform().replace("-", "_").replace(".", "_")
 NAME = f"overbend-{version()}"
 WHEEL = f"Wheel-Version: 1.0\nGenerator: overbend\nRoot-Is-Purelib: false\nTag: {TAG}\n"
 
@@ -106,7 +107,8 @@ def fits(build):
 def configure(build):
     """Makes a build folder for this Python, with the package alone."""
     run("cmake", "-S", str(ROOT), "-B", str(build), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DOVERBEND_TESTS=OFF",
-        "-DOVERBEND_BENCH=OFF", "-DOVERBEND_PYTHON_MODULE=ON", f"-DOVERBEND_PYTHON={sys.executable}")
+        "-DOVERBEND_BENCH=OFF", "-DOVERBEND_PYTHON_MODULE=ON", f"-DOVERBEND_PYTHON={sys.executable}",
+        f"-DPython_EXECUTABLE={sys.executable}")  # also where an earlier environment is gone
 
 
 def installed_files(build, folder):

@@ -1,4 +1,5 @@
 # The component `python`: the package, and what tells pip and importlib.metadata of it.
+find_package(Python REQUIRED COMPONENTS Interpreter)  # the one that the module is built for
 set(OVERBEND_PYTHON_DIR "" CACHE STRING "Folder of Python packages below the prefix; empty: where Python looks there")
 set(METADATA ${CMAKE_CURRENT_BINARY_DIR}/METADATA)
 set(INSTALLER ${CMAKE_CURRENT_BINARY_DIR}/INSTALLER)
@@ -21,6 +22,8 @@ endif()" COMPONENT python)
 install(TARGETS overbend_python LIBRARY DESTINATION "\${python_dir}/overbend" COMPONENT python)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/overbend DESTINATION "\${python_dir}" COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/src/overbend/dynamics/overbend_controller.h
+        DESTINATION "\${python_dir}/overbend/include" COMPONENT python)
 install(FILES ${METADATA} ${INSTALLER} DESTINATION "\${python_dir}/overbend-${PROJECT_VERSION}.dist-info"
         COMPONENT python)
 install(FILES ${COPYRIGHT} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-overbend COMPONENT python)

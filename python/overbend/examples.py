@@ -17,14 +17,15 @@ def example(name: str) -> pathlib.Path:
     """
     package = pathlib.Path(__file__).resolve().parent
     here = pathlib.Path.cwd()
-    prefixes = [package.parents[2] / "share" / "doc" / "overbend", *package.parents, here, *here.parents]
+    installed = [above / "share" / "doc" / "overbend" for above in package.parents]
+    prefixes = [*installed, *package.parents, here, *here.parents]
     folders = [prefix / "examples" for prefix in prefixes if (prefix / "examples" / "bgl1.yaml").is_file()]
     for folder in folders:
         if (folder / name).is_file():
             return folder / name
     if not folders:
-        raise FileNotFoundError(f"the examples are not installed: there is no '{prefixes[0]}/examples', and no folder "
-                                f"'examples' in '{here}' or above it")
+        raise FileNotFoundError(f"the examples are not installed beside '{package}' (share/doc/overbend/examples), and "
+                                f"there is no folder 'examples' in '{here}' or above it")
     there = sorted(str(path.relative_to(folders[0])) for path in folders[0].rglob("*.yaml"))
     close = difflib.get_close_matches(name, there, n=1)
     meant = f"; did you mean '{close[0]}'?" if close else ""

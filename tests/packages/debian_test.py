@@ -75,10 +75,12 @@ class DebianPackages(unittest.TestCase):
 
     def test_the_python_package_solves_a_lay_from_where_it_is_unpacked(self):
         model = self.root / "usr/share/doc/overbend/examples/first-model.yaml"
-        code = f"import overbend; print(overbend.__file__, overbend.Model.read('{model}').static().lay_back)"
+        code = ("import overbend; model = overbend.example('first-model.yaml'); "
+                "print(overbend.__file__, model, overbend.Model.read(model).static().lay_back)")
         env = {**os.environ, "PYTHONPATH": str(self.root / PYTHON), "PYTHONDONTWRITEBYTECODE": "1"}
-        where, lay_back = said("/usr/bin/python3", "-c", code, env=env, cwd="/").split()
+        where, found, lay_back = said("/usr/bin/python3", "-c", code, env=env, cwd="/").split()
         self.assertEqual(pathlib.Path(where), self.root / PYTHON / "overbend/__init__.py")
+        self.assertEqual(pathlib.Path(found), model)
         with tempfile.TemporaryDirectory() as out:
             told = said(self.root / "usr/bin/overbend", "static", model, "-o", out)
             summary = pathlib.Path(out, "summary.json").read_text()
@@ -107,8 +109,9 @@ class DebianPackages(unittest.TestCase):
     def test_manual_page_completions_documents_and_licences_are_in_their_places(self):
         share = self.root / "usr/share"
         self.assertIn(".TH OVERBEND", gzip.open(share / "man/man1/overbend.1.gz", "rt").read())
-        for name in ("bash-completion/completions/overbend", "zsh/site-functions/_overbend", "doc/overbend/docs/input.md",
-                     "doc/overbend/docs/guide/README.md", "doc/overbend/examples/bgl1.yaml"):
+        for name in ("bash-completion/completions/overbend", "zsh/site-functions/_overbend",
+                     "doc/overbend/docs/input.md", "doc/overbend/docs/guide/README.md",
+                     "doc/overbend/examples/bgl1.yaml"):
             self.assertTrue((share / name).is_file(), name)
         for package in self.packages:
             self.assertIn("MIT", (share / "doc" / package / "copyright").read_text())
@@ -138,10 +141,10 @@ class DebianPackages(unittest.TestCase):
     def test_installing_compiles_the_package_and_removing_leaves_nothing(self):
         with tempfile.TemporaryDirectory() as control:
             said("dpkg-deb", "--control", self.packages["python3-overbend"], control)
-            for script, word in (("postinst", "py3compile -p python3-overbend"), ("prerm", "py3clean -p python3-overbend")):
+            for script, tool in (("postinst", "py3compile"), ("prerm", "py3clean")):
                 file = pathlib.Path(control, script)
                 said("sh", "-n", file)
-                self.assertIn(word, file.read_text())
+                self.assertIn(f"{tool} -p python3-overbend", file.read_text())
                 self.assertEqual(file.stat().st_mode & 0o777, 0o755)
             self.assertTrue(pathlib.Path(control, "md5sums").is_file())
 

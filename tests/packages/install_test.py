@@ -90,6 +90,13 @@ class Installed(unittest.TestCase):
         self.assertEqual("overbend " + version, said(self.prefix / "bin" / "overbend", "--version").strip())
 
     @unittest.skipUnless(WITH_PYTHON, "this build has no Python package")
+    def test_python_finds_the_examples_that_are_installed_with_it(self):
+        place = self.prefix / folder_below(str(self.prefix))
+        told = said("/usr/bin/python3", "-c", "import overbend; print(overbend.example('bgl1.yaml'))",
+                    env={**os.environ, "PYTHONPATH": str(place)}, cwd="/")
+        self.assertEqual(pathlib.Path(told.strip()), self.documents / "examples" / "bgl1.yaml")
+
+    @unittest.skipUnless(WITH_PYTHON, "this build has no Python package")
     def test_a_home_folder_needs_no_pythonpath(self):
         with tempfile.TemporaryDirectory() as home:
             said("cmake", "--install", BUILD, "--prefix", f"{home}/.local", "--component", "python")

@@ -12,6 +12,7 @@ import os
 import pathlib
 import subprocess
 import sys
+import tarfile
 import tempfile
 import unittest
 import zipfile
@@ -41,8 +42,8 @@ class Wheel(unittest.TestCase):
         # pip is Debian's, seen through --system-site-packages, like numpy.
         cls.check(run("/usr/bin/python3", "-m", "venv", "--system-site-packages", "--without-pip", place / "venv"))
         cls.python = place / "venv/bin/python"
-        cls.check(run(cls.python, "-m", "pip", "wheel", "--no-deps", f"--config-settings=build-dir={BUILD}", "-w", place,
-                      ROOT))
+        settings = f"--config-settings=build-dir={BUILD}"
+        cls.check(run(cls.python, "-m", "pip", "wheel", "--no-deps", settings, "-w", place, ROOT))
         cls.wheel = next(place.glob("*.whl"))
         cls.check(run(cls.python, "-m", "pip", "install", "--no-index", cls.wheel))
 
@@ -95,13 +96,20 @@ class Wheel(unittest.TestCase):
         self.assertIn(f"{info}/LICENSE", names)
         sources = {f"overbend/{file.relative_to(ROOT / 'python/overbend')}"
                    for file in (ROOT / "python/overbend").rglob("*") if file.suffix in (".py", ".pyi", ".typed")}
-        self.assertEqual({name for name in names if name.startswith("overbend/") and not name.endswith(".so")}, sources)
+        header = "overbend/include/overbend_controller.h"
+        others = {name for name in names if name.startswith("overbend/") and not name.endswith(".so")}
+        self.assertEqual(others, sources | {header})
         self.assertEqual(sum(name.endswith(".so") for name in names), 1)
 
     def test_no_file_names_a_folder_of_the_machine_it_was_built_on(self):
         with zipfile.ZipFile(self.wheel) as archive:
             for name in archive.namelist():
                 self.assertFalse(str(ROOT).encode() in archive.read(name), name)
+
+    def test_controllers_in_c_find_their_header(self):
+        folder = self.said("import overbend; print(overbend.get_include())")
+        self.assertTrue(folder.startswith(str(self.python.parents[1])), folder)
+        self.check(run("cc", "-fsyntax-only", "-x", "c", f"{folder}/overbend_controller.h"))
 
     def test_uninstalling_leaves_nothing(self):
         site = self.python.parents[1] / f"lib/python{sys.version_info[0]}.{sys.version_info[1]}/site-packages"
@@ -164,6 +172,16 @@ class BackEnd(unittest.TestCase):
     def test_a_build_that_fails_says_which_command_did(self):
         with self.assertRaisesRegex(build_backend.BuildFailed, "`false --now` failed"):
             build_backend.run("false", "--now")
+
+    @unittest.skipUnless((ROOT / ".git").exists(), "these sources are no clone")
+    def test_a_source_archive_has_what_the_build_needs(self):
+        with tarfile.open(self.folder / build_backend.build_sdist(self.folder)) as archive:
+            names = set(archive.getnames())
+        top = f"overbend-{build_backend.version()}"
+        for name in ("PKG-INFO", "pyproject.toml", "packages/build_backend.py", "CMakeLists.txt",
+                     "web/package-lock.json", "report/package-lock.json", "python/overbend/__init__.py"):
+            self.assertIn(f"{top}/{name}", names)
+        self.assertFalse([name for name in names if name.startswith((f"{top}/build/", f"{top}/.git/"))])
 
     def test_metadata_has_version_and_readme(self):
         name = build_backend.prepare_metadata_for_build_wheel(self.folder)
