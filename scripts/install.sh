@@ -15,7 +15,7 @@ test_packages=(
   libgtest-dev libbenchmark-dev
   python3 python3-h5py python3-jsonschema
   python3-xarray python3-matplotlib python3-nbclient python3-nbformat python3-ipykernel mypy
-  python3-pip python3-setuptools python3-venv dpkg-dev
+  python3-pip python3-setuptools python3-venv dpkg-dev file
   chromium clang-format clang-tidy
 )
 

@@ -10,12 +10,19 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 """
 
 from ._core import version as __version__
+from .comparison import FolderComparison, compare_folders
 from .errors import Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
 from .examples import example
 from .groups import Record, Records, Table
+from .lay_table import LayTable
 from .model import Model
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
-from .results import DynamicResults, SeedsResults, ComparisonResults, StaticResults
+from .operation import OperationResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
+from .seeking import SeekResult, seek
+from .sensitivities import Sensitivities
+from .studies import Operability, StudyResults, study
 from .values import LabelledArray, Number, use_xarray
 
 version = __version__
@@ -24,21 +31,31 @@ __all__ = [
     "ComparisonResults",
     "DynamicResults",
     "Fault",
+    "FolderComparison",
     "Interrupted",
     "LabelledArray",
+    "LayTable",
     "Model",
     "ModelError",
     "NoSolution",
     "Number",
+    "Operability",
+    "OperationResults",
     "OverbendError",
     "Record",
     "Records",
     "ResultsError",
     "SeedsResults",
+    "SeekResult",
+    "Sensitivities",
     "StaticResults",
+    "StudyResults",
     "Table",
+    "compare_folders",
     "example",
     "open",
+    "seek",
+    "study",
     "use_xarray",
     "version",
 ]

@@ -8,6 +8,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from .errors import ModelError
+from .values import Number
 
 Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
 
@@ -16,8 +17,8 @@ def changes_of(keys: Mapping[str, Any]) -> list[Change]:
     """The changes that put the values into the text of a model.
 
     Args:
-        keys: Of the model: texts with their units ("260 kN"), numbers where the key has no unit, truth values, lists and
-            dicts of these for groups, None to remove the key.
+        keys: Of the model: texts with their units ("260 kN"), results (a Number), numbers where the key has no unit,
+            truth values, lists and dicts of these for groups, None to remove the key.
     """
     return [change_of(key, value) for key, value in keys.items()]
 
@@ -37,6 +38,8 @@ def scalar(value: Any, key: str = "") -> str:
         return "true" if value else "false"
     if isinstance(value, (str, numbers.Integral)):
         return str(value)
+    if isinstance(value, Number) and value.units != "1":
+        return f"{float(value)!r} {value.units}"
     if isinstance(value, numbers.Real):
         return repr(float(value))
     raise ModelError(f"{key}: found {value!r}, expected a text such as '260 kN', a number, a truth value, a list or a dict")

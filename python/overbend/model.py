@@ -4,17 +4,24 @@ from __future__ import annotations
 
 import os
 import pathlib
-from typing import Any, Iterable, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
 
 from . import _core
 from .errors import Interrupted, ModelError
 from .keys import changes_of
 from .progress import Progress, follower
-from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
 from .temporary import TemporaryFolder
+
+if TYPE_CHECKING:
+    from .lay_table import Depths, LayTable, RowProgress
+    from .operation import OperationResults
+    from .sensitivities import Sensitivities
 
 PathLike = Union[str, "os.PathLike[str]"]
 Time = Union[str, float, int, None]
+StageProgress = Callable[[int, int, str], object]
 
 
 class Model:
@@ -186,6 +193,62 @@ class Model:
         folder, holder = self._run(out, of=of, duration=_seconds(duration), threads=threads, resume=resume,
                                    restart=restart, checkpoint=checkpoint, progress=progress)
         return ComparisonResults(folder, self, holder)
+
+    def operation(self, progress: Optional[StageProgress] = None) -> "OperationResults":
+        """Solves the stages of the operation on the line one after the other, each from the one before.
+
+        Args:
+            progress: Called now and then with stages done, stages, and the name of the last one.
+
+        Raises:
+            ModelError: Where the model has no operation on the line.
+        """
+        from .operation import OperationResults
+
+        return OperationResults(_core.Operation(self._core, progress), self)
+
+    def lay_table(self, vary: Optional[str] = None, from_: Optional[str] = None, to: Optional[str] = None,
+                  step: Optional[str] = None, steps: Optional[int] = None, *, depths: "Depths" = None,
+                  least: bool = False, progress: "Optional[RowProgress]" = None) -> "LayTable":
+        """A table of lays: one quantity in steps, or the points of a route.
+
+            model.lay_table('tension', from_='200 kN', to='400 kN', step='20 kN').table['lay_back']
+
+        Args:
+            vary: 'tension' at the tensioner, 'lay_back' or 'depth' of the water; left out what the model's key
+                `lay_table` says, else tension.
+            from_, to: The least and the largest value, with units; left out they follow from the model's own lay.
+            step: Difference of neighbouring rows, or
+            steps: number of steps; rows are one more.
+            depths: In place of these, water depths along a route: pairs of distance and depth [m], or a CSV file with
+                the columns distance_m or kp_km and depth_m.
+            least: Along a route with the least tension with which every governing check is passed, at every point.
+            progress: Called now and then with rows done and rows asked for.
+
+        Raises:
+            ModelError: Where a value cannot be.
+        """
+        from .lay_table import lay_table
+
+        return lay_table(self, vary, from_, to, step, steps, depths, least, progress)
+
+    def sensitivities(self, keys: Optional[Iterable[str]] = None, *, stage: Union[str, int] = "",
+                      one_sided: bool = True) -> "Sensitivities":
+        """The derivatives of all results of statics by numbers of the model file, at its equilibrium.
+
+        Args:
+            keys: Keys with indices or names of items, 'supports.stinger.boxes[stinger 3].z'; left out every number that
+                the file has.
+            stage: Of an operation on the line, by name or number from 1.
+            one_sided: Whether contacts that open or close within the tolerance of an input are looked at.
+
+        Raises:
+            NoSolution: Where there is no equilibrium, or it is about to snap to another place.
+            ModelError: Where a key is none of these.
+        """
+        from .sensitivities import Sensitivities
+
+        return Sensitivities(_core.sensitivities(self._core, str(stage), list(keys or []), one_sided))
 
     def _run(self, out: Optional[PathLike], progress: Union[bool, Progress], **wish: Any) -> tuple[pathlib.Path, Any]:
         holder = TemporaryFolder() if out is None else None

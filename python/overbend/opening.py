@@ -7,28 +7,41 @@ import os
 import pathlib
 from typing import Any, Union
 
+from . import _core
 from .errors import ResultsError
-from .results import ComparisonResults, DynamicResults, SeedsResults, StaticResults
+from .model import Model
+from .operation import OperationResults
+from .results import DynamicResults, StaticResults
+from .runs import ComparisonResults, SeedsResults
+from .studies import StudyResults
 
 
 def open(folder: Union[str, "os.PathLike[str]"]) -> Any:  # noqa: A001
     """The results in a folder that the command line or this package wrote.
 
     Returns:
-        StaticResults, DynamicResults, SeedsResults, ComparisonResults, by what the folder holds.
+        StaticResults, DynamicResults, SeedsResults, ComparisonResults, OperationResults, StudyResults, by what the
+        folder holds. A study that is not finished gives what there is so far.
 
     Raises:
         ResultsError: Where it holds none.
     """
     path = pathlib.Path(folder)
     path = path.parent if path.name in ("results.h5", "summary.json") else path
+    if (path / "study.json").is_file():
+        return StudyResults(path)
+    if (path / "comparison.json").is_file():
+        return ComparisonResults(path)
     if not (path / "summary.json").is_file():
         raise ResultsError(f"there are no results in '{path}'")
     summary = json.loads((path / "summary.json").read_text(encoding="utf-8"))
-    if (path / "comparison.html").is_file():
-        return ComparisonResults(path)
     if "seeds" in summary:
         return SeedsResults(path)
     if "dynamic" in summary:
         return DynamicResults(path)
+    if "operation" in summary and _core.has_operation(str(path / "results.h5")):
+        core = _core.Operation.stored(str(path / "results.h5"))
+        return OperationResults(core, Model(core.model))
+    if "lay_table" in summary:
+        raise ResultsError(f"'{path}' holds a lay table, which is read from lay-table.csv; model.lay_table() makes one")
     return StaticResults(None, None, path)

@@ -23,12 +23,14 @@ PathLike = Union[str, "os.PathLike[str]"]
 
 
 @functools.cache
-def _units() -> dict[str, Any]:
+def summary_units() -> dict[str, Any]:
+    """Units of results in the places that these have in summary.json."""
     return _core.summary_units()
 
 
 @functools.cache
-def _descriptions() -> dict[str, Any]:
+def summary_descriptions() -> dict[str, Any]:
+    """Descriptions likewise."""
     return _core.summary_descriptions()
 
 
@@ -81,7 +83,7 @@ class Results:
     @functools.cached_property
     def checks(self) -> "Checks":
         """The code checks."""
-        return Checks(self.summary.get("checks", {}), _units().get("checks"), _descriptions().get("checks"))
+        return Checks(self.summary.get("checks", {}), summary_units().get("checks"), summary_descriptions().get("checks"))
 
     @functools.cached_property
     def _record(self) -> Record:
@@ -92,7 +94,8 @@ class Results:
         return list(part[name] if name in part else self.summary.get(name, []))
 
     def _part_of(self, summary: dict[str, Any]) -> Record:
-        return Record(summary.get(self._part, {}), _units().get(self._part), _descriptions().get(self._part))
+        told = summary_units().get(self._part), summary_descriptions().get(self._part)
+        return Record(summary.get(self._part, {}), *told)
 
     def _table(self, name: str) -> Table:
         group = self._tables[name]
@@ -200,7 +203,7 @@ class StaticResults(Results):
         """The content of summary.json."""
         if self._solved is not None:
             return self._solved.summary(all=True)
-        return _summary_in(self._folder)
+        return summary_in(self._folder)
 
     @functools.cached_property
     def _quick(self) -> dict[str, Any]:
@@ -231,7 +234,7 @@ class StaticResults(Results):
             ResultsError: Where the folder cannot be written.
         """
         if self._solved is None:
-            return _copy(self._folder, folder)
+            return copied_folder(self._folder, folder)
         self._solved.save(os.fspath(folder))
         return pathlib.Path(folder)
 
@@ -275,7 +278,7 @@ class DynamicResults(Results):
     @functools.cached_property
     def summary(self) -> dict[str, Any]:
         """The content of summary.json."""
-        return _summary_in(self._folder)
+        return summary_in(self._folder)
 
     @functools.cached_property
     def _source(self) -> Any:
@@ -387,7 +390,7 @@ class DynamicResults(Results):
 
     def save(self, folder: PathLike) -> pathlib.Path:
         """Copies the files of the run, report.html with them, into a folder that is new or empty."""
-        return _copy(self._folder, folder)
+        return copied_folder(self._folder, folder)
 
     @property
     def plot(self) -> Any:
@@ -395,64 +398,6 @@ class DynamicResults(Results):
         from .plots import DynamicPlots
 
         return DynamicPlots(self)
-
-
-class _RunsInFolders:
-    """Several runs in folders of their own below one."""
-
-    def __init__(self, folder: pathlib.Path, model: "Optional[Model]" = None, holder: Any = None):
-        self._folder, self._model, self._holder = folder, model, holder
-        self.summary: dict[str, Any] = _summary_in(folder)
-
-    @property
-    def folder(self) -> pathlib.Path:
-        """Where the results are."""
-        return self._folder
-
-    def _run(self, name: str) -> DynamicResults:
-        if not (self._folder / name / "results.h5").is_file():
-            raise KeyError(f"there is no finished run '{name}' in '{self._folder}'")
-        return DynamicResults(self._folder / name, None, self._holder)
-
-    def save(self, folder: PathLike) -> pathlib.Path:
-        """Copies all files into a folder that is new or empty."""
-        return _copy(self._folder, folder)
-
-
-class SeedsResults(_RunsInFolders):
-    """Runs of several seeds: `results[3]` is the run of seed 3, `summary` what they give together, as summary.json."""
-
-    @property
-    def seeds(self) -> list[int]:
-        """The seeds whose runs are finished."""
-        return sorted(int(path.parent.name[5:]) for path in self._folder.glob("seed-*/results.h5"))
-
-    def __getitem__(self, seed: int) -> DynamicResults:
-        return self._run(f"seed-{seed}")
-
-    def __iter__(self) -> Any:
-        return (self[seed] for seed in self.seeds)
-
-    def __len__(self) -> int:
-        return len(self.seeds)
-
-    def values(self, name: str) -> Any:
-        """A result of every seed, by its name as goal seek has it: 'dynamic.top_tension.max'; labelled over seed."""
-        found = [self[seed][name] for seed in self.seeds]
-        units = found[0].units if found else "1"
-        return labelled(np.array([float(value) for value in found]), name, ("seed",), {"seed": np.array(self.seeds)}, units)
-
-
-class ComparisonResults(_RunsInFolders):
-    """Variants of a model in one sea: `results['off']` is the run of one, `summary` as summary.json."""
-
-    @property
-    def variants(self) -> list[str]:
-        """The names of the variants."""
-        return sorted(path.parent.name for path in self._folder.glob("*/results.h5"))
-
-    def __getitem__(self, variant: str) -> DynamicResults:
-        return self._run(variant)
 
 
 def _renamed(column: Any, name: str) -> Any:
@@ -473,9 +418,10 @@ def _below(source: Any, group: str) -> list[str]:
     return found
 
 
-def _summary_in(folder: Optional[pathlib.Path]) -> dict[str, Any]:
+def summary_in(folder: Optional[pathlib.Path], file: str = "summary.json") -> dict[str, Any]:
+    """The content of a file of results. Raises ResultsError where there is none."""
     try:
-        return json.loads((pathlib.Path(folder or ".") / "summary.json").read_text(encoding="utf-8"))
+        return json.loads((pathlib.Path(folder or ".") / file).read_text(encoding="utf-8"))
     except (OSError, ValueError) as fault:
         raise ResultsError(f"there are no results in '{folder}': {fault}") from None
 
@@ -494,7 +440,8 @@ def _model_of(results: Any) -> "Model":
     return results._model
 
 
-def _copy(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+def copied_folder(source: Optional[pathlib.Path], folder: PathLike) -> pathlib.Path:
+    """Copies a folder of results into one that is new or empty."""
     target = pathlib.Path(folder)
     if target.exists() and any(target.iterdir()):
         raise ResultsError(f"the folder '{target}' is not empty")

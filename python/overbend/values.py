@@ -73,6 +73,11 @@ class LabelledArray(np.ndarray):
         return np.asarray(self)
 
 
+def stored_unit(unit: str) -> str:
+    """The unit as results.h5 has it: "Pa" for "N/m^2"."""
+    return {"N*m": "N m", "N/m^2": "Pa", "m-1": "1/m"}.get(unit, unit)
+
+
 def use_xarray(use: bool) -> None:
     """Whether arrays are xarray.DataArray, the default where xarray is installed, or always LabelledArray."""
     global _use_xarray

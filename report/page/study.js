@@ -23,7 +23,7 @@
   function told(group) {
     const where = study.inputs.map((input, i) => `${input.name.replace(/ \[.*/, '')}: ${group.words[i]}`).join('\n');
     const check = group.governing ? `\n${group.governing}: ${short(group.utilisation)}` : '';
-    return `case ${group.case}\n${where}${check}\n${{ passed: 'passed', exceeded: 'a governing check is exceeded', failed: 'no result', open: 'not run' }[group.state]}`;
+    return `case ${group.case}\n${where}${check}\n${{ passed: group.governing ? 'passed' : 'solved', exceeded: 'a governing check is exceeded', failed: 'no result', open: 'not run' }[group.state]}`;
   }
 
   function dot(group_of, x, y, group, radius) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 namespace overbend {
 namespace {
 
@@ -39,6 +41,28 @@ TEST(text, words_join_to_a_sentence) {
   EXPECT_EQ(join_words({"a", "b", "c"}, "or"), "a, b or c");
   EXPECT_EQ(one_of({"a"}), "'a'");
   EXPECT_EQ(one_of({"a", "b"}), "one of a or b");
+}
+
+/// What a shell takes a word for, followed by another.
+std::string as_a_shell_reads(const std::string& text) {
+  FILE* pipe = popen(("printf '<%s>' " + shell_word(text) + " end").c_str(), "r");
+  std::string read;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) read += static_cast<char>(c);
+  pclose(pipe);
+  return read;
+}
+
+TEST(text, words_for_the_shell_are_taken_letter_for_letter) {
+  for (const std::string text :
+       {"a 'b' \"c\" $(touch x) `d` ; e\n\\ * ~", "'", "''", "", "#", "~", "plain/word-1.yaml", "\u00fc", "a=b", "!"}) {
+    EXPECT_EQ(as_a_shell_reads(text), "<" + text + "><end>");
+  }
+}
+
+TEST(text, words_that_a_shell_takes_as_they_are_go_without_quotes) {
+  EXPECT_EQ(shell_word("results/run-1.study"), "results/run-1.study");
+  EXPECT_EQ(shell_word("o'neil"), "'o'\\''neil'");
+  EXPECT_EQ(shell_word(""), "''");
 }
 
 }  // namespace

@@ -106,6 +106,22 @@ TEST(study_page, a_study_without_anything_that_changes_has_a_page) {
   EXPECT_TRUE(has(study_html(results), "1 of 1 cases pass"));
 }
 
+TEST(study_page, a_study_without_code_checks_does_not_say_that_any_is_passed) {
+  StudyResults results = synthetic_study("curves");
+  for (StudyCase& one : results.cases) {
+    one.governing.clear();
+    one.utilisation.reset();
+    one.passed = true;
+  }
+  const std::string all = std::to_string(results.cases.size()), page = study_html(results);
+  EXPECT_TRUE(has(page, all + " of " + all + " cases solved"));
+  EXPECT_TRUE(has(page, "No code check is made"));
+  EXPECT_FALSE(has(page, "governing check passed"));
+  EXPECT_FALSE(has(page, ">passed<"));
+  results.cases[0].governing = "laying criterion I, overbend";
+  EXPECT_TRUE(has(study_html(results), all + " of " + all + " cases pass<"));
+}
+
 TEST(study_page, rank_correlation_sees_order_alone) {
   EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3, 4}, {1, 10, 100, 1000}), 1.0);
   EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3, 4}, {4, 3, 2, 1}), -1.0);

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "resultfiles/lay_table_writer.h"
+#include "resultfiles/result_tree.h"
 #include "study/lay_table_range.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
@@ -159,6 +161,24 @@ TEST(lay_table, files_say_the_same_in_csv_workbook_and_summary) {
   EXPECT_NE(book.at("xl/sharedStrings.xml").find("lay-back [m]"), std::string::npos);
   const std::string page = testing::file_text(folder / "table/report.html");
   EXPECT_NE(page.find("data-figure=\"lay_table\""), std::string::npos);
+}
+
+TEST(lay_table, datasets_have_a_row_for_each_lay_and_nothing_where_there_is_none) {
+  const LayTable table = make_lay_table(described("S16-T300"), range(LayTableVary::tension, 10e3, 300e3, 1));
+  ResultTree tree;
+  write_lay_table_groups(tree, table);
+  const auto column = [&](const char* name) {
+    return std::get<std::vector<double>>(tree.datasets.at(std::string("/lay_table/") + name).values);
+  };
+  ASSERT_EQ(column("tension").size(), table.rows.size());
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    EXPECT_EQ(column("tension")[i], table.rows[i].varied);
+    EXPECT_EQ(std::isnan(column("lay_back")[i]), !table.rows[i].lay);
+    if (table.rows[i].lay) EXPECT_EQ(column("lay_back")[i], table.rows[i].lay->lay_back);
+  }
+  EXPECT_EQ(tree.datasets.at("/lay_table/lay_back").units, "m");
+  const auto& verdicts = std::get<std::vector<std::string>>(tree.datasets.at("/lay_table/verdict").values);
+  EXPECT_EQ(verdicts.front(), "no lay");
 }
 
 TEST(lay_table_range, takes_the_unit_of_its_end) {

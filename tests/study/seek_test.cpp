@@ -126,6 +126,15 @@ TEST(seek, what_is_minimised_stops_at_its_condition) {
   EXPECT_NEAR(least.unknowns[0].answer, equal.unknowns[0].answer, 1e-3 * equal.unknowns[0].answer);
 }
 
+TEST(seek, ends_before_the_next_model_when_it_is_told_to) {
+  const Description description = j_lay(
+      "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}\n"
+      "  until: {result: static.top_inclination, equals: 65 deg}\n");
+  int asked = 0;
+  EXPECT_THROW(seek(description, read_seek(description).value(), [&] { return ++asked == 4; }), SeekStopped);
+  EXPECT_EQ(asked, 4);
+}
+
 TEST(seek, the_model_is_written_with_its_comments_and_the_answer) {
   const Description description = j_lay(
       "  vary: {key: tensioner.tension, from: 450 kN, to: 1100 kN}  # kept\n"

@@ -46,13 +46,6 @@ std::vector<std::size_t> upto(std::size_t count) {
 
 }  // namespace
 
-TEST(slurm, words_for_the_shell_are_taken_letter_for_letter) {
-  const std::string nasty = "a 'b' \"c\" $(touch x) `d` ; e\n\\ *";
-  const auto told = run_program({"sh", "-c", "printf %s " + shell_word(nasty)});
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->out, nasty);
-}
-
 TEST(slurm, a_task_runs_its_cases_of_the_study) {
   // The script is run with echo in the place of the program.
   const Scratch scratch;

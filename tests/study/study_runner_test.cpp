@@ -12,6 +12,7 @@
 #include "modelfile/study_reader.h"
 #include "resultfiles/hdf5_file.h"
 #include "runstore/staged_folder.h"
+#include "study/whole_study.h"
 
 namespace overbend {
 namespace {
@@ -220,6 +221,9 @@ TEST(study_runner, records_keep_the_peaks_of_histories_for_extremes_over_seeds) 
   ASSERT_EQ(results.extremes.size(), 1U);
   EXPECT_EQ(results.extremes[0].runs, 2);
   EXPECT_TRUE(std::filesystem::exists(records.folder() / "report.html"));
+  const Hdf5Reader file(records.folder() / "study.h5");
+  EXPECT_EQ(file.doubles("/extremes/worst"), std::vector<double>{results.extremes[0].worst});
+  EXPECT_TRUE(std::isnan(file.doubles("/extremes/gumbel").front())) << "two runs are too few";
   const auto kept = recorded_peaks(records.folder(), results.cases[1]);
   const auto whole = recorded_peaks(files.folder(), results.cases[1]);
   ASSERT_FALSE(kept.empty());
@@ -261,6 +265,23 @@ TEST(study_runner, a_case_alone_leaves_all_its_files) {
     EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / file)) << file;
   }
   EXPECT_EQ(run(tried).done, 14U);
+}
+
+TEST(study_runner, a_case_that_fails_alone_keeps_the_result_that_the_study_found) {
+  const Tried tried("axes: [{key: tensioner.tension, values: [300 kN, 5 kN]}]\ngather: [static.lay_back]\n");
+  open_study(*tried.base, *tried.cases, tried.folder());
+  StudyCase solved = tried.cases->at(1);  // as if the case beside it had led to a solution
+  solved.state = StudyCaseState::done;
+  solved.values = {123.0};
+  solved.passed = true;
+  write_case_record(solved, tried.cases->inputs(), study_outputs(*tried.base), tried.folder());
+  const std::string record = "out/" + solved.folder + "/case.json", before = tried.scratch.read(record);
+  const StudyCase alone = run_study_case(*tried.base, *tried.cases, tried.folder(), 1, [] { return false; });
+  EXPECT_EQ(alone.state, StudyCaseState::failed);
+  EXPECT_NE(alone.reason.find("tension"), std::string::npos) << alone.reason;
+  EXPECT_NE(alone.reason.find("its record is kept"), std::string::npos) << alone.reason;
+  EXPECT_EQ(tried.scratch.read(record), before);
+  EXPECT_EQ(read_study(tried.folder()).cases[1].values[0], 123.0);
 }
 
 TEST(study_runner, a_goal_seek_in_every_case_gathers_its_answer) {
@@ -314,6 +335,34 @@ TEST(study_runner, kept_cases_have_the_files_of_the_command_and_its_numbers) {
     EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "results.h5"));
     EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "case.json"));
   }
+}
+
+/// Counts how often it is held.
+class CountedLock : public FileLock {
+ public:
+  void lock() override {
+    FileLock::lock();
+    ++held;
+  }
+  int held = 0;
+};
+
+TEST(study_runner, a_lock_that_is_brought_is_held_while_files_are_written) {
+  const Tried tried("keep: true\naxes: [{key: tensioner.tension, values: [300 kN, 310 kN]}]\n");
+  CountedLock files;
+  StudyRunOptions options;
+  options.files = &files;
+  StopAfter watch(1000);
+  ASSERT_EQ(run_whole_study(*tried.base, tried.folder(), options, watch).ending, RunEnding::done);
+  EXPECT_EQ(files.held, 3) << "for each case and for the tables";
+}
+
+TEST(study_runner, what_there_is_so_far_is_read_without_writing_tables) {
+  const Tried tried(kTensions);
+  run(tried, 1, 4);
+  const StudyResults results = study_so_far(tried.folder());
+  EXPECT_EQ(std::ranges::count(results.cases, StudyCaseState::done, &StudyCase::state), 4);
+  EXPECT_FALSE(std::filesystem::exists(tried.folder() / "study.csv"));
 }
 
 }  // namespace

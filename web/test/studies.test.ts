@@ -49,6 +49,12 @@ test('cells lie where their values are, and tell of what failed', () => {
   expect(tally(m)).toBe('5 cases: 2 pass, 1 exceed a check, 1 have no solution, 1 still to come');
 });
 
+test('no check is passed where none is made', () => {
+  const checked = { governing: 'Roller force' };
+  expect(tally(matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], null)]))).toBe('2 cases: 1 solved, without code checks, 1 have no solution');
+  expect(tally(matrix([one(0, [0, 0, 0], 1), one(1, [0, 1, 0], 1, checked)]))).toBe('2 cases: 2 pass');
+});
+
 test('of several seeds the one farther out counts', () => {
   const seeds = [one(0, [], 3), one(1, [], 5), one(2, [], null)];
   expect(worstValue(seeds, 0, 'dynamic.top_tension.max')).toBe(5);

@@ -66,7 +66,7 @@ class FollowedStudy : public CaseWatch {
 StudyEnd follow_study(const Description& base, const StudyPlan& plan, const std::filesystem::path& folder,
                       const CaseOptions& options, const std::string& noun) {
   const Interruption interruption;
-  std::mutex files;
+  FileLock files;
   FollowedStudy watch(noun, options.resume);
   return run_study(base, plan, folder, options, watch, files);
 }

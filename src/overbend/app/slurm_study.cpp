@@ -9,6 +9,7 @@
 
 #include "app/exit_code.h"
 #include "app/interruption.h"
+#include "base/text.h"
 #include "study/study_folder.h"
 #include "study/study_units.h"
 

@@ -122,8 +122,10 @@ std::string study_lines(const StudyResults& results, const std::string& study_fi
     open += one.state == StudyCaseState::open ? 1 : 0;
     passed += one.state == StudyCaseState::done && one.passed ? 1 : 0;
   }
-  std::string text = fmt::format("  {} of {} solved, {} of them {} the checks\n", done,
-                                 plural(results.cases.size(), "case"), passed, passed == 1 ? "passes" : "pass");
+  const std::string judged = without_checks(results) && passed == done
+                                 ? "no code check is made of this model"
+                                 : fmt::format("{} of them {} the checks", passed, passed == 1 ? "passes" : "pass");
+  std::string text = fmt::format("  {} of {} solved, {}\n", done, plural(results.cases.size(), "case"), judged);
   if (open > 0) text += fmt::format("  {} not run yet\n", open);
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     if (!results.outputs[i].text) text += range_line(results, i);

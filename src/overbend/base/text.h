@@ -1,4 +1,4 @@
-/// Small helpers on text for messages and keys.
+/// Small helpers on text for messages, keys and commands.
 #pragma once
 
 #include <string>
@@ -21,6 +21,9 @@ std::string one_of(const std::vector<std::string>& words);
 
 /// Text shortened for a message: one line, at most `most` characters, control characters shown as '?'.
 std::string for_display(std::string_view text, std::size_t most = 60);
+
+/// A word as a POSIX shell has to read it to take it letter for letter, in quotes only where they are needed.
+std::string shell_word(std::string_view text);
 
 /// Number of letters to insert, delete, replace or swap with a neighbour to turn one word into the other.
 int edit_distance(std::string_view a, std::string_view b);

@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "python/bindings.h"
+#include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
 #include "python/statics_handle.h"
@@ -93,8 +94,15 @@ StudyEnd run_in(const Description& description, const RunWish& wish, const fs::p
   }
   const StudyPlan plan = plan_of(description, wish);
   require_wish(case_folders(plan, folder), wish);
-  static std::mutex files;  // HDF5 serves one thread alone
+  InterpreterLock files;
   return run_study(description, plan, folder, {wish.resume, wish.checkpoint_every, wish.threads}, watch, files);
+}
+
+/// How it ended, with the reasons of the runs that failed.
+RunEnd all_told(const StudyEnd& end) {
+  std::string why = end.why;
+  for (const FailedCase& one : end.failed) why += (why.empty() ? "" : "; ") + one.name + ": " + one.why;
+  return {end.ending, why};
 }
 
 py::dict told_end(const StudyEnd& end) {
@@ -121,8 +129,8 @@ py::dict run(const ModelHandle& model, const std::string& folder, const RunWish&
     told["interrupted"] = true;
     return told;
   }
-  const bool some = end.ending == RunEnding::no_solution && (end.seeds || end.comparison);  // and others failed
-  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(end);
+  const bool some = end.seeds && !end.seeds->runs.empty();  // and others failed
+  if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(all_told(end));
   return told_end(end);
 }
 

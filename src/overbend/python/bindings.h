@@ -16,5 +16,17 @@ void add_model(pybind11::module_& module);
 void add_statics(pybind11::module_& module);
 /// Dynamic analyses into folders.
 void add_dynamics(pybind11::module_& module);
+/// Goal seek.
+void add_seek(pybind11::module_& module);
+/// Operations on the line.
+void add_operations(pybind11::module_& module);
+/// Lay tables.
+void add_lay_tables(pybind11::module_& module);
+/// What results hang on.
+void add_sensitivities(pybind11::module_& module);
+/// Studies of many cases.
+void add_studies(pybind11::module_& module);
+/// Folders of results beside each other.
+void add_comparisons(pybind11::module_& module);
 
 }  // namespace overbend

@@ -9,4 +9,10 @@ PYBIND11_MODULE(_core, module) {
   overbend::add_model(module);
   overbend::add_statics(module);
   overbend::add_dynamics(module);
+  overbend::add_seek(module);
+  overbend::add_operations(module);
+  overbend::add_lay_tables(module);
+  overbend::add_sensitivities(module);
+  overbend::add_studies(module);
+  overbend::add_comparisons(module);
 }

@@ -24,6 +24,9 @@ class StaticsHandle {
   /// The equilibrium of the model; of an operation on the line that of the stage with this name or number. `start`: of
   /// a lay close by. Throws SolveFault where there is none, and what ModelHandle throws.
   StaticsHandle(std::shared_ptr<ModelHandle> model, const std::string& stage, const StaticsHandle* start);
+  /// One that was found otherwise, with all that is told of it.
+  StaticsHandle(std::shared_ptr<ModelHandle> model, std::string stage, ModelStatics found)
+      : model_(std::move(model)), stage_(std::move(stage)), told_(true), statics_(std::move(found)) {}
 
   /// With everything that is told beside the equilibrium itself and may take longer than that: code checks with the lay
   /// in still water, the limits of roller friction, the hull's radiation and damping. Found when they are asked for.

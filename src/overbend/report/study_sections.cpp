@@ -51,7 +51,7 @@ std::string result_words(const StudyCase& one) {
     case StudyCaseState::failed:
       return "no result";
     default:
-      return one.passed ? "passed" : "exceeded";
+      return one.passed ? is_checked(one) ? "passed" : "solved" : "exceeded";
   }
 }
 
@@ -121,11 +121,16 @@ std::string study_verdict(const StudyResults& results) {
   if (n.exceeded > 0) because += counted(n.exceeded, "exceeds", "exceed") + " a governing check. ";
   if (n.failed > 0) because += counted(n.failed, "has", "have") + " no result; reasons are listed below. ";
   if (n.open > 0) because += counted(n.open, "has", "have") + " not been run yet.";
+  const bool unchecked = n.exceeded == 0 && without_checks(results);
+  if (unchecked) {
+    kind = "reserved";
+    because += (because.empty() ? "" : " ") + std::string("No code check is made of this model: nothing is judged.");
+  }
   if (because.empty()) because = "Every case has a result with every governing check passed.";
   return fmt::format(
-      "<div class=\"verdict {}\">\n<div class=\"words\">{} of {} cases pass</div>\n<div "
+      "<div class=\"verdict {}\">\n<div class=\"words\">{} of {} cases {}</div>\n<div "
       "class=\"because\">{}</div>\n</div>\n",
-      kind, n.passed, all, because);
+      kind, n.passed, all, unchecked ? "solved" : "pass", because);
 }
 
 std::string study_inputs_section(const StudyResults& results) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/json_fields.h"
 #include "resultfiles/summary_fields.h"
 #include "resultfiles/summary_json.h"
@@ -37,6 +38,14 @@ std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
   cells.emplace_back(row.reason);
   return cells;
 }
+
+/// Columns of a row without a lay.
+struct NoLay {
+  TableWriter& table;
+  void operator()(const ResultField& f, double) { table(f, std::optional<double>()); }
+  void operator()(const ResultField& f, const std::optional<double>&) { table(f, std::optional<double>()); }
+  void operator()(const ResultField& f, const std::string&) { table(f, std::string()); }
+};
 
 /// Throws where a number is none.
 struct FiniteRow {
@@ -79,6 +88,25 @@ DataTable lay_table_data(const LayTable& table) {
   data.columns.push_back({"remark"});
   for (const LayTableRow& row : table.rows) data.rows.push_back(cells_of(table, row));
   return data;
+}
+
+void write_lay_table_groups(DatasetSink& file, const LayTable& table) {
+  TableWriter rows;
+  for (const LayTableRow& row : table.rows) {
+    rows(index_field("Number of the row, from 0"), rows.rows());
+    visit_lay_table_place(table.vary, table.route, row, rows);
+    const LayTableValues none;
+    if (row.lay) {
+      visit_lay_table_values(*row.lay, rows);
+    } else {
+      NoLay visit{rows};
+      visit_lay_table_values(none, visit);
+    }
+    rows(ResultField{"verdict", "1", "passed, exceeded, or no lay"}, lay_verdict(row));
+    rows(ResultField{"reason", "1", "Why there is no lay, what is exceeded, or what ends the range"}, row.reason);
+    rows.end_row();
+  }
+  rows.write(file, "/lay_table", "A lay in each row");
 }
 
 std::string lay_table_summary(const LayTable& table) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "resultfiles/data_table.h"
+#include "resultfiles/dataset_sink.h"
 #include "results/lay_table_results.h"
 
 namespace overbend {
@@ -14,6 +15,9 @@ DataTable lay_table_data(const LayTable& table);
 
 /// The verdict on a row: "passed", "exceeded", "no lay".
 std::string lay_verdict(const LayTableRow& row);
+
+/// The rows as datasets of the group /lay_table; SI, NaN where a row has no lay.
+void write_lay_table_groups(DatasetSink& file, const LayTable& table);
 
 /// The text of summary.json; SI.
 std::string lay_table_summary(const LayTable& table);

@@ -9,6 +9,7 @@
 #include "base/require.h"
 #include "base/units.h"
 #include "resultfiles/hdf5_file.h"
+#include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/operability_json.h"
 #include "resultfiles/operability_table.h"
 #include "resultfiles/summary_json.h"
@@ -49,6 +50,11 @@ TableCell input_cell(const StudyInput& input, const StudyCase& one, std::size_t 
   return number_cell(one.inputs[i], 1.0 / factor_of(input));
 }
 
+TableCell verdict_cell(const StudyCase& one) {
+  if (one.passed && !is_checked(one)) return "no check";
+  return VerdictCell{one.passed, one.passed ? "passed" : "exceeded"};
+}
+
 std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& one, bool seeds) {
   std::vector<TableCell> cells = {static_cast<double>(one.number), one.folder};
   for (std::size_t i = 0; i < results.inputs.size(); ++i) cells.push_back(input_cell(results.inputs[i], one, i));
@@ -64,7 +70,7 @@ std::vector<TableCell> cells_of(const StudyResults& results, const StudyCase& on
       cells.push_back(number_cell(one.values[i], shown_output(output).factor));
     }
   }
-  cells.push_back(done ? TableCell(VerdictCell{one.passed, one.passed ? "passed" : "exceeded"}) : std::monostate());
+  cells.push_back(done ? verdict_cell(one) : std::monostate());
   cells.emplace_back(one.governing);
   cells.push_back(number_cell(one.utilisation, 1.0));
   cells.emplace_back(state_word(one));
@@ -96,7 +102,7 @@ std::string link(const std::string& group, std::string name) {
   return group + "/" + name;
 }
 
-void write_inputs(const StudyResults& results, Hdf5Writer& file, const std::vector<hsize_t>& shape) {
+void write_inputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
   file.group("/inputs", "Keys of the model that change from case to case");
   for (std::size_t i = 0; i < results.inputs.size(); ++i) {
     const StudyInput& input = results.inputs[i];
@@ -111,7 +117,7 @@ void write_inputs(const StudyResults& results, Hdf5Writer& file, const std::vect
   }
 }
 
-void write_outputs(const StudyResults& results, Hdf5Writer& file, const std::vector<hsize_t>& shape) {
+void write_outputs(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
   file.group("/outputs", "Results gathered of every case, by their names in summary.json");
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
@@ -128,7 +134,7 @@ void write_outputs(const StudyResults& results, Hdf5Writer& file, const std::vec
   }
 }
 
-void write_cases(const StudyResults& results, Hdf5Writer& file, const std::vector<hsize_t>& shape) {
+void write_cases(const StudyResults& results, DatasetSink& file, const std::vector<Extent>& shape) {
   file.group("/case", "What became of every case");
   const auto count = [](const StudyCase& one) { return static_cast<int>(one.number); };
   file.write("/case/number", ResultField{"", "1", "Number of the case, from 0"}, column<int>(results, count), shape);
@@ -153,10 +159,39 @@ void write_cases(const StudyResults& results, Hdf5Writer& file, const std::vecto
   file.write("/case/wall_time", ResultField{"", "s", "Time that it took"}, column<double>(results, time), shape);
 }
 
+/// A row for each group of seeds and each output that is an extreme.
+void write_extremes(const StudyResults& results, DatasetSink& file) {
+  TableWriter table;
+  for (const StudyExtreme& one : results.extremes) {
+    const StudyOutput& output = results.outputs.at(one.output);
+    const StudyEstimate none{kNone, kNone, kNone};
+    const StudyEstimate gumbel = one.enough ? one.gumbel : none, acer = one.acer.value_or(none);
+    table(index_field("Number of the line, from 0"), table.rows());
+    table(ResultField{"group", "1", "Cases that differ in the seed alone, from 0"}, static_cast<int>(one.group));
+    table(ResultField{"result", "1", "Output that it is of"}, output.name);
+    table(ResultField{"units", "1", "SI unit of its values"}, output.unit);
+    table(ResultField{"runs", "1", "Number of seeds"}, one.runs);
+    table(ResultField{"largest", "1", "1: the largest value is looked for; 0: the smallest"}, one.largest);
+    table(ResultField{"mean", kVaries, "Mean of the extremes of the runs"}, one.mean);
+    table(ResultField{"std", kVaries, "Their standard deviation"}, one.std);
+    table(ResultField{"worst", kVaries, "The worst of them"}, one.worst);
+    const char* in_three_hours = "Most probable extreme of three hours, by a Gumbel distribution; NaN: too few runs";
+    table(ResultField{"gumbel", kVaries, in_three_hours}, gumbel.value);
+    table(ResultField{"gumbel_low", kVaries, "Lower end of its 95 % confidence interval"}, gumbel.low);
+    table(ResultField{"gumbel_high", kVaries, "Upper end of its 95 % confidence interval"}, gumbel.high);
+    table(ResultField{"acer", kVaries, "The same by average conditional exceedance rates; NaN: too few peaks"},
+          acer.value);
+    table(ResultField{"acer_low", kVaries, "Lower end of its 95 % confidence interval"}, acer.low);
+    table(ResultField{"acer_high", kVaries, "Upper end of its 95 % confidence interval"}, acer.high);
+    table.end_row();
+  }
+  table.write(file, "/extremes", "Extremes over the seeds");
+}
+
 /// An array over the axes of the chart; NaN where there is no limit.
-void write_operability(const OperabilityResults& results, Hdf5Writer& file) {
+void write_operability(const OperabilityResults& results, DatasetSink& file) {
   file.group("/operability", "Largest " + results.over + " that passes, over the axes of the chart");
-  std::vector<hsize_t> shape;
+  std::vector<Extent> shape;
   for (const StudyInput& axis : results.axes) {
     shape.push_back(axis.words.size());
     const std::string path = link("/operability", axis.key);
@@ -235,18 +270,23 @@ DataTable study_table(const StudyResults& results) {
   return table;
 }
 
-void write_study_hdf5(const StudyResults& results, const fs::path& file) {
-  const std::vector<hsize_t> shape = {results.cases.size()};
-  Hdf5Writer writer(file);
-  writer.attribute("/", "title", results.title);
-  writer.attribute("/", "version", results.version);
-  writer.attribute("/", "analysis", results.analysis);
+void write_study_groups(DatasetSink& file, const StudyResults& results) {
+  file.attribute("/", "title", results.title);
+  file.attribute("/", "version", results.version);
+  file.attribute("/", "analysis", results.analysis);
   if (!results.cases.empty() || !results.operability) {
-    write_cases(results, writer, shape);
-    write_inputs(results, writer, shape);
-    write_outputs(results, writer, shape);
+    const std::vector<Extent> shape = {results.cases.size()};
+    write_cases(results, file, shape);
+    write_inputs(results, file, shape);
+    write_outputs(results, file, shape);
   }
-  if (results.operability) write_operability(*results.operability, writer);
+  write_extremes(results, file);
+  if (results.operability) write_operability(*results.operability, file);
+}
+
+void write_study_hdf5(const StudyResults& results, const fs::path& file) {
+  Hdf5Writer writer(file);
+  write_study_groups(writer, results);
   writer.close();
 }
 

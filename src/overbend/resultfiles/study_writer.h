@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "resultfiles/data_table.h"
+#include "resultfiles/dataset_sink.h"
 #include "results/fields/shown_unit.h"
 #include "results/study_results.h"
 
@@ -15,7 +16,11 @@ ShownUnit shown_output(const StudyOutput& output);
 /// Case, folder, inputs, seed, outputs, verdict, state, reason and time, in the units that are shown.
 DataTable study_table(const StudyResults& results);
 
-/// The groups case, inputs and outputs, a dataset per column with its SI unit. NaN stands where a case has no value.
+/// The groups case, inputs and outputs, a dataset per column with its SI unit; extremes over the seeds; limits of
+/// operability. NaN stands where a case has no value.
+void write_study_groups(DatasetSink& file, const StudyResults& results);
+
+/// The same as a file.
 void write_study_hdf5(const StudyResults& results, const std::filesystem::path& file);
 
 /// Writes study.csv, study.xlsx, study.h5 and summary.json into the folder, each whole or not at all. Throws FileFault.

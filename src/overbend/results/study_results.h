@@ -109,4 +109,20 @@ struct StudyResults {
   std::string command{};  ///< That ran it, for people to run a case alone: "overbend study STUDY.yaml -o DIR".
 };
 
+/// Of a case with a result: whether a code check decided whether it passed. None does of moorings without a pipe.
+inline bool is_checked(const StudyCase& one) {
+  return !one.governing.empty();
+}
+
+/// Whether any case has a result and none of them a code check.
+inline bool without_checks(const StudyResults& results) {
+  bool any = false;
+  for (const StudyCase& one : results.cases) {
+    if (one.state != StudyCaseState::done) continue;
+    if (is_checked(one)) return false;
+    any = true;
+  }
+  return any;
+}
+
 }  // namespace overbend

@@ -64,7 +64,7 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
 
 /// Lines by themselves in time: one seed, without progress on the way. Why there are no results; empty where there are.
 std::string run_lines_into(const std::filesystem::path& folder, const Description& description, const RunInfo& run,
-                           std::mutex& files) {
+                           FileLock& files) {
   if (run.is_study()) return "lines by themselves are run one at a time";
   if (!description.dynamics) return "the model has no analysis.dynamic";
   const Model model = build_model(description);
@@ -72,7 +72,7 @@ std::string run_lines_into(const std::filesystem::path& folder, const Descriptio
   if (run.duration > 0.0) options.duration = run.duration;
   const LinesOutcome outcome = run_lines(model, options);
   if (outcome.failure) return failure_line(*outcome.failure);
-  const std::lock_guard<std::mutex> hold(files);
+  const std::lock_guard hold(files);
   write_lines_run(*outcome.results, description, folder);
   return "";
 }
@@ -208,7 +208,7 @@ void RunQueue::run_static(const Job& job) {
   if (stop_) return end(id, RunState::cancelled, "cancelled");
   tell_hull(model, found);
   {
-    const std::lock_guard<std::mutex> hold(files_);
+    const std::lock_guard hold(files_);
     write_model_statics(found, description, folder(job.run));
   }
   end(id, RunState::done, "");

@@ -86,6 +86,7 @@ void RunQueue::run_matrix(const Job& job) {
   StudyRunOptions options;
   // One core is left for the page: its statics are solved meanwhile.
   options.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()) - 1);
+  options.files = &files_;
   const WholeStudy whole = run_whole_study(base, folder(job.run) / kStudyFolder, options, watch);
   if (whole.ending == RunEnding::interrupted) {
     return end(id, RunState::cancelled, "cancelled; cases computed so far are kept");

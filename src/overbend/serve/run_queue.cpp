@@ -122,7 +122,7 @@ void RunQueue::remove(const std::string& id) {
   }
   std::error_code fault;
   {
-    const std::lock_guard<std::mutex> hold(files_);  // somebody may be reading them
+    const std::lock_guard hold(files_);  // somebody may be reading them
     fs::remove_all(folder(run), fault);
   }
   events_.send("run", {{"id", id}, {"state", "deleted"}}, id);
@@ -208,7 +208,7 @@ void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>
   }
   if (lasting) {
     try {
-      const std::lock_guard<std::mutex> hold(files_);  // the run writes its part of the record under the same
+      const std::lock_guard hold(files_);  // the run writes its part of the record under the same
       keep_record(now, folder(now));
     } catch (const std::exception&) {
       // The disk is full or the folder gone; the list of this start still knows.

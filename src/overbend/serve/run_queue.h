@@ -9,6 +9,7 @@
 #include <mutex>
 #include <thread>
 
+#include "base/file_lock.h"
 #include "serve/events.h"
 #include "serve/live_history.h"
 #include "serve/open_model.h"
@@ -49,7 +50,7 @@ class RunQueue {
 
   const LiveHistory& live() const { return live_; }
   /// Held by whoever reads or writes files of results: the library below them serves one thread alone.
-  std::mutex& files() { return files_; }
+  FileLock& files() { return files_; }
 
  private:
   void close();
@@ -77,7 +78,7 @@ class RunQueue {
   std::filesystem::path folder_;
   EventHub& events_;
   LiveHistory live_;
-  std::mutex files_;
+  FileLock files_;
 
   mutable std::mutex mutex_;  ///< Of what follows.
   std::condition_variable changed_;

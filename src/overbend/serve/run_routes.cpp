@@ -141,7 +141,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
   if (run.state == RunState::running) return json_answer(columns_json(runs.live().columns()));
   if (!run.has_results || run.is_study() || run.is_matrix()) return json_answer(Json::array());
   const std::filesystem::path h5 = h5_of(runs, request);
-  const std::lock_guard<std::mutex> hold(runs.files());
+  const std::lock_guard hold(runs.files());
   return json_answer(columns_json(read_history_columns(h5)));
 }
 
@@ -150,7 +150,7 @@ HttpAnswer columns(RunQueue& runs, const HttpRequest& request) {
 std::vector<double> history(RunQueue& runs, const RunInfo& run, const std::string& name) {
   if (run.state == RunState::running) return runs.live().values(name);
   if (!run.has_results || run.is_study() || run.is_matrix()) return {};
-  const std::lock_guard<std::mutex> hold(runs.files());
+  const std::lock_guard hold(runs.files());
   try {
     return read_history(runs.folder(run) / "results.h5", name);
   } catch (const std::runtime_error&) {
@@ -177,13 +177,13 @@ HttpAnswer frames(RunQueue& runs, const HttpRequest& request) {
   const std::filesystem::path h5 = h5_of(runs, request);
   const auto first = static_cast<std::int64_t>(std::clamp(request.number("from", 0.0), 0.0, 1e12));
   const auto count = static_cast<std::int64_t>(std::clamp(request.number("count", kMostFrames), 0.0, kMostFrames));
-  const std::lock_guard<std::mutex> hold(runs.files());
+  const std::lock_guard hold(runs.files());
   return json_answer(frames_json(h5, first, count));
 }
 
 HttpAnswer from_file(RunQueue& runs, const HttpRequest& request, Json (*read)(const std::filesystem::path&)) {
   const std::filesystem::path h5 = h5_of(runs, request);
-  const std::lock_guard<std::mutex> hold(runs.files());
+  const std::lock_guard hold(runs.files());
   return json_answer(read(h5));
 }
 
@@ -245,7 +245,7 @@ HttpAnswer annotate(RunQueue& runs, const HttpRequest& request) {
 
 HttpAnswer scene(RunQueue& runs, const HttpRequest& request) {
   const std::filesystem::path h5 = h5_of(runs, request);
-  const std::lock_guard<std::mutex> hold(runs.files());
+  const std::lock_guard hold(runs.files());
   return json_answer(run_scene_json(h5, runs.find(request.parts[0]).model_path));
 }
 

@@ -27,8 +27,8 @@ CaseAnswer ended(RunEnding how, std::string why) {
   return {{how, std::move(why)}};
 }
 
-std::unique_lock<std::mutex> held(std::mutex* files) {
-  return files != nullptr ? std::unique_lock<std::mutex>(*files) : std::unique_lock<std::mutex>();
+std::unique_lock<FileLock> held(FileLock* files) {
+  return files != nullptr ? std::unique_lock(*files) : std::unique_lock<FileLock>();
 }
 
 void judge(const CheckTable& checks, CaseAnswer& answer) {
@@ -92,12 +92,13 @@ CaseAnswer answer_dynamics(const CaseBase& base, const CaseQuestion& question, C
     last = SteadyClock::now();
     return DynamicControl::checkpoint;
   };
-  std::mutex own;
+  FileLock own;
   const RunFiles files = conduct.keep ? RunFiles::all : RunFiles::none;
   RealisationEnd end = run_realisation(prepared, conduct.folder, seed, true, control,
                                        conduct.files != nullptr ? *conduct.files : own, {}, files);
   if (exceeded && end.ending == RunEnding::interrupted) {  // there is nothing to go on with
     static_cast<RunEnd&>(end) = {};
+    keep_lasting_checks(end.results->checks);
     if (auto left = RunStore::resume(conduct.folder, prepared.input, seed)) left->store.remove();
   }
   CaseAnswer answer{static_cast<const RunEnd&>(end)};

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "base/yaml_document.h"
 #include "model/study_description.h"
 #include "modelfile/yaml_edit.h"
@@ -80,7 +80,7 @@ struct CaseConduct {
   std::function<bool()> stop = {};  ///< Whether to end, a dynamic analysis at a checkpoint.
   /// Told how far a dynamic analysis is that began at the time `from` [s].
   std::function<void(const DynamicProgress& at, double from)> progress = {};
-  std::mutex* files = nullptr;  ///< Held while HDF5 is used, which serves one thread alone.
+  FileLock* files = nullptr;    ///< Held while HDF5 is used, which serves one thread alone.
   bool until_exceeded = false;  ///< A dynamic analysis ends once a governing check is exceeded, and has its answer.
 };
 

@@ -63,8 +63,8 @@ class WatchedStore : public DynamicSink {
 }  // namespace
 
 RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folder, std::uint64_t seed, bool resume,
-                               const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing, const RowWatch& rows, RunFiles files) {
+                               const std::function<DynamicControl(const DynamicProgress&)>& control, FileLock& writing,
+                               const RowWatch& rows, RunFiles files) {
   std::optional<Begun> begun;
   try {
     begun.emplace(begin(folder, shared.input, seed, resume));
@@ -94,7 +94,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   finish_histories(*outcome.results, begun->store);
   warn_of_large_motion(shared.description.vessel, *outcome.results);
   if (files == RunFiles::all) {
-    const std::lock_guard<std::mutex> hold(writing);
+    const std::lock_guard hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
   }
   std::vector<HistoryPeaks> peaks;
@@ -105,13 +105,13 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   return {{RunEnding::done}, std::move(peaks), std::move(outcome.results)};
 }
 
-void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, std::mutex& writing) {
+void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::path& folder, FileLock& writing) {
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_motions(shared.statics, shared.description, results, run->store);
   finish_histories(results, run->store);
   warn_of_large_motion(shared.description.vessel, results);
-  const std::lock_guard<std::mutex> hold(writing);
+  const std::lock_guard hold(writing);
   write_results(shared, results, run->store, folder);
 }
 

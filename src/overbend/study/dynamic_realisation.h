@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "recording/run_dynamics.h"
 #include "study/peaks_of_history.h"
 #include "study/prepared_case.h"
@@ -33,11 +33,11 @@ enum class RunFiles { all, none };
 /// refuses in the middle of the run.
 RealisationEnd run_realisation(const PreparedCase& shared, const std::filesystem::path& folder, std::uint64_t seed,
                                bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control,
-                               std::mutex& writing, const RowWatch& rows = {}, RunFiles files = RunFiles::all);
+                               FileLock& writing, const RowWatch& rows = {}, RunFiles files = RunFiles::all);
 
 /// Writes results of an interrupted run as far as it went; its checkpoint stays, and a run taken up again writes its
 /// own in their place. Throws std::runtime_error when the disk refuses.
 void write_so_far(const PreparedCase& shared, DynamicResults results, const std::filesystem::path& folder,
-                  std::mutex& writing);
+                  FileLock& writing);
 
 }  // namespace overbend

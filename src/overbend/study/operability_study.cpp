@@ -107,7 +107,7 @@ class TrialRunner {
     conduct.folder = folder;
     conduct.checkpoint_every = conduct_.checkpoint_every;
     conduct.stop = conduct_.stop;
-    conduct.files = &files_;
+    conduct.files = conduct_.files != nullptr ? conduct_.files : &files_;
     conduct.until_exceeded = wanted.checks;
     neighbour.start = start_;
     const CaseAnswer answer = evaluate_case(base_, question, neighbour, conduct);
@@ -131,7 +131,8 @@ class TrialRunner {
   std::vector<std::optional<bool>> claims_;  ///< By chain; empty before it was tried.
   std::optional<WorkerFile> worker_;
   std::shared_ptr<const LayStart> start_;
-  std::mutex files_, telling_;
+  FileLock files_;
+  std::mutex telling_;
   double wall_time_ = 0.0;
 };
 

@@ -22,6 +22,7 @@ struct OperabilityConduct {
   double checkpoint_every = 60.0;   ///< Of each analysis [s].
   std::size_t task = 0, tasks = 1;  ///< Runs chains task, task + tasks, ... (study/operability_search.h) only.
   bool gather = false;              ///< Runs nothing: limits as far as the records tell.
+  FileLock* files = nullptr;        ///< Held while HDF5 is used; left out: a lock of the search's own.
   std::function<bool()> stop = {};  ///< Whether to end, each analysis at a checkpoint.
   std::function<void(const TrialTold&)> told = {};  ///< Called from several threads.
 };

@@ -50,7 +50,7 @@ void keep_stage(const CaseRun& run) {
 /// The threads' common work.
 class CaseWork {
  public:
-  CaseWork(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, std::mutex& files)
+  CaseWork(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, FileLock& files)
       : runs_(runs), options_(options), watch_(watch), files_(files) {}
 
   void go() {
@@ -107,7 +107,7 @@ class CaseWork {
     keep_stage(one);
     RealisationEnd end = run_realisation(*one.prepared, one.folder, one.seed, options_.resume, control, files_, rows);
     if (end.ending == RunEnding::done) {
-      const std::lock_guard<std::mutex> hold(files_);
+      const std::lock_guard hold(files_);
       mark_finished(one.folder, "dynamic", one.prepared->statics.title, one.prepared->input);
     }
     return end;
@@ -116,7 +116,7 @@ class CaseWork {
   std::vector<CaseRun>& runs_;
   const CaseOptions& options_;
   CaseWatch& watch_;
-  std::mutex& files_;
+  FileLock& files_;
   std::atomic<std::size_t> next_{0};
 };
 
@@ -129,11 +129,11 @@ void CaseWatch::row(std::size_t /*run*/, const std::vector<HistoryColumn>& /*col
                     std::span<const double> /*values*/) {}
 void CaseWatch::ended(std::size_t /*run*/, const CaseRun& /*how*/) {}
 
-RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, std::mutex& files) {
+RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, FileLock& files) {
   for (CaseRun& run : runs) run.from = -settings(run).build_up;
   if (options.resume) {
     try {
-      const std::lock_guard<std::mutex> hold(files);
+      const std::lock_guard hold(files);
       for (CaseRun& run : runs) look_back(run);
     } catch (const std::runtime_error& fault) {
       return {RunEnding::wrong_input, fault.what()};

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "study/dynamic_realisation.h"
 
 namespace overbend {
@@ -52,6 +52,6 @@ class CaseWatch {
 /// Runs all into their folders; what they give does not depend on the number of threads. One that fails does not stop
 /// the others. `files` is held while files of results are read or written, for the library below them serves one thread
 /// alone. Done when each run has ended, well or not; wrong_input when what is to be resumed is of another input.
-RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, std::mutex& files);
+RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, FileLock& files);
 
 }  // namespace overbend

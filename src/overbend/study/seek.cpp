@@ -120,9 +120,9 @@ void compare_with_statics(const SeekModel& model, SeekOutcome& outcome) {
 
 }  // namespace
 
-SeekOutcome seek(const Description& description, const SeekDescription& wanted) {
+SeekOutcome seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
   const auto start = std::chrono::steady_clock::now();
-  const SeekModel model(description, wanted);
+  const SeekModel model(description, wanted, stop);
   const bool one = model.unknowns().size() == 1 && wanted.until.size() == 1 && wanted.minimise.empty();
   SeekOutcome outcome = one ? seek_one(model, wanted.until.front()) : seek_many(model, wanted);
   if (outcome.results.found) compare_with_statics(model, outcome);

@@ -13,8 +13,9 @@ struct SeekOutcome {
 
 /// Finds what `wanted` asks for. One key with one condition is searched over all its bounds, so that every
 /// answer and every jump on the way is told; several keys, several conditions or something to minimise are searched
-/// from the model's own values to the nearest optimum. Throws SeekFault where the search cannot begin.
-SeekOutcome seek(const Description& description, const SeekDescription& wanted);
+/// from the model's own values to the nearest optimum. Throws SeekFault where the search cannot begin, SeekStopped
+/// once `stop` says so, which is asked before every model.
+SeekOutcome seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop = {});
 
 /// The answer as changes of the model's keys, in the order of the unknowns.
 std::vector<YamlChange> answer_changes(const Description& description, const SeekDescription& wanted,

@@ -63,8 +63,8 @@ double distance(const std::vector<SeekUnknown>& unknowns, const std::vector<doub
 
 }  // namespace
 
-SeekModel::SeekModel(const Description& description, const SeekDescription& seek)
-    : base_(description), tree_(parsed(description)) {
+SeekModel::SeekModel(const Description& description, const SeekDescription& seek, std::function<bool()> stop)
+    : base_(description), tree_(parsed(description)), stop_(std::move(stop)) {
   if (!base_.has_pipe && !base_.moorings) {
     throw SeekFault("a goal seek needs a lay or a vessel on mooring lines; the model has neither");
   }
@@ -142,6 +142,7 @@ const SeekPoint& SeekHistory::at(const std::vector<double>& values) {
   for (const SeekPoint& point : points_) {
     if (point.values == values) return point;
   }
+  model_.go_on();
   const SeekPoint* start = nearest(values);
   SeekPoint& point = points_.emplace_back(model_.solve(values, start != nullptr ? &*start->solution : nullptr));
   point.serves = serve_;
@@ -150,6 +151,7 @@ const SeekPoint& SeekHistory::at(const std::vector<double>& values) {
 
 std::vector<const SeekPoint*> SeekHistory::at_all(const std::vector<std::vector<double>>& values,
                                                   const std::vector<double>& around) {
+  model_.go_on();
   const SeekPoint* start = nearest(around);
   const StaticSolution* from = start != nullptr ? &*start->solution : nullptr;
   std::vector<const SeekPoint*> all;

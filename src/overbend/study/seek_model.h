@@ -1,6 +1,7 @@
 /// A model whose keys are set anew and again, and its statics.
 #pragma once
 
+#include <functional>
 #include <list>
 #include <optional>
 #include <stdexcept>
@@ -21,6 +22,12 @@ class SeekFault : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A search that was told to end.
+class SeekStopped : public std::runtime_error {
+ public:
+  SeekStopped() : std::runtime_error("the goal seek was interrupted") {}
+};
+
 /// One set of values and what they lead to.
 struct SeekPoint {
   std::vector<double> values;
@@ -36,14 +43,19 @@ struct SeekPoint {
 class SeekModel {
  public:
   /// The keys that `seek` varies, each item of a pattern by itself. Throws SeekFault where one has no value
-  /// to start from.
-  SeekModel(const Description& description, const SeekDescription& seek);
+  /// to start from. `stop`, where given, is asked before every model.
+  SeekModel(const Description& description, const SeekDescription& seek, std::function<bool()> stop = {});
 
   const std::vector<SeekUnknown>& unknowns() const { return unknowns_; }
 
   /// Statics with the keys at these values; from `start`, where given, of a model close by. Several threads may call
   /// it.
   SeekPoint solve(const std::vector<double>& values, const StaticSolution* start) const;
+
+  /// Throws SeekStopped where the search shall end.
+  void go_on() const {
+    if (stop_ && stop_()) throw SeekStopped();
+  }
 
   /// What puts the values into the text of the model, in the units of its keys and with so many significant digits.
   std::vector<YamlChange> changes(const std::vector<double>& values, int digits = kDigits) const;
@@ -56,6 +68,7 @@ class SeekModel {
   Description base_;
   YamlNode tree_;
   std::vector<SeekUnknown> unknowns_;
+  std::function<bool()> stop_;
 };
 
 /// All points of a search, in its order; a new one starts from the nearest that has an equilibrium.
@@ -63,7 +76,7 @@ class SeekHistory {
  public:
   explicit SeekHistory(const SeekModel& model) : model_(model) {}
 
-  /// Solves, or finds among what was solved already.
+  /// Solves, or finds among what was solved already. Both throw SeekStopped.
   const SeekPoint& at(const std::vector<double>& values);
   /// Several at once, on as many threads as there are cores. All start from the point nearest to `around`.
   std::vector<const SeekPoint*> at_all(const std::vector<std::vector<double>>& values,

@@ -1,8 +1,6 @@
 #include "study/seek_run.h"
 
-#include "modelfile/binding.h"
-#include "modelfile/field_table.h"
-#include "modelfile/yaml_path.h"
+#include "modelfile/moved_text.h"
 #include "modelfile/yaml_reader.h"
 #include "report/report.h"
 #include "resultfiles/mooring_writer.h"
@@ -51,8 +49,8 @@ void write_statics(const SeekRun& run, const fs::path& folder) {
 
 }  // namespace
 
-SeekRun run_seek(const Description& description, const SeekDescription& wanted) {
-  SeekOutcome outcome = seek(description, wanted);
+SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop) {
+  SeekOutcome outcome = seek(description, wanted, stop);
   SeekRun run{std::move(outcome.results), {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
@@ -61,20 +59,7 @@ SeekRun run_seek(const Description& description, const SeekDescription& wanted) 
 }
 
 std::string answered_text(const SeekRun& run, const fs::path& folder) {
-  Diagnostics faults;
-  const std::optional<YamlNode> tree = parse_yaml(run.answer.source_text, run.answer.source_file, faults);
-  std::vector<YamlChange> changes;
-  for (const Field& row : field_table()) {
-    std::string rest;
-    const std::vector<YamlSpot> spots = row.file && tree ? follow_path(*tree, row.path, rest) : std::vector<YamlSpot>{};
-    if (spots.empty() || !rest.empty() || spots.back().node->kind != YamlNode::Kind::scalar) continue;
-    const fs::path named = spots.back().node->text;
-    if (named.is_absolute()) continue;
-    const fs::path found = fs::absolute(resolved_file(named.string(), run.answer.source_file));
-    changes.push_back(
-        {row.path, YamlChange::Kind::scalar, found.lexically_relative(fs::absolute(folder)).generic_string()});
-  }
-  return edit_yaml(run.answer.source_text, changes);
+  return moved_text(run.answer.source_text, run.answer.source_file, folder);
 }
 
 void write_seek_run(const SeekRun& run, const Description& description, const fs::path& folder) {

@@ -14,8 +14,8 @@ struct SeekRun {
   ModelStatics statics;  ///< Of that model; empty without an answer.
 };
 
-/// Searches, then solves the model with the answer in it as any other. Throws SeekFault where the search cannot begin.
-SeekRun run_seek(const Description& description, const SeekDescription& wanted);
+/// Searches, then solves the model with the answer in it as any other. Throws as seek().
+SeekRun run_seek(const Description& description, const SeekDescription& wanted, const std::function<bool()>& stop = {});
 
 /// Writes the files of the statics with the section `seek` in summary and report, seek.csv, and model.yaml, the model
 /// with the values put in; without an answer only summary.json and seek.csv. Whole or not at all; throws

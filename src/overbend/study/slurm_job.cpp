@@ -4,6 +4,8 @@
 #include <numeric>
 #include <set>
 
+#include "base/text.h"
+
 namespace overbend {
 namespace {
 
@@ -15,12 +17,6 @@ std::string file_pattern(const std::filesystem::path& folder) {
 }
 
 }  // namespace
-
-std::string shell_word(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
 
 std::string slurm_script(const SlurmStudy& study) {
   return "#!/bin/sh\n"

@@ -22,9 +22,6 @@ struct SlurmStudy {
   std::filesystem::path folder;   ///< Of the study, on the shared folder.
 };
 
-/// A word as /bin/sh has to read it to take it letter for letter.
-std::string shell_word(const std::string& text);
-
 /// The script of one task: the cases of task $SLURM_ARRAY_TASK_ID of as many tasks as the first argument says; further
 /// arguments are handed on.
 std::string slurm_script(const SlurmStudy& study);

@@ -149,7 +149,7 @@ void gather(StudyEnd& end, const StudyPlan& plan, const std::vector<CaseRun>& ru
 }  // namespace
 
 StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::path& folder, const CaseOptions& options,
-                   CaseWatch& watch, std::mutex& files) {
+                   CaseWatch& watch, FileLock& files) {
   StudyEnd end;
   std::vector<CaseRun> runs;
   static_cast<RunEnd&>(end) = prepare(base, plan, folder, runs);
@@ -163,7 +163,7 @@ StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::pat
     end.single = std::move(runs.front());
     return end;
   }
-  const std::lock_guard<std::mutex> hold(files);
+  const std::lock_guard hold(files);
   gather(end, plan, runs, folder, base);
   return end;
 }

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/file_lock.h"
 #include "results/comparison_results.h"
 #include "results/seeds_results.h"
 #include "study/case.h"
@@ -57,6 +57,6 @@ struct StudyEnd : RunEnd {
 /// wrong_input when none can be run for a reason that is the input's. What is given does not depend on the number of
 /// threads.
 StudyEnd run_study(const Description& base, const StudyPlan& plan, const std::filesystem::path& folder,
-                   const CaseOptions& options, CaseWatch& watch, std::mutex& files);
+                   const CaseOptions& options, CaseWatch& watch, FileLock& files);
 
 }  // namespace overbend

@@ -9,6 +9,7 @@
 #include <limits>
 #include <sstream>
 
+#include "base/text.h"
 #include "base/version.h"
 #include "model/study_words.h"
 #include "modelfile/seek_reader.h"
@@ -330,14 +331,7 @@ double recorded_duration(const fs::path& folder) {
 }
 
 std::string study_words(const std::string& file, const std::string& folder) {
-  const auto quoted = [](const std::string& text) {
-    constexpr const char* kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./";
-    if (text.find_first_not_of(kPlain) == std::string::npos) return text;
-    std::string word = "'";
-    for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return word + "'";
-  };
-  return "overbend study " + quoted(file) + " -o " + quoted(folder);
+  return "overbend study " + shell_word(file) + " -o " + shell_word(folder);
 }
 
 }  // namespace overbend

@@ -62,6 +62,7 @@ class StudyWork {
         folder_(folder),
         options_(options),
         watch_(watch),
+        files_(options.files != nullptr ? *options.files : own_files_),
         worker_(folder / "workers"),
         outputs_(study_outputs(base)) {}
 
@@ -230,13 +231,14 @@ class StudyWork {
   const fs::path& folder_;
   const StudyRunOptions& options_;
   StudyWatch& watch_;
+  FileLock own_files_;
+  FileLock& files_;
   WorkerFile worker_;
   std::vector<StudyOutput> outputs_;
   std::vector<std::size_t> open_;
   std::vector<Block> blocks_;
   std::shared_ptr<const LayStart> start_;
   SharedStatics statics_;
-  std::mutex files_;  ///< HDF5 serves one thread alone.
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> stopped_{false};
   std::mutex mutex_;  ///< Of what follows.
@@ -244,6 +246,12 @@ class StudyWork {
   std::size_t handled_ = 0;  ///< Of the open cases, those that this process need not look at again.
   std::exception_ptr fault_;
 };
+
+/// Why a case that has failed alone leaves its record as it is.
+const char* kept_words(RunEnding ending) {
+  return ending == RunEnding::no_solution ? "; the study found a solution from the cases around, and its record is kept"
+                                          : "; the study has a result of this case, and its record is kept";
+}
 
 }  // namespace
 
@@ -260,7 +268,7 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
                          const std::function<bool()>& stop) {
   const SteadyClock::time_point begun = SteadyClock::now();
   StudyCase one = cases.at(number);
-  std::mutex files;
+  FileLock files;
   const CaseConduct conduct{folder / one.folder, true, 60.0, stop, {}, &files};
   CaseNeighbour neighbour;
   const CaseAnswer answer = evaluate_case(base, cases.question(number), neighbour, conduct);
@@ -271,13 +279,22 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
     one.state = StudyCaseState::open;
     return one;
   }
+  if (one.state == StudyCaseState::failed && recorded_state(folder, number) == StudyCaseState::done) {
+    one.reason += kept_words(answer.ending);
+    return one;
+  }
   write_case_record(one, cases.inputs(), outputs, folder);
   return one;
 }
 
-StudyResults gather_study(const fs::path& folder) {
+StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
   fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
+  return results;
+}
+
+StudyResults gather_study(const fs::path& folder) {
+  StudyResults results = study_so_far(folder);
   write_study_files(results, folder);
   write_study_report(results, folder / "report.html");
   return results;

@@ -17,6 +17,7 @@ struct StudyRunOptions {
               tasks = 1;           ///< Only the cases whose number leaves the remainder `task` when divided by `tasks`.
   double checkpoint_every = 60.0;  ///< Of dynamic analyses [s].
   bool tables = true;              ///< Made when all cases are run; several tasks leave them to who gathers.
+  FileLock* files = nullptr;       ///< Held while HDF5 is used; left out: a lock of the study's own.
 };
 
 /// Whoever follows a study. Called from several threads, but for begin().
@@ -50,9 +51,13 @@ struct StudyTally {
 StudyTally run_study_cases(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                            const StudyRunOptions& options, StudyWatch& watch);
 
-/// Runs one case by itself, whatever its record says, with all result files in its folder, and records it.
+/// Runs one case by itself, whatever its record says, with all result files in its folder, and records it. Where it
+/// fails although its record has a result, which another case may have led to, the record stays and the reason says so.
 StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const std::filesystem::path& folder,
                          std::size_t number, const std::function<bool()>& stop);
+
+/// All that the records in the folder say, with extremes over seeds. Throws std::runtime_error where there is no study.
+StudyResults study_so_far(const std::filesystem::path& folder);
 
 /// Makes study.csv, study.xlsx, study.h5, summary.json and report.html from the records in the folder, and gives what
 /// they say. Throws std::runtime_error where there is no study, or FileFault.

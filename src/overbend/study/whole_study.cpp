@@ -1,5 +1,7 @@
 #include "study/whole_study.h"
 
+#include <mutex>
+
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
 
@@ -9,6 +11,7 @@ namespace {
 bool find_limits(const CaseBase& base, const std::filesystem::path& folder, const StudyRunOptions& options,
                  StudyWatch& watch) {
   OperabilityConduct conduct{folder, options.threads, options.checkpoint_every, options.task, options.tasks};
+  conduct.files = options.files;
   conduct.stop = [&] { return watch.stop(); };
   conduct.told = [&](const TrialTold& trial) {
     if (!trial.known && trial.result.end != TrialEnd::open) watch.tried(trial);
@@ -39,6 +42,8 @@ WholeStudy run_whole_study(const CaseBase& base, const std::filesystem::path& fo
   if (!finished) {
     static_cast<RunEnd&>(whole) = {RunEnding::interrupted, "interrupted"};
   } else if (options.tables) {
+    FileLock own;
+    const std::lock_guard hold(options.files != nullptr ? *options.files : own);
     whole.results = gather_study(folder);
   }
   return whole;

@@ -1,9 +1,7 @@
 #include "system/assembly.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/simd.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
@@ -45,51 +43,6 @@ EndMotion dragged(EndMotion motion, const GivenWay& way) {
   return motion;
 }
 
-/// Loss of a damped contact, which may have been let go while its spring was still compressed [W].
-double normal_loss(const ContactLaw& law, const RollerContact& contact) {
-  if (contact.penetration <= 0.0) {
-    return 0.0;
-  }
-  return (contact.normal - law.stiffness * contact.penetration) * contact.rate;
-}
-
-void add(LineEnergy& sum, const LineEnergy& one) {
-  sum.kinetic += one.kinetic;
-  sum.strain += one.strain;
-  sum.gravity += one.gravity;
-  sum.seabed += one.seabed;
-  sum.fluid_power += one.fluid_power;
-  sum.seabed_loss += one.seabed_loss;
-}
-
-void add_contact_energy(const RollerContacts& rollers, InstantEnergy& now) {
-  for (int i = 0; i < rollers.count(); ++i) {
-    const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
-    const ContactLaw& law = rollers.roller(i).law;
-    if (contact.penetration > 0.0) {
-      now.contact += 0.5 * law.stiffness * contact.penetration * contact.penetration;
-      now.contact_loss += normal_loss(law, contact);
-      now.roller_power += contact.force().dot(contact.roller_velocity);
-      now.friction_loss -= contact.axial * contact.slip_rate_axial + contact.lateral * contact.slip_rate_lateral;
-    }
-  }
-}
-
-double end_power(const LineAssembly& line, const LineState& state, LineEnd end) {
-  const std::array<double, 6>& force = line.end_force(end);
-  const std::size_t first = 6 * static_cast<std::size_t>(line.end_node(end));
-  double sum = 0.0;
-  for (std::size_t i = 0; i < force.size(); ++i) {
-    sum += force[i] * state.v[first + i];
-  }
-  return sum;
-}
-
-/// Velocity of a point that goes with a body.
-Vec3 carried_at(const RigidMotion& body, const Vec3& point) {
-  return body.velocity + body.omega.cross(point - body.pose.p_WV);
-}
-
 }  // namespace
 
 Assembly::Assembly(const System& system)
@@ -116,17 +69,6 @@ void Assembly::hold_hinged(int body) {
   for (int freedom = 0; freedom < (hinge ? 6 : 0); ++freedom) {
     hold_body(body, freedom, freedom != kHingeFreedom || hinge->held);
   }
-}
-
-Increments Assembly::increments() const {
-  Increments dq;
-  for (const LineAssembly& line : lines_) {
-    dq.emplace_back(line.residual().size());
-  }
-  if (!border_.empty()) {
-    dq.emplace_back(border_.residual().size());
-  }
-  return dq;
 }
 
 std::uint64_t Assembly::contact_signature() const {
@@ -276,111 +218,10 @@ void Assembly::put_border(const SystemState& state, const Weights& weights) {
   border_.put_corner(solver_);
 }
 
-bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) {
-  const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (lines_[i].contacts().count() > 0 &&
-        (border_.holds_first_end(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights))) {
-      return false;
-    }
-  }
-  for (std::size_t i = 0; i < (border_.empty() ? 0 : lines_.size()); ++i) {
-    if (lines_[i].contacts().count() > 0) {
-      border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
-    }
-  }
-  if (!border_.empty()) {
-    border_.put_corner(solver_);
-  }
-  if (system_->machine >= 0 && governed(machine)) {
-    add_governor_tangent(state, weights);
-  }
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
-    const int node = line.end_node(system_->attachments[i].end);
-    if (line.contacts().count() > 0 && node >= line.kept_from()) {
-      line.hold(node, held_[i], true);
-    }
-  }
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const LineAssembly& line = lines_[i];
-    if (line.contacts().count() > 0 && !solver_.factor_line(static_cast<int>(i), line.kept_from()).solved()) {
-      return false;
-    }
-  }
-  return solver_.close() < 0;
-}
-
 void Assembly::end_iteration(const SystemState& state) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().end_iteration(state.lines[i].contacts);
   }
-}
-
-void Assembly::hold(bool with_tangent) {
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
-    line.hold(line.end_node(system_->attachments[i].end), held_[i], with_tangent);
-  }
-}
-
-double Assembly::relative_residual() {
-  double worst = 0.0;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const Unbalance one = lines_[i].unbalance();
-    const double relative = one.force / lines_[i].line().force_scale;
-    if (i == 0 || relative > worst) {
-      worst = relative;
-      worst_ = {static_cast<int>(i), one.node};
-    }
-  }
-  for (std::size_t i = 0; i < border_.count(); ++i) {
-    const double relative = border_.relative_residual(i);
-    if (!(relative <= worst)) {  // NaN too
-      worst = relative;
-      worst_ = {kBodyPlace, static_cast<int>(i)};
-    }
-  }
-  return worst;
-}
-
-void Assembly::point_solution_at(Increments& dq) {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    solution_[i] = dq[i].data();
-  }
-}
-
-void Assembly::take_residual(Increments& dq) {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const std::vector<double>& residual = lines_[i].residual();
-    for (std::size_t k = 0; k < residual.size(); ++k) {
-      dq[i][k] = -residual[k];
-    }
-  }
-  for (std::size_t k = 0; k < border_.residual().size(); ++k) {
-    dq.back()[k] = -border_.residual()[k];
-  }
-  point_solution_at(dq);
-}
-
-bool Assembly::solve_factored(Increments& dq) {
-  take_residual(dq);
-  return solver_.factor_and_solve(solution_, border_of(dq)).solved();
-}
-
-void Assembly::solve_again(Increments& dq) {
-  take_residual(dq);
-  solver_.solve(solution_, border_of(dq));
-}
-
-void Assembly::apply_factors(Increments& dq) {
-  point_solution_at(dq);
-  solver_.solve(solution_, border_of(dq));
-}
-
-void Assembly::hold_body(int body, int freedom, bool held) {
-  border_.hold(body, freedom, held);
-  solver_.hold(6 * border_.number_of(body) + freedom, held);
 }
 
 void Assembly::finish_step(const SystemState& before, double h, SystemState& after) const {
@@ -398,117 +239,6 @@ double Assembly::machine_tension() const {
   const Attachment& held = system_->attachments[static_cast<std::size_t>(system_->machine)];
   const std::array<double, 6>& force = lines_[static_cast<std::size_t>(held.line)].end_force(held.end);
   return Vec3(force[0], force[1], force[2]).dot(machine_axis_);
-}
-
-InstantEnergy Assembly::energy(const SystemState& state) const {
-  InstantEnergy now;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const LineAssembly& line = lines_[i];
-    const LineState& at = state.lines[i];
-    const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
-    add(now.line, line_energy(line.elements(), line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
-    add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
-    if (line.line().yielding.any) {
-      now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);
-      now.bending_heat += at.bending_heat;
-    }
-    add_contact_energy(line.contacts(), now);
-    now.anchor_power += end_power(line, at, LineEnd::first);
-    now.top_power += end_power(line, at, LineEnd::last);
-  }
-  add_winch_power(state, now);
-  add_body_energy(state, now);
-  return now;
-}
-
-/// A winch works on the line with what it holds the end by.
-void Assembly::add_winch_power(const SystemState& state, InstantEnergy& now) const {
-  for (std::size_t i = 0; i < system_->attachments.size(); ++i) {
-    const Attachment& held = system_->attachments[i];
-    const double rate = state.attachments[i].way.rate;
-    if (held.winch && rate != 0.0) {
-      const std::size_t index = static_cast<std::size_t>(held.line);
-      const LineState& at = state.lines[index];
-      const LineMotion motion = lines_[index].motion_of(at, at, {}, surroundings_.water[index], nullptr);
-      now.top_power += rate * lines_[index].energy_by_length({at.q.data(), nullptr}, motion);
-    }
-  }
-}
-
-/// What lines and free bodies do to each other is no power from outside. The tensioner's is what is left of the end's.
-void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) const {
-  if (!border_.hinged().empty()) {
-    const BodyEnergy hinged = border_.hinged().energy();
-    now.bodies.kinetic += hinged.kinetic;
-    now.bodies.stored += hinged.stored;
-    now.bodies.power += hinged.power;
-  }
-  for (std::size_t k = 0; k < border_.count(); ++k) {
-    const BodyEnergy springs = spring_energy(border_.body(k), state.bodies[k], state.time);
-    now.bodies.stored += springs.stored;
-    now.bodies.power += springs.power;
-    if (border_.body(k).energy) {
-      const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time);
-      now.bodies.kinetic += one.kinetic;
-      now.bodies.stored += one.stored;
-      now.bodies.power += one.power;
-    }
-    for (const Attachment& held : system_->attachments) {
-      if (border_.number_of(held.body) == static_cast<int>(k)) {
-        const std::size_t line = static_cast<std::size_t>(held.line);
-        double& power = held.end == LineEnd::first ? now.anchor_power : now.top_power;
-        power -= border_.power_of_end(held, lines_[line], state);
-      }
-    }
-  }
-  for (const LineAssembly& line : lines_) {
-    const RollerContacts& rollers = line.contacts();
-    for (int i = 0; i < (border_.empty() ? 0 : rollers.count()); ++i) {
-      const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
-      if (border_.number_of(rollers.body_of(i)) >= 0 && contact.penetration > 0.0) {
-        const RigidMotion& body = surroundings_.bodies[static_cast<std::size_t>(rollers.body_of(i))];
-        now.roller_power -= contact.force().dot(carried_at(body, contact.point));
-      }
-    }
-  }
-}
-
-bool Assembly::find_accelerations(SystemState& state) {
-  constexpr double kMassDominates = 1e16;  // weight of the mass at which stiffness is rounding [1/s2]
-  const SystemState before = state;
-  impose_ends(state);
-  evaluate(state, before, {0.0, kMassDominates, 0.0}, true);
-  hold(true);
-  Increments dq = increments();
-  if (!solve_factored(dq)) {
-    return false;
-  }
-  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-    state.bodies[i].acc += kMassDominates * Eigen::Map<const Vec6>(dq.back().data() + 6 * i);
-  }
-  for (std::size_t i = 0; i < state.lines.size(); ++i) {
-    for (std::size_t k = 0; k < dq[i].size(); ++k) {
-      state.lines[i].acc[k] += kMassDominates * dq[i][k];
-    }
-  }
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    const Attachment& held = system_->attachments[i];
-    const std::size_t line = static_cast<std::size_t>(held.line);
-    const double* at = dq[line].data() + 6 * lines_[line].end_node(held.end);
-    const auto along = [&](const double* part) {
-      return kMassDominates * surroundings_.ends[i].direction.dot(Vec3(Eigen::Map<const Vec3>(part)));
-    };
-    if (held.hold_direction) {
-      state.attachments[i].guide.acc += along(at + 3);
-    }
-    if (governed(i)) {
-      state.attachments[i].travel.acc -= along(at);
-    }
-  }
-  if (!border_.empty()) {
-    impose_ends(state);  // with the accelerations of the bodies
-  }
-  return true;
 }
 
 SystemState state_at_rest(const System& system, const std::vector<std::vector<double>>& q, double time) {

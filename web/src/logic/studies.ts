@@ -102,6 +102,7 @@ export function cellsOver(m: Matrix, axes: number[], fixed: Record<number, numbe
 /** Counts in words. */
 export function tally(m: Matrix): string {
   const n = (test: (c: MatrixCase) => boolean): number => m.cases.filter(test).length;
-  const parts: [number, string][] = [[n((c) => c.state === 'done' && c.passed), 'pass'], [n((c) => c.state === 'done' && !c.passed), 'exceed a check'], [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
+  const unchecked = m.cases.every((c) => c.state !== 'done' || (c.passed && !c.governing));
+  const parts: [number, string][] = [[n((c) => c.state === 'done' && c.passed), unchecked ? 'solved, without code checks' : 'pass'], [n((c) => c.state === 'done' && !c.passed), 'exceed a check'], [n((c) => c.state === 'failed'), 'have no solution'], [n((c) => c.state === 'open'), 'still to come']];
   return `${m.cases.length} cases: ${parts.filter(([count]) => count).map(([count, words]) => `${count} ${words}`).join(', ')}`;
 }

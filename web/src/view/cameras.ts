@@ -56,10 +56,12 @@ function vesselShot(vessel: Vessel, camera: THREE.PerspectiveCamera): Shot {
   return around([...ends, ...ends.map((p) => p.clone().add(up))], port.clone().negate().addScaledVector(forward, 0.5).addScaledVector(up, 0.45 / vessel.height), camera, 1.15);
 }
 
-export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.PerspectiveCamera): Shot {
+/** Null where there is nothing to look at: a scene without a vessel may come before the solution that belongs to it. */
+export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.PerspectiveCamera): Shot | null {
   const { vessel } = scene;
   if (name === 'lines' || !vessel) {
     const all = places(s.lines.flatMap((l) => l.shape));
+    if (!all.length) return null;
     const box = new THREE.Box3().setFromPoints(all), size = box.getSize(new THREE.Vector3());
     // across the way they run, a little from above
     const across = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);

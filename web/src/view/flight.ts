@@ -36,8 +36,9 @@ export class Flight {
   }
 
   go(name: ViewName, solution: Lay, scene: Scene, smooth: boolean): void {
-    this.view = name;
     const to = shot(name, solution, scene, this.camera);
+    if (!to) return;
+    this.view = name;
     if (smooth && this.framed && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
       this.path = { from: [this.camera.position.clone(), this.controls.target.clone()], to: [to.eye, to.target], start: performance.now() };
     } else {

@@ -1,0 +1,165 @@
+"""Operations on the line: abandonment, recovery, start-up, the passage of structures, stage by stage."""
+
+from __future__ import annotations
+
+import functools
+import os
+import pathlib
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence, Union
+
+import numpy as np
+
+from . import _core
+from .errors import NoSolution
+from .groups import Record, Table, nearest, wrapped
+from .results import StaticResults, summary_descriptions, summary_units
+from .values import Number, labelled
+
+if TYPE_CHECKING:
+    from .model import Model
+
+PathLike = Union[str, "os.PathLike[str]"]
+
+# Key results that the table of the stages has beside what is asked for: column, part of the summary of a stage.
+_KEY_RESULTS = ("top_tension", "bottom_tension", "lay_back", "suspended_length")
+
+
+class Stage(Record):
+    """A stage: its place and tension by name (`stage.cable_out`, `stage.tension`, `stage.barge_ahead`), its key results
+    as of statics (`stage.lay_back`, `stage.sagbend.max_bending_stress`), `status`, `failure` and `checks`.
+
+    Attributes:
+        static: StaticResults of the stage; raises NoSolution where it has no equilibrium.
+        stands: Whether it has one.
+    """
+
+    def __init__(self, operation: "OperationResults", number: int, told: dict[str, Any], units: dict[str, Any],
+                 descriptions: dict[str, Any]):
+        """Not for users: see OperationResults."""
+        super().__init__(told, units, descriptions)
+        self._operation, self._number = operation, number
+
+    @property
+    def stands(self) -> bool:
+        """Whether the stage has an equilibrium."""
+        return bool(self["status"] == "converged")
+
+    @property
+    def static(self) -> StaticResults:
+        """The equilibrium of the stage with its code checks."""
+        return self._operation._static(self._number)
+
+    def __repr__(self) -> str:
+        return f"<Stage '{self['name']}', {self['status']}>"
+
+
+class OperationResults(Sequence[Stage]):
+    """The stages of an operation in their order, by number from 0 or by name: `operation['on the bed'].tension`.
+
+    Attributes:
+        title, type: Of the operation: 'abandonment', 'recovery', 'start_up', ...
+        warnings, assumptions: Of the operation as a whole; each stage has its own.
+        model: The model.
+        summary: The content of summary.json.
+    """
+
+    def __init__(self, core: "_core.Operation", model: "Model"):
+        """Not for users: see Model.operation() and overbend.open()."""
+        self._core, self.model = core, model
+        self.summary: dict[str, Any] = core.summary()
+        told = self.summary["operation"]
+        self.title: str = self.summary.get("title", "")
+        self.type: str = told["type"]
+        self.warnings: list[str] = self.summary.get("warnings", [])
+        self.assumptions: list[str] = self.summary.get("assumptions", [])
+        tree = core.tree()
+        self._stages = [self._stage(tree, number, one) for number, one in enumerate(told["stages"])]
+
+    def _stage(self, tree: Any, number: int, told: dict[str, Any]) -> Stage:
+        units, descriptions = dict(summary_units()["static"]), dict(summary_descriptions()["static"])
+        units["checks"], descriptions["checks"] = summary_units().get("checks"), summary_descriptions().get("checks")
+        group = f"/operation/stage_{number + 1:03}"
+        for name in tree.names(group):
+            if not name.endswith("/"):
+                _, units[name], descriptions[name], _, _ = tree.dataset(f"{group}/{name}")
+        return Stage(self, number, told, units, descriptions)
+
+    @functools.cache
+    def _static(self, number: int) -> StaticResults:
+        solved = self._core.stage(number)
+        if solved is None:
+            failure = self._stages[number]._values.get("failure", {})
+            raise NoSolution(failure.get("what", "the stage has no equilibrium"), failure.get("where", ""),
+                             failure.get("why", ""))
+        return StaticResults(solved, self.model)
+
+    def __getitem__(self, which: Any) -> Any:
+        if not isinstance(which, str):
+            return self._stages[which]
+        for stage in self._stages:
+            if stage["name"] == which:
+                return stage
+        raise KeyError(f"there is no stage '{which}'{nearest(which, self.names)}; there are: {', '.join(self.names)}")
+
+    def __len__(self) -> int:
+        return len(self._stages)
+
+    def __iter__(self) -> Iterator[Stage]:
+        return iter(self._stages)
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the stages."""
+        return [stage["name"] for stage in self._stages]
+
+    @property
+    def worst(self) -> Optional[Record]:
+        """The check that is used most at any stage, with `stage`, the name of that; None where none is judged."""
+        worst = self.summary["checks"]["worst"]
+        told = summary_units()["checks"]["worst"], summary_descriptions()["checks"]["worst"]
+        return wrapped(worst, *told) if worst else None
+
+    @functools.cached_property
+    def table(self) -> Table:
+        """A row for each stage: name, what is asked of it and found for it, key results, worst check; else NaN."""
+        columns: dict[str, Any] = {"name": _Column([stage["name"] for stage in self], "1", "Name of the stage")}
+        for stage in self:
+            for name, value in stage._values.items():
+                single = isinstance(value, (int, float)) and not isinstance(value, bool) and name in stage._units
+                if single and (name not in summary_units()["static"] or name in _KEY_RESULTS) and name not in columns:
+                    found = [one._values.get(name) for one in self]
+                    columns[name] = _Column([np.nan if v is None else float(v) for v in found], stage._units[name],
+                                            stage._descriptions.get(name, ""))
+        worst = [one._values.get("checks", {}).get("worst") or {} for one in self]
+        columns["status"] = _Column([stage["status"] for stage in self], "1", "converged or failed")
+        columns["worst_check"] = _Column([one.get("name", "") for one in worst], "1", "Check that is used most")
+        columns["utilisation"] = _Column([one.get("utilisation", np.nan) for one in worst], "1", "Of that check")
+        number = np.arange(len(self))
+
+        def column(name: str) -> Any:
+            if name == "stage":
+                return labelled(number, name, ("stage",), {"stage": number}, "1", "Number of the stage, from 0")
+            one = columns[name]
+            return labelled(np.array(one.values), name, ("stage",), {"stage": number}, one.units, one.description)
+
+        return Table(["stage", *columns], column)
+
+    def save(self, folder: PathLike) -> pathlib.Path:
+        """Writes the files of `overbend static -o`: stages.csv, stages.xlsx, results.h5, summary.json, report.html.
+
+        Raises:
+            ResultsError: Where the folder cannot be written.
+        """
+        self._core.save(os.fspath(folder))
+        return pathlib.Path(folder)
+
+    def __repr__(self) -> str:
+        standing = sum(stage.stands for stage in self)
+        return f"<OperationResults of '{self.title}', {self.type}: {standing} of {len(self)} stages stand>"
+
+
+class _Column:
+    def __init__(self, values: list[Any], units: Any, description: Any):
+        self.values = values
+        self.units = units if isinstance(units, str) else "1"
+        self.description = description if isinstance(description, str) else ""

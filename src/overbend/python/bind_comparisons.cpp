@@ -1,0 +1,77 @@
+// Folders of results beside each other.
+#include <pybind11/stl.h>
+
+#include "python/bindings.h"
+#include "python/interpreter_lock.h"
+#include "python/python_errors.h"
+#include "python/to_python.h"
+#include "report/folder_comparison_page.h"
+#include "resultfiles/folder_comparison_writer.h"
+#include "runstore/staged_folder.h"
+#include "study/folder_compare.h"
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json compared_numbers(const std::vector<std::optional<double>>& values) {
+  Json list = Json::array();
+  for (const std::optional<double>& value : values) list.push_back(value ? Json(*value) : Json(nullptr));
+  return list;
+}
+
+Json told_comparison(const FolderComparison& comparison) {
+  Json folders = Json::array(), keys = Json::array(), results = Json::array(), warnings = Json::array();
+  for (const ComparedFolder& one : comparison.folders) {
+    folders.push_back({{"name", one.name},
+                       {"path", one.path},
+                       {"title", one.title},
+                       {"version", one.version},
+                       {"governing", one.governing},
+                       {"warnings", one.warnings}});
+  }
+  for (const ComparedKey& one : comparison.keys) keys.push_back({{"key", one.key}, {"values", one.values}});
+  for (const ComparedResult& one : comparison.results) {
+    results.push_back({{"name", one.name},
+                       {"text", one.text},
+                       {"unit", one.unit},
+                       {"key", one.key},
+                       {"values", compared_numbers(one.values)}});
+  }
+  for (const PartialWarning& one : partial_warnings(comparison)) {
+    warnings.push_back({{"text", one.text}, {"has", one.has}});
+  }
+  return {
+      {"folders", folders}, {"keys", keys}, {"results", results}, {"warnings", warnings}, {"notes", comparison.notes}};
+}
+
+FolderComparison compared(const std::vector<std::string>& folders) {
+  InterpreterLock files;
+  const std::lock_guard hold(files);
+  try {
+    return compare_folders({folders.begin(), folders.end()});
+  } catch (const std::runtime_error& fault) {
+    raise_results_error(fault.what());
+  }
+}
+
+void save_comparison(const FolderComparison& comparison, const std::string& folder) {
+  StagedFolder staged{fs::path(folder)};
+  write_folder_comparison(comparison, staged.path());
+  write_folder_comparison_page(comparison, staged.path() / "comparison.html");
+  staged.commit("comparison.html");
+}
+
+}  // namespace
+
+void add_comparisons(py::module_& module) {
+  py::class_<FolderComparison>(module, "FolderComparison", "Folders of results beside each other.")
+      .def(py::init(&compared), py::arg("folders"))
+      .def("told", [](const FolderComparison& comparison) { return to_python(told_comparison(comparison)); })
+      .def("save", &save_comparison, py::arg("folder"));
+}
+
+}  // namespace overbend

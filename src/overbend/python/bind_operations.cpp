@@ -1,0 +1,113 @@
+// Operations on the line, stage by stage.
+#include <pybind11/stl.h>
+
+#include <mutex>
+
+#include "python/bindings.h"
+#include "python/statics_handle.h"
+#include "python/to_python.h"
+#include "python/without_lock.h"
+#include "resultfiles/case_summary.h"
+#include "resultfiles/operation_reader.h"
+#include "resultfiles/operation_writer.h"
+#include "resultfiles/summary_json.h"
+#include "study/lay_operation.h"
+#include "study/operation_run.h"
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+
+/// The stages with the model that they are of.
+struct OperationHandle {
+  std::shared_ptr<ModelHandle> model;
+  OperationResults results;
+};
+
+/// How far the stages are, for the thread that waits.
+class StageWatch {
+ public:
+  bool told(const StageResult& stage, std::size_t of) {
+    const std::lock_guard<std::mutex> hold(mutex_);
+    ++done_;
+    of_ = of;
+    name_ = stage.stage.name;
+    return !stopped;
+  }
+  /// Calls progress(stages done, stages, name of the last one).
+  void tell(const py::object& progress) {
+    if (progress.is_none()) return;
+    std::unique_lock<std::mutex> hold(mutex_);
+    if (done_ == 0) return;
+    const std::size_t done = done_, of = of_;
+    const std::string name = name_;
+    hold.unlock();
+    progress(done, of, name);
+  }
+
+  std::atomic<bool> stopped = false;
+
+ private:
+  std::mutex mutex_;
+  std::size_t done_ = 0, of_ = 0;
+  std::string name_;
+};
+
+std::shared_ptr<OperationHandle> solved_stages(const std::shared_ptr<ModelHandle>& model, const py::object& progress) {
+  auto found = std::make_shared<OperationHandle>(OperationHandle{model, {}});
+  StageWatch watch;
+  const auto solve = [&] {
+    const Description& description = model->description();
+    if (!is_lay_operation(description.operation.type)) {
+      throw std::invalid_argument("the model has no operation on the line: give operation.type and operation.stages");
+    }
+    found->results =
+        solve_operation(description, [&](const StageResult& stage, std::size_t of) { return watch.told(stage, of); });
+  };
+  work_beside(solve, watch.stopped, [&] { watch.tell(progress); });
+  return found;
+}
+
+std::shared_ptr<OperationHandle> stored_operation(const std::string& h5) {
+  StoredOperation read = read_operation_results(h5);
+  return std::make_shared<OperationHandle>(
+      OperationHandle{ModelHandle::from_text(read.model_text, read.model_file), std::move(read.results)});
+}
+
+std::shared_ptr<ResultTree> tree_of_operation(const OperationHandle& operation) {
+  auto tree = std::make_shared<ResultTree>();
+  write_operation_groups(*tree, operation.results);
+  return tree;
+}
+
+/// The statics of a stage; null where it has no equilibrium.
+std::shared_ptr<StaticsHandle> stage_of(const OperationHandle& operation, std::size_t number) {
+  const StageResult& stage = operation.results.stages.at(number);
+  if (!stage.lay) return nullptr;
+  ModelStatics statics;
+  statics.lay = stage.lay;
+  return std::make_shared<StaticsHandle>(operation.model, stage.stage.name, std::move(statics));
+}
+
+void save_operation(const OperationHandle& operation, const std::string& folder) {
+  write_operation_run(operation.results, operation.model->description(), folder);
+}
+
+}  // namespace
+
+void add_operations(py::module_& module) {
+  py::class_<OperationHandle, std::shared_ptr<OperationHandle>>(module, "Operation", "Stages of an operation.")
+      .def(py::init(&solved_stages), py::arg("model"), py::arg("progress") = py::none())
+      .def_static("stored", &stored_operation, py::arg("h5"), "From results.h5.")
+      .def_readonly("model", &OperationHandle::model)
+      .def("summary",
+           [](const OperationHandle& operation) { return to_python(operation_summary_json(operation.results)); })
+      .def("tree", &tree_of_operation)
+      .def("stage", &stage_of, py::arg("number"), "Statics of a stage, from 0; None where it has no equilibrium.")
+      .def("save", &save_operation, py::arg("folder"));
+  module.def(
+      "has_operation", [](const std::string& h5) { return has_lay_operation(h5); }, py::arg("h5"));
+}
+
+}  // namespace overbend

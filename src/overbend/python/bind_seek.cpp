@@ -1,0 +1,83 @@
+// Goal seek: what is wanted comes as the key `seek` of a model file.
+#include "modelfile/seek_reader.h"
+#include "modelfile/yaml_reader.h"
+#include "python/bindings.h"
+#include "python/statics_handle.h"
+#include "python/to_python.h"
+#include "python/without_lock.h"
+#include "resultfiles/seek_writer.h"
+#include "study/seek_run.h"
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+
+/// What was found, with the model and the statics of the answer.
+struct SoughtHandle {
+  SeekRun run;
+  Description description;
+  std::shared_ptr<ModelHandle> answer;
+  std::shared_ptr<StaticsHandle> statics;
+};
+
+/// What was given here stands on no line of the model's file.
+Diagnostics without_lines(const Diagnostics& found) {
+  Diagnostics told;
+  for (Diagnostic one : found.sorted()) {
+    if (one.key.starts_with("seek")) {
+      one.file.clear();
+      one.line = one.column = 0;
+    }
+    told.add(std::move(one));
+  }
+  return told;
+}
+
+/// The model with the key put in; with an empty text its own.
+Description asked_seek(const ModelHandle& model, const std::string& wanted) {
+  if (wanted.empty()) return model.description();
+  ModelReading reading =
+      read_model_text(edit_yaml(model.text(), {{"seek", YamlChange::Kind::flow, wanted}}), model.file());
+  if (!reading.description) throw UnreadableModel(without_lines(reading.diagnostics));
+  return std::move(*reading.description);
+}
+
+std::shared_ptr<SoughtHandle> sought(const ModelHandle& model, const std::string& wanted,
+                                     const std::function<bool()>& stop) {
+  auto found = std::make_shared<SoughtHandle>();
+  found->description = asked_seek(model, wanted);
+  const std::optional<SeekDescription> seek = read_seek(found->description);
+  if (!seek) throw SeekFault("seek: the model has no key seek, expected vary and until");
+  found->run = run_seek(found->description, *seek, stop);
+  if (!found->run.results.found) return found;
+  found->answer = model.changed(answer_changes(found->description, *seek, found->run.results));
+  found->statics = std::make_shared<StaticsHandle>(found->answer, "", found->run.statics);
+  return found;
+}
+
+std::shared_ptr<SoughtHandle> seek_of(const ModelHandle& model, const std::string& wanted) {
+  std::shared_ptr<SoughtHandle> found;
+  std::atomic<bool> stop = false;
+  work_beside([&] { found = sought(model, wanted, [&] { return stop.load(); }); }, stop, {});
+  return found;
+}
+
+void save_seek(const SoughtHandle& found, const std::string& folder) {
+  write_seek_run(found.run, found.description, folder);
+}
+
+}  // namespace
+
+void add_seek(py::module_& module) {
+  py::class_<SoughtHandle, std::shared_ptr<SoughtHandle>>(module, "Sought", "What a goal seek found.")
+      .def_property_readonly("results",
+                             [](const SoughtHandle& found) { return to_python(seek_json(found.run.results)); })
+      .def_readonly("model", &SoughtHandle::answer)
+      .def_readonly("statics", &SoughtHandle::statics)
+      .def("save", &save_seek, py::arg("folder"));
+  module.def("seek", &seek_of, py::arg("model"), py::arg("wanted"),
+             "Searches for what the text in YAML's flow style says as the key `seek`; empty: the model's own.");
+}
+
+}  // namespace overbend

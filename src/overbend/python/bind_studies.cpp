@@ -1,0 +1,147 @@
+// Studies of many cases into folders.
+#include <algorithm>
+
+#include "python/bindings.h"
+#include "python/interpreter_lock.h"
+#include "python/python_errors.h"
+#include "python/study_handle.h"
+#include "python/to_python.h"
+#include "python/without_lock.h"
+#include "resultfiles/operability_json.h"
+#include "resultfiles/result_tree.h"
+#include "resultfiles/study_writer.h"
+#include "runstore/staged_folder.h"
+#include "study/whole_study.h"
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+using Json = nlohmann::ordered_json;
+
+struct StudyConduct {
+  int threads = 0;
+  bool retry_failed = false;
+  double checkpoint_every = 60.0;
+};
+
+/// Whether it was interrupted before its end.
+bool run_to_end(const StudyHandle& study, const std::string& folder, const StudyConduct& conduct,
+                const py::object& progress) {
+  CaseCount count;
+  InterpreterLock files;
+  bool interrupted = false;
+  const auto work = [&] {
+    study.open(folder);
+    StudyRunOptions options{.threads = conduct.threads, .retry_failed = conduct.retry_failed};
+    options.checkpoint_every = conduct.checkpoint_every;
+    options.files = &files;
+    const WholeStudy whole = run_whole_study(study.base(), folder, options, count);
+    interrupted = whole.ending == RunEnding::interrupted;
+    if (whole.ending != RunEnding::done && !interrupted) throw UnusableFolder(whole.why);
+  };
+  const auto tell = [&] {
+    const CaseCount::Told told = count.told();
+    if (!progress.is_none() && told.done > 0) progress(told.done, told.cases, told.failed);
+  };
+  try {
+    work_beside(work, count.stopped, tell);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_KeyboardInterrupt)) throw;
+    interrupted = true;
+  }
+  return interrupted;
+}
+
+/// One case alone, with all its files: its folder within that of the study.
+std::string run_one(const StudyHandle& study, const std::string& folder, std::size_t number) {
+  if (number >= study.cases().count()) {
+    throw py::index_error("the study has cases 0 to " + std::to_string(study.cases().count() - 1));
+  }
+  StudyCase one;
+  std::atomic<bool> stop = false;
+  const auto work = [&] {
+    study.open(folder);
+    one = run_study_case(study.base(), study.cases(), folder, number, [&] { return stop.load(); });
+  };
+  work_beside(work, stop, {});
+  if (one.state == StudyCaseState::failed) throw EndedRun({RunEnding::no_solution, one.reason});
+  return one.folder;
+}
+
+StudyResults read_so_far(const std::string& folder) {
+  InterpreterLock files;
+  const std::lock_guard hold(files);
+  try {
+    return study_so_far(folder);
+  } catch (const std::runtime_error& fault) {
+    raise_results_error(fault.what());
+  }
+}
+
+std::shared_ptr<ResultTree> tree_of_study(const StudyResults& results) {
+  auto tree = std::make_shared<ResultTree>();
+  write_study_groups(*tree, results);
+  return tree;
+}
+
+/// What the columns of the table are, and the limits that were looked for.
+Json told_study(const StudyResults& results) {
+  Json inputs = Json::array(), outputs = Json::array();
+  for (const StudyInput& one : results.inputs) {
+    inputs.push_back({{"key", one.key},
+                      {"unit", one.unit},
+                      {"with", one.with},
+                      {"sampled", one.sampled},
+                      {"words", one.words},
+                      {"values", one.values}});
+  }
+  for (const StudyOutput& one : results.outputs) {
+    outputs.push_back({{"name", one.name}, {"unit", one.unit}, {"text", one.text}});
+  }
+  const auto seeds = std::ranges::count_if(results.cases, [](const StudyCase& one) { return one.group == 0; });
+  return {{"title", results.title},
+          {"version", results.version},
+          {"analysis", results.analysis},
+          {"inputs", inputs},
+          {"outputs", outputs},
+          {"seeds", seeds},
+          {"warnings", results.warnings},
+          {"assumptions", results.assumptions},
+          {"wall_time", results.wall_time},
+          {"command", results.command},
+          {"operability", results.operability ? operability_json(*results.operability) : Json(nullptr)}};
+}
+
+}  // namespace
+
+void add_studies(py::module_& module) {
+  py::class_<StudyHandle, std::shared_ptr<StudyHandle>>(module, "Study", "The cases of a model.")
+      .def_static(
+          "read", [](const std::string& file) { return without_lock([&] { return StudyHandle::read(file); }); },
+          py::arg("file"))
+      .def_static(
+          "of",
+          [](const ModelHandle& model, const std::string& text, const std::string& folder) {
+            return without_lock([&] { return StudyHandle::of(model, text, folder); });
+          },
+          py::arg("model"), py::arg("text"), py::arg("folder"))
+      .def_property_readonly("count", [](const StudyHandle& study) { return study.cases().count(); })
+      .def(
+          "run",
+          [](const StudyHandle& study, const std::string& folder, int threads, bool retry_failed, double checkpoint,
+             const py::object& progress) {
+            return run_to_end(study, folder, {threads, retry_failed, checkpoint}, progress);
+          },
+          py::arg("folder"), py::kw_only(), py::arg("threads") = 0, py::arg("retry_failed") = false,
+          py::arg("checkpoint") = 60.0, py::arg("progress") = py::none(),
+          "Runs what is open; whether it was interrupted.")
+      .def("run_case", &run_one, py::arg("folder"), py::arg("number"),
+           "Solves one case with all its files: its folder within that of the study.");
+  py::class_<StudyResults>(module, "StudyTables", "What a study gave.")
+      .def(py::init(&read_so_far), py::arg("folder"))
+      .def("tree", &tree_of_study)
+      .def("told", [](const StudyResults& results) { return to_python(told_study(results)); });
+}
+
+}  // namespace overbend

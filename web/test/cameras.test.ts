@@ -1,0 +1,20 @@
+import * as THREE from 'three';
+import { describe, expect, test } from 'vitest';
+import { shot } from '../src/view/cameras';
+import type { Lay, Scene } from '../src/api/types';
+
+const camera = (): THREE.PerspectiveCamera => new THREE.PerspectiveCamera(32, 1.6, 0.2, 5000);
+const pipe = { s: [0, 50, 100], x: [0, 50, 100], y: [0, 0, 0], z: [-80, -40, 4] };
+const lay = { pipe, lines: [], supports: [], moorings: null, tensioner: null, touchdown: null } as unknown as Lay;
+const line = { ...lay, pipe: { s: [], x: [], y: [], z: [] }, lines: [{ shape: [[0, 0, -10], [40, 0, -2]] }] } as unknown as Lay;
+const noVessel = { vessel: null } as unknown as Scene;
+
+describe('where the camera stands', () => {
+  test('before lines by themselves, their ends within the picture', () => {
+    const to = shot('lines', line, noVessel, camera())!;
+    expect([...to.eye.toArray(), ...to.target.toArray()].every(Number.isFinite)).toBe(true);
+    expect(to.target.x).toBeGreaterThan(0);
+    expect(to.target.x).toBeLessThan(40);
+  });
+  test('nowhere as long as the scene is of another model than the solution', () => expect(shot('whole', lay, noVessel, camera())).toBeNull());
+});
