@@ -205,7 +205,7 @@ class StudyResults:
         coords: dict[str, Any] = {}
         beside: dict[str, tuple[str, Any]] = {}
         for one in self._told["inputs"]:
-            values = np.array(one["values"] if one["values"] else one["words"])
+            values = _coordinate(one)
             if one["with"]:
                 beside[one["key"]] = (one["with"], values)
             elif not one["sampled"]:
@@ -319,13 +319,20 @@ class Operability:
         return self._over_axes("governing", "", "1", "What is exceeded above the limit")
 
     def _over_axes(self, name: str, otherwise: Any, units: str, description: str) -> Any:
-        coords = {one["key"]: np.array(one["values"] if one["values"] else one["words"]) for one in self._told["axes"]}
+        coords = {one["key"]: _coordinate(one) for one in self._told["axes"]}
         values = np.array([cell.get(name, otherwise) for cell in self._told["cells"]])
         shape = [len(axis) for axis in coords.values()]
         return labelled(values.reshape(shape), name, tuple(coords), coords, units, description)
 
     def __repr__(self) -> str:
         return f"<Operability: largest {self.over} over {len(self.cells)} cells, {self._told['runs']} analyses>"
+
+
+def _coordinate(axis: Mapping[str, Any]) -> Any:
+    """The values of an axis with their unit [SI], or its words."""
+    values = np.array(axis["values"] if axis["values"] else axis["words"])
+    units = stored_unit(axis["unit"]) if axis["values"] else "1"
+    return labelled(values, axis["key"], (axis["key"],), {}, units, axis["key"])
 
 
 def _workability(told: Optional[Mapping[str, Any]]) -> Optional[Record]:
