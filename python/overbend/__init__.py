@@ -11,7 +11,8 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 
 from ._core import version as __version__
 from .comparison import FolderComparison, compare_folders
-from .errors import Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
+from .controllers import Controller, SetTension, get_include
+from .errors import ControllerError, Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
 from .examples import example
 from .groups import Record, Records, Table
 from .lay_table import LayTable
@@ -22,6 +23,7 @@ from .results import DynamicResults, StaticResults
 from .runs import ComparisonResults, SeedsResults
 from .seeking import SeekResult, seek
 from .sensitivities import Sensitivities
+from .simulation import Simulation, State
 from .studies import Operability, StudyResults, study
 from .values import LabelledArray, Number, use_xarray
 
@@ -29,6 +31,8 @@ version = __version__
 
 __all__ = [
     "ComparisonResults",
+    "Controller",
+    "ControllerError",
     "DynamicResults",
     "Fault",
     "FolderComparison",
@@ -48,11 +52,15 @@ __all__ = [
     "SeedsResults",
     "SeekResult",
     "Sensitivities",
+    "SetTension",
+    "Simulation",
+    "State",
     "StaticResults",
     "StudyResults",
     "Table",
     "compare_folders",
     "example",
+    "get_include",
     "open",
     "seek",
     "study",

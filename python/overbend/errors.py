@@ -64,6 +64,20 @@ class NoSolution(OverbendError):
         super().__init__(what + (f" ({where})" if where else "") + (f": {why}" if why else ""))
 
 
+class ControllerError(OverbendError, ValueError):
+    """A controller answered what its machine cannot do.
+
+    Attributes:
+        what: Which controller, in one sentence.
+        where: The instant.
+        why: What is wrong with the answer.
+    """
+
+    def __init__(self, what: str, where: str = "", why: str = ""):
+        self.what, self.where, self.why = what, where, why
+        super().__init__(what + (f" ({where})" if where else "") + (f": {why}" if why else ""))
+
+
 class ResultsError(OverbendError):
     """A folder or a file of results that cannot be read or written."""
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import numbers
-from typing import Any, Mapping
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
 
+from . import _core
 from .errors import ModelError
 from .values import Number
 
+#: A time: seconds, or a text with its unit; None where it is left out.
+Time = Union[str, float, int, None]
 Change = tuple[str, str, str]  # key, 'scalar' or 'flow' or 'remove', value
 
 
@@ -56,3 +59,13 @@ def flow(value: Any, key: str = "") -> str:
 
         return flow_scalar(value)
     return scalar(value, key)
+
+
+def seconds(duration: Time) -> Optional[float]:
+    """A duration in seconds; None where it is left out."""
+    if duration is None:
+        return None
+    value = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
+    if not value > 0.0:
+        raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
+    return value

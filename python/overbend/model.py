@@ -7,11 +7,13 @@ import pathlib
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Union
 
 from . import _core
+from .controllers import Controllers, given_controllers
 from .errors import Interrupted, ModelError
-from .keys import changes_of
+from .keys import Time, changes_of, seconds
 from .progress import Progress, follower
 from .results import DynamicResults, StaticResults
 from .runs import ComparisonResults, SeedsResults
+from .simulation import Simulation, simulate
 from .temporary import TemporaryFolder
 
 if TYPE_CHECKING:
@@ -20,7 +22,6 @@ if TYPE_CHECKING:
     from .sensitivities import Sensitivities
 
 PathLike = Union[str, "os.PathLike[str]"]
-Time = Union[str, float, int, None]
 StageProgress = Callable[[int, int, str], object]
 
 
@@ -135,6 +136,7 @@ class Model:
 
     def dynamic(self, duration: Time = None, seed: Optional[int] = None, out: Optional[PathLike] = None, *,
                 stage: Union[str, int] = "", resume: bool = False, restart: bool = False, checkpoint: float = 30.0,
+                controllers: Optional[Controllers] = None, interval: float = 0.1,
                 progress: Union[bool, Progress] = False) -> DynamicResults:
         """A dynamic analysis: one run in time.
 
@@ -149,16 +151,39 @@ class Model:
             resume: Goes on with an unfinished run in `out`, where there is one.
             restart: Begins anew where there is one.
             checkpoint: Time between checkpoints [s].
+            controllers: Functions that drive machines, by 'tensioner' or the name of a mooring line for its winch; see
+                controllers.Controller. A run that was begun with some is resumed with some for the same machines.
+            interval: For whose multiples functions are asked [s].
             progress: True for a line on the terminal, or a function (see progress.Progress), called ten times a second.
 
         Raises:
             Interrupted: After Ctrl-C, with the folder from which the run can go on.
             NoSolution: Where statics or a time step cannot be solved.
+            ControllerError: Where a controller answers what its machine cannot do. What a controller raises comes as it is.
             ModelError, ResultsError: Where the input or the folder cannot be used.
         """
-        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), resume=resume, restart=restart,
-                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress)
+        folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), resume=resume, restart=restart,
+                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress,
+                                   controllers=given_controllers(controllers, interval))
         return DynamicResults(folder, self, holder)
+
+    def simulation(self, duration: Time = None, seed: Optional[int] = None, *, stage: Union[str, int] = "",
+                   controllers: Optional[Controllers] = None, interval: float = 0.1) -> Simulation:
+        """A dynamic analysis that goes on step by step, from rest before the build-up of the sea. It writes no files.
+
+        Args:
+            duration: '600 s' or a number of seconds, in place of the model's.
+            seed: Of the waves; left out the model's first.
+            stage: Of an operation on the line, by name or number from 1.
+            controllers: As of dynamic(). A mooring line with None takes commands by `sim.command()` alone; the tensioner
+                takes them always.
+            interval: For whose multiples functions are asked [s].
+
+        Raises:
+            NoSolution: Where there is no equilibrium to begin with.
+            ModelError: Where the input, or a machine that is to be controlled, cannot be used.
+        """
+        return simulate(self._core, str(stage), duration, seed, given_controllers(controllers, interval))
 
     def seeds(self, seeds: Union[int, Iterable[int]], duration: Time = None, out: Optional[PathLike] = None, *,
               stage: Union[str, int] = "", threads: int = 0, resume: bool = False, restart: bool = False,
@@ -173,7 +198,7 @@ class Model:
         results lists it.
         """
         chosen = list(range(1, seeds + 1)) if isinstance(seeds, int) else [int(seed) for seed in seeds]
-        folder, holder = self._run(out, stage=str(stage), duration=_seconds(duration), seeds=chosen, several=True,
+        folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), seeds=chosen, several=True,
                                    threads=threads, resume=resume, restart=restart, checkpoint=checkpoint,
                                    progress=progress)
         return SeedsResults(folder, self, holder)
@@ -190,7 +215,7 @@ class Model:
         """
         if of not in ("tensioner", "contact"):
             raise ValueError(f"of: found {of!r}, expected 'tensioner' or 'contact'")
-        folder, holder = self._run(out, of=of, duration=_seconds(duration), threads=threads, resume=resume,
+        folder, holder = self._run(out, of=of, duration=seconds(duration), threads=threads, resume=resume,
                                    restart=restart, checkpoint=checkpoint, progress=progress)
         return ComparisonResults(folder, self, holder)
 
@@ -266,12 +291,3 @@ class Model:
 
     def __repr__(self) -> str:
         return f"<Model '{self.title}', {self.file}>"
-
-
-def _seconds(duration: Time) -> Optional[float]:
-    if duration is None:
-        return None
-    seconds = _core.quantity(duration, "s") if isinstance(duration, str) else float(duration)
-    if not seconds > 0.0:
-        raise ModelError(f"duration: found {duration!r}, expected a time such as '600 s'")
-    return seconds

@@ -70,9 +70,9 @@ TEST(study_command, ends_with_4_when_strict_and_a_case_exceeds_a_check) {
 
 TEST(study_command, says_where_there_is_no_code_check_to_pass) {
   const Scratch scratch;
-  const std::string study =
-      scratch.write("study.yaml", "overbend_study: 1\nbase: " + testing::example("moored-barge.yaml") +
-                                      "\naxes: [{key: \"environment.current[0].speed\", values: [0.4 m/s, 0.5 m/s]}]\n");
+  const std::string study = scratch.write(
+      "study.yaml", "overbend_study: 1\nbase: " + testing::example("moored-barge.yaml") +
+                        "\naxes: [{key: \"environment.current[0].speed\", values: [0.4 m/s, 0.5 m/s]}]\n");
   const auto done = run_program("study " + study + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err << done.out;
   EXPECT_TRUE(has(done.out, "2 of 2 cases solved, no code check is made of this model")) << done.out;

@@ -66,6 +66,8 @@ struct WinchCase {
     system.surroundings =
         moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), options.build_up);
     SystemState start = resting_lines(system, rest.state, rest.rest, -build_up);
+    if (commanded) command_speed(start.attachments.at(1).machine, *commanded);
+    if (left) leave_to_law(system.attachments.at(1).winch->tension, 0.0, start.attachments.at(1).machine);
     made.emplace(system, sea, std::move(start), options);
     made->observe(rows);
     return *made;
@@ -77,6 +79,8 @@ struct WinchCase {
   Sea sea;
   System system;
   Rows rows;
+  std::optional<double> commanded;  ///< Speed of the winch from the start [m/s].
+  bool left = false;                ///< And no longer.
   std::optional<SystemRun> made;
 };
 
@@ -219,6 +223,79 @@ TEST(parted_line, gains_the_momentum_of_the_force_it_lost) {
   }
   const double expected = -(weight + below) * 0.15;
   EXPECT_NEAR(momentum, expected, 0.01 * std::abs(expected));
+}
+
+/// 0.2 m/s within 2 s.
+WinchLaw commanded_winch() {
+  WinchLaw law;
+  law.tension.velocity = 0.2;
+  law.tension.acceleration = 0.1;
+  law.tension.limit = 5.0;
+  return law;
+}
+
+TEST(commanded_winch, pays_out_what_its_speed_and_its_ramp_make_with_a_balance_of_energy_that_closes) {
+  WinchCase one(moored_wire());
+  one.fairlead().winch = commanded_winch();
+  one.commanded = 0.1;  // reached in a second
+  SystemRun& run = one.run(20.0);
+  ASSERT_TRUE(run.advance(20.0)) << run.failure().value_or("");
+  EXPECT_NEAR(one.way(1).moved, 0.1 * (20.0 - 0.5), 1e-12);
+  EXPECT_EQ(one.way(1).rate, 0.1);
+  EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::pay_out);
+  EXPECT_NEAR(run.state().attachments[1].machine.tension, one.tension(), 1e-9 * one.tension());
+  EXPECT_LT(std::abs(run.energy().drift()), 1e-3);
+}
+
+TEST(commanded_winch, stops_where_its_range_ends) {
+  WinchCase one(moored_wire());
+  one.fairlead().winch = commanded_winch();
+  one.commanded = 0.5;  // more than it has
+  SystemRun& run = one.run(40.0);
+  ASSERT_TRUE(run.advance(40.0)) << run.failure().value_or("");
+  EXPECT_NEAR(one.way(1).moved, 5.0, 1e-5);
+  EXPECT_EQ(one.way(1).rate, 0.0);
+  EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::at_limit);
+}
+
+TEST(commanded_winch, stalls_as_one_with_a_program_does) {
+  WinchCase one(moored_wire());
+  one.fairlead().winch = commanded_winch();
+  one.fairlead().winch->stall = 350e3;
+  one.commanded = -0.2;
+  SystemRun& run = one.run(40.0);
+  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  EXPECT_LT(one.rows.most, 1.02 * 350e3);  // what swings on after it has stopped
+  const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
+  EXPECT_NEAR(rest, 350e3, 0.01 * 350e3);
+  EXPECT_GT(one.way(1).held_up_for, 10.0);
+}
+
+TEST(commanded_winch, renders_at_what_its_brake_bears) {
+  WinchCase one(swinging_wire(2.0, 60.0));
+  one.fairlead().winch = commanded_winch();
+  one.fairlead().winch->brake = 350e3;
+  one.commanded = 0.0;
+  SystemRun& run = one.run(45.0);
+  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  EXPECT_LT(one.rows.most, 1.01 * 350e3);
+  EXPECT_GT(one.way(1).gave_way, 0.5);
+}
+
+// From the command it goes to the speed of its program at 0.1 m/s2, and then with it.
+TEST(commanded_winch, goes_back_to_its_program_when_it_is_left) {
+  WinchCase one(moored_wire());
+  WinchLaw law = commanded_winch();
+  add_move(law.program, 0.0, 3.0, 0.1, 2.0);
+  one.fairlead().winch = law;
+  one.commanded = -0.1;
+  one.left = true;
+  SystemRun& run = one.run(60.0);
+  ASSERT_TRUE(run.advance(4.0));
+  EXPECT_FALSE(run.state().attachments[1].machine.commanded);
+  EXPECT_NEAR(one.way(1).rate, 0.1, 1e-9);
+  ASSERT_TRUE(run.advance(60.0));
+  EXPECT_NEAR(one.way(1).moved, 3.0, 0.05);
 }
 
 TEST(giving_ends, allocate_nothing_in_a_step) {

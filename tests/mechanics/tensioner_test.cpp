@@ -68,7 +68,8 @@ struct Spring {
     if (drive == TensionerDrive::governor) return governed(step);
     if (drive == TensionerDrive::brake) return {travel.q, 0.0, 0.0, 0.0};
     const double speed = drive == TensionerDrive::fastest ? bounds.fastest : bounds.slowest;
-    const Travel to = driven(law, {travel.q, travel.v, travel.acc}, speed, step);
+    const Travel from{travel.q, travel.v, travel.acc};
+    const Travel to = machine.commanded ? led(law, from, speed, step) : driven(law, from, speed, step);
     return {to.length, to.speed, to.acceleration, to.acceleration};
   }
 
@@ -353,6 +354,86 @@ TEST(tensioner, a_locked_one_never_changes_state) {
   s.run(12.0);
   EXPECT_TRUE(s.changes.empty());
   EXPECT_EQ(s.travel.q, 0.0);
+}
+
+// 0.1 m/s at 0.4 m/s2 takes a quarter of a second and half of that time at full speed, whatever the steps.
+TEST(commanded_tensioner, pays_out_what_its_speed_and_its_ramps_make) {
+  for (const TensionerMode mode : {TensionerMode::locked, TensionerMode::constant, TensionerMode::controlled}) {
+    for (const double h : {0.37, 0.1, 0.01}) {
+      TensionerLaw law = law_of(0.0, 0.25, 0.4);
+      law.mode = mode;
+      Spring s{law, ramp(0.0), h};
+      command_speed(s.machine, 0.1);
+      s.run(1.0);
+      EXPECT_NEAR(s.travel.q, 0.1 * (1.0 - 0.125), 1e-12);
+      EXPECT_EQ(s.machine.state, TensionerState::pay_out);
+      command_speed(s.machine, -0.1);
+      s.run(3.0);
+      EXPECT_NEAR(s.travel.q, 0.1 * 0.875 - 0.1 * (2.0 - 0.5), 1e-12);
+      EXPECT_EQ(s.travel.v, -0.1);
+      EXPECT_EQ(s.machine.state, TensionerState::haul_in);
+    }
+  }
+}
+
+TEST(commanded_tensioner, is_no_faster_than_its_velocity_and_what_of_it_the_build_up_lets_it_use) {
+  Spring s{law_of(0.0, 0.25, 0.5), ramp(0.0), 0.05};
+  s.authority = [](double t) { return t < 2.0 ? 0.4 : 1.0; };
+  command_speed(s.machine, 3.0);
+  s.run(2.0);
+  EXPECT_NEAR(s.travel.v, 0.1, 1e-15);
+  s.run(4.0);
+  EXPECT_NEAR(s.travel.v, 0.25, 1e-15);
+}
+
+TEST(commanded_tensioner, stands_at_the_end_of_its_travel_and_leaves_it_when_told_to) {
+  TensionerLaw law = law_of(0.0, 0.25, 0.5);
+  law.mode = TensionerMode::locked;
+  law.limit = 0.2;
+  Spring s{law, ramp(0.0), 0.05};
+  command_speed(s.machine, 0.25);
+  s.run(10.0);
+  EXPECT_EQ(s.travel.q, 0.2);
+  EXPECT_EQ(s.travel.v, 0.0);
+  EXPECT_EQ(s.machine.state, TensionerState::at_limit);
+  EXPECT_EQ(s.count(TensionerState::at_limit), 1);
+  command_speed(s.machine, -0.05);
+  s.run(11.0);
+  EXPECT_NEAR(s.travel.q, 0.2 - 0.05 * 0.95, 1e-12);
+}
+
+// The governor takes over at 0.1 m/s with the tension wanted: it brakes at 0.5 m/s2 and settles where it began to.
+TEST(commanded_tensioner, goes_on_by_its_own_law_from_the_speed_that_it_has) {
+  Spring s{law_of(1.0, 0.25, 0.5), ramp(0.1), 0.01};
+  command_speed(s.machine, 0.1);
+  s.run(2.0);
+  leave_to_law(s.law, s.travel.v, s.machine);
+  EXPECT_FALSE(s.machine.commanded);
+  EXPECT_EQ(s.machine.state, TensionerState::pay_out);
+  s.run(30.0);
+  EXPECT_NEAR(s.machine.tension, 254e3, 1e-2);  // as after a delay: the pull goes on
+}
+
+TEST(commanded_tensioner, that_is_locked_comes_to_rest_as_fast_as_it_can_when_it_is_left) {
+  TensionerLaw law = law_of(0.0, 0.25, 0.5);
+  law.mode = TensionerMode::locked;
+  Spring s{law, ramp(0.0), 0.03};
+  command_speed(s.machine, 0.1);
+  s.run(1.0);
+  leave_to_law(law, s.travel.v, s.machine);
+  s.run(1.1);
+  EXPECT_NEAR(s.travel.v, 0.05, 1e-12);
+  s.run(2.0);
+  EXPECT_NEAR(s.travel.q, 0.1 * (1.0 - 0.1) + 0.01, 1e-12);
+  EXPECT_FALSE(s.machine.commanded);
+  EXPECT_EQ(s.machine.state, TensionerState::hold);
+}
+
+TEST(tensioner, that_is_set_to_another_tension_takes_its_range_along) {
+  TensionerLaw law = law_of(0.0, 0.25);
+  set_wanted_tension(law, 300e3);
+  EXPECT_EQ(law.low, 290e3);
+  EXPECT_EQ(law.high, 310e3);
 }
 
 }  // namespace

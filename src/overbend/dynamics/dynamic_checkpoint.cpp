@@ -127,7 +127,10 @@ std::vector<double> attachment_numbers(const AttachmentState& at) {
           static_cast<double>(at.way.how),
           at.way.stiffness,
           at.way.gave_way,
-          at.way.held_up_for};
+          at.way.held_up_for,
+          m.commanded ? 1.0 : 0.0,
+          m.commanded.value_or(0.0),
+          m.returning ? 1.0 : 0.0};
 }
 
 AttachmentState attachment_of(const std::vector<double>& v) {
@@ -146,6 +149,8 @@ AttachmentState attachment_of(const std::vector<double>& v) {
   at.way.stiffness = v.at(24);
   at.way.gave_way = v.at(25);
   at.way.held_up_for = v.at(26);
+  if (v.at(27) != 0.0) at.machine.commanded = v.at(28);
+  at.machine.returning = v.at(29) != 0.0;
   return at;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "dynamics/controller.h"
 #include "dynamics/impact_tracker.h"
 #include "dynamics/time_step.h"
 #include "statics/statics.h"
@@ -17,6 +19,7 @@ struct DynamicOptions {
   double error_tolerance = 1e-3;  ///< Of a node's place in one step, where the step is free [m].
   /// From rest, where a free hull is let go: a decay. Along and about the axes of the hull as drawn [m, rad].
   Vec6 release = Vec6::Zero();
+  std::vector<ControllerUse> controllers;  ///< That drive tensioner or mooring winches from outside.
   double tail_reach = 1.0;  ///< Laid pipe behind the static line over what friction needs, see with_laid_tail.
   StepSettings step;
   ImpactSettings impacts;

@@ -31,6 +31,28 @@ bool keeps_tension(const WinchLaw& law) {
   return law.tension.mode == TensionerMode::controlled;
 }
 
+bool is_led(const AttachmentState& held) {
+  return held.machine.commanded.has_value();
+}
+
+/// Lets a winch whose length is told see the end of a step. One whose command is over has come back when it is as fast
+/// as its program.
+void see_told(const WinchLaw& law, double tension, double time, double h, AttachmentState& after) {
+  TensionerMachine& machine = after.machine;
+  GivenWay& way = after.way;
+  if (!machine.commanded) {
+    machine.tension = tension;
+  } else if (!machine.returning) {
+    way.rate = observe(law.tension, tension, h, {way.moved, way.rate, 0.0}, machine).speed;
+  } else {
+    machine.tension = tension;
+    if (std::abs(law.program.at(time).rate - way.rate) > kStill) return;
+    machine.state = TensionerState::hold;
+    machine.commanded.reset();
+    machine.returning = false;
+  }
+}
+
 TensionerDrive drive_of(Giving how) {
   switch (how) {
     case Giving::steady:
@@ -67,16 +89,31 @@ GivingEnds::GivingEnds(const System& system) : system_(&system) {
   }
 }
 
-/// Program, stall and brake.
+/// By its program, or as a command leads it; back to the program from a command that is over.
+PaidOut GivingEnds::wanted(const End& end, const SystemState& now, double h) const {
+  const WinchLaw& law = *system_->attachments[end.attachment].winch;
+  const AttachmentState& held = now.attachments[end.attachment];
+  const PaidOut before = law.program.at(now.time), after = law.program.at(now.time + h);
+  if (!is_led(held)) return {after.length - before.length, after.rate};
+  TensionerMachine machine = held.machine;
+  if (machine.returning) machine.commanded = after.rate;
+  const double most = law.tension.velocity;  // a brake that renders may be faster, which is not the winch's doing
+  const Travel from{held.way.moved, std::clamp(held.way.rate, -most, most), 0.0};
+  const double authority = tensioner_authority(*system_, now.time + 0.5 * h);
+  const Travel to = led(law.tension, from, reachable_speeds(law.tension, machine, from, authority, h).fastest, h);
+  return {to.length - from.length, to.speed};
+}
+
+/// Program or command, stall and brake.
 void GivingEnds::set_winch(End& end, const SystemState& now, double h) {
   const WinchLaw& law = *system_->attachments[end.attachment].winch;
   const double moved = now.attachments[end.attachment].way.moved;
-  const PaidOut before = law.program.at(now.time), after = law.program.at(now.time + h);
+  const PaidOut after = wanted(end, now, h);
   const Line& line = system_->lines[static_cast<std::size_t>(system_->attachments[end.attachment].line)];
   const double element = now.attachments[end.attachment].way.last_element;
   const double left = (element > 0.0 ? element : line.mesh.length.back()) - kShortestElement * line.mesh.length.back();
-  const bool at_its_end = after.length - before.length < -left;
-  const double way = at_its_end ? 0.0 : after.length - before.length;
+  const bool at_its_end = after.length < -left;
+  const double way = at_its_end ? 0.0 : after.length;
   end.stairs[at(Giving::steady)] = {true, false, moved + way, at_its_end ? 0.0 : after.rate, 0.0, 0.0, 0.0, 0.0};
   const bool hauls = way < 0.0;
   if (hauls && law.stall < kEver) {
@@ -127,7 +164,7 @@ void GivingEnds::begin(const SystemState& now, double h, SystemState& next) {
     end.changes = 0;
     if (!held.winch) {
       set_anchor(end, now);
-    } else if (keeps_tension(*held.winch)) {
+    } else if (keeps_tension(*held.winch) && !is_led(now.attachments[end.attachment])) {
       set_keeper(end, now, h);
     } else {
       set_winch(end, now, h);
@@ -256,16 +293,17 @@ void GivingEnds::finish(End& end, const Assembly& assembly, const SystemState& n
   if (!held.winch) {
     return;
   }
-  if (!keeps_tension(*held.winch)) {
+  const double tension = tension_to_take(held, assembly.line(static_cast<std::size_t>(held.line)));
+  if (is_led(after) || !keeps_tension(*held.winch)) {
     const bool held_up = way.how == Giving::held_up || way.how == Giving::stopped;
     way.held_up_for += held_up ? h : 0.0;
+    see_told(*held.winch, tension, next.time, h, after);
     return;
   }
   const TensionerLaw& law = held.winch->tension;
   if (after.machine.state == TensionerState::pay_out || after.machine.state == TensionerState::haul_in) {
     after.machine.drive = drive_of(way.how);
   }
-  const double tension = tension_to_take(held, assembly.line(static_cast<std::size_t>(held.line)));
   const Travel travel = observe(law, tension, h, {way.moved, way.rate, 0.0}, after.machine);
   if (travel.speed == 0.0) {
     way.rate = 0.0;

@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "mechanics/winch.h"
 #include "system/assembly.h"
 
 namespace overbend {
@@ -42,6 +43,7 @@ class GivingEnds {
     int changes = 0;        ///< Of the stair, in this step.
   };
 
+  PaidOut wanted(const End& end, const SystemState& now, double h) const;
   void set_winch(End& end, const SystemState& now, double h);
   void set_keeper(End& end, const SystemState& now, double h);
   void set_anchor(End& end, const SystemState& now);

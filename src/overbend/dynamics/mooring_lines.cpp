@@ -73,7 +73,7 @@ double last_element(const Model& model, std::size_t line) {
   return kOverWay * way;
 }
 
-constexpr double kOfLastElement = 0.8;  ///< That a winch which keeps a tension may haul in or add.
+constexpr double kOfLastElement = 0.8;  ///< That a winch without a program may haul in or add.
 
 /// Far more than friction bears: a line with it slides, whichever small way it goes [m].
 constexpr double kPulledFar = 1.0;
@@ -122,11 +122,15 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
     system.attachments.push_back(fairlead(line, moored.fairlead_V, moorings, moorings.lines[i]));
     if (std::optional<WinchLaw>& winch = system.attachments.back().winch) {
-      winch->tension.limit = kOfLastElement * system.lines.back().mesh.length.back();
+      winch->tension.limit = winch_range(system.lines.back());
     }
     shapes.push_back(start.shape(system.lines.back().mesh));
   }
   return shapes;
+}
+
+double winch_range(const Line& line) {
+  return kOfLastElement * line.mesh.length.back();
 }
 
 System pulled_in(const System& system, SystemState& state) {

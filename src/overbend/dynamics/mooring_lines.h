@@ -15,6 +15,9 @@ using LineShapes = std::vector<std::vector<double>>;
 /// catenaries for first shapes. Lines point into `model`, which must outlive them.
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system);
 
+/// How much a winch at the last end of a line may pay out and haul in: its last element gives it [m].
+double winch_range(const Line& line);
+
 /// The system in which its mooring lines, all behind the first line, come to rest as what has been pulled in over a bed
 /// that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the friction
 /// of `state` so that it slides that way; across their course nothing holds them until they rest.

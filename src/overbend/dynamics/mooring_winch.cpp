@@ -8,16 +8,18 @@ namespace {
 constexpr double kBandOfWanted = 0.1;  ///< Of a winch that keeps a tension and does not say how closely.
 constexpr double kResolution = 1e-5;   ///< Of the tension wanted.
 
-TensionerLaw keeper(const WinchDescription& winch) {
+/// How fast the winch may be, and the tension that it keeps in mode tension.
+TensionerLaw machine_of(const WinchDescription& winch) {
   TensionerLaw law;
+  law.velocity = winch.speed;
+  law.acceleration = winch.speed / winch.acceleration_time;
+  if (winch.mode != WinchMode::tension) return law;
   law.mode = TensionerMode::controlled;
   law.wanted = winch.tension.value_or(0.0);
   const double band = winch.band.value_or(kBandOfWanted * law.wanted);
   law.low = law.wanted - band;
   law.high = law.wanted + band;
   law.delay = winch.delay;
-  law.velocity = winch.speed;
-  law.acceleration = winch.speed / winch.acceleration_time;
   law.resolution = kResolution * law.wanted;
   return law;
 }
@@ -45,21 +47,25 @@ LengthTable program_of(const WinchDescription& winch) {
 
 }  // namespace
 
-std::optional<WinchLaw> winch_of(const MooringsDescription& moorings, const MooringLineDescription& line) {
+WinchLaw winch_law(const WinchDescription& winch) {
+  WinchLaw law;
+  law.stall = winch.stall.value_or(law.stall);
+  law.brake = winch.brake.value_or(law.brake);
+  law.tension = machine_of(winch);
+  if (winch.mode == WinchMode::speed || winch.mode == WinchMode::length) law.program = program_of(winch);
+  return law;
+}
+
+const WinchDescription* winch_named_by(const MooringsDescription& moorings, const MooringLineDescription& line) {
   const auto named = std::find_if(moorings.winches.begin(), moorings.winches.end(),
                                   [&](const WinchDescription& winch) { return winch.name == line.winch; });
-  if (named == moorings.winches.end() || (named->mode == WinchMode::hold && !named->brake)) {
-    return std::nullopt;
-  }
-  WinchLaw law;
-  law.stall = named->stall.value_or(law.stall);
-  law.brake = named->brake.value_or(law.brake);
-  if (named->mode == WinchMode::tension) {
-    law.tension = keeper(*named);
-  } else if (named->mode != WinchMode::hold) {
-    law.program = program_of(*named);
-  }
-  return law;
+  return named == moorings.winches.end() ? nullptr : &*named;
+}
+
+std::optional<WinchLaw> winch_of(const MooringsDescription& moorings, const MooringLineDescription& line) {
+  const WinchDescription* const named = winch_named_by(moorings, line);
+  if (named == nullptr || (named->mode == WinchMode::hold && !named->brake)) return std::nullopt;
+  return winch_law(*named);
 }
 
 }  // namespace overbend

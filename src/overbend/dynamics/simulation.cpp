@@ -66,8 +66,10 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
     : options_(options),
       setup_(make_setup(model, start, top_tension, options)),
       clock_(make_clock(options, setup_.interval)),
+      controllers_(model, options.controllers, setup_.mooring_names, clock_.time(), setup_.system),
       shoe_(point_from_ramp(model, model.mean_pose, Vec3::Zero())),
       ahead_W_(level_ahead(model.mean_pose)) {
+  options_.max_step = std::min(options_.max_step, controllers_.shortest_interval());
   setup_.system.surroundings = [this](double time, Surroundings& now) { surroundings(time, now); };
   assembly_.emplace(setup_.system);
   stepper_.emplace(*assembly_, options.step);
@@ -121,6 +123,7 @@ bool Simulation::begin() {
   const SystemState before = state_;
   assembly_->evaluate(state_, before, {}, false);
   observe_tension(state_, 0.0);
+  controllers_.begin(*assembly_, state_);
   watch_.start(assembly_->machine_tension());
   energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale);
   ended_.clear();
@@ -205,11 +208,17 @@ void Simulation::observe(SimulationObserver& observer) {
 }
 
 void Simulation::set_tension(double wanted) {
-  TensionerLaw& law = set_law();
-  const double shift = wanted - law.wanted;
-  law.wanted = wanted;
-  law.low += shift;
-  law.high += shift;
+  set_wanted_tension(set_law(), wanted);
+}
+
+void Simulation::command(const std::string& machine, const MachineCommand& command) {
+  controllers_.command(machine, command, setup_.system, state_);
+}
+
+void Simulation::ask_controllers() {
+  if (!failure_ && controllers_.active()) {
+    failure_ = controllers_.ask(*assembly_, now().move.paid_out, setup_.system, state_);
+  }
 }
 
 void Simulation::adapt(double h) {
@@ -319,6 +328,7 @@ bool Simulation::step() {
   if (failure_ || finished()) return false;
   const WallTime measured(report_.wall_time);
   if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
+  ask_controllers();
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
   do {

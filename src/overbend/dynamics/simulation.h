@@ -2,7 +2,7 @@
 ///
 ///     Simulation simulation(model, equilibrium, top_tension, options);
 ///     simulation.observe(recorder);
-///     while (simulation.step()) { ... simulation.now() ... simulation.set_tension(...) ... }
+///     while (simulation.step()) { ... simulation.now() ... simulation.command("tensioner", ...) ... }
 ///
 /// The steps do not depend on the calls: step() again and again, advance() to any times and a whole run give the same
 /// results, bit for bit.
@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "dynamics/controllers.h"
 #include "dynamics/conveyor.h"
 #include "dynamics/dynamic_clock.h"
 #include "dynamics/dynamics.h"
@@ -24,7 +25,8 @@ namespace overbend {
 class Simulation {
  public:
   /// At rest in the static state, at the beginning of the build-up. `top_tension` is the effective tension at the
-  /// tensioner there [N]. Throws std::invalid_argument for a sea or a motion that cannot be made.
+  /// tensioner there [N]. Throws std::invalid_argument for a sea or a motion that cannot be made, and for controllers
+  /// of machines that are not there.
   Simulation(const Model& model, const StaticSolution& start, double top_tension, const DynamicOptions& options);
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
@@ -66,6 +68,10 @@ class Simulation {
   /// The tension that the tensioner restores from here on; its operational range is shifted with it. A locked one holds
   /// the pipe whatever it is set to. [N]
   void set_tension(double wanted);
+  /// What a machine shall do from here on, or until its controller says otherwise. The tensioner takes commands always,
+  /// a mooring winch where DynamicOptions::controllers names it. Throws std::invalid_argument for what it cannot do.
+  void command(const std::string& machine, const MachineCommand& command);
+  const Controllers& controllers() const { return controllers_; }
 
   /// Everything that a simulation of the same arguments needs to go on from here, observers included, bit for bit.
   /// Exact at a row of output: between two the steps after it may differ within their tolerance.
@@ -86,6 +92,7 @@ class Simulation {
   void let_hull_go();
   void rest_moorings();
   bool part_lines();
+  void ask_controllers();
   bool attempt(double h, double target, double& to_event);
   bool reject(double wanted);
   void accept(double h);
@@ -103,6 +110,7 @@ class Simulation {
   DynamicOptions options_;
   RunSetup setup_;
   Clock clock_;
+  Controllers controllers_;
   std::vector<WaterField> water_;  ///< Line by line.
   std::vector<WaterMemory> water_memory_;
   Vec3 shoe_;               ///< Mean place of the stern shoe before any move, W [m].

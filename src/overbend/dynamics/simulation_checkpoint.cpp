@@ -22,8 +22,7 @@ DynamicCheckpoint Simulation::checkpoint() const {
   c.arrays.push_back({"control",
                       {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick), watch_.last, watch_.slope,
                        watch_.least, watch_.most}});
-  const TensionerLaw& law = tensioner_of(setup_.system);
-  c.arrays.push_back({"set_point", {law.wanted, law.low, law.high}});
+  controllers_.save(setup_.system, c);
   save_report(c, report_);
   for (const SimulationObserver* observer : observers_) observer->save(c);
   return c;
@@ -39,11 +38,7 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   chooser_ = {control.at(0), control.at(1)};
   watch_ = {control.at(3), control.at(4), control.at(5), control.at(6)};
   clock_.tick = std::llround(control.at(2));
-  const std::vector<double>& set_point = checkpoint_array(checkpoint, "set_point");
-  TensionerLaw& law = set_law();
-  law.wanted = set_point.at(0);
-  law.low = set_point.at(1);
-  law.high = set_point.at(2);
+  controllers_.restore(checkpoint, setup_.system);
   restore_report(checkpoint, report_);
   part_as_in(state_, setup_.system);
   failure_.reset();

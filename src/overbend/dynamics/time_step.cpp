@@ -93,7 +93,8 @@ void TimeStepper::predict_travel(const AttachmentState& now, double h, double ra
                                  AttachmentState& next) const {
   const Travel from{now.travel.q, now.travel.v, now.travel.acc};
   const auto drive_to = [&](double speed) {
-    const Travel to = driven(tensioner_of(assembly_->system()), from, speed, h);
+    const TensionerLaw& law = tensioner_of(assembly_->system());
+    const Travel to = now.machine.commanded ? led(law, from, speed, h) : driven(law, from, speed, h);
     next.travel = {to.length, to.speed, to.acceleration, to.acceleration};
   };
   switch (next.machine.drive) {

@@ -83,14 +83,32 @@ Travel follow_speed(const TensionerLaw& law, const Travel& travel, TensionerMach
   return travel;
 }
 
+/// State and travel of a machine that is led by a command: it stands at the end of its travel.
+Travel follow_command(const TensionerLaw& law, const Travel& travel, TensionerMachine& m) {
+  const int outward = travel.length > 0.0 ? 1 : -1;
+  if (law.limit - outward * travel.length <= kSamePlace && outward * *m.commanded > 0.0) {
+    m.side = outward;
+    m.state = TensionerState::at_limit;
+    return {outward * law.limit, 0.0, 0.0};
+  }
+  m.side = travel.speed > 0.0 ? 1 : travel.speed < 0.0 ? -1 : 0;
+  m.state = m.side > 0 ? TensionerState::pay_out : m.side < 0 ? TensionerState::haul_in : TensionerState::hold;
+  if (m.returning && m.side == 0) {
+    m.commanded.reset();
+    m.returning = false;
+    come_to_rest(m, TensionerState::hold);
+  }
+  return travel;
+}
+
 }  // namespace
 
 SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m, const Travel& now, double authority,
                              double h) {
-  if (law.mode == TensionerMode::constant) {
+  if (!m.commanded && law.mode == TensionerMode::constant) {
     return {-kNever, kNever};
   }
-  if (!moves(m)) {
+  if (!m.commanded && !moves(m)) {
     return {0.0, 0.0};
   }
   const auto greatest = [&](double v, double room) {
@@ -99,12 +117,55 @@ SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& m,
     return room < kNever ? std::min(speed, stoppable_speed(room, v, law.acceleration, h)) : speed;
   };
   const double fastest = greatest(now.speed, law.limit - now.length);
-  return {std::min(-greatest(-now.speed, law.limit + now.length), fastest), fastest};
+  const double slowest = std::min(-greatest(-now.speed, law.limit + now.length), fastest);
+  if (m.commanded) {
+    const double speed = std::clamp(*m.commanded, slowest, fastest);
+    return {speed, speed};
+  }
+  return {slowest, fastest};
 }
 
 Travel driven(const TensionerLaw& law, const Travel& now, double speed, double h) {
   const double length = now.length + 0.5 * h * (now.speed + speed);
   return {std::clamp(length, -law.limit, law.limit), speed, (speed - now.speed) / h};
+}
+
+Travel led(const TensionerLaw& law, const Travel& now, double speed, double h) {
+  const double gain = speed - now.speed;
+  const double ramp = gain == 0.0 ? 0.0 : std::min(std::abs(gain) / law.acceleration, h);
+  const double length = now.length + h * speed - 0.5 * ramp * gain;
+  return {std::clamp(length, -law.limit, law.limit), speed, gain / h};
+}
+
+void set_wanted_tension(TensionerLaw& law, double wanted) {
+  const double shift = wanted - law.wanted;
+  law.wanted = wanted;
+  law.low += shift;
+  law.high += shift;
+}
+
+void command_speed(TensionerMachine& m, double speed) {
+  m.commanded = speed;
+  m.returning = false;
+  if (m.state == TensionerState::delay) m.state = TensionerState::hold;
+  m.drive = TensionerDrive::fastest;
+  m.timer = 0.0;
+}
+
+void leave_to_law(const TensionerLaw& law, double speed, TensionerMachine& m) {
+  if (!m.commanded) return;
+  if (law.mode == TensionerMode::locked) {
+    m.commanded = 0.0;
+    m.returning = true;
+    return;
+  }
+  m.commanded.reset();
+  come_to_rest(m, TensionerState::hold);
+  if (law.mode == TensionerMode::controlled && speed != 0.0) {
+    m.side = speed > 0.0 ? 1 : -1;
+    m.state = speed > 0.0 ? TensionerState::pay_out : TensionerState::haul_in;
+    m.drive = TensionerDrive::governor;
+  }
 }
 
 double governor_slope(const TensionerLaw& law, double speed) {
@@ -120,6 +181,9 @@ double governed_tension(const TensionerLaw& law, double speed) {
 }
 
 TensionerDrive first_drive(const TensionerLaw& law, const TensionerMachine& m) {
+  if (m.commanded) {
+    return TensionerDrive::fastest;
+  }
   if (law.mode == TensionerMode::constant) {
     return TensionerDrive::governor;
   }
@@ -148,7 +212,7 @@ TensionerDrive fitting_drive(const TensionerLaw& law, const SpeedBounds& bounds,
 }
 
 double excess(const TensionerLaw& law, const TensionerMachine& m, double tension, double speed) {
-  if (law.mode != TensionerMode::controlled) {
+  if (m.commanded || law.mode != TensionerMode::controlled) {
     return -kNever;
   }
   const double above = tension - law.high, below = law.low - tension;
@@ -175,6 +239,9 @@ double time_to_move(const TensionerLaw& law, const TensionerMachine& m) {
 
 Travel observe(const TensionerLaw& law, double tension, double h, const Travel& travel, TensionerMachine& m) {
   m.tension = tension;
+  if (m.commanded) {
+    return follow_command(law, travel, m);
+  }
   if (law.mode != TensionerMode::controlled) {
     return travel;
   }

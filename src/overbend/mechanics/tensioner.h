@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "model/description.h"
 
@@ -39,6 +40,9 @@ struct TensionerMachine {
   int side = 0;          ///< +1: the tension is too high, it shall pay out or does; -1: too low, haul in.
   double timer = 0.0;    ///< While it waits: time out of range. While it moves: time back in range [s].
   double tension = 0.0;  ///< Last measured [N].
+  /// Speed that somebody outside asks for in place of the law, within velocity, acceleration and travel [m/s].
+  std::optional<double> commanded{};
+  bool returning = false;  ///< The command is over: its speed goes back to that of the law.
 };
 
 /// Travel counts what was paid out since the start, hauled in negative.
@@ -54,12 +58,21 @@ struct SpeedBounds {
 };
 
 /// From `now` over `h`; `authority` (0 to 1) is the fraction of the response velocity that it may use. It has to stand
-/// where its travel ends.
+/// where its travel ends. Of a commanded machine both are the speed that comes closest to the command.
 SpeedBounds reachable_speeds(const TensionerLaw& law, const TensionerMachine& machine, const Travel& now,
                              double authority, double h);
 
 /// Travel after `h` with the speed `speed` at its end, evenly reached; not beyond the limit.
 Travel driven(const TensionerLaw& law, const Travel& now, double speed, double h);
+/// The same of a commanded machine: it gathers speed as fast as it can and keeps it for the rest of the step.
+Travel led(const TensionerLaw& law, const Travel& now, double speed, double h);
+
+/// Sets a new tension T0 to restore; the operational range is shifted with it [N].
+void set_wanted_tension(TensionerLaw& law, double wanted);
+/// It shall have this speed from here on [m/s].
+void command_speed(TensionerMachine& machine, double speed);
+/// It goes on by its own law from the speed that it has [m/s]; where that is another, it goes there first.
+void leave_to_law(const TensionerLaw& law, double speed, TensionerMachine& machine);
 
 /// Tension at which the governor asks for a speed: the wanted one at rest, an end of the range at full speed [N].
 double governed_tension(const TensionerLaw& law, double speed);

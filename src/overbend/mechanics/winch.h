@@ -40,7 +40,9 @@ struct WinchLaw {
   /// It stops hauling in at this tension [N], and its brake renders at the other: pays out as fast as holds it there.
   double stall = std::numeric_limits<double>::infinity();
   double brake = std::numeric_limits<double>::infinity();
-  TensionerLaw tension;  ///< Controlled where the winch keeps a tension: then there is no program.
+  /// Controlled where the winch keeps a tension: then there is no program. Its velocity, acceleration and limit hold
+  /// for speeds that somebody outside asks for as well.
+  TensionerLaw tension;
 };
 
 }  // namespace overbend

@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "base/units.h"
+#include "dynamics/controllers.h"
 #include "python/bindings.h"
+#include "python/given_controller.h"
 #include "python/interpreter_lock.h"
 #include "python/python_errors.h"
 #include "python/run_watch.h"
@@ -30,6 +32,7 @@ struct RunWish {
   bool resume = false, restart = false;
   double checkpoint_every = 30.0;
   int threads = 0;
+  GivenControllers controllers;  ///< Of one run.
 };
 
 StudyPlan taken(std::variant<StudyPlan, std::string> plan) {
@@ -43,6 +46,7 @@ StudyPlan plan_of(const Description& description, const RunWish& wish) {
   if (wish.several) return taken(plan_seeds(wish.seeds, wish.duration));
   StudyPlan plan = plan_single(wish.duration);
   if (!wish.seeds.empty()) plan.cases.front().seed = wish.seeds.front();
+  plan.cases.front().controllers = uses_of(wish.controllers);
   return plan;
 }
 
@@ -85,6 +89,7 @@ RunEnd run_lines_alone(Description description, const RunWish& wish, const fs::p
 
 StudyEnd run_in(const Description& description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
   if (is_lines_alone(description)) {
+    if (!wish.controllers.empty()) throw std::invalid_argument("lines by themselves have no machine to control");
     if (wish.several || !wish.of.empty()) {
       throw std::invalid_argument("lines by themselves have one run at a time: model.dynamic(seed=...)");
     }
@@ -119,7 +124,6 @@ py::dict told_end(const StudyEnd& end) {
 py::dict run(const ModelHandle& model, const std::string& folder, const RunWish& wish, const py::object& progress) {
   RunWatch watch;
   StudyEnd end;
-  py::object raised = py::none();
   try {
     work_beside([&] { end = run_in(chosen_description(model, wish.stage), wish, folder, watch); }, watch.stopped,
                 [&] { watch.tell(progress); });
@@ -128,6 +132,10 @@ py::dict run(const ModelHandle& model, const std::string& folder, const RunWish&
     py::dict told = told_end(end);
     told["interrupted"] = true;
     return told;
+  }
+  if (end.ending == RunEnding::wrong_input && end.why.starts_with(kControllerOf)) {
+    raise_of_controllers(wish.controllers, end.why);
+    raise_controller_error(end.why, "", "");
   }
   const bool some = end.seeds && !end.seeds->runs.empty();  // and others failed
   if (end.ending != RunEnding::done && end.ending != RunEnding::interrupted && !some) throw EndedRun(all_told(end));
@@ -148,14 +156,15 @@ void add_dynamics(py::module_& module) {
       "run",
       [](const ModelHandle& model, const std::string& folder, const std::string& stage, std::optional<double> duration,
          const std::vector<std::uint64_t>& seeds, bool several, const std::string& of, bool resume, bool restart,
-         double checkpoint, int threads, const py::object& progress) {
-        return run(model, folder, {stage, duration, seeds, several, of, resume, restart, checkpoint, threads},
-                   progress);
+         double checkpoint, int threads, const GivenControllers& controllers, const py::object& progress) {
+        return run(model, folder,
+                   {stage, duration, seeds, several, of, resume, restart, checkpoint, threads, controllers}, progress);
       },
       py::arg("model"), py::arg("folder"), py::kw_only(), py::arg("stage") = "", py::arg("duration") = py::none(),
       py::arg("seeds") = std::vector<std::uint64_t>(), py::arg("several") = false, py::arg("of") = "",
       py::arg("resume") = false, py::arg("restart") = false, py::arg("checkpoint") = 30.0, py::arg("threads") = 0,
-      py::arg("progress") = py::none(), "Runs into the folder: {interrupted, why, failed}.");
+      py::arg("controllers") = GivenControllers(), py::arg("progress") = py::none(),
+      "Runs into the folder: {interrupted, why, failed}.");
   module.def("quantity", &quantity, py::arg("text"), py::arg("unit"), "A text such as '600 s' in the SI unit.");
 }
 

@@ -14,6 +14,8 @@ void add_results(pybind11::module_& module);
 void add_model(pybind11::module_& module);
 /// Statics of a model.
 void add_statics(pybind11::module_& module);
+/// Controllers of machines, and what they see.
+void add_controllers(pybind11::module_& module);
 /// Dynamic analyses into folders.
 void add_dynamics(pybind11::module_& module);
 /// Goal seek.
@@ -28,5 +30,7 @@ void add_sensitivities(pybind11::module_& module);
 void add_studies(pybind11::module_& module);
 /// Folders of results beside each other.
 void add_comparisons(pybind11::module_& module);
+/// Dynamic analyses step by step.
+void add_simulation(pybind11::module_& module);
 
 }  // namespace overbend

@@ -8,6 +8,7 @@ PYBIND11_MODULE(_core, module) {
   overbend::add_results(module);
   overbend::add_model(module);
   overbend::add_statics(module);
+  overbend::add_controllers(module);
   overbend::add_dynamics(module);
   overbend::add_seek(module);
   overbend::add_operations(module);
@@ -15,4 +16,5 @@ PYBIND11_MODULE(_core, module) {
   overbend::add_sensitivities(module);
   overbend::add_studies(module);
   overbend::add_comparisons(module);
+  overbend::add_simulation(module);
 }

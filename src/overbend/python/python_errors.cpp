@@ -88,6 +88,11 @@ void raise_results_error(const std::string& sentence) {
   throw py::error_already_set();
 }
 
+void raise_controller_error(const std::string& what, const std::string& where, const std::string& why) {
+  set_error("ControllerError", what, where, why);
+  throw py::error_already_set();
+}
+
 void add_errors(py::module_& /*module*/) {
   py::register_exception_translator(translate);
 }

@@ -32,5 +32,7 @@ class EndedRun : public std::runtime_error {
 
 /// overbend.errors.ResultsError; the interpreter's lock must be held.
 [[noreturn]] void raise_results_error(const std::string& sentence);
+/// overbend.errors.ControllerError, likewise.
+[[noreturn]] void raise_controller_error(const std::string& what, const std::string& where, const std::string& why);
 
 }  // namespace overbend

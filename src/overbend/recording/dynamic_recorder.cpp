@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mechanics/contact_damage.h"
+#include "recording/control_columns.h"
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/move_record.h"
 
@@ -109,6 +110,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
   if (move_ != nullptr) add_move_columns(columns_);
+  add_control_columns(simulation.controllers(), columns_);
   row_.resize(columns_.size());
   impacts_.resize(rollers_);
   left_.resize(boxes_);

@@ -31,7 +31,8 @@ void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& r
         fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
                     results.duration, move.moves, move.end()));
   }
-  if (results.tensioner.mode == word_of(TensionerMode::locked)) {
+  const Spread& travel = results.tensioner.travel;
+  if (results.tensioner.mode == word_of(TensionerMode::locked) && travel.max == travel.min) {
     results.warnings.emplace_back(
         "the tensioner is locked while the vessel moves: no pipe is paid out, and the tension is that of the pulled "
         "pipe");

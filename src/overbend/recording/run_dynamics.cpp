@@ -28,6 +28,10 @@ DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& r
   r.energy = simulation.energy();
   r.run = report_of(simulation, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
   recorder.fill(r);
+  for (std::string& words : simulation.controllers().assumptions()) r.assumptions.push_back(std::move(words));
+  for (std::string& words : simulation.controllers().warnings(simulation.system())) {
+    r.warnings.push_back(std::move(words));
+  }
   return r;
 }
 

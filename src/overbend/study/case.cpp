@@ -33,7 +33,8 @@ Description describe(const Description& base, const Case& one) {
 }
 
 bool same_model(const Case& a, const Case& b) {
-  return a.duration == b.duration && std::ranges::equal(a.changes, b.changes, same_change);
+  return a.controllers.empty() && b.controllers.empty() && a.duration == b.duration &&
+         std::ranges::equal(a.changes, b.changes, same_change);
 }
 
 }  // namespace overbend

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dynamics/controller.h"
 #include "model/description.h"
 #include "modelfile/yaml_edit.h"
 
@@ -13,18 +14,19 @@ namespace overbend {
 
 /// One case of a study. Everything that distinguishes it from the other cases of the same model is in here.
 struct Case {
-  std::string name;                     ///< Of its folder within the study's; empty: it runs in that itself.
-  std::string words{};                  ///< For people.
-  std::vector<YamlChange> changes{};    ///< Of keys of the model file, one after the other.
-  std::optional<double> duration{};     ///< Simulated time instead of the model's [s]; the text keeps its own.
-  std::optional<std::uint64_t> seed{};  ///< Left out: the model's first.
+  std::string name;                          ///< Of its folder within the study's; empty: it runs in that itself.
+  std::string words{};                       ///< For people.
+  std::vector<YamlChange> changes{};         ///< Of keys of the model file, one after the other.
+  std::optional<double> duration{};          ///< Simulated time instead of the model's [s]; the text keeps its own.
+  std::optional<std::uint64_t> seed{};       ///< Left out: the model's first.
+  std::vector<ControllerUse> controllers{};  ///< Of its run alone: they remember.
 };
 
 /// The model with the case's keys set in its text, and its duration. Throws std::runtime_error where a key cannot be
 /// set or the model is none any more.
 Description describe(const Description& base, const Case& one);
 
-/// Whether two cases have one model, whatever their seeds.
+/// Whether two cases have one model and nothing else but their seeds apart.
 bool same_model(const Case& a, const Case& b);
 
 }  // namespace overbend

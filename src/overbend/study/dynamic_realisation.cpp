@@ -73,6 +73,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   DynamicOptions options = dynamic_options(shared.model);
   options.seed = seed;
+  options.controllers = shared.controllers;
   DynamicOutcome outcome;
   try {
     WatchedStore sink(begun->store, rows);
@@ -88,7 +89,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   if (outcome.failure) {
     begun->store.remove();
-    return {{RunEnding::no_solution, "no solution: " + failure_line(*outcome.failure)}};
+    return {failed_end(*outcome.failure)};
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(*outcome.results, begun->store);

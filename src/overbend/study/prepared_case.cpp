@@ -49,6 +49,13 @@ std::string input_text(const Description& d) {
   return text + fmt::format("\n# duration {:a}\n", d.dynamics ? d.dynamics->duration : 0.0);
 }
 
+void use_controllers(PreparedCase& prepared, std::vector<ControllerUse> controllers) {
+  for (const ControllerUse& use : controllers) {
+    prepared.input += fmt::format("\n# controller of '{}' every {:a} s\n", use.machine, use.interval);
+  }
+  prepared.controllers = std::move(controllers);
+}
+
 std::string failure_line(const StaticFailure& failure) {
   const std::string where = failure.where.empty() ? "" : " (" + failure.where + ")";
   return failure.what + where + ": " + failure.why;
@@ -59,7 +66,8 @@ RunEnd failed_end(const StaticFailure& failure) {
   return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
 }
 
-std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description) {
+std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description,
+                                                                       const std::vector<ControllerUse>& controllers) {
   Model model = build_model(description);
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
     return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
@@ -68,8 +76,10 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   if (outcome.failure) return failed_end(*outcome.failure);
   StaticResults statics = checked_statics(model, outcome);
   tell_hull(model, statics);
-  return std::make_shared<const PreparedCase>(PreparedCase{description, std::move(model), std::move(*outcome.solution),
-                                                           std::move(statics), input_text(description)});
+  const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
+      description, std::move(model), std::move(*outcome.solution), std::move(statics), input_text(description)});
+  use_controllers(*prepared, controllers);
+  return prepared;
 }
 
 }  // namespace overbend

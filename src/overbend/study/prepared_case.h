@@ -4,7 +4,9 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
+#include "dynamics/controller.h"
 #include "model/model.h"
 #include "results/static_results.h"
 #include "statics/statics.h"
@@ -18,11 +20,18 @@ struct PreparedCase {
   Model model;
   StaticSolution start;
   StaticResults statics;
-  std::string input;  ///< Of input_text().
+  std::string input;  ///< Of input_text(), with what use_controllers() adds.
+  /// That drive machines of its run from outside. They remember: a case that has some is for one run at a time.
+  std::vector<ControllerUse> controllers{};
 };
 
 /// All that a run depends on, except the seed: a run is resumed only with the same.
 std::string input_text(const Description& description);
+
+/// Gives the run of a case controllers. They become part of its input by what they drive and how often they are asked:
+/// a run begun with them is not gone on with without them, nor the other way round. What they answer is not known here:
+/// that it is the same when a run is taken up is up to who gives them.
+void use_controllers(PreparedCase& prepared, std::vector<ControllerUse> controllers);
 
 /// One line about a failure: what, where and why.
 std::string failure_line(const StaticFailure& failure);
@@ -31,6 +40,7 @@ std::string failure_line(const StaticFailure& failure);
 RunEnd failed_end(const StaticFailure& failure);
 
 /// Builds the model and solves its statics; where it cannot be run, why.
-std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Description& description);
+std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(
+    const Description& description, const std::vector<ControllerUse>& controllers = {});
 
 }  // namespace overbend

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <thread>
 
+#include "base/require.h"
 #include "resultfiles/dynamic_reader.h"
 #include "runstore/append_file.h"
 #include "runstore/run_store.h"
@@ -130,6 +131,10 @@ void CaseWatch::row(std::size_t /*run*/, const std::vector<HistoryColumn>& /*col
 void CaseWatch::ended(std::size_t /*run*/, const CaseRun& /*how*/) {}
 
 RunEnd run_cases(std::vector<CaseRun>& runs, const CaseOptions& options, CaseWatch& watch, FileLock& files) {
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    require(runs[i].prepared != runs[i - 1].prepared || runs[i].prepared->controllers.empty(),
+            "controllers, which remember, drive one run alone");
+  }
   for (CaseRun& run : runs) run.from = -settings(run).build_up;
   if (options.resume) {
     try {

@@ -26,7 +26,7 @@ RunEnd prepare(const Description& base, const StudyPlan& plan, const fs::path& f
     if (i == 0 || !same_model(plan.cases[i - 1], one)) {
       std::variant<std::shared_ptr<const PreparedCase>, RunEnd> made;
       try {
-        made = prepare_case(describe(base, one));
+        made = prepare_case(describe(base, one), one.controllers);
       } catch (const std::runtime_error& fault) {  // a text that cannot be edited so
         return {RunEnding::wrong_input, fault.what()};
       }

@@ -1,0 +1,84 @@
+#include "python/given_controller.h"
+
+#include <stdexcept>
+
+namespace overbend {
+namespace {
+
+namespace py = pybind11;
+
+std::string shown(const py::handle& object) {
+  return py::repr(object).cast<std::string>();
+}
+
+}  // namespace
+
+MachineCommand command_of(const py::handle& answer) {
+  using Kind = MachineCommand::Kind;
+  if (answer.is_none()) return {Kind::leave, 0.0};
+  const py::object set_tension = py::module_::import("overbend.controllers").attr("SetTension");
+  if (!PyBool_Check(answer.ptr()) && !py::isinstance<py::str>(answer)) {
+    const double value = PyFloat_AsDouble(answer.ptr());
+    if (PyErr_Occurred() == nullptr) return {py::isinstance(answer, set_tension) ? Kind::tension : Kind::speed, value};
+    PyErr_Clear();
+  }
+  throw std::invalid_argument("found " + shown(answer) + ", expected a speed [m/s], a SetTension or None");
+}
+
+PythonController::PythonController(py::function function, py::object save, py::object restore)
+    : function_(std::move(function)), save_(std::move(save)), restore_(std::move(restore)) {}
+
+/// Where a function raises, its exception is kept as it is for who started the run.
+void PythonController::keep(py::error_already_set& error) const {
+  raised_ = error.value();
+  if (error.trace()) PyException_SetTraceback(raised_.ptr(), error.trace().ptr());
+}
+
+MachineCommand PythonController::command(const MachineReading& seen) {
+  const py::gil_scoped_acquire hold;
+  try {
+    return command_of(function_(seen.time, seen));
+  } catch (py::error_already_set& error) {
+    keep(error);
+    throw std::runtime_error(error.what());
+  }
+}
+
+std::vector<double> PythonController::save() const {
+  const py::gil_scoped_acquire hold;
+  std::vector<double> saved;
+  if (save_.is_none()) return saved;
+  for (const py::handle value : save_()) saved.push_back(value.cast<double>());
+  return saved;
+}
+
+void PythonController::restore(const std::vector<double>& saved) {
+  const py::gil_scoped_acquire hold;
+  if (restore_.is_none()) return;
+  py::list values;
+  for (const double value : saved) values.append(value);
+  restore_(values);
+}
+
+void PythonController::raise(const std::string& where) {
+  if (!raised_) return;
+  const py::object raised = std::move(raised_);
+  raised_ = py::object();
+  if (py::hasattr(raised, "add_note")) raised.attr("add_note")(where);
+  PyErr_SetObject(py::type::of(raised).ptr(), raised.ptr());
+  throw py::error_already_set();
+}
+
+std::vector<ControllerUse> uses_of(const GivenControllers& given) {
+  std::vector<ControllerUse> uses;
+  for (const auto& [machine, one] : given) uses.push_back({machine, one->controller.get(), one->interval});
+  return uses;
+}
+
+void raise_of_controllers(const GivenControllers& given, const std::string& why) {
+  for (const auto& [machine, one] : given) {
+    if (auto* python = dynamic_cast<PythonController*>(one->controller.get())) python->raise(why);
+  }
+}
+
+}  // namespace overbend
