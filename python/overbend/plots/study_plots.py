@@ -40,10 +40,11 @@ class StudyPlots:
         Raises: KeyError for an unknown axis or result, ValueError where further axes have to be chosen from.
         """
         grid = Grid(self._study, y)
+        across = grid.axis(x)
         by = by or grid.other_than([x], at)
         curves = grid.take([x] if by is None else [by, x], at)
         passed = grid.passed([x] if by is None else [by, x], at)
-        across, groups = grid.axis(x), [""] if by is None else grid.axis(by).words
+        groups = [""] if by is None else grid.axis(by).words
         ax = draw.axes(ax, (7.2, 3.8))
         for k, (words, colour) in enumerate(zip(groups, cycle(_COLOURS))):
             values, good = (curves, passed) if by is None else (curves[k], passed[k])
