@@ -158,7 +158,8 @@ class StudyResults:
         number = self._source.dataset("/case/number")[0]
         if name == "passed":
             values = values.astype(bool)
-        return labelled(values, name, ("case",), {"case": number}, stored_unit(units), description)
+        units = "1" if units == "-" else stored_unit(units)  # of words
+        return labelled(values, name, ("case",), {"case": number}, units, description)
 
     def __len__(self) -> int:
         return len(self.table)
@@ -205,7 +206,7 @@ class StudyResults:
         coords: dict[str, Any] = {}
         beside: dict[str, tuple[str, Any]] = {}
         for one in self._told["inputs"]:
-            values = _coordinate(one)
+            values = _axis_of(one)
             if one["with"]:
                 beside[one["key"]] = (one["with"], values)
             elif not one["sampled"]:
@@ -319,7 +320,7 @@ class Operability:
         return self._over_axes("governing", "", "1", "What is exceeded above the limit")
 
     def _over_axes(self, name: str, otherwise: Any, units: str, description: str) -> Any:
-        coords = {one["key"]: _coordinate(one) for one in self._told["axes"]}
+        coords = {one["key"]: _axis_of(one) for one in self._told["axes"]}
         values = np.array([cell.get(name, otherwise) for cell in self._told["cells"]])
         shape = [len(axis) for axis in coords.values()]
         return labelled(values.reshape(shape), name, tuple(coords), coords, units, description)
@@ -328,19 +329,19 @@ class Operability:
         return f"<Operability: largest {self.over} over {len(self.cells)} cells, {self._told['runs']} analyses>"
 
 
-def _coordinate(axis: Mapping[str, Any]) -> Any:
-    """The values of an axis with their unit [SI], or its words."""
-    values = np.array(axis["values"] if axis["values"] else axis["words"])
-    units = stored_unit(axis["unit"]) if axis["values"] else "1"
-    return labelled(values, axis["key"], (axis["key"],), {}, units, axis["key"])
-
-
 def _workability(told: Optional[Mapping[str, Any]]) -> Optional[Record]:
     return Record(told, {"year": "1", "outside": "1"}) if told else None
 
 
+def _axis_of(told: Mapping[str, Any]) -> Any:
+    """The values of an axis with their unit [SI], or its words."""
+    values = np.array(told["values"] if told["values"] else told["words"])
+    return labelled(values, told["key"], (told["key"],), {}, stored_unit(told["unit"] or "1"), told["key"])
+
+
 def _with_coords(array: Any, beside: Mapping[str, tuple[str, Any]]) -> Any:
     if hasattr(array, "assign_coords"):
-        return array.assign_coords(beside)
+        return array.assign_coords({key: (dim, np.asarray(values), values.attrs)
+                                    for key, (dim, values) in beside.items()})
     array.coords.update({key: values for key, (_, values) in beside.items()})
     return array
