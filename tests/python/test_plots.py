@@ -226,6 +226,14 @@ class StudyFigures(Drawing):
         with self.assertRaisesRegex(ValueError, "has not looked for limits"):
             self.study.plot.operability()
 
+    def test_a_limit_beyond_the_largest_value_is_marked_as_such(self):
+        study = ob.study(self.model, axes={"environment.water_depth": ["40 m", "45 m"],
+                                           "pipe.steel.wall_thickness": ["12.7 mm", "14.3 mm"],
+                                           "tensioner.tension": ["300 kN", "400 kN"]},
+                         operability={"over": "tensioner.tension", "resolution": "50 kN"})
+        self.assertTrue(study.operability.beyond.values.all())
+        self.assert_says(study.plot.operability(), "≥ 400")
+
     def test_what_cannot_be_drawn_is_said(self):
         with self.assertRaisesRegex(KeyError, "no axis 'tension'"):
             self.study.plot.curve("tension", "static.lay_back")
