@@ -290,8 +290,14 @@ class DynamicResults(Results):
         return _model_of(self)
 
     @functools.cached_property
+    def checks(self) -> "Checks":
+        """The code checks of the run; `static.checks` are those of the state it began at."""
+        units, descriptions = summary_units()[self._part], summary_descriptions()[self._part]
+        return Checks(self.summary.get(self._part, {}).get("checks", {}), units.get("checks"), descriptions.get("checks"))
+
+    @functools.cached_property
     def static(self) -> StaticResults:
-        """The statics that the run began at. Their `checks` are those of the run."""
+        """The statics that the run began at, with their own `checks`."""
         return StaticResults(None, self._model, self._folder)
 
     @functools.cached_property

@@ -61,6 +61,12 @@ class Dynamics(unittest.TestCase):
         self.assertEqual(self.run_["dynamic.top_tension.max"], self.run_.top_tension.max)
         self.assertEqual(self.run_.static.lay_back, self.told["static"]["lay_back"])
 
+    def test_checks_are_those_of_the_run(self):
+        worst = self.told["dynamic"]["checks"]["worst"]
+        self.assertEqual(self.run_.checks.worst.utilisation, worst["utilisation"])
+        self.assertEqual(self.run_.static.checks.worst.utilisation, self.told["checks"]["worst"]["utilisation"])
+        self.assertNotEqual(worst["utilisation"], self.told["checks"]["worst"]["utilisation"])
+
     def test_histories_are_over_time(self):
         tension = self.run_.history("top_tension")
         self.assertEqual(tension.attrs["units"], "N")

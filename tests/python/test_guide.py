@@ -10,6 +10,7 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs" / "guide").glob("*.md")), ROOT / "docs" / "python" / "README.md"]
 BLOCK = re.compile(r"^```python\n(.*?)^```", flags=re.M | re.S)
+IN_C = re.compile(r"^```c\n(.*?)^```", flags=re.M | re.S)
 
 
 def blocks(page):
@@ -28,6 +29,8 @@ class Guide(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("examples", "data"):
                 os.symlink(ROOT / name, pathlib.Path(folder) / name)
+            for text in IN_C.findall(page.read_text(encoding="utf-8")):  # what the example compiles
+                pathlib.Path(folder, "law.c").write_text(text, encoding="utf-8")
             os.chdir(folder)
             try:
                 for line, text in blocks(page):

@@ -172,6 +172,75 @@ class DynamicFigures(Drawing):
         self.assertAlmostEqual(max(tops), 1e-3 * self.run_.rollers.reaction_max.values[bottom].max())
 
 
+class StudyFigures(Drawing):
+    AXES = {"tensioner.tension": ["150 kN", "300 kN", "500 kN"], "environment.water_depth": ["40 m", "45 m"]}
+
+    @classmethod
+    def setUpClass(cls):
+        cls.model = ob.Model.read(EXAMPLES / "first-model.yaml")
+        cls.study = ob.study(cls.model, axes=cls.AXES, gather=["static.lay_back", "static.sagbend.max_von_mises"])
+
+    def test_there_is_a_curve_for_each_value_of_the_second_axis(self):
+        ax = self.study.plot.curve("tensioner.tension", "static.sagbend.max_von_mises")
+        curves = [line for line in ax.get_lines() if len(line.get_xdata()) == 3 and line.get_linestyle() == "-"]
+        stress = 1e-6 * self.study.grid("static.sagbend.max_von_mises").values
+        for depth, line in enumerate(curves):
+            np.testing.assert_allclose(line.get_xdata(), [150, 300, 500])
+            np.testing.assert_allclose(line.get_ydata(), stress[:, depth])
+        self.assertEqual(len(curves), 2)
+        self.assertEqual([text.get_text() for text in ax.get_legend().get_texts()][:2], ["40 m", "45 m"])
+
+    def test_one_value_of_an_axis_is_chosen_by_the_nearest(self):
+        ax = self.study.plot.curve("tensioner.tension", "static.lay_back", at={"environment.water_depth": 44.0})
+        np.testing.assert_allclose(longest_line(ax).get_ydata(), self.study.grid("static.lay_back").values[:, 1])
+
+    def test_a_map_has_a_cell_for_each_case_and_names_its_axes(self):
+        ax = self.study.plot.map("static.lay_back", x="tensioner.tension")
+        cells = np.asarray(ax.collections[0].get_array()).reshape(2, 3)
+        np.testing.assert_allclose(cells, self.study.grid("static.lay_back").values.T)
+        self.assert_says(ax, "tensioner.tension [kN]")
+        self.assert_says(ax, "environment.water_depth [m]")
+
+    def test_a_scatter_has_a_dot_for_each_case(self):
+        ax = self.study.plot.scatter("tensioner.tension", "static.lay_back")
+        self.assertEqual(sum(len(line.get_xdata()) for line in ax.get_lines()), 6)
+
+    def test_seeds_are_a_band_about_their_mean(self):
+        model = ob.Model.read(EXAMPLES / "bgl1-workable-sea.yaml").with_({"analysis.dynamic.build_up": "5 s"})
+        study = ob.study(model, analysis="dynamic", duration="5 s", seeds=2, gather=["dynamic.top_tension.max"],
+                         axes={"environment.waves.hs": ["0.5 m", "1 m"]})
+        ax = study.plot.curve("environment.waves.hs", "dynamic.top_tension.max")
+        values = 1e-3 * study.grid("dynamic.top_tension.max").values
+        np.testing.assert_allclose(longest_line(ax).get_ydata(), values.mean(axis=1))
+        band = ax.collections[0].get_paths()[0].vertices[:, 1]
+        self.assertAlmostEqual(band.max(), values.max())
+        self.assertAlmostEqual(band.min(), values.min())
+
+    def test_limits_of_operation_are_drawn_over_their_axes(self):
+        study = ob.study(self.model, axes={"environment.water_depth": ["40 m", "45 m"],
+                                           "tensioner.tension": ["300 kN", "700 kN"]},
+                         operability={"over": "tensioner.tension", "resolution": "50 kN"})
+        line = longest_line(study.plot.operability())
+        np.testing.assert_allclose(line.get_xdata(), [40, 45])
+        np.testing.assert_allclose(line.get_ydata(), 1e-3 * study.operability.limit.values)
+        with self.assertRaisesRegex(ValueError, "has not looked for limits"):
+            self.study.plot.operability()
+
+    def test_a_limit_beyond_the_largest_value_is_marked_as_such(self):
+        study = ob.study(self.model, axes={"environment.water_depth": ["40 m", "45 m"],
+                                           "pipe.steel.wall_thickness": ["12.7 mm", "14.3 mm"],
+                                           "tensioner.tension": ["300 kN", "400 kN"]},
+                         operability={"over": "tensioner.tension", "resolution": "50 kN"})
+        self.assertTrue(study.operability.beyond.values.all())
+        self.assert_says(study.plot.operability(), "≥ 400")
+
+    def test_what_cannot_be_drawn_is_said(self):
+        with self.assertRaisesRegex(KeyError, "no axis 'tension'"):
+            self.study.plot.curve("tension", "static.lay_back")
+        with self.assertRaisesRegex(KeyError, "did you mean 'static.lay_back'"):
+            self.study.plot.map("static.layback")
+
+
 class Units(unittest.TestCase):
     def test_figures_use_the_units_of_the_reports(self):
         source = (ROOT / "src/overbend/results/fields/shown_unit.h").read_text(encoding="utf-8")

@@ -11,12 +11,12 @@ from .study_grid import Axis
 
 
 def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: Optional[np.ndarray] = None,
-             numbers: bool = False) -> None:
+             beyond: Optional[np.ndarray] = None) -> None:
     """Draws cells of shape (y, x) with a colour scale named `words`.
 
     Args:
         passed: Where checks are passed, shape (y, x): a line runs round these cells.
-        numbers: Whether values are written into the cells.
+        beyond: Where the limit lies above the value, shape (y, x); given, values are written into the cells.
     """
     ax.grid(False)
     if not np.isfinite(values).all():  # what lies behind shows in the cells without a value
@@ -29,8 +29,8 @@ def draw_map(ax: Any, x: Axis, y: Axis, values: np.ndarray, words: str, passed: 
     bar.ax.tick_params(colors=draw.SOFT)
     if passed is not None:
         _border(ax, x.edges(), y.edges(), passed & np.isfinite(values))
-    if numbers:
-        _numbers(ax, x, y, values, cells)
+    if beyond is not None:
+        _numbers(ax, x, y, values, cells, beyond)
     for axis, of in ((ax.xaxis, x), (ax.yaxis, y)):
         axis.set_ticks(of.at[::max(1, -(-len(of.at) // 12))]) if of.numbers else of.ticks(axis)
 
@@ -46,8 +46,9 @@ def _border(ax: Any, x: np.ndarray, y: np.ndarray, good: np.ndarray) -> None:
         ax.add_collection(LineCollection(lines, colors=draw.INK, linewidths=2.0, capstyle="projecting"))
 
 
-def _numbers(ax: Any, x: Axis, y: Axis, values: np.ndarray, cells: Any) -> None:
+def _numbers(ax: Any, x: Axis, y: Axis, values: np.ndarray, cells: Any, beyond: np.ndarray) -> None:
     for (j, i), value in np.ndenumerate(values):
         dark = np.isfinite(value) and cells.norm(value) < 0.55
-        ax.annotate(f"{value:g}" if np.isfinite(value) else "none", (x.at[i], y.at[j]), ha="center", va="center",
-                    fontsize="small", color="white" if dark else draw.INK)
+        words = ("≥ " if beyond[j, i] else "") + f"{value:g}" if np.isfinite(value) else "none"
+        ax.annotate(words, (x.at[i], y.at[j]), ha="center", va="center", fontsize="small",
+                    color="white" if dark else draw.INK)

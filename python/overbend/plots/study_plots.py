@@ -40,10 +40,11 @@ class StudyPlots:
         Raises: KeyError for an unknown axis or result, ValueError where further axes have to be chosen from.
         """
         grid = Grid(self._study, y)
+        across = grid.axis(x)
         by = by or grid.other_than([x], at)
         curves = grid.take([x] if by is None else [by, x], at)
         passed = grid.passed([x] if by is None else [by, x], at)
-        across, groups = grid.axis(x), [""] if by is None else grid.axis(by).words
+        groups = [""] if by is None else grid.axis(by).words
         ax = draw.axes(ax, (7.2, 3.8))
         for k, (words, colour) in enumerate(zip(groups, cycle(_COLOURS))):
             values, good = (curves, passed) if by is None else (curves[k], passed[k])
@@ -103,6 +104,8 @@ class StudyPlots:
     def operability(self, ax: Optional[Axes] = None) -> Axes:
         """Draws the limits of operation over the axes of the chart: a curve over one, cells with numbers over two.
 
+        A number after ≥ is the largest that was tried: the limit lies above it.
+
         Raises: ValueError where the study has not looked for limits, or over more than two axes.
         """
         found = self._study.operability
@@ -124,6 +127,7 @@ class StudyPlots:
         if len(axes) != 2:
             raise ValueError(f"operability: found {len(axes)} axes with several values, expected one or two")
         ax = draw.axes(ax, (7.2, 4.2))
-        draw_map(ax, axes[1], axes[0], values, words, numbers=True)
+        beyond = np.asarray(found.beyond, dtype=bool).reshape(values.shape)
+        draw_map(ax, axes[1], axes[0], values, words, beyond=beyond)
         draw.label(ax, "Limits of operation", axes[1].label, axes[0].label)
         return ax
