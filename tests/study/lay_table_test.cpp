@@ -174,7 +174,9 @@ TEST(lay_table, datasets_have_a_row_for_each_lay_and_nothing_where_there_is_none
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     EXPECT_EQ(column("tension")[i], table.rows[i].varied);
     EXPECT_EQ(std::isnan(column("lay_back")[i]), !table.rows[i].lay);
-    if (table.rows[i].lay) EXPECT_EQ(column("lay_back")[i], table.rows[i].lay->lay_back);
+    if (table.rows[i].lay) {
+      EXPECT_EQ(column("lay_back")[i], table.rows[i].lay->lay_back);
+    }
   }
   EXPECT_EQ(tree.datasets.at("/lay_table/lay_back").units, "m");
   const auto& verdicts = std::get<std::vector<std::string>>(tree.datasets.at("/lay_table/verdict").values);
