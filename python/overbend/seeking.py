@@ -189,7 +189,7 @@ def _variable(model: Model, key: str, bounds: Bounds) -> dict[str, Any]:
         bounds = _usual_bounds(model, key)
     if isinstance(bounds, Mapping):
         return {"key": key, **{name.rstrip("_"): value for name, value in bounds.items()}}
-    if isinstance(bounds, str) or len(bounds) != 2:
+    if bounds is None or isinstance(bounds, str) or len(bounds) != 2:
         raise ModelError(f"{key}: found the bounds {bounds!r}, expected (lowest, highest) or {{'within': how far}}")
     return {"key": key, "from": bounds[0], "to": bounds[1]}
 
