@@ -185,12 +185,13 @@ def _wanted(model: Model, vary: Any, until: Optional[Mapping[str, Wish]], minimi
 
 
 def _variable(model: Model, key: str, bounds: Bounds) -> dict[str, Any]:
-    given = _usual_bounds(model, key) if bounds is None else bounds
-    if isinstance(given, Mapping):
-        return {"key": key, **{name.rstrip("_"): value for name, value in given.items()}}
-    if given is None or isinstance(given, str) or len(given) != 2:
-        raise ModelError(f"{key}: found the bounds {given!r}, expected (lowest, highest) or {{'within': how far}}")
-    return {"key": key, "from": given[0], "to": given[1]}
+    if bounds is None:
+        bounds = _usual_bounds(model, key)
+    if isinstance(bounds, Mapping):
+        return {"key": key, **{name.rstrip("_"): value for name, value in bounds.items()}}
+    if bounds is None or isinstance(bounds, str) or len(bounds) != 2:
+        raise ModelError(f"{key}: found the bounds {bounds!r}, expected (lowest, highest) or {{'within': how far}}")
+    return {"key": key, "from": bounds[0], "to": bounds[1]}
 
 
 def _usual_bounds(model: Model, key: str) -> Bounds:
