@@ -19,7 +19,7 @@ import sys
 WORD = re.compile(r"(?<![\w.:>])(?:[a-z_]\w*(?=\()|(?:[A-Z]|k[A-Z])\w*)")
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 NOT_CODE = re.compile(r'//(?! namespace$)[^\n]*|"(?:\\.|[^"\\\n])*"', re.MULTILINE)
-ALIASES = {"fs"}  # the same namespace wherever it is one
+ALIASES = {"fs", "py"}  # the same namespace wherever it is one
 UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 # The name of what a line at the margin declares: the last word before its parameters, value or body.
 DECLARED = re.compile(r"^(?!template|using namespace|TEST|public|private)[A-Za-z_\[][^\n=({;]*?"
