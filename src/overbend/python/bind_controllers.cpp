@@ -22,6 +22,7 @@ GivenPointer of_python(const py::function& function, double interval, const py::
 }
 
 GivenPointer compiled(std::uintptr_t address, double interval, const std::vector<double>& memory) {
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): Python tells the place of a function as a number
   const auto function = reinterpret_cast<overbend_controller>(address);
   return std::make_shared<GivenController>(
       GivenController{std::make_shared<CompiledController>(function, memory), interval});

@@ -59,7 +59,7 @@ void set_ending(const RunEnd& end) {
 }
 
 /// Sets the exception of Python that belongs to a fault of the engine; throws on what belongs to none.
-void translate(std::exception_ptr thrown) {
+void translate(std::exception_ptr thrown) {  // NOLINT(performance-unnecessary-value-param): pybind11 gives the type
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const UnreadableModel& fault) {

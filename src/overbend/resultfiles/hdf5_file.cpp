@@ -357,7 +357,7 @@ std::string text_attribute(hid_t object, const char* name) {
   const Hdf5Handle type = text_type();
   char* text = nullptr;
   require(H5Aread(attribute, type, static_cast<void*>(&text)), std::string("the attribute ") + name + " is no text");
-  const std::string value = text == nullptr ? "" : text;
+  std::string value = text == nullptr ? "" : text;
   H5free_memory(text);
   return value;
 }
