@@ -100,7 +100,7 @@ class Results:
     def _table(self, name: str) -> Table:
         group = self._tables[name]
         if not self._source.names(group):
-            raise KeyError(f"these results have no {name}")
+            return Table([], lambda column: None)  # no impacts in a calm sea, no supports in a J-lay
         rows = self._quick.get(self._part, {}).get(name)
         records = self._record[name] if isinstance(rows, list) and rows and isinstance(rows[0], dict) else None
         return table_of(self._source, group, records if isinstance(records, Records) else None)

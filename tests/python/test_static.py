@@ -143,6 +143,14 @@ class Statics(unittest.TestCase):
         self.assertTrue(caught.exception.why)
         self.assertIn(caught.exception.what, str(caught.exception))
 
+    def test_a_table_of_what_is_not_there_is_empty(self):
+        tower = ob.Model.read(ROOT / "validation" / "static_cases" / "J12-D400-T560.yaml").static()
+        self.assertEqual(len(tower.supports), 0)
+        self.assertEqual(list(tower.supports), [])
+        self.assertNotIn("supports", dir(tower.pipe))
+        with self.assertRaises(KeyError):
+            tower.supports["ramp 1"]
+
     def test_a_folder_without_results_is_an_error(self):
         with tempfile.TemporaryDirectory() as folder, self.assertRaises(ob.ResultsError):
             ob.open(folder)

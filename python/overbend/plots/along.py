@@ -75,14 +75,14 @@ class AlongPipe:
 
 def has_supports(static: Any) -> bool:
     """Returns whether the pipe passes over roller boxes; it does not in a J-lay."""
-    return len(getattr(static, "supports", [])) > 0
+    return len(static.supports) > 0
 
 
 def _last_span(static: Any) -> float:
     """Arc length [m] at the far end of the last free span that can be seen; that of the tensioner without one."""
-    if not hasattr(static, "free_spans"):
-        return float(static.total_length)
     spans = static.free_spans
+    if not len(spans):
+        return float(static.total_length)
     seen = np.asarray(spans["largest_gap"]) > 0.05
     ends = np.minimum(np.asarray(spans["s_from"]), np.asarray(spans["s_to"]))[seen]
     return float(ends.min()) if ends.size else float(static.total_length)
