@@ -109,14 +109,15 @@ class Model:
         return self._core.tree
 
     def write(self, path: PathLike, overwrite: bool = False) -> pathlib.Path:
-        """Writes the text to a file. Files that the model names are named as before.
+        """Writes the model to a file. In another folder, files that the model names are named from there.
 
         Raises:
             FileExistsError: Where the file is there and is not to be overwritten.
         """
         target = pathlib.Path(path)
+        text = self._core.moved(str(target.parent))
         with target.open("w" if overwrite else "x", encoding="utf-8") as stream:
-            stream.write(self.text)
+            stream.write(text)
         return target
 
     def static(self, start: Optional[StaticResults] = None, stage: Union[str, int] = "") -> StaticResults:

@@ -80,11 +80,20 @@ class Models(unittest.TestCase):
     def test_a_model_is_written_and_not_over_another_unasked(self):
         with tempfile.TemporaryDirectory() as folder:
             path = self.model.write(pathlib.Path(folder, "model.yaml"))
-            self.assertEqual(path.read_text(encoding="utf-8"), self.model.text)
+            written = ob.Model.read(path)
+            self.assertEqual(written.title, self.model.title)
+            self.assertEqual(written["tensioner"], self.model["tensioner"])
             with self.assertRaises(FileExistsError):
                 self.model.write(path)
             self.model.with_(title="Another").write(path, overwrite=True)
             self.assertIn("Another", path.read_text(encoding="utf-8"))
+
+    def test_a_model_written_elsewhere_finds_the_files_that_it_names(self):
+        moored = ob.Model.read(ROOT / "examples" / "moored-barge.yaml")
+        with tempfile.TemporaryDirectory() as folder:
+            written = ob.Model.read(moored.write(pathlib.Path(folder, "model.yaml")))
+            self.assertNotEqual(written.text, moored.text)
+            self.assertEqual(len(written.static().moorings), len(moored.static().moorings))
 
     def test_assumptions_and_warnings_are_sentences(self):
         self.assertTrue(self.model.assumptions)

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include "model/model.h"
+#include "modelfile/moved_text.h"
 #include "python/bindings.h"
 #include "python/model_handle.h"
 #include "python/without_lock.h"
@@ -71,6 +72,12 @@ void add_model(py::module_& module) {
           py::arg("text"), py::arg("file"))
       .def("changed", &changed, py::arg("changes"),
            "The model with keys set: (key, 'scalar' or 'flow' or 'remove', value).")
+      .def(
+          "moved",
+          [](const ModelHandle& model, const std::string& folder) {
+            return moved_text(model.text(), model.file(), folder);
+          },
+          py::arg("folder"), "The text for a file in another folder: files that the model names are named from there.")
       .def("value", &find, py::arg("key"), "What the text has for a key; None where it is left out.")
       .def_property_readonly("tree", [](const ModelHandle& model) { return value_of(model.tree()); })
       .def_property_readonly("text", [](const ModelHandle& model) { return model.text(); })
