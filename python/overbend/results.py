@@ -89,6 +89,14 @@ class Results:
     def _record(self) -> Record:
         return self._part_of(self._quick)
 
+    @functools.cached_property
+    def _text(self) -> str:
+        return json.dumps(self.summary)
+
+    @functools.cached_property
+    def _quick_text(self) -> str:
+        return json.dumps(self._quick)
+
     def _sentences(self, name: str) -> list[str]:
         part = self.summary.get(self._part, {})
         return list(part[name] if name in part else self.summary.get(name, []))
@@ -132,7 +140,7 @@ class Results:
             KeyError: Where no result has this name.
         """
         late = "checks." in name or any(f".{word}" in name for word in self._late)
-        values, unit, one = _core.named_values(json.dumps(self.summary if late else self._quick), name)
+        values, unit, one = _core.named_values(self._text if late else self._quick_text, name)
         if not values and "." not in name and "[" not in name:
             try:
                 return getattr(self, name)

@@ -137,6 +137,11 @@ class Statics(unittest.TestCase):
         closer = model.with_({"tensioner.tension": "310 kN"})
         self.assertAlmostEqual(closer.static(start=start).lay_back / closer.static().lay_back, 1.0, places=4)
 
+    def test_a_lay_across_a_current_that_was_started_from_another_says_so(self):
+        across = self.static.model.with_({"tensioner.tension": "252 kN"})
+        self.assertTrue(any("given to start from" in warning for warning in across.static(start=self.static).warnings))
+        self.assertFalse(any("given to start from" in warning for warning in across.static().warnings))
+
     def test_where_there_is_no_equilibrium_the_reason_is_told(self):
         with self.assertRaises(ob.NoSolution) as caught:
             ob.Model.read(ROOT / "examples" / "first-model.yaml").with_({"tensioner.tension": "1 kN"}).static()
