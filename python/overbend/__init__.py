@@ -12,6 +12,7 @@ All numbers are in SI units and know them: `static.lay_back.units`. Values given
 from ._core import version as __version__
 from .comparison import FolderComparison, compare_folders
 from .controllers import Controller, SetTension, get_include
+from .dynamic_results import DynamicResults
 from .errors import ControllerError, Fault, Interrupted, ModelError, NoSolution, OverbendError, ResultsError
 from .examples import example
 from .groups import Record, Records, Table
@@ -19,7 +20,7 @@ from .lay_table import LayTable
 from .model import Model
 from .opening import open  # noqa: A004  (as in xarray and others: ob.open)
 from .operation import OperationResults
-from .results import DynamicResults, StaticResults
+from .results import StaticResults
 from .runs import ComparisonResults, SeedsResults
 from .seeking import SeekResult, seek
 from .sensitivities import Sensitivities

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Un
 
 from . import _core
 from .controllers import Controllers, given_controllers
+from .dynamic_results import DynamicResults
 from .errors import Interrupted, ModelError
 from .keys import Time, changes_of, seconds
 from .progress import Progress, follower
-from .results import DynamicResults, StaticResults
+from .results import StaticResults
 from .runs import ComparisonResults, SeedsResults
 from .simulation import Simulation, simulate
 from .temporary import TemporaryFolder

@@ -8,10 +8,11 @@ import pathlib
 from typing import Any, Union
 
 from . import _core
+from .dynamic_results import DynamicResults
 from .errors import ResultsError
 from .model import Model
 from .operation import OperationResults
-from .results import DynamicResults, StaticResults
+from .results import StaticResults
 from .runs import ComparisonResults, SeedsResults
 from .studies import StudyResults
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any, Iterator, Optional, Union
 import numpy as np
 
 from .groups import Record, Records, Table, wrapped
-from .results import DynamicResults, copied_folder, summary_in
+from .dynamic_results import DynamicResults
+from .results import copied_folder, summary_in
 from .values import labelled
 
 if TYPE_CHECKING:
