@@ -34,6 +34,24 @@ TEST(claim_file, a_task_is_claimed_once) {
   EXPECT_TRUE(worker.claim(scratch.file("task")));
 }
 
+TEST(claim_file, a_claim_is_whole_from_its_first_instant) {
+  const testing::Scratch scratch;
+  const WorkerFile worker(scratch.file("workers"));
+  ASSERT_TRUE(worker.claim(scratch.file("task")));
+  // Another name of a file that was finished before: at no time was there a claim without the name of its worker.
+  EXPECT_TRUE(fs::equivalent(scratch.file("task.0"), fs::path(scratch.file("workers")) / worker.name()));
+  EXPECT_EQ(scratch.read("task.0"), worker.name() + "\n");
+}
+
+TEST(claim_file, a_claim_of_a_worker_whose_own_file_is_gone_is_made_all_the_same) {
+  const testing::Scratch scratch;
+  const WorkerFile worker(scratch.file("workers"));
+  fs::remove(fs::path(scratch.file("workers")) / worker.name());
+  EXPECT_TRUE(worker.claim(scratch.file("task")));
+  EXPECT_FALSE(worker.claim(scratch.file("task")));
+  EXPECT_EQ(scratch.read("task.0"), worker.name() + "\n");
+}
+
 TEST(claim_file, the_claim_of_a_dead_process_is_taken_over_once) {
   const testing::Scratch scratch;
   claim_and_die(scratch.file(""));

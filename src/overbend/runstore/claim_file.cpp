@@ -60,8 +60,11 @@ std::string text_of(const fs::path& file) {
   return text;
 }
 
-/// Makes the file with this text; false where there is one.
-bool make_alone(const fs::path& file, const std::string& text) {
+/// Makes the file as another name of `source`, which has this text already: a process killed at any instant leaves a
+/// whole claim or none. False where there is one. On a file system without links it is made empty and then written.
+bool make_alone(const fs::path& file, const std::string& text, const fs::path& source) {
+  if (link(source.c_str(), file.c_str()) == 0) return true;
+  if (errno == EEXIST) return false;
   const FileDescriptor made(open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666));
   if (made.id() < 0) {
     if (errno == EEXIST) return false;
@@ -128,11 +131,11 @@ bool WorkerFile::lives(const std::string& worker) const {
 bool WorkerFile::claim(const fs::path& stem) const {
   for (int generation = 0;; ++generation) {
     const fs::path file = claim_path(stem, generation);
-    if (make_alone(file, name_)) return true;
+    if (make_alone(file, name_, file_)) return true;
     std::error_code ignored;
     if (fs::exists(claim_path(stem, generation + 1), ignored)) continue;  // taken over from a dead one before
     const std::string worker = text_of(file);
-    // One that has no text yet was made just now, or by a process that was killed in between.
+    // One without text was made just now, or by a process killed in between, on a file system without links.
     if (worker.empty() ? touched_lately(file) : lives(worker)) return false;
   }
 }
