@@ -191,8 +191,9 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
     const auto amplitude = number(row, 3, "MOD", faults);
     const auto phase = number(row, 4, "PHA", faults);
     const int freedom = freedom_of(row.cells[2]);
-    if (freedom < 0)
+    if (freedom < 0) {
       faults.error(row.line, in_quotes(row.cells[2]), "a mode from 1 to 6", "one body, rigid modes only");
+    }
     if (!period || !heading || !amplitude || !phase || freedom < 0) continue;
     if (*period <= 0.0 || !amplitude_is_right(*amplitude, row.line, faults)) continue;
     content.records.push_back({*heading * kDeg, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDeg, row.line});
