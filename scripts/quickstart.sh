@@ -9,7 +9,7 @@ results=results/bgl1
 bash scripts/install.sh build
 
 echo "== Building the program and the Python package"
-cmake --preset release -DOVERBEND_TESTS=OFF -DOVERBEND_BENCH=OFF
+cmake --preset release -DOVERBEND_TESTS=OFF -DOVERBEND_BENCH=OFF -DOVERBEND_UNITS=ON
 cmake --build --preset release --target overbend_installed --parallel "$(nproc)"
 
 echo "== Solving the statics of examples/bgl1.yaml"

@@ -33,10 +33,10 @@ def sources(commands, expressions):
 
 
 def groups(chosen):
-    """Sources that may share a unit: compiled with the same options, with names that get along."""
+    """Sources that may share a unit: compiled with the same options, but for how well, with names that get along."""
     together = {}
     for path, command in sorted(chosen.items()):
-        options = re.sub(r"\S+\.(cpp|o)\b", "", command["command"])
+        options = re.sub(r"\S+\.(cpp|o)\b|-O\d", "", command["command"])
         together.setdefault(options, []).append(path)
     for paths in together.values():
         yield from units(paths, LARGEST_UNIT)

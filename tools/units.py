@@ -6,7 +6,7 @@
 Most of a source's time in the compiler and in the linter goes into headers and templates that its neighbours need too.
 Two sources stay apart where a name that one declares in an unnamed namespace is a word of the other, or of a header of
 this project that only the other includes: it could be defined twice there, or hide another. That is stricter than the
-language, and needs no compiler.
+language, and needs no compiler. A name that both borrow from the same place, `using html::fixed;`, is one and the same.
 """
 
 import functools
@@ -24,6 +24,9 @@ UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re
 # The name of what a line at the margin declares: the last word before its parameters, value or body.
 DECLARED = re.compile(r"^(?!template|using namespace|TEST|public|private)[A-Za-z_\[][^\n=({;]*?"
                       r"(\w+)(?:\[\w*\])?(?: :(?!:)|\s*[=({;]|$)", re.MULTILINE)
+CONSTANTS = re.compile(r"^(?:inline |static )?constexpr [^;]*;", re.MULTILINE)  # of which one line may declare several
+CONSTANT = re.compile(r"\b(k[A-Z]\w*)(?:\[\w*\])?\s*[={]")
+BORROWED = re.compile(r"^using (?!namespace)(?:[\w:]+::)?(\w+)(?: = [^;]*)?;", re.MULTILINE)
 
 
 @functools.cache
@@ -40,8 +43,16 @@ def words(path):
 def hidden(path):
     """Names that the source keeps to itself."""
     text = code(path)
-    names = {name for part in UNNAMED.findall(text) for name in DECLARED.findall(part)}
+    parts = UNNAMED.findall(text)
+    names = {name for part in parts for name in DECLARED.findall(part)}
+    names |= {name for part in parts for line in CONSTANTS.findall(part) for name in CONSTANT.findall(line)}
     return frozenset(names - ALIASES)
+
+
+@functools.cache
+def borrowed(path):
+    """What it says of the hidden names that stand for something declared elsewhere, by name."""
+    return {found[1]: found[0] for part in UNNAMED.findall(code(path)) for found in BORROWED.finditer(part)}
 
 
 @functools.cache
@@ -65,9 +76,11 @@ def roots(path):
 
 def apart(a, b):
     """Whether names of `a` could mean something else in `b`."""
-    if hidden(a) & (words(b) | hidden(b)):
+    same = {name for name, text in borrowed(a).items() if borrowed(b).get(name) == text}
+    own = hidden(a) - same
+    if own & (words(b) | hidden(b)):
         return True
-    return any(hidden(a) & words(header) for header in headers(b) - headers(a))
+    return any(own & words(header) for header in headers(b) - headers(a))
 
 
 def units(sources, largest):

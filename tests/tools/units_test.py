@@ -34,12 +34,24 @@ class Units(unittest.TestCase):
         self.assertFalse(self.together(hiding("constexpr double kStep = 1;"), hiding("constexpr int kStep = 2;")))
         self.assertFalse(self.together(hiding("struct Row {"), hiding("class Row : public Base {")))
 
+    def test_the_second_constant_of_a_line_is_seen(self):
+        self.assertFalse(self.together(hiding("constexpr double kLow = 1, kHigh = 2;"),
+                                       hiding("constexpr double kLess = 1, kHigh = 3;")))
+
     def test_a_helper_does_not_hide_a_function_that_the_other_calls(self):
         self.assertFalse(self.together(hiding("int least(int) {"), "int f() { return least(2.0); }"))
 
     def test_a_helper_does_not_hide_a_function_of_a_header_that_the_other_includes(self):
         header = "inline int g() { return least(2.0); }"
         self.assertFalse(self.together(hiding("int least(int) {"), '#include "h.h"', h=header))
+
+    def test_a_name_that_both_borrow_from_one_place_is_the_same(self):
+        fixed = hiding("using html::fixed;")
+        self.assertTrue(self.together(fixed, fixed + "int f() { return fixed(1); }"))
+        self.assertFalse(self.together(fixed, hiding("using text::fixed;")))
+        self.assertFalse(self.together(fixed, "int f() { return fixed(1); }"))
+        self.assertTrue(self.together(hiding("using Row = std::map<A, B>;"), hiding("using Row = std::map<A, B>;")))
+        self.assertFalse(self.together(hiding("using Row = std::map<A, B>;"), hiding("using Row = std::map<A, C>;")))
 
     def test_members_and_comments_are_no_names(self):
         self.assertTrue(self.together(hiding("int least(int) {"), "int f() { return x.least(1); }  // least(2)"))
