@@ -374,7 +374,7 @@ TEST(free_body, resumes_from_a_checkpoint_bit_for_bit) {
   whole->steps(2e-3, 20);
   DynamicCheckpoint checkpoint;
   save_state(checkpoint, whole->now);
-  whole->stepper().forget_factors();
+  whole->stepper().forget();
   whole->steps(2e-3, 20);
   restore_state(checkpoint, resumed->now);
   resumed->steps(2e-3, 20);

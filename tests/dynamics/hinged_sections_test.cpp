@@ -366,7 +366,7 @@ TEST(hinged_section, resumes_from_a_checkpoint_bit_for_bit) {
   whole->steps(0.02, 20);
   DynamicCheckpoint checkpoint;
   save_state(checkpoint, whole->now);
-  whole->stepper().forget_factors();
+  whole->stepper().forget();
   whole->steps(0.02, 20);
   restore_state(checkpoint, resumed->now);
   resumed->steps(0.02, 20);

@@ -45,7 +45,7 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   if (conveyor_) {
     renew_system();
   } else {
-    stepper_->forget_factors();
+    stepper_->forget();
     evaluate_present();
   }
   for (SimulationObserver* observer : observers_) observer->restore(checkpoint);

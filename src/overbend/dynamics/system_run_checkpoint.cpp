@@ -43,7 +43,7 @@ void SystemRun::restore(const DynamicCheckpoint& checkpoint) {
     watches_[i] = {at[0], at[1], at[2], at[3]};
   }
   part_as_in(state_, system_);
-  stepper_->forget_factors();
+  stepper_->forget();
   failure_.reset();
   next_ = state_;
   SystemState at = state_;  // the state itself keeps its bits

@@ -1,6 +1,7 @@
 #include "dynamics/time_step.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,24 @@ std::vector<double> lumped_mass(const Line& line) {
   }
   return mass;
 }
+
+/// Sees iterations that go to and fro between two states: a contact that opens in one and closes in the other, of a
+/// force that jumps, has no balance within this step, and more of them find none.
+class ToAndFro {
+ public:
+  bool seen(double residual) {
+    const bool again = same(residual, last_[1]) && same(last_[0], last_[2]);
+    last_ = {residual, last_[0], last_[1]};
+    return again;
+  }
+
+ private:
+  static bool same(double a, double b) {
+    constexpr double kAlike = 0.01;
+    return std::abs(a - b) <= kAlike * a;
+  }
+  std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; at first no two alike.
+};
 
 MotionValues corrected_for_step(MotionValues guide, double ratio) {
   guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
@@ -216,6 +235,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
   const Weights weights{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);
   double before = std::numeric_limits<double>::infinity();
+  ToAndFro to_and_fro;
   while (report.iterations <= settings_.max_iterations) {
     const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
     assembly_->evaluate(next, now, weights, factor, contacts);
@@ -243,6 +263,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
       factor = true;
       continue;
     }
+    if (to_and_fro.seen(report.residual)) break;
     ++report.iterations;
     before = report.residual;
     if (factor) {

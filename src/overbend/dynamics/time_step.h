@@ -37,7 +37,10 @@ class TimeStepper {
   double local_error(const SystemState& now, const SystemState& next);
 
   /// What comes next depends on the state alone: for checkpoints.
-  void forget_factors() { factored_ = false; }
+  void forget() {
+    factored_ = false;
+    assembly_->forget_contacts();
+  }
 
  private:
   void predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,

@@ -54,7 +54,7 @@ struct WettedFraction {
 WettedFraction wetted_fraction(double z, double radius);
 
 /// Adds internal minus external forces of every element to the residual (six per node) and, where `target` has blocks,
-/// their exact derivative to these.
+/// writes their exact derivative into these.
 void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target, Isa isa);
 

@@ -83,7 +83,8 @@ struct LineEnergy {
   double seabed_loss = 0.0;  ///< Damping and friction of the bed, stored stretch included [W].
 };
 
-/// Where the results are added: residual (six per node) and, unless null, the blocks of the tangent.
+/// Where the results go: forces are added to the residual (six per node); unless null, the blocks of the tangent are
+/// written, those of all nodes.
 struct LineTarget {
   double* residual = nullptr;
   double *diag = nullptr, *upper = nullptr, *lower = nullptr;  ///< As stored by BlockTridiagonal.

@@ -2,8 +2,8 @@
 /// line_kernel.cpp alone.
 #pragma once
 
-#include "mechanics/line_kernel_batch.h"
 #include "mechanics/line_kernel_ground.h"
+#include "mechanics/line_kernel_strain.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -13,11 +13,11 @@ struct Wetting {
 };
 
 inline Wetting wetting(const Lanes& z, const Lanes& radius) {
-  const Lanes c = z / radius;
-  Wetting wet{c < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
-  if (!any(1.0 - c * c)) {  // almost every point is wholly under or wholly above the water
+  Wetting wet{z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
+  if (!any(radius * radius - z * z)) {  // almost every point is wholly under or wholly above the water
     return wet;
   }
+  const Lanes c = z / radius;
   for (int l = 0; l < kWidth; ++l) {
     if (c[l] > -1.0 && c[l] < 1.0) {
       const double half_chord = __builtin_sqrt(1.0 - c[l] * c[l]);
@@ -52,8 +52,13 @@ inline Current current_at(const LineEnvironment& env, const Lanes& z) {
   return now;
 }
 
-/// Force per length at a point and its derivatives in position and tangent.
+/// Force per length at a point and, where a tangent is asked for, its derivatives in position and tangent.
+template <bool kTangent>
 struct PointLoad {
+  Vec f;
+};
+template <>
+struct PointLoad<true> {
   Vec f;
   Mat in_r, in_a;
 };
@@ -67,11 +72,44 @@ inline void add_outer(Mat& m, const Lanes& s, const Vec& a, const Vec& b) {
   }
 }
 
+/// Derivative of a load in the position: s a b'.
+template <bool kTangent>
+inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const Vec& a, const Vec& b) {
+  if constexpr (kTangent) {
+    add_outer(load.in_r, s, a, b);
+  }
+}
+
+/// The same: s times a derivative in x and y.
+template <bool kTangent>
+inline void add_in_place(PointLoad<kTangent>& load, const Lanes& s, const LevelColumns& columns) {
+  if constexpr (kTangent) {
+    add_columns(load.in_r, s, columns);
+  }
+}
+
+/// A load that depends on nothing but, with slope `in_z`, on the height.
+template <bool kTangent>
+inline PointLoad<kTangent> load_of(const Vec& f, const Lanes& in_z) {
+  PointLoad<kTangent> load;
+  load.f = f;
+  if constexpr (kTangent) {
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        load.in_r.m[r][c] = load.in_a.m[r][c] = Lanes{};
+      }
+    }
+    load.in_r.m[2][2] = in_z;
+  }
+  return load;
+}
+
 /// Axial friction on a shape: what lies on the bed does not slide down its local slope, up to mu times the normal
 /// force.
-inline void add_downhill_friction(PointLoad& load, const LineEnvironment& env, const Vec& r, const BedUnder& bed,
-                                  const Lanes& touching, const Lanes& normal, const Lanes& stiffness,
-                                  const Lanes& submerged_weight) {
+template <bool kTangent>
+inline void add_downhill_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
+                                  const BedUnder& bed, const Lanes& touching, const Lanes& normal,
+                                  const Lanes& stiffness, const Lanes& submerged_weight) {
   const AlongShape along = along_shape(env, r, bed);
   const Lanes pull = touching * submerged_weight * along.direction.z;
   const Lanes limit = env.bed_friction_axial * normal;
@@ -79,17 +117,18 @@ inline void add_downhill_friction(PointLoad& load, const LineEnvironment& env, c
   const Lanes sliding = sign * pull > limit ? all(1.0) : Lanes{};
   const Lanes size = sliding * sign * limit + (1.0 - sliding) * pull;
   load.f = load.f + size * along.direction;
-  add_columns(load.in_r, size, along.turn);
-  add_outer(load.in_r, -sliding * sign * env.bed_friction_axial * stiffness, along.direction, bed.gradient);
+  add_in_place(load, size, along.turn);
+  add_in_place(load, -sliding * sign * env.bed_friction_axial * stiffness, along.direction, bed.gradient);
   const Vec rise{along.turn.in_x.z, along.turn.in_y.z, Lanes{}};
-  add_outer(load.in_r, (1.0 - sliding) * touching * submerged_weight, along.direction, rise);
+  add_in_place(load, (1.0 - sliding) * touching * submerged_weight, along.direction, rise);
 }
 
 /// Axial friction on a route that bends keeps the laid pipe from sliding downhill as on a straight one, along the
 /// direction of the place.
-inline void add_downhill_friction_in_bend(PointLoad& load, const LineEnvironment& env, const Vec& r, const Vec& n,
-                                          const Lanes& touching, const Lanes& normal, const Lanes& stiffness,
-                                          const Lanes& submerged_weight) {
+template <bool kTangent>
+inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r,
+                                          const Vec& n, const Lanes& touching, const Lanes& normal,
+                                          const Lanes& stiffness, const Lanes& submerged_weight) {
   const auto [across, off, curvature] = beside_route(env, r);
   const Vec level{-1.0 * across.y, across.x, Lanes{}};
   const Vec along = along_route(env, r);
@@ -100,18 +139,19 @@ inline void add_downhill_friction_in_bend(PointLoad& load, const LineEnvironment
   const Lanes sliding = size > limit ? all(1.0) : Lanes{};
   const Lanes force = uphill * (sliding * limit + (touching - sliding * touching) * size);
   load.f = load.f + force * along;
-  add_outer(load.in_r, -env.bed_friction_axial * uphill * sliding * stiffness, along, n);
+  add_in_place(load, -env.bed_friction_axial * uphill * sliding * stiffness, along, n);
   // going along the bend turns the level direction towards its centre, and `along` as far as it lies on the bed
   const Vec turned = across - dot(across, n) * n;
   const Lanes rise = dot(level, n);
   const Vec turn = (curvature / root(1.0 - rise * rise)) * (turned - dot(along, turned) * along);
-  add_outer(load.in_r, force, turn, level);
-  add_outer(load.in_r, (touching - sliding * touching) * submerged_weight * turn.z, along, level);
+  add_in_place(load, force, turn, level);
+  add_in_place(load, (touching - sliding * touching) * submerged_weight * turn.z, along, level);
 }
 
 /// Normal penalty on the pipe's underside and lateral friction against the lay route: elastic stick up to mu times the
 /// normal force (statics: the pipe was laid on its route and has been pushed off it once).
-inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
+template <bool kTangent>
+inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
                        const Lanes& submerged_weight) {
   const BedUnder bed = bed_under(env, r, radius);
   const Vec& n = bed.normal;
@@ -128,9 +168,9 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
     normal = soil.force;
   }
   load.f = load.f + normal * n;
-  add_outer(load.in_r, -stiffness, n, bed.gradient);
+  add_in_place(load, -stiffness, n, bed.gradient);
   if (env.bed_shape != nullptr) {
-    add_columns(load.in_r, normal, bed.turn);
+    add_in_place(load, normal, bed.turn);
     if (env.bed_friction_axial > 0.0) {
       add_downhill_friction(load, env, r, bed, touching, normal, stiffness, submerged_weight);
     }
@@ -144,7 +184,7 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
     const Lanes limit = env.bed_friction_axial * normal;
     const Lanes sliding = pull > limit ? all(1.0) : Lanes{};
     load.f = load.f + (uphill * (sliding * limit + (touching - sliding * touching) * pull)) * along;
-    add_outer(load.in_r, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
+    add_in_place(load, -uphill * env.bed_friction_axial * sliding * stiffness, along, n);
   }
   if (env.bed_friction_lateral > 0.0) {
     const auto [across, off, curvature] = beside_route(env, r);
@@ -158,49 +198,79 @@ inline void add_seabed(PointLoad& load, const LineEnvironment& env, const Vec& r
     if (env.route_pieces >
         0) {  // going along a bent route turns the direction across it: d across = -curvature d along
       const Vec level{-1.0 * across.y, across.x, Lanes{}};
-      add_outer(load.in_r, -1.0 * curvature * force, level, level);
+      add_in_place(load, -1.0 * curvature * force, level, level);
     }
-    add_outer(load.in_r, -(1.0 - sliding) * env.bed_stick * touching, across, across);
-    add_outer(load.in_r, -sliding * sign * env.bed_friction_lateral * stiffness, across, bed.gradient);
+    add_in_place(load, -(1.0 - sliding) * env.bed_stick * touching, across, across);
+    add_in_place(load, -sliding * sign * env.bed_friction_lateral * stiffness, across, bed.gradient);
   }
 }
 
+/// Adds df/dt' (I - t t') / |a| to the derivative in the tangent, for df/dt' = t w' + s I + d e e', e normal to t.
+inline void add_turning(Mat& in_a, const Lanes& scale, const Vec& t, const Vec& w, const Lanes& s, const Lanes& d,
+                        const Vec& e) {
+  const Vec across = scale * (w - (dot(w, t) + s) * t);
+  const Mat m = full(dyad(scale * s, scale * d, e));
+  const Lanes tc[3] = {t.x, t.y, t.z}, wc[3] = {across.x, across.y, across.z};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      in_a.m[r][c] += m.m[r][c] + tc[r] * wc[c];
+    }
+  }
+}
+
+/// Quadratic drag on the relative velocity u of the water.
+struct Drag {
+  Vec t;           ///< Along the pipe.
+  Lanes ut;        ///< u along it.
+  Vec un;          ///< u across it.
+  Lanes by_size;   ///< Cn |un|
+  Lanes by_along;  ///< Ct |ut|
+  Lanes inv_size;  ///< 1 / |un|
+  Lanes inv_norm;  ///< 1 / |dr/ds|
+};
+
+template <bool kTangent>
+inline Drag drag_of(const PointSlope& slope, const Vec& u, const Lanes& normal, const Lanes& axial) {
+  Drag d;
+  d.inv_norm = root(slope.inv_g);
+  d.t = d.inv_norm * slope.a;
+  d.ut = dot(u, d.t);
+  d.un = u - d.ut * d.t;
+  const Lanes size = root(dot(d.un, d.un)) + 1e-30;  // water along the pipe has no normal drag, not 0/0
+  d.by_size = normal * size;
+  d.by_along = axial * (d.ut > 0.0 ? d.ut : -d.ut);
+  if constexpr (kTangent) {
+    d.inv_size = 1.0 / size;
+  }
+  return d;
+}
+
+/// What a change of the water's velocity changes: Cn (|un| I + un un'/|un|) across, 2 Ct |ut| along.
+inline Vec with_velocity(const Drag& d, const Vec& change) {
+  const Vec across = change - dot(change, d.t) * d.t;
+  return d.by_size * (across + (d.inv_size * d.inv_size * dot(d.un, across)) * d.un) +
+         (2.0 * d.by_along * dot(change, d.t)) * d.t;
+}
+
 /// Drag of a steady current, normal and tangential parts (Morison; DNV-RP-C205), times the wetted fraction.
-inline void add_drag(PointLoad& load, const LineEnvironment& env, const Lanes& z, const Vec& a, const Wetting& wet,
-                     const Lanes& drag_normal, const Lanes& drag_axial) {
+template <bool kTangent>
+inline void add_drag(PointLoad<kTangent>& load, const LineEnvironment& env, const Lanes& z, const PointSlope& slope,
+                     const Wetting& wet, const Lanes& drag_normal, const Lanes& drag_axial) {
   if (!any(wet.share)) {
     return;
   }
   const Current now = current_at(env, z);
-  const Lanes inv_norm = 1.0 / root(dot(a, a));
-  const Vec t = inv_norm * a;
-  const Lanes ut = dot(now.velocity, t);
-  const Vec un = now.velocity - ut * t;
-  const Lanes size = root(dot(un, un)) + 1e-30;  // a pipe along the current has no normal drag, not 0/0
-  const Lanes along = ut > 0.0 ? ut : -ut;
-  const Vec fn = (drag_normal * size) * un;
-  const Vec ft = (drag_axial * along * ut) * t;
-  load.f = load.f + wet.share * (fn + ft);
-
-  // d fn / d un = Cn (|un| I + un un'/|un|), d ft / d ut = 2 Ct |ut| t, d ft / d t = Ct |ut| ut I
-  const Vec e = (1.0 / size) * un;
-  const auto jacobian_n = [&](const Vec& v) { return drag_normal * (size * v + (size * dot(e, v)) * e); };
-  const Vec slope_n = now.slope - dot(now.slope, t) * t;
-  const Vec in_z = jacobian_n(slope_n) + (2.0 * drag_axial * along * dot(now.slope, t)) * t;
-  const Vec z_column = wet.share * in_z + wet.slope * (fn + ft);
-  load.in_r.m[0][2] += z_column.x;
-  load.in_r.m[1][2] += z_column.y;
-  load.in_r.m[2][2] += z_column.z;
-  const Vec axes[3] = {{all(1.0), Lanes{}, Lanes{}}, {Lanes{}, all(1.0), Lanes{}}, {Lanes{}, Lanes{}, all(1.0)}};
-  const Lanes scale = wet.share * inv_norm;
-  for (int c = 0; c < 3; ++c) {
-    const Vec dt = axes[c] - dot(axes[c], t) * t;  // times inv_norm: change of t with a_c
-    const Lanes dut = dot(now.velocity, dt);
-    const Vec dun = (-1.0 * dut) * t - ut * dt;
-    const Vec df = jacobian_n(dun) + (2.0 * drag_axial * along * dut) * t + (drag_axial * along * ut) * dt;
-    load.in_a.m[0][c] += scale * df.x;
-    load.in_a.m[1][c] += scale * df.y;
-    load.in_a.m[2][c] += scale * df.z;
+  const Drag d = drag_of<kTangent>(slope, now.velocity, drag_normal, drag_axial);
+  const Vec f = d.by_size * d.un + (d.by_along * d.ut) * d.t;
+  load.f = load.f + wet.share * f;
+  if constexpr (kTangent) {
+    const Vec z_column = wet.share * with_velocity(d, now.slope) + wet.slope * f;
+    load.in_r.m[0][2] += z_column.x;
+    load.in_r.m[1][2] += z_column.y;
+    load.in_r.m[2][2] += z_column.z;
+    // Turning the pipe: d un = -(u.dt) t - ut dt; in the drag's own terms t (2 Ct |ut| - Cn |un|) u' and the rest.
+    add_turning(load.in_a, wet.share * d.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * now.velocity,
+                d.ut * (d.by_along - d.by_size), -d.ut * d.by_size, d.inv_size * d.un);
   }
 }
 
@@ -208,47 +278,35 @@ struct LoadConstants {
   Lanes weight, buoyancy, radius, drag_normal, drag_axial;
 };
 
-/// Adds a load at Gauss point i; external forces enter the residual with a minus sign.
+/// Adds a load at Gauss point i; external forces enter the residual with a minus sign. `tangent` is null unless
+/// kTangent.
 template <bool kTangent>
-inline void add_point_load(Batch& e, int i, const PointLoad& load) {
-  const Shape& s = kGaussShape[i];
-  const Lanes w = kGaussWeight[i] * e.h;
-  for (int j = 0; j < 4; ++j) {
-    add_force(e, j, -s.n[j], w * load.f);
-  }
+inline void add_point_load(Batch& e, BatchTangent* tangent, int i, const PointLoad<kTangent>& load) {
+  const Lanes w = -kGaussWeight[i] * e.h;
+  add_force(e, kGaussShape[i].n, w * load.f);
   if constexpr (kTangent) {
-    for (int r3 = 0; r3 < 3; ++r3) {
-      for (int c3 = 0; c3 < 3; ++c3) {
-        const Lanes in_r = w * load.in_r.m[r3][c3];
-        const Lanes in_a = w * e.inv_h * load.in_a.m[r3][c3];
-        for (int k = 0; k < 4; ++k) {
-          const Lanes x = s.n[k] * in_r + s.c[k] * in_a;
-          for (int j = 0; j < 4; ++j) {
-            e.k[3 * j + r3][3 * k + c3] -= s.n[j] * x;
-          }
-        }
+    const Lanes w_a = w * e.inv_h;
+    for (int r = 0; r < 3; ++r) {
+      for (int c = 0; c < 3; ++c) {
+        tangent->in_r[i].m[r][c] = w * load.in_r.m[r][c];
+        tangent->in_a[i].m[r][c] = w_a * load.in_a.m[r][c];
       }
     }
   }
 }
 
-/// Weight, buoyancy, seabed and current by Gauss points; external forces enter the residual with a minus sign.
+/// Weight, buoyancy, seabed and current at a Gauss point.
 template <bool kTangent>
-inline void add_loads(Batch& e, const LineEnvironment& env, const LoadConstants& c) {
-  for (int i = 0; i < kGaussPoints; ++i) {
-    const Shape& s = kGaussShape[i];
-    const Vec r = combine(e, s.n);
-    const Vec a = e.inv_h * combine_derivative(e, s.c);
-    const Wetting wet = wetting(r.z, c.radius);
-    PointLoad load{};
-    load.f.z = c.buoyancy * wet.share - c.weight;
-    load.in_r.m[2][2] = c.buoyancy * wet.slope;
-    add_seabed(load, env, r, c.radius, c.weight - c.buoyancy);
-    if (env.current_rows > 0) {
-      add_drag(load, env, r.z, a, wet, c.drag_normal, c.drag_axial);
-    }
-    add_point_load<kTangent>(e, i, load);
+inline PointLoad<kTangent> resting_load(const LineEnvironment& env, const LoadConstants& c, const Vec& r,
+                                        const PointSlope& slope) {
+  const Wetting wet = wetting(r.z, c.radius);
+  PointLoad<kTangent> load =
+      load_of<kTangent>({Lanes{}, Lanes{}, c.buoyancy * wet.share - c.weight}, c.buoyancy * wet.slope);
+  add_seabed(load, env, r, c.radius, c.weight - c.buoyancy);
+  if (env.current_rows > 0) {
+    add_drag(load, env, r.z, slope, wet, c.drag_normal, c.drag_axial);
   }
+  return load;
 }
 
 }  // namespace

@@ -11,11 +11,37 @@ inline constexpr int kTangentNodes[2] = {1, 3};  ///< Which of r1, t1, r2, t2 ar
 
 /// Motion of a batch: like Batch::q, tangents scaled by the element length; water at both ends.
 struct BatchMotion {
-  Vec v[4] = {}, acc[4] = {};
-  Vec water_v[2] = {}, water_a[2] = {};
-  Lanes surface[2] = {};
-  Lanes head[2] = {};
+  Vec v[4], acc[4];
+  Vec water_v[2], water_a[2];
+  Lanes surface[2];
+  Lanes head[2];
 };
+
+/// Water at both ends, linear along an element; beyond the last element, of the last.
+inline void gather_water(BatchMotion& m, const double* water, int first, int count) {
+  Lanes ends[2][kWaterValues] = {};
+  if (first + kWidth <= count) {
+    load_rows<kWaterValues>(ends[0], water + kWaterValues * first);
+    for (int i = 0; i < kWaterValues; ++i) {
+      ends[1][i] = from_next(ends[0][i], water[kWaterValues * (first + kWidth) + i]);
+    }
+  } else {
+    for (int l = 0; l < kWidth; ++l) {
+      const double* node = water + kWaterValues * (first + l < count ? first + l : count - 1);
+      for (int i = 0; i < kWaterValues; ++i) {
+        ends[0][i][l] = node[i];
+        ends[1][i][l] = node[kWaterValues + i];
+      }
+    }
+  }
+  for (int end = 0; end < 2; ++end) {
+    const Lanes(&w)[kWaterValues] = ends[end];
+    m.water_v[end] = {w[0], w[1], w[2]};
+    m.water_a[end] = {w[3], w[4], w[5]};
+    m.surface[end] = w[6];
+    m.head[end] = w[7];
+  }
+}
 
 inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& motion, int first, int count) {
   gather_nodes(m.v, motion.v, first, count);
@@ -24,23 +50,12 @@ inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& moti
     m.v[tangent] = h * m.v[tangent];
     m.acc[tangent] = h * m.acc[tangent];
   }
+  if (motion.water != nullptr) {
+    return gather_water(m, motion.water, first, count);
+  }
   for (int end = 0; end < 2; ++end) {
     m.water_v[end] = m.water_a[end] = Vec{};
     m.surface[end] = m.head[end] = Lanes{};
-    if (motion.water == nullptr) {
-      continue;
-    }
-    for (int l = 0; l < kWidth; ++l) {
-      const double* w = motion.water + kWaterValues * ((first + l < count ? first + l : count - 1) + end);
-      m.water_v[end].x[l] = w[0];
-      m.water_v[end].y[l] = w[1];
-      m.water_v[end].z[l] = w[2];
-      m.water_a[end].x[l] = w[3];
-      m.water_a[end].y[l] = w[4];
-      m.water_a[end].z[l] = w[5];
-      m.surface[end][l] = w[6];
-      m.head[end][l] = w[7];
-    }
   }
 }
 
@@ -53,32 +68,22 @@ struct InertiaConstants {
   Lanes mass, displaced, added_normal, added_axial;
 };
 
-/// Loads and motion at a Gauss point of a moving line.
+/// Place and motion at a Gauss point of a moving line, and the waves there.
 struct MovingPoint {
-  Vec r, a, v, acc;
-  Vec water_v, water_a;  ///< Waves alone.
-  Lanes surface;         ///< Elevation of the water [m].
+  Vec r, v, acc;
+  Vec water_v, water_a;
+  Lanes surface;  ///< Elevation of the water [m].
 };
-
-/// Linear between the values at both ends.
-inline Lanes mixed(const Lanes (&ends)[2], double xi) {
-  return (1.0 - xi) * ends[0] + xi * ends[1];
-}
 
 inline MovingPoint moving_point(const Batch& e, const BatchMotion& m, const Shape& s, double xi) {
   MovingPoint at;
   at.r = combine(e, s.n);
-  at.a = e.inv_h * combine_derivative(e, s.c);
   at.v = combine_nodes(m.v, s.n);
   at.acc = combine_nodes(m.acc, s.n);
   at.water_v = (1.0 - xi) * m.water_v[0] + xi * m.water_v[1];
   at.water_a = (1.0 - xi) * m.water_a[0] + xi * m.water_a[1];
   at.surface = mixed(m.surface, xi);
   return at;
-}
-
-inline Sym identity_and(const Lanes& alpha, const Lanes& beta, const Vec& t) {
-  return dyads(alpha, beta, t, Lanes{}, t, Lanes{});
 }
 
 inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
@@ -95,64 +100,49 @@ inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
 /// accelerates the displaced water (Morison et al. 1950; DNV-RP-C205 section 6). The last acts in all directions: along
 /// the pipe it is the gradient of the dynamic pressure that the effective tension contains. Times the wetted fraction.
 template <bool kTangent>
-inline void add_morison(PointLoad& load, const LineEnvironment& env, const LineMotion& motion, const MovingPoint& at,
-                        const Wetting& wet, const LoadConstants& c, const InertiaConstants& i) {
+inline void add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
+                        const MovingPoint& at, const PointSlope& slope, const Wetting& wet, const LoadConstants& c,
+                        const InertiaConstants& i) {
   if (!any(wet.share)) {
     return;
   }
-  Current now{};
+  Vec u = at.water_v - at.v;
+  Vec current_slope{};
   if (env.current_rows > 0) {
-    now = current_at(env, at.r.z);
+    const Current now = current_at(env, at.r.z);
+    u = u + now.velocity;
+    current_slope = now.slope;
   }
-  const Lanes inv_norm = 1.0 / root(dot(at.a, at.a));
-  const Vec t = inv_norm * at.a;
-  const Vec u = now.velocity + at.water_v - at.v;
-  const Lanes ut = dot(u, t);
-  const Vec un = u - ut * t;
-  const Lanes size = root(dot(un, un)) + 1e-30;  // water along the pipe has no normal drag, not 0/0
-  const Lanes along = ut > 0.0 ? ut : -ut;
-  const Vec slip_a = at.water_a - at.acc;
+  const Drag d = drag_of<kTangent>(slope, u, c.drag_normal, c.drag_axial);
+  const Vec slip = at.water_a - at.acc;
   const Lanes more_along = i.added_axial - i.added_normal;
-  const Lanes slip_t = dot(slip_a, t);
-  const Vec f = (c.drag_normal * size) * un + (c.drag_axial * along * ut + more_along * slip_t) * t +
-                i.displaced * at.water_a + i.added_normal * slip_a;
+  const Lanes slip_t = more_along * dot(slip, d.t);
+  const Vec f =
+      d.by_size * d.un + (d.by_along * d.ut + slip_t) * d.t + i.displaced * at.water_a + i.added_normal * slip;
   load.f = load.f + wet.share * f;
   if constexpr (kTangent) {
-    const Vec e = (1.0 / size) * un;
-    const auto jacobian_n = [&](const Vec& v) { return c.drag_normal * (size * v + (size * dot(e, v)) * e); };
-    const Vec slope_n = now.slope - dot(now.slope, t) * t;
-    const Vec in_z = jacobian_n(slope_n) + (2.0 * c.drag_axial * along * dot(now.slope, t)) * t;
-    const Vec z_column = wet.share * in_z + wet.slope * f;
+    const Vec z_column = wet.share * with_velocity(d, current_slope) + wet.slope * f;
     load.in_r.m[0][2] += z_column.x;
     load.in_r.m[1][2] += z_column.y;
     load.in_r.m[2][2] += z_column.z;
     // By the velocity: -[Cn |un| (I - t t' + e e') + 2 Ct |ut| t t']; by the acceleration: -[Ca (I - t t') + Ct_a t
     // t'].
-    const Lanes drag = motion.velocity_share * c.drag_normal * size;
-    const Lanes drag_t = 2.0 * motion.velocity_share * c.drag_axial * along;
+    const Vec e = d.inv_size * d.un;
+    const Lanes drag = motion.velocity_share * d.by_size;
+    const Lanes drag_t = 2.0 * motion.velocity_share * d.by_along;
     const Lanes added = motion.acceleration_share * i.added_normal;
     const Lanes added_t = motion.acceleration_share * i.added_axial;
-    add_sym(load.in_r, -wet.share, dyads(drag + added, drag_t + added_t - drag - added, t, drag, e, Lanes{}));
-    const Vec axes[3] = {{all(1.0), Lanes{}, Lanes{}}, {Lanes{}, all(1.0), Lanes{}}, {Lanes{}, Lanes{}, all(1.0)}};
-    const Lanes scale = wet.share * inv_norm;
-    for (int k = 0; k < 3; ++k) {
-      const Vec dt = axes[k] - dot(axes[k], t) * t;  // times inv_norm: change of t with a_k
-      const Lanes dut = dot(u, dt);
-      const Vec dun = (-1.0 * dut) * t - ut * dt;
-      const Vec df = jacobian_n(dun) + (2.0 * c.drag_axial * along * dut + more_along * dot(slip_a, dt)) * t +
-                     (c.drag_axial * along * ut + more_along * slip_t) * dt;
-      load.in_a.m[0][k] += scale * df.x;
-      load.in_a.m[1][k] += scale * df.y;
-      load.in_a.m[2][k] += scale * df.z;
-    }
+    add_sym(load.in_r, -wet.share, dyads(drag + added, drag_t + added_t - drag - added, d.t, drag, e, Lanes{}));
+    add_turning(load.in_a, wet.share * d.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * u + more_along * slip,
+                d.ut * (d.by_along - d.by_size) + slip_t, -d.ut * d.by_size, e);
   }
 }
 
 /// One direction of the bed's friction: elastic stretch up to mu times the normal force, then sliding (return mapping).
 /// Returns the new stretch.
 template <bool kTangent>
-inline Lanes add_bed_friction(PointLoad& load, const LineEnvironment& env, const LineMotion& motion, const Vec& n,
-                              const Vec& direction, double mu, const Lanes& touching, const Lanes& normal,
+inline Lanes add_bed_friction(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
+                              const Vec& n, const Vec& direction, double mu, const Lanes& touching, const Lanes& normal,
                               const Lanes& normal_in_r, const Lanes& speed, const Lanes& stretch) {
   const Lanes trial = touching * (stretch + motion.step * speed);
   const Lanes limit = mu * normal / env.bed_stick;
@@ -183,7 +173,7 @@ struct NormalForce {
 /// What a shape adds to the normal force of a plane, and friction on it: clearance and normal have their own
 /// derivatives, and the direction along the route turns with the bed.
 template <bool kTangent>
-inline BedSlip add_moving_shape(PointLoad& load, const LineEnvironment& env, const LineMotion& motion,
+inline BedSlip add_moving_shape(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
                                 const MovingPoint& at, const BedUnder& bed, const NormalForce& normal,
                                 const BedSlip& slip) {
   const Vec& n = bed.normal;
@@ -223,7 +213,7 @@ inline BedSlip add_moving_shape(PointLoad& load, const LineEnvironment& env, con
 
 /// Normal penalty with damping on approach, never pulling, and friction across and along the route.
 template <bool kTangent>
-inline BedSlip add_moving_seabed(PointLoad& load, const LineEnvironment& env, const LineMotion& motion,
+inline BedSlip add_moving_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
                                  const MovingPoint& at, const Lanes& radius, const BedSlip& slip) {
   const BedUnder bed = bed_under(env, at.r, radius);
   const Vec& n = bed.normal;
@@ -269,95 +259,32 @@ inline Lanes* slip_at(double* slips, int point, int direction, int padded, int f
   return reinterpret_cast<Lanes*>(slips + (point * kBedDirections + direction) * padded + first);
 }
 
-/// Weight, buoyancy, seabed, water and inertia by Gauss points; external forces enter the residual with a minus sign.
+/// Weight, buoyancy, seabed, water and inertia at Gauss point i of a batch that begins with element `first`.
 template <bool kTangent>
-inline void add_moving_loads(Batch& e, const LineEnvironment& env, const LineMotion& motion, const BatchMotion& m,
-                             const LoadConstants& c, const InertiaConstants& inertia, int first, int padded) {
-  for (int i = 0; i < kGaussPoints; ++i) {
-    const Shape& s = kGaussShape[i];
-    const MovingPoint at = moving_point(e, m, s, kGaussXi[i]);
-    const Wetting wet = wetting(at.r.z - at.surface, c.radius);
-    PointLoad load{};
-    load.f = -1.0 * (inertia.mass * at.acc);
-    load.f.z += c.buoyancy * wet.share - c.weight;
-    if constexpr (kTangent) {
-      const Lanes m_share = motion.acceleration_share * inertia.mass;
-      load.in_r.m[0][0] = load.in_r.m[1][1] = -m_share;
-      load.in_r.m[2][2] = c.buoyancy * wet.slope - m_share;
+inline PointLoad<kTangent> moving_load(const LineEnvironment& env, const LineMotion& motion, const MovingPoint& at,
+                                       const PointSlope& slope, const LoadConstants& c, const InertiaConstants& inertia,
+                                       int i, int first, int padded) {
+  const Wetting wet = wetting(at.r.z - at.surface, c.radius);
+  Vec f = -inertia.mass * at.acc;
+  f.z += c.buoyancy * wet.share - c.weight;
+  PointLoad<kTangent> load = load_of<kTangent>(f, c.buoyancy * wet.slope);
+  if constexpr (kTangent) {
+    for (int r = 0; r < 3; ++r) {
+      load.in_r.m[r][r] -= motion.acceleration_share * inertia.mass;
     }
-    BedSlip slip{Lanes{}, Lanes{}};
-    if (motion.bed_slip != nullptr) {
-      double* slips = const_cast<double*>(motion.bed_slip);
-      slip = {*slip_at(slips, i, 0, padded, first), *slip_at(slips, i, 1, padded, first)};
-    }
-    const BedSlip next = add_moving_seabed<kTangent>(load, env, motion, at, c.radius, slip);
-    if (motion.bed_slip_next != nullptr) {
-      *slip_at(motion.bed_slip_next, i, 0, padded, first) = next.across;
-      *slip_at(motion.bed_slip_next, i, 1, padded, first) = next.along;
-    }
-    add_morison<kTangent>(load, env, motion, at, wet, c, inertia);
-    add_point_load<kTangent>(e, i, load);
   }
-}
-
-inline double sum_of(const Lanes& x, int used) {
-  double sum = 0.0;
-  for (int l = 0; l < used; ++l) {
-    sum += x[l];
+  BedSlip slip{Lanes{}, Lanes{}};
+  if (motion.bed_slip != nullptr) {
+    double* slips = const_cast<double*>(motion.bed_slip);
+    slip = {*slip_at(slips, i, 0, padded, first), *slip_at(slips, i, 1, padded, first)};
   }
-  return sum;
-}
-
-/// Energies and powers of a batch. The bed's loss counts the stretch of its friction as lost.
-inline void add_energy(LineEnergy& sum, const Batch& e, const LineEnvironment& env, const LineMotion& motion,
-                       const BatchMotion& m, const LoadConstants& c, const InertiaConstants& inertia, const Lanes& EI,
-                       int first, int padded, int used) {
-  for (int i = 0; i < kGaussPoints; ++i) {
-    const Shape& s = kGaussShape[i];
-    const MovingPoint at = moving_point(e, m, s, kGaussXi[i]);
-    const Lanes w = kGaussWeight[i] * e.h;
-    sum.kinetic += sum_of(0.5 * w * inertia.mass * dot(at.v, at.v), used);
-    sum.gravity += sum_of(w * c.weight * at.r.z, used);
-    const Vec b = (e.inv_h * e.inv_h) * combine_derivative(e, s.d);
-    const Lanes g = dot(at.a, at.a), ab = dot(at.a, b);
-    sum.strain += sum_of(0.5 * w * EI * (dot(b, b) / g - ab * ab / (g * g)), used);
-
-    PointLoad water{};
-    const Wetting wet = wetting(at.r.z - at.surface, c.radius);
-    water.f.z = c.buoyancy * wet.share;
-    add_morison<false>(water, env, motion, at, wet, c, inertia);
-    sum.fluid_power += sum_of(w * dot(water.f, at.v), used);
-
-    const BedUnder bed = bed_under(env, at.r, c.radius);
-    const Vec& n = bed.normal;
-    const Lanes penetration = c.radius - bed.clearance;
-    if (!any(penetration)) {
-      continue;
-    }
-    const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
-    const Lanes speed = -dot(n, at.v);
-    const Lanes damping = speed > 0.0 ? touching * env.bed_damping * speed * speed : Lanes{};
-    Lanes held = touching * env.bed_stiffness * penetration;
-    if (env.bed_soil != 0) {
-      const SoilForce soil = soil_force(env, touching, penetration);
-      held = soil.force;
-      sum.seabed += sum_of(w * soil.energy, used);
-    } else {
-      sum.seabed += sum_of(0.5 * w * env.bed_stiffness * touching * penetration * penetration, used);
-    }
-    Lanes loss = damping;
-    Vec along = along_route(env, at.r);
-    if (env.bed_shape != nullptr) {  // the force of a curved bed has no potential: what it is off counts as lost
-      along = along_shape(env, at.r, bed).direction;
-      loss += held * dot(bed.gradient - n, at.v);
-    }
-    if (motion.bed_slip != nullptr) {
-      double* slips = const_cast<double*>(motion.bed_slip);
-      loss += env.bed_stick * (*slip_at(slips, i, 0, padded, first) * dot(across_route(env, at.r), at.v) +
-                               *slip_at(slips, i, 1, padded, first) * dot(along, at.v));
-    }
-    sum.seabed_loss += sum_of(w * loss, used);
+  const BedSlip next = add_moving_seabed<kTangent>(load, env, motion, at, c.radius, slip);
+  if (motion.bed_slip_next != nullptr) {
+    *slip_at(motion.bed_slip_next, i, 0, padded, first) = next.across;
+    *slip_at(motion.bed_slip_next, i, 1, padded, first) = next.along;
   }
+  add_morison<kTangent>(load, env, motion, at, slope, wet, c, inertia);
+  return load;
 }
 
 }  // namespace

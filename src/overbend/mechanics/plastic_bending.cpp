@@ -176,6 +176,34 @@ Vec3 curvature_vector(const CentrelinePoint& at) {
   return (at.b - (at.a.dot(at.b) / g) * at.a) / std::sqrt(g);
 }
 
+namespace {
+
+/// Takes off an element's tangent what the second derivatives by a and b at one point are for its unknowns. A column
+/// of it is a sum of two products over all rows, which are vectors to the compiler.
+void add_point_hessian(const HermiteValues& shape, double weight, const Mat3& h_aa, const Mat3& h_ba, const Mat3& h_bb,
+                       ElementMatrix& stiffness) {
+  constexpr int kRows = 12;
+  alignas(16) std::array<double, kRows> first, second, by_a, by_b;
+  for (int k = 0; k < kRows; ++k) {
+    first[static_cast<std::size_t>(k)] = -weight * shape.first(k / 3);
+    second[static_cast<std::size_t>(k)] = -weight * shape.second(k / 3);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Mat3 a = shape.first(i) * h_aa + shape.second(i) * h_ba.transpose();
+    const Mat3 b = shape.second(i) * h_bb + shape.first(i) * h_ba;
+    for (int c = 0; c < 3; ++c) {
+      for (int k = 0; k < kRows; ++k) {
+        by_a[static_cast<std::size_t>(k)] = a(k % 3, c);
+        by_b[static_cast<std::size_t>(k)] = b(k % 3, c);
+      }
+      double* column = stiffness.data() + kRows * (3 * i + c);
+      for (std::size_t k = 0; k < kRows; ++k) column[k] += first[k] * by_a[k] + second[k] * by_b[k];
+    }
+  }
+}
+
+}  // namespace
+
 void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, double weight, const Vec3& plastic_moment,
                        const Mat3* tangent, ElementVector& force, ElementMatrix* stiffness) {
   const Vec3 &a = at.a, &b = at.b, &M = plastic_moment;
@@ -203,13 +231,7 @@ void add_plastic_point(const HermiteValues& shape, const CentrelinePoint& at, do
     h_ba += g1 * along;
     h_bb = (g1 * g1) * *tangent;
   }
-  for (int j = 0; j < 4; ++j) {
-    for (int i = 0; i < 4; ++i) {
-      stiffness->block<3, 3>(3 * j, 3 * i) -=
-          weight * (shape.first(j) * shape.first(i) * h_aa + shape.second(j) * shape.second(i) * h_bb +
-                    shape.second(j) * shape.first(i) * h_ba + shape.first(j) * shape.second(i) * h_ba.transpose());
-    }
-  }
+  add_point_hessian(shape, weight, h_aa, h_ba, h_bb, *stiffness);
 }
 
 }  // namespace overbend

@@ -224,7 +224,17 @@ void Assembly::end_iteration(const SystemState& state) {
   }
 }
 
-void Assembly::finish_step(const SystemState& before, double h, SystemState& after) const {
+void Assembly::forget_contacts() {
+  for (LineAssembly& line : lines_) {
+    line.contacts().forget();
+  }
+}
+
+void Assembly::finish_step(const SystemState& before, double h, SystemState& after) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    LineState& line = after.lines[i];
+    lines_[i].contacts().complete(line.q.data(), line.v.data(), line.contacts);
+  }
   for (std::size_t i = 0; i < border_.count(); ++i) {
     if (border_.body(i).finish_step) {
       border_.body(i).finish_step(before.bodies[i], h, after.bodies[i]);

@@ -83,8 +83,11 @@ class Assembly {
 
   /// Of the state evaluated last.
   InstantEnergy energy(const SystemState& state) const;
-  /// Brings the memories of free bodies to the end of a step of `h` that began at `before`.
-  void finish_step(const SystemState& before, double h, SystemState& after) const;
+  /// Brings the memories of free bodies to the end of a step of `h` that began at `before`, and all contacts up to the
+  /// state, which was evaluated last.
+  void finish_step(const SystemState& before, double h, SystemState& after);
+  /// What comes next depends on states alone: for checkpoints.
+  void forget_contacts();
   /// Forces and generalised moments left on the free bodies, six each.
   const std::vector<double>& body_residual() const { return border_.residual(); }
 

@@ -67,7 +67,6 @@ LineTarget LineAssembly::clear(bool with_tangent) {
   if (!with_tangent) {
     return {residual_.data(), nullptr, nullptr, nullptr, cuts_.data()};
   }
-  tangent_->set_zero();
   return {residual_.data(), tangent_->diag(0), tangent_->upper(0), tangent_->lower(0), cuts_.data()};
 }
 

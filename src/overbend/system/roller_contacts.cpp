@@ -3,38 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/contact_point.h"
+
 namespace overbend {
 namespace {
 
 using Vec3Map = Eigen::Map<const Vec3>;
-
-ElementVector dofs_of(const double* values, int element) {
-  return ElementVector(Eigen::Map<const ElementVector>(values + 6 * element));
-}
-
-/// Value at xi of a field given by its nodal values.
-Vec3 at_point(const HermiteValues& n, const ElementVector& nodes) {
-  return n.value(0) * nodes.segment<3>(0) + n.value(1) * nodes.segment<3>(3) + n.value(2) * nodes.segment<3>(6) +
-         n.value(3) * nodes.segment<3>(9);
-}
-
-/// To places and tangents number [from, to) of an element: 0 and 1 are its lower node, 2 and 3 its upper.
-void add_force(double* element, const HermiteValues& n, int from, int to, const Vec3& force) {
-  for (int j = from; j < to; ++j) {
-    for (int i = 0; i < 3; ++i) {
-      element[3 * j + i] -= n.value(j) * force(i);
-    }
-  }
-}
-
-/// N_i N_j A: the tangent of a force at a point that depends on the motion of that point alone.
-void add_point_stiffness(ElementMatrix& k, const HermiteValues& n, const Mat3& a) {
-  for (int i = 0; i < 4; ++i) {
-    for (int j = 0; j < 4; ++j) {
-      k.block<3, 3>(3 * i, 3 * j) += n.value(i) * n.value(j) * a;
-    }
-  }
-}
 
 /// Bounds of the Bezier hull of an element in the ramp's frame.
 ElementBounds bounds_of(const Vec3& r1, const Vec3& t1, const Vec3& r2, const Vec3& t2, double h, double reach) {
@@ -69,6 +43,11 @@ double contact_radius(const Line& line, std::size_t element, double xi) {
   return found;
 }
 
+/// The memory of a contact that does not carry; it keeps where the closest point was.
+ContactMemory apart(const ContactMemory& memory) {
+  return {0.0, 0.0, false, Slip::stick, Slip::stick, memory.element, memory.xi};
+}
+
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
   return (hash ^ value) * 0x100000001b3ull;
 }
@@ -87,6 +66,11 @@ RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies
   contacts_.resize(rollers_.size());
   carrying_.resize(rollers_.size());
   iterate_.resize(rollers_.size());
+  passed_over_.resize(rollers_.size());
+  reference_.q.resize(rollers_.empty() ? 0 : 6 * static_cast<std::size_t>(line.mesh.nodes()));
+  reference_.placed.resize(rollers_.size());
+  reference_.gap.resize(rollers_.size());
+  longest_ = *std::max_element(line.mesh.length.begin(), line.mesh.length.end());
 }
 
 void RollerContacts::place(const std::vector<RigidMotion>& bodies, const double* q, double reach) {
@@ -170,10 +154,10 @@ void RollerContacts::rub(std::size_t index, const RollerDistance& distance, cons
 void RollerContacts::push(std::size_t index, const HermiteValues& n, const ContactTarget& target) {
   const RollerContact& contact = contacts_[index];
   const Vec3 force = contact.force();
-  add_force(target.residual.data() + 6 * contact.at.element, n, 0, 4, force);
-  add_force(target.cuts.data() + 6 * contact.at.element, n, 2, 4, force);
+  add_point_force(target.residual.data() + 6 * contact.at.element, n, 0, 4, force);
+  add_point_force(target.cuts.data() + 6 * contact.at.element, n, 2, 4, force);
   if (contact.at.element == 0) {  // the cut at the first node is minus what the first element adds
-    add_force(target.cuts.data(), n, 0, 2, -force);
+    add_point_force(target.cuts.data(), n, 0, 2, -force);
   }
 }
 
@@ -221,15 +205,58 @@ void RollerContacts::evaluate(const double* q, const double* v, const Weights& w
                               ContactMode mode, const ContactTarget& target) {
   signature_ = 0xcbf29ce484222325ull;
   settled_ = mode == ContactMode::free;
+  const double moved = reference_.known ? moved_since_reference(q) : 0.0;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    evaluate_one(i, q, v, weights, before[i], after[i], mode, target);
+    passed_over_[i] = reference_.known && !before[i].carries && moved < reference_.gap[i];
+    if (passed_over_[i]) {
+      carrying_[i].carries = false;
+      after[i] = apart(after[i]);
+    } else {
+      evaluate_one(i, q, v, weights, before[i], after[i], mode, target);
+    }
   }
 }
 
-void RollerContacts::evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
-                                  const ContactMemory& before, ContactMemory& after, ContactMode mode,
-                                  const ContactTarget& target) {
-  const BodyRoller& roller = *rollers_[index].roller;
+void RollerContacts::complete(const double* q, const double* v, std::vector<ContactMemory>& after) {
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    if (passed_over_[i]) {
+      meet(i, q, v, after[i]);
+      passed_over_[i] = false;
+    }
+  }
+  reference_.known = !rollers_.empty();
+  std::copy_n(q, reference_.q.size(), reference_.q.begin());
+  reference_.placed = placed_;
+  for (std::size_t i = 0; i < rollers_.size(); ++i) {
+    reference_.gap[i] = contacts_[i].at.found ? -contacts_[i].penetration : 0.0;
+  }
+}
+
+/// By how much no distance between line and rollers can have changed more, twice over: what slides along may be thicker
+/// there [m].
+double RollerContacts::moved_since_reference(const double* q) const {
+  constexpr double kSure = 2.0;
+  double place = 0.0, tangent = 0.0, roller = 0.0;
+  for (int node = 0; node < line_->mesh.nodes(); ++node) {
+    const double *now = q + 6 * node, *then = reference_.q.data() + 6 * node;
+    const double dx = now[0] - then[0], dy = now[1] - then[1], dz = now[2] - then[2];
+    const double tx = now[3] - then[3], ty = now[4] - then[4], tz = now[5] - then[5];
+    place = std::max(place, dx * dx + dy * dy + dz * dz);
+    tangent = std::max(tangent, tx * tx + ty * ty + tz * tz);
+  }
+  for (std::size_t i = 0; i < placed_.size(); ++i) {
+    const PlacedRoller &now = placed_[i], &then = reference_.placed[i];
+    roller = std::max(roller, (now.center - then.center).norm() + now.half_face * (now.axis - then.axis).norm());
+  }
+  // The Bezier points of an element, whose hull holds it, move with its nodes and a third of its length with its
+  // tangents.
+  return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + roller);
+}
+
+/// Where the pipe meets a roller and how fast; nothing where it does not pass it or is out of reach, when the
+/// separation alone is of interest.
+std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, const double* q, const double* v,
+                                                            ContactMemory& after) {
   RollerContact& contact = contacts_[index];
   contact = RollerContact{};
   carrying_[index].carries = false;
@@ -238,27 +265,35 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   const bool in_reach = reachable.first < reachable.last;
   const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length.size())};
   contact.at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, after.element, after.xi);
-  const int last_element = after.element;
-  const double last_xi = after.xi;
-  after = {0.0, 0.0, false, Slip::stick, Slip::stick, last_element, last_xi};
+  after = apart(after);
   if (!contact.at.found) {
-    return;
+    return std::nullopt;
   }
-  const int element = contact.at.element;
-  after.element = element;
+  after.element = contact.at.element;
   after.xi = contact.at.xi;
-  const std::size_t e = static_cast<std::size_t>(element);
+  const std::size_t e = static_cast<std::size_t>(contact.at.element);
   const RollerDistance distance = measure(index, q, false);
-  const ElementVector dofs = dofs_of(q, element);
   const HermiteValues n = hermite(contact.at.xi, length[e]);
   const RigidMotion& body = motions_[rollers_[index].body];
-  contact.point = at_point(n, dofs);
+  contact.point = at_point(n, dofs_of(q, contact.at.element));
   const Vec3 arm = contact.point - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
   contact.roller_velocity = body.velocity + body.omega.cross(arm);
-  const Vec3 slip_rate = at_point(n, dofs_of(v, element)) - contact.roller_velocity;
+  const Vec3 slip_rate = at_point(n, dofs_of(v, contact.at.element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
+  if (!in_reach) {
+    return std::nullopt;
+  }
+  return Meeting{distance, slip_rate};
+}
+
+void RollerContacts::evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
+                                  const ContactMemory& before, ContactMemory& after, ContactMode mode,
+                                  const ContactTarget& target) {
+  const BodyRoller& roller = *rollers_[index].roller;
+  RollerContact& contact = contacts_[index];
+  const std::optional<Meeting> meeting = meet(index, q, v, after);
   const bool kept = mode == ContactMode::kept;
-  if (!in_reach || (kept && !before.carries)) {  // out of reach the separation alone is of interest
+  if (!meeting || (kept && !before.carries)) {
     return;
   }
   const NormalForce normal = kept ? attached_force(roller.law, contact.penetration, contact.rate)
@@ -267,11 +302,13 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   if (normal.by_penetration <= 0.0) {
     return;
   }
-  const CentrelinePoint point = centreline(dofs, contact.at.xi, length[e]);
-  contact.axial_direction = (point.a - point.a.dot(distance.direction) * distance.direction).normalized();
-  contact.lateral_direction = distance.direction.cross(contact.axial_direction);
-  contact.slip_rate_axial = slip_rate.dot(contact.axial_direction);
-  contact.slip_rate_lateral = slip_rate.dot(contact.lateral_direction);
+  const Vec3& away = meeting->distance.direction;
+  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
+  const CentrelinePoint point = centreline(dofs_of(q, contact.at.element), contact.at.xi, h);
+  contact.axial_direction = (point.a - point.a.dot(away) * away).normalized();
+  contact.lateral_direction = away.cross(contact.axial_direction);
+  contact.slip_rate_axial = meeting->slip_rate.dot(contact.axial_direction);
+  contact.slip_rate_lateral = meeting->slip_rate.dot(contact.lateral_direction);
   const auto friction = [&](double mu, double slip, double rate, Slip at_start, Slip last) {
     if (!easing_.friction) {
       return FrictionForce{};
@@ -296,8 +333,8 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
-  push(index, n, target);
-  carrying_[index] = {true, distance, normal, axial, lateral};
+  push(index, hermite(contact.at.xi, h), target);
+  carrying_[index] = {true, meeting->distance, normal, axial, lateral};
 }
 
 int RollerContacts::first_within_reach(int beyond) const {
@@ -316,71 +353,6 @@ int RollerContacts::first_carrying(int beyond) const {
     first = carrying_[i].carries ? std::min(first, contacts_[i].at.element) : first;
   }
   return first;
-}
-
-void RollerContacts::add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const {
-  for (int i = 0; i < count(); ++i) {
-    if (carries(i)) {
-      add_element(tangent, contacts_[static_cast<std::size_t>(i)].at.element, tangent_of(i, q, weights));
-    }
-  }
-}
-
-ElementMatrix RollerContacts::tangent_of(int roller, const double* q, const Weights& weights) const {
-  const std::size_t index = static_cast<std::size_t>(roller);
-  const CarryingContact& carrying = carrying_[index];
-  const NormalForce& normal = carrying.normal;
-  const Vec3& away = carrying.distance.direction;
-  const RollerContact& contact = contacts_[index];
-  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  const HermiteValues n = hermite(contact.at.xi, h);
-  // Forces act at the point of the pipe: -d f / d q = N_i N_j (outer products of the directions). What the turning of
-  // the directions of friction adds beyond the Hessian of the distance is smaller by force over stiffness and distance,
-  // 1e-4.
-  const RollerDistanceDerivatives d =
-      roller_distance_derivatives(placed_[index], contact.at, carrying.distance, dofs_of(q, contact.at.element), h);
-  const double by_normal_motion = normal.by_penetration + normal.by_rate * weights.velocity;
-  ElementMatrix k = -normal.force * d.hessian;
-  Mat3 a = by_normal_motion * away * away.transpose();
-  const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
-    a -= force.by_rate * weights.velocity * direction * direction.transpose();
-    a += force.by_normal * by_normal_motion * direction * away.transpose();
-  };
-  add_friction(carrying.axial, contact.axial_direction);
-  add_friction(carrying.lateral, contact.lateral_direction);
-  add_point_stiffness(k, n, a);
-  if (carrying.rub.along != 0.0 || carrying.rub.across != 0.0) {
-    k += rub_tangent(placed_[index], contact.at, carrying.distance, d, dofs_of(q, contact.at.element), h, carrying.rub);
-  }
-  return k;
-}
-
-ElementVector RollerContacts::residual_of(int roller) const {
-  const RollerContact& contact = contacts_[static_cast<std::size_t>(roller)];
-  ElementVector residual = ElementVector::Zero();
-  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  add_force(residual.data(), hermite(contact.at.xi, h), 0, 4, contact.force());
-  return residual;
-}
-
-Eigen::Matrix<double, 12, 3> RollerContacts::turning_of(int roller, const Weights& weights) const {
-  const std::size_t index = static_cast<std::size_t>(roller);
-  const RollerContact& contact = contacts_[index];
-  const CarryingContact& carrying = carrying_[index];
-  const std::size_t e = static_cast<std::size_t>(contact.at.element);
-  const Vec3& away = carrying.distance.direction;
-  Mat3 a = Mat3::Zero();
-  const auto add_friction = [&](const FrictionForce& force, const Vec3& direction) {
-    a -= force.by_rate * weights.velocity * line_->elements.radius[e] * direction * away.cross(direction).transpose();
-  };
-  add_friction(carrying.axial, contact.axial_direction);
-  add_friction(carrying.lateral, contact.lateral_direction);
-  const HermiteValues n = hermite(contact.at.xi, line_->mesh.length[e]);
-  Eigen::Matrix<double, 12, 3> out;
-  for (int i = 0; i < 4; ++i) {
-    out.block<3, 3>(3 * i, 0) = n.value(i) * a;
-  }
-  return out;
 }
 
 }  // namespace overbend

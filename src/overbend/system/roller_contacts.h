@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "mechanics/contact_law.h"
@@ -81,9 +82,15 @@ class RollerContacts {
   void evaluate_at_rest(const double* q, const ContactTarget& target);
 
   /// Forces of all rollers that a moving line may meet, added to the line's. `before` is the memory at the start of the
-  /// step, `after` receives that at its end.
+  /// step, `after` receives that at its end. Rollers that were so far away when complete() was called last that they
+  /// cannot have come near since are passed over, and tell of their contact what it was then.
   void evaluate(const double* q, const double* v, const Weights& weights, const std::vector<ContactMemory>& before,
                 std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
+
+  /// Looks at what the last evaluation passed over, of the same state.
+  void complete(const double* q, const double* v, std::vector<ContactMemory>& after);
+  /// Nothing is passed over before complete() is called again.
+  void forget() { reference_.known = false; }
 
   /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
   void add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
@@ -130,6 +137,19 @@ class RollerContacts {
   struct SlipStates {
     Slip axial = Slip::stick, lateral = Slip::stick;
   };
+  /// Where everything was when all rollers were looked at.
+  struct Reference {
+    bool known = false;
+    std::vector<double> q;
+    std::vector<PlacedRoller> placed;
+    std::vector<double> gap;  ///< Of each roller; nothing may be passed over where it is not above 0 [m].
+  };
+
+  /// Of a pipe that passes a roller: what its forces are made from.
+  struct Meeting {
+    RollerDistance distance;
+    Vec3 slip_rate;
+  };
 
   ElementRange within_reach(const Member& member) const {
     return ranges_[member.body][static_cast<std::size_t>(member.roller->box)];
@@ -141,6 +161,8 @@ class RollerContacts {
   void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
   void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
                     const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
+  std::optional<Meeting> meet(std::size_t index, const double* q, const double* v, ContactMemory& after);
+  double moved_since_reference(const double* q) const;
 
   const Line* line_;
   const std::vector<Body>* bodies_;
@@ -153,6 +175,9 @@ class RollerContacts {
   std::vector<CarryingContact> carrying_;
   std::vector<SlipStates> iterate_;
   std::vector<RigidMotion> motions_;
+  Reference reference_;
+  double longest_ = 0.0;           ///< Element [m].
+  std::vector<char> passed_over_;  ///< By the last evaluation.
   std::uint64_t signature_ = 0;
   bool settled_ = true;
 };

@@ -1,8 +1,6 @@
 #include "system/yielding.h"
 
 #include <algorithm>
-
-#include <algorithm>
 #include <array>
 
 namespace overbend {
@@ -43,6 +41,7 @@ class ElementSum {
            const BendingAnswer& answer, Vec3& moment) {
     moment = from_axes(memory, answer.plastic_moment);
     if (answer.plastic_moment.isZero(0.0)) return;
+    if (!any_) clear();
     const bool slides = with_tangent_ && answer.sliding;
     Mat3 tangent;
     if (slides) {
@@ -52,16 +51,22 @@ class ElementSum {
     }
     add_plastic_point(shape, at, weight, moment, slides ? &tangent : nullptr, force_,
                       with_tangent_ ? &stiffness_ : nullptr);
-    any_ = true;
   }
   void scatter_to(int element, const YieldingTarget& target) const {
     if (any_) scatter(force_, stiffness_, element, target);
   }
 
  private:
+  /// Not before it is needed: most elements of a line that yields in places stay elastic.
+  void clear() {
+    any_ = true;
+    force_.setZero();
+    if (with_tangent_) stiffness_.setZero();
+  }
+
   bool with_tangent_, any_ = false;
-  ElementVector force_ = ElementVector::Zero();
-  ElementMatrix stiffness_ = ElementMatrix::Zero();
+  ElementVector force_;
+  ElementMatrix stiffness_;
 };
 
 /// Derivatives of the Hermite functions at a Gauss point; values are left out.
