@@ -3,6 +3,7 @@
 #
 #   scripts/install.sh build   what it takes to build and run the program
 #   scripts/install.sh test    the same, and what the tests and linters use
+#   scripts/install.sh arm     what tools/arm_check.sh takes: a compiler for 64-bit ARM and a machine to run what it makes
 set -euo pipefail
 
 build_packages=(
@@ -18,6 +19,7 @@ test_packages=(
   python3-pip python3-setuptools python3-venv dpkg-dev file
   chromium clang-format clang-tidy
 )
+arm_packages=(g++-aarch64-linux-gnu qemu-user libeigen3-dev)
 
 # The report's charting library comes from npm. An npm that is already there, from wherever, is good enough; asking apt
 # for another beside it may conflict.
@@ -28,7 +30,8 @@ fi
 case "${1:-build}" in
   build) wanted=("${build_packages[@]}") ;;
   test) wanted=("${build_packages[@]}" "${test_packages[@]}") ;;
-  *) echo "usage: scripts/install.sh [build|test]" >&2; exit 2 ;;
+  arm) wanted=("${arm_packages[@]}") ;;
+  *) echo "usage: scripts/install.sh [build|test|arm]" >&2; exit 2 ;;
 esac
 
 installed() {

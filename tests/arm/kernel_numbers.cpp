@@ -1,0 +1,285 @@
+/// Prints what every kernel makes of made-up input, a name and a number a line: tools/arm_check.sh compares what two
+/// machines print.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <vector>
+
+#include "base/simd.h"
+#include "hull/hull_waves_kernel.h"
+#include "mechanics/line_kernel.h"
+#include "mechanics/wave_kernel.h"
+#include "numerics/block_tridiagonal_kernel.h"
+#include "numerics/line_border_kernel.h"
+
+namespace overbend {
+namespace {
+
+using namespace isa_baseline;
+
+constexpr int kNodes = 21;  // elements fill two batches and a half
+constexpr int kElements = kNodes - 1, kPadded = 24, kWaves = 32;
+
+/// The same numbers on every machine: a linear congruence, of which 53 bits are exact in a double.
+class Numbers {
+ public:
+  double between(double low, double high) {
+    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
+    return low + (high - low) * static_cast<double>(state_ >> 11) / 9007199254740992.0;
+  }
+
+ private:
+  std::uint64_t state_ = 20;
+};
+
+/// Doubles at a place that any register may be loaded from.
+class Batch {
+ public:
+  explicit Batch(int count) : held_(static_cast<std::size_t>(count + kLanes)) {
+    const auto address = reinterpret_cast<std::uintptr_t>(held_.data());
+    at_ = held_.data() + (64 - address % 64) % 64 / sizeof(double);
+    count_ = count;
+  }
+  Batch(const Batch& other) : Batch(other.count_) {
+    for (int i = 0; i < count_; ++i) {
+      at_[i] = other.at_[i];
+    }
+  }
+  Batch& operator=(const Batch&) = delete;
+  Batch& fill(Numbers& numbers, double low, double high, int used = -1) {
+    for (int i = 0; i < (used < 0 ? count_ : used); ++i) {
+      at_[i] = numbers.between(low, high);
+    }
+    return *this;
+  }
+  double* data() const { return at_; }
+  void print(const char* name) const {
+    for (int i = 0; i < count_; ++i) {
+      std::printf("%s %.17g\n", name, at_[i]);
+    }
+  }
+
+ private:
+  std::vector<double> held_;
+  double* at_;
+  int count_;
+};
+
+/// Arrays of `padded` numbers, of which `used` are not nothing, that stay where they are.
+class Arrays {
+ public:
+  Arrays(Numbers& numbers, int used, int padded) : numbers_(numbers), used_(used), padded_(padded) {
+    kept_.reserve(32);
+  }
+  const double* of(double low, double high, double beyond = 0.0) {
+    Batch& made = kept_.emplace_back(padded_);
+    for (int i = used_; i < padded_; ++i) {
+      made.data()[i] = beyond;
+    }
+    return made.fill(numbers_, low, high, used_).data();
+  }
+
+ private:
+  Numbers& numbers_;
+  int used_, padded_;
+  std::vector<Batch> kept_;
+};
+
+struct Blocks {
+  Batch diag{kNodes * kBlockSize}, upper{kNodes * kBlockSize}, lower{kNodes * kBlockSize};
+  BlockView view() const { return {kNodes, diag.data(), upper.data(), lower.data()}; }
+  void print(const char* name) const {
+    diag.print(name);
+    upper.print(name);
+    lower.print(name);
+  }
+};
+
+/// With heavy entries on the diagonal, or across it so that rows are exchanged.
+Blocks random_blocks(Numbers& numbers, bool across) {
+  Blocks blocks;
+  for (int at = 0; at < kNodes * kBlockSize; ++at) {
+    const int row = at % kBlockSize / kRowWidth, column = at % kRowWidth;
+    const bool coupled = column < kNodeDofs;
+    blocks.diag.data()[at] = numbers.between(-1.0, 1.0) + (column == (across ? 5 - row : row) ? 9.0 : 0.0);
+    blocks.upper.data()[at] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
+    blocks.lower.data()[at] = coupled ? numbers.between(-1.0, 1.0) : 0.0;
+  }
+  return blocks;
+}
+
+void blocks_and_borders(Numbers& numbers, bool across) {
+  Blocks solved = random_blocks(numbers, across);
+  const BlockSolveReport report = solve_blocks(solved.view());
+  std::printf("report %d\nreport %d\n", report.singular_node, report.negative_blocks);
+  solved.print("solve_blocks");
+  Blocks factored = random_blocks(numbers, across);
+  factor_blocks(factored.view(), 0);
+  Batch x(kNodes * kNodeDofs);
+  x.fill(numbers, -1.0, 1.0);
+  resolve_blocks(factored.view(), x.data());
+  x.print("resolve_blocks");
+
+  const int stride = 8, panel = kNodeDofs * stride;
+  std::vector<int> slot(kNodes, -1);
+  slot[3] = 0;
+  slot[4] = 1;
+  slot[9] = 2;
+  Batch values(3 * panel), w(kNodes * panel), product(stride * stride), along(stride);
+  values.fill(numbers, -1.0, 1.0);
+  const SparsePanelView border{slot.data(), values.data(), 3, 9, stride};
+  solve_panel(factored.view(), border, w.data());
+  w.print("solve_panel");
+  panel_product(border, w.data(), product.data());
+  product.print("panel_product");
+  panel_times_vector(border, x.data(), along.data());
+  along.print("panel_times_vector");
+  subtract_columns(kNodes, stride, w.data(), along.data(), x.data());
+  x.print("subtract_columns");
+}
+
+LineView pipe(Arrays& a) {
+  LineView line;
+  line.count = kElements;
+  line.length = a.of(1.0, 2.0, 1.0);
+  line.EA = a.of(2e6, 3e6);
+  line.EI = a.of(2e4, 3e4);
+  line.weight = a.of(900.0, 1000.0);
+  line.buoyancy = a.of(700.0, 800.0);
+  line.radius = a.of(0.16, 0.2, 0.1);
+  line.drag_normal = a.of(150.0, 250.0);
+  line.drag_axial = a.of(5.0, 10.0);
+  line.pressure_constant = a.of(1e3, 2e3);
+  line.pressure_slope = a.of(10.0, 20.0);
+  line.pressure_external = a.of(5.0, 10.0);
+  line.mass = a.of(90.0, 100.0);
+  line.displaced_mass = a.of(70.0, 80.0);
+  line.added_normal = a.of(70.0, 80.0);
+  line.added_axial = a.of(1.0, 2.0);
+  return line;
+}
+
+/// A line from above the water down onto the bed: position and tangent of every node.
+Batch hanging(Numbers& numbers, double top) {
+  Batch q(kNodes * kNodeDofs);
+  for (int n = 0; n < kNodes; ++n) {
+    double* at = q.data() + n * kNodeDofs;
+    at[0] = 1.2 * n + numbers.between(-0.01, 0.01);
+    at[1] = numbers.between(-0.05, 0.05);
+    at[2] = top - 0.8 * n;  // no node at a kink of the current, where rounding would decide
+    at[3] = 0.8 + numbers.between(-0.02, 0.02);
+    at[4] = numbers.between(-0.02, 0.02);
+    at[5] = -0.6 + numbers.between(-0.02, 0.02);
+  }
+  return q;
+}
+
+void lines(Numbers& numbers, int soil) {
+  Arrays a(numbers, kElements, kPadded);
+  const LineView line = pipe(a);
+  const double current_z[] = {-20.0, -5.0, 0.0}, vx[] = {0.1, 0.4, 0.9}, vy[] = {0.3, 0.2, -0.2};
+  LineEnvironment env;
+  env.bed_offset = -10.0;
+  env.bed_stiffness = 1e4;
+  env.bed_friction_lateral = 0.5;
+  env.bed_friction_axial = 0.3;
+  env.bed_stick = 3e3;
+  env.bed_soil = soil;
+  env.bed_bearing = 4e3;
+  env.bed_damping = 500.0;
+  env.current_rows = 3;
+  env.current_z = current_z;
+  env.current_vx = vx;
+  env.current_vy = vy;
+  const Batch q = hanging(numbers, 4.07);
+  Blocks tangent, moving_tangent;
+  Batch residual(kNodes * kNodeDofs), cuts(kNodes * kNodeDofs), moving(kNodes * kNodeDofs);
+  const LineShape shape{q.data(), nullptr};
+  add_line_forces(line, env, shape,
+                  {residual.data(), tangent.diag.data(), tangent.upper.data(), tangent.lower.data(), cuts.data()});
+  residual.print("line_forces");
+  cuts.print("line_cuts");
+  tangent.print("line_tangent");
+
+  Batch v(kNodes * kNodeDofs), acc(kNodes * kNodeDofs), water(kNodes * kWaterValues);
+  Batch slip(8 * kBedDirections * kPadded), slip_next(8 * kBedDirections * kPadded);
+  const LineMotion motion{v.fill(numbers, -1.0, 1.0).data(),
+                          acc.fill(numbers, -1.0, 1.0).data(),
+                          40.0,
+                          1600.0,
+                          0.05,
+                          water.fill(numbers, -0.3, 0.3).data(),
+                          slip.fill(numbers, -0.1, 0.1).data(),
+                          slip_next.data()};
+  add_moving_line_forces(
+      line, env, shape, motion,
+      {moving.data(), moving_tangent.diag.data(), moving_tangent.upper.data(), moving_tangent.lower.data(), nullptr});
+  moving.print("moving_forces");
+  moving_tangent.print("moving_tangent");
+  slip_next.print("bed_slip");
+  const LineEnergy e = line_energy(line, env, shape, motion);
+  for (const double value : {e.kinetic, e.strain, e.gravity, e.seabed, e.fluid_power, e.seabed_loss}) {
+    std::printf("line_energy %.17g\n", value);
+  }
+}
+
+void waves(Numbers& numbers) {
+  Arrays a(numbers, kWaves - 3, kWaves);
+  Batch k(kWaves), echo(kWaves);
+  constexpr double kDeeper = 0.16863815;  // exp(-2 k d) of the first of them, at 89 m
+  for (int i = 0; i < kWaves; ++i) {
+    k.data()[i] = 0.01 + 0.01 * i;  // rising, as the kernel wants them
+    echo.data()[i] = (i > 0 ? echo.data()[i - 1] : 1.0) * kDeeper;
+  }
+  const WaveView sea{kWaves,          89.0,
+                     a.of(0.0, 0.3),  a.of(0.4, 1.6),
+                     k.data(),        a.of(-0.2, 0.2),
+                     a.of(-0.2, 0.2), a.of(-3.0, 3.0),
+                     a.of(0.0, 0.3),  echo.data(),
+                     a.of(-1.0, 1.0), a.of(-1.0, 1.0),
+                     a.of(0.5, 2.0)};
+  constexpr int kPoints = 11;
+  Batch points(3 * kPoints), out(8 * kPoints);
+  for (int i = 0; i < kPoints; ++i) {
+    points.data()[3 * i] = numbers.between(-200.0, 200.0);
+    points.data()[3 * i + 1] = numbers.between(-50.0, 50.0);
+    points.data()[3 * i + 2] = 1.0 - 9.0 * i;
+  }
+  sum_waves(sea, {812.3, 0.9, 0.05}, points.data(), kPoints, out.data());
+  out.print("sum_waves");
+  std::printf("wave_elevation %.17g\n", wave_elevation(sea, 812.3, 15.0, -4.0));
+}
+
+void hull(Numbers& numbers) {
+  constexpr int kHeadings = 5;
+  Arrays a(numbers, kWaves, kWaves);
+  const double heading[kHeadings] = {-3.0, -1.5, 0.0, 1.5, 3.0};
+  Batch table(kWaves * kHeadings * kHullWaveRow);
+  const HullWaveView sea{kWaves,          a.of(0.4, 1.6),
+                         a.of(-0.2, 0.2), a.of(-0.2, 0.2),
+                         a.of(-3.0, 3.0), a.of(-1.5, 1.5),
+                         a.of(0.0, 0.3),  kHeadings,
+                         false,           true,
+                         heading,         table.fill(numbers, -1.0, 1.0).data()};
+  Batch out(3 * kLanes), along(kLanes), across(kLanes);
+  sum_hull_waves(sea, {812.3, 5.0, -2.0, 0.1}, out.data());
+  out.print("sum_hull_waves");
+  sum_strip_water(sea, {812.3, 5.0, -2.0, 0.1}, -50.0, 15.0, 8, along.data(), across.data());
+  along.print("strip_along");
+  across.print("strip_across");
+}
+
+}  // namespace
+}  // namespace overbend
+
+int main() {
+  overbend::Numbers numbers;
+  for (const bool across : {false, true}) {
+    overbend::blocks_and_borders(numbers, across);
+  }
+  for (const int soil : {0, 1, 2}) {
+    overbend::lines(numbers, soil);
+  }
+  overbend::waves(numbers);
+  overbend::hull(numbers);
+}
