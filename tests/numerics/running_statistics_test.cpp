@@ -117,6 +117,36 @@ TEST(running_statistics, a_value_that_is_not_a_number_is_absent) {
   EXPECT_GT(statistics.min()[2], statistics.max()[2]);  // never there
 }
 
+TEST(running_statistics, a_value_that_is_missing_from_some_time_on_leaves_the_others_as_they_are) {
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
+  const Samples samples = random_samples(2, 60, 3);
+  RunningStatistics both(2), first(1), second(1);
+  for (std::size_t i = 0; i < 60; ++i) {
+    const std::array<double, 2> sample = {samples.rows[i][0], i % 7 == 6 ? kAbsent : samples.rows[i][1]};
+    both.add(sample, samples.weights[i]);
+    first.add(std::span(sample).first(1), samples.weights[i]);
+    if (i % 7 != 6) second.add(std::span(sample).last(1), samples.weights[i]);
+  }
+  EXPECT_EQ(both.mean()[0], first.mean()[0]);
+  EXPECT_EQ(both.standard_deviation()[0], first.standard_deviation()[0]);
+  EXPECT_EQ(both.max()[0], first.max()[0]);
+  EXPECT_EQ(both.mean()[1], second.mean()[0]);
+  EXPECT_EQ(both.standard_deviation()[1], second.standard_deviation()[0]);
+  EXPECT_EQ(both.min()[1], second.min()[0]);
+}
+
+TEST(running_statistics, a_sample_in_parts_counts_as_the_whole) {
+  const Samples samples = random_samples(5, 20, 4);
+  RunningStatistics whole(5), parts(5);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const std::span<const double> all = samples.rows[i];
+    whole.add(all, samples.weights[i]);
+    parts.add_parts({all.first(2), all.subspan(2, 1), all.last(2)}, samples.weights[i]);
+  }
+  EXPECT_EQ(parts.save(), whole.save());
+  EXPECT_THROW(parts.add_parts({whole.min().first(2), whole.max().first(2)}, 1.0), std::logic_error);
+}
+
 TEST(running_statistics, taken_up_again_from_what_was_saved_end_with_the_same_bits) {
   const Samples samples = random_samples(33, 100, 2);
   const std::vector<double> whole = taken(samples).save();

@@ -26,6 +26,7 @@ class TwoStations {
   explicit TwoStations(const Description& description)
       : model_(build_model(description)), recorder_(model_, {0, 0}, 0) {
     nodes_.resize(2);
+    for (const std::size_t station : {0, 1}) tangents_.set(station, Vec3::UnitX());
     std::fill(nodes_.z.begin(), nodes_.z.end(), -20.0);
     std::fill(nodes_.external_pressure.begin(), nodes_.external_pressure.end(), 2e5);
   }
@@ -44,7 +45,7 @@ class TwoStations {
   void wave(double from, double to, Tension tension, Moment moment) {
     for (double time = from; time < to - 1e-9; time += 0.01) {
       nodes_.effective_tension[0] = tension(time);
-      moments_[0] = moment(time);
+      moments_.set(0, moment(time));
       nodes_.curvature[0] = moments_[0].norm() / section().EI;
       if (time == 0.0) recorder_.start(at(time));
       recorder_.step(at(time + 0.01));
@@ -65,7 +66,7 @@ class TwoStations {
   Model model_;
   FatigueRecorder recorder_;
   NodeValues nodes_;
-  std::vector<Vec3> moments_ = {Vec3::Zero(), Vec3::Zero()}, tangents_ = {Vec3::UnitX(), Vec3::UnitX()};
+  VectorColumns moments_{2}, tangents_{2};
   std::vector<int> nodes_of_ = {0, 1};
   std::vector<RollerContact> contacts_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,8 @@ class RunningStatistics {
   /// Takes a sample of all quantities. `values` has size() entries; `weight` >= 0, a sample of weight 0 counts for min
   /// and max alone. Allocates nothing. Throws std::invalid_argument where either is not so.
   void add(std::span<const double> values, double weight);
+  /// The same of a sample in several arrays, one after the other.
+  void add_parts(std::initializer_list<std::span<const double>> parts, double weight);
 
   std::size_t size() const { return min_.size(); }
   double weight() const { return weight_; }  ///< Sum of the weights: the time covered [s].
@@ -33,9 +36,14 @@ class RunningStatistics {
   void restore(std::span<const double> saved);
 
  private:
+  // Of the quantities from `first` on.
+  void add_whole(std::span<const double> values, std::size_t first, double weight);
+  void add_there(std::span<const double> values, std::size_t first, double weight);
+
   double weight_ = 0.0;
   std::vector<double> min_, max_, mean_, squares_;  ///< `squares_`: weighted squared distances from the mean.
-  std::vector<double> weights_;                     ///< Of the samples in which the quantity was there.
+  bool all_there_ = true;        ///< No value was absent yet: one weight, and one division a sample, is that of all.
+  std::vector<double> weights_;  ///< Of the samples in which the quantity was there; not kept while all were.
 };
 
 }  // namespace overbend

@@ -34,29 +34,77 @@ DesignRecorder::DesignRecorder(const Model& model, const std::vector<int>& secti
     : model_(&model),
       sections_(sections_by_class(model)),
       combinations_(load_combinations(model.description.checks)),
-      section_(section_of_node.begin(), section_of_node.end()),
+      section_(section_of_node),
       first_supported_(section_of_node.size()),
       functional_(section_of_node.size()),
+      screen_(section_of_node.size(), combinations_),
       roller_(section_of_node.size(), 0.0),
-      stations_(section_of_node.size()) {}
+      overpressure_(section_of_node.size(), 0.0),
+      peaks_(section_of_node.size()),
+      largest_force_(section_of_node.size(), 0.0),
+      von_mises_(section_of_node.size(), -1.0),
+      fibre_strain_(section_of_node.size(), -1.0),
+      tension_(section_of_node.size(), -1e300) {
+  runs_.reserve(section_.size());
+  find_section_runs(section_, runs_);
+}
 
-double DesignRecorder::overpressure(const DesignInstant& at, std::size_t node) const {
-  const Section& section = model_->sections[section_[node]];
-  const double internal = section.internal_pressure - section.contents_weight_density * at.nodes.z[node];
-  return at.nodes.external_pressure[node] - std::max(internal, 0.0);
+void DesignRecorder::set_sections(const std::vector<int>& section_of_node) {
+  bool moved = false;
+  for (std::size_t node = 0; node < section_.size(); ++node) {
+    if (section_[node] == section_of_node[node]) continue;
+    section_[node] = section_of_node[node];
+    set_limits(node);
+    moved = true;
+  }
+  if (moved) find_section_runs(section_, runs_);
+}
+
+SectionOfClasses DesignRecorder::section_of_classes(std::size_t section) const {
+  SectionOfClasses of_classes{};
+  for (std::size_t i = 0; i < kSafetyClasses; ++i) of_classes[i] = &sections_[i][section];
+  return of_classes;
+}
+
+/// What the peaks of a node leave to be looked for.
+void DesignRecorder::set_limits(std::size_t node) {
+  for (std::size_t i = 0; i < kSafetyClasses; ++i) {
+    const Peak& peak = peaks_[node][i];
+    const CheckSection& section = sections_[i][static_cast<std::size_t>(section_[node])];
+    screen_.keep_load(i, node, peak.load);
+    screen_.keep_strain(i, node, peak.strain, peak.design_strain, section.strain);
+  }
+}
+
+void DesignRecorder::find_overpressure(const DesignInstant& at) {
+  const double* z = at.nodes.z.data();
+  const double* external = at.nodes.external_pressure.data();
+  double* over = overpressure_.data();
+  for (const SectionRun& run : runs_) {
+    const Section& section = model_->sections[run.section];
+    const double at_zero = section.internal_pressure, by_height = section.contents_weight_density;
+#pragma GCC ivdep
+    for (std::size_t node = run.first; node < run.last; ++node) {
+      over[node] = external[node] - std::max(at_zero - by_height * z[node], 0.0);
+    }
+  }
 }
 
 void DesignRecorder::start(const DesignInstant& at) {
-  for (std::size_t node = 0; node < functional_.size(); ++node) {
-    functional_[node] = {at.moments[node], strain_vector(at.nodes.strain[node], at.moments[node]), at.tangents[node],
-                         at.nodes.effective_tension[node]};
-  }
-  for (std::size_t node = 0; node < current_.size(); ++node) {
-    const Vec3 moment = current_[node].moment(at.tangents[node]);
-    const Section& section = model_->sections[section_[node]];
-    functional_[node].moment -= moment;
-    functional_[node].strain -= 0.5 * section.steel_diameter / section.EI * moment;
-    functional_[node].force -= current_[node].tension;
+  for (std::size_t node = 0; node < section_.size(); ++node) {
+    Vec3 moment = at.moments[node], strain = strain_vector(at.nodes.strain[node], moment);
+    double force = at.nodes.effective_tension[node];
+    if (node < current_.size()) {
+      const Vec3 added = current_[node].moment(at.tangents[node]);
+      const Section& section = model_->sections[static_cast<std::size_t>(section_[node])];
+      moment -= added;
+      strain -= 0.5 * section.steel_diameter / section.EI * added;
+      force -= current_[node].tension;
+    }
+    functional_.moment.set(node, moment);
+    functional_.strain.set(node, strain);
+    functional_.tangent.set(node, at.tangents[node]);
+    functional_.force[node] = force;
   }
   for (const RollerContact& contact : at.contacts) {
     if (contact.normal > 0.0) {
@@ -77,100 +125,124 @@ void DesignRecorder::find_rollers(const DesignInstant& at) {
 }
 
 /// Utilisation grows with each load effect: where none is above the peak's it need not be looked at.
-void DesignRecorder::keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect) {
+bool DesignRecorder::keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect) {
   if (effect.pressure >= 0.0 && effect.moment <= peak.moment && std::abs(effect.force) <= std::abs(peak.force) &&
       effect.pressure <= peak.load_pressure && effect.share >= peak.share) {
-    return;
+    return false;
   }
   const double used =
       load_terms(section.load, effect.moment, effect.force, effect.pressure, 0.0, effect.share).utilisation();
-  if (used > peak.load) {
-    peak.load = used;
-    peak.load_time = effect.time;
-    peak.moment = effect.moment;
-    peak.force = effect.force;
-    peak.load_pressure = effect.pressure;
-    peak.share = effect.share;
-  }
+  if (!(used > peak.load)) return false;
+  peak.load = used;
+  peak.load_time = effect.time;
+  peak.moment = effect.moment;
+  peak.force = effect.force;
+  peak.load_pressure = effect.pressure;
+  peak.share = effect.share;
+  return true;
 }
 
-void DesignRecorder::keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect) {
-  if (effect.pressure >= 0.0 && effect.strain <= peak.design_strain && effect.pressure <= peak.strain_pressure) return;
-  const double used = strain_terms(section.strain, effect.strain, effect.pressure, 0.0).utilisation();
-  if (used > peak.strain) {
-    peak.strain = used;
-    peak.strain_time = effect.time;
-    peak.design_strain = effect.strain;
-    peak.strain_pressure = effect.pressure;
+bool DesignRecorder::keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect) {
+  if (effect.pressure >= 0.0 && effect.strain <= peak.design_strain && effect.pressure <= peak.strain_pressure) {
+    return false;
   }
+  const double used = strain_terms(section.strain, effect.strain, effect.pressure, 0.0).utilisation();
+  if (!(used > peak.strain)) return false;
+  peak.strain = used;
+  peak.strain_time = effect.time;
+  peak.design_strain = effect.strain;
+  peak.strain_pressure = effect.pressure;
+  return true;
 }
 
 void DesignRecorder::step_load(const DesignInstant& at, std::size_t node) {
-  const CheckSection& section = sections_[0][section_[node]];  // what is used of it here is that of every class
-  if (!section.load.known) return;
-  const Functional& functional = functional_[node];
-  Station& station = stations_[node];
-  const Vec3 still = carried(functional.moment, functional.tangent, at.tangents[node]);
-  const double added_force = at.nodes.effective_tension[node] - functional.force;
+  const std::size_t of_node = static_cast<std::size_t>(section_[node]);
+  const CheckSection& section = sections_[0][of_node];  // what is used of it here is that of every class
+  const Vec3 still = carried(functional_.moment[node], functional_.tangent[node], at.tangents[node]);
+  const double added_force = at.nodes.effective_tension[node] - functional_.force[node];
   LoadEffect effect{};
   effect.time = at.time;
-  effect.pressure = overpressure(at, node);
-  effect.share = roller_[node] > 0.0 && model_->description.checks.point_load
-                     ? point_load_factor(section.wall, section.fy, roller_[node])
-                     : 1.0;
+  effect.pressure = overpressure_[node];
+  effect.share = roller_[node] > 0.0 ? point_load_factor(section.wall, section.fy, roller_[node]) : 1.0;
   for (const LoadFactors& factors : combinations_) {
     effect.moment = design_size(factors, still, at.moments[node] - still);
-    effect.force = design_value(factors, functional.force, added_force);
-    station.largest_force = std::max(station.largest_force, std::abs(effect.force));
+    effect.force = design_value(factors, functional_.force[node], added_force);
     for (std::size_t i = 0; i < kSafetyClasses; ++i) {
-      keep_load(station.peaks[i], sections_[i][section_[node]], effect);
+      Peak& peak = peaks_[node][i];
+      if (keep_load(peak, sections_[i][of_node], effect)) screen_.keep_load(i, node, peak.load);
     }
   }
 }
 
 void DesignRecorder::step_strain(const DesignInstant& at, std::size_t node) {
-  const CheckSection& section = sections_[0][section_[node]];
-  if (!section.strain.holds) return;
-  const Functional& functional = functional_[node];
-  const Vec3 still = carried(functional.strain, functional.tangent, at.tangents[node]);
+  const std::size_t of_node = static_cast<std::size_t>(section_[node]);
+  const Vec3 still = carried(functional_.strain[node], functional_.tangent[node], at.tangents[node]);
   const Vec3 added = strain_vector(at.nodes.strain[node], at.moments[node]) - still;
-  StrainEffect effect{0.0, overpressure(at, node), at.time};
+  StrainEffect effect{0.0, overpressure_[node], at.time};
   for (const LoadFactors& factors : combinations_) {
-    effect.strain = section.strain_factor * design_size(factors, still, added);
+    effect.strain = sections_[0][of_node].strain_factor * design_size(factors, still, added);
     for (std::size_t i = 0; i < kSafetyClasses; ++i) {
-      keep_strain(stations_[node].peaks[i], sections_[i][section_[node]], effect);
+      const CheckSection& section = sections_[i][of_node];
+      Peak& peak = peaks_[node][i];
+      if (keep_strain(peak, section, effect)) {
+        screen_.keep_strain(i, node, peak.strain, peak.design_strain, section.strain);
+      }
     }
   }
 }
 
-void DesignRecorder::step_times(const DesignInstant& at, std::size_t node) {
-  Station& station = stations_[node];
-  const auto keep = [&](double value, double& largest, double& time) {
-    if (value > largest) {
-      largest = value;
-      time = at.time;
+void DesignRecorder::Largest::keep(const std::vector<double>& values, double now) {
+  const std::size_t n = value.size();
+  const double* v = values.data();
+  double* most = value.data();
+  double* when = time.data();
+#pragma GCC ivdep
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool more = v[i] > most[i];
+    when[i] = more ? now : when[i];
+    most[i] = more ? v[i] : most[i];
+  }
+}
+
+void DesignRecorder::keep_times(const DesignInstant& at) {
+  von_mises_.keep(at.nodes.von_mises, at.time);
+  fibre_strain_.keep(at.nodes.strain, at.time);
+  tension_.keep(at.nodes.effective_tension, at.time);
+}
+
+void DesignRecorder::step_run(const DesignInstant& at, const SectionRun& run) {
+  const PresentEffects now{at.moments, at.tangents, at.nodes.strain, at.nodes.effective_tension};
+  const SectionOfClasses sections = section_of_classes(run.section);
+  if (sections[0]->load.known) {
+    screen_.find_loads(run, sections, functional_, now, overpressure_);
+    screen_.raise_forces(run, largest_force_);
+    for (std::size_t node = run.first; node < run.last; ++node) {
+      if (roller_[node] > 0.0 || screen_.loads_more(node)) step_load(at, node);
     }
-  };
-  keep(at.nodes.von_mises[node], station.von_mises, station.von_mises_time);
-  keep(at.nodes.strain[node], station.fibre_strain, station.fibre_strain_time);
-  keep(at.nodes.effective_tension[node], station.tension, station.tension_time);
+  }
+  const SectionRun supported{run.section, std::max(run.first, first_supported_), run.last};
+  if (sections[0]->strain.holds && supported.first < supported.last) {
+    screen_.find_strains(supported, sections, functional_, now, overpressure_);
+    for (std::size_t node = supported.first; node < supported.last; ++node) {
+      if (screen_.strains_more(node)) step_strain(at, node);
+    }
+  }
 }
 
 void DesignRecorder::step(const DesignInstant& at) {
   if (model_->description.checks.point_load) find_rollers(at);
-  for (std::size_t node = 0; node < stations_.size(); ++node) {
-    step_times(at, node);
-    if (model_->sections[section_[node]].kind == SectionKind::cable) continue;  // no code for pipes is about it
-    step_load(at, node);
-    if (node >= first_supported_) step_strain(at, node);
+  keep_times(at);
+  find_overpressure(at);
+  for (const SectionRun& run : runs_) {
+    if (model_->sections[run.section].kind != SectionKind::cable) step_run(at, run);  // no code for pipes is about it
   }
 }
 
 void DesignRecorder::fill_peaks(DesignPeaks& out, std::size_t of_class, std::size_t first) const {
   const auto column = [&](std::vector<double>& values, double Peak::*member) {
     values.clear();
-    for (std::size_t node = first; node < stations_.size(); ++node) {
-      values.push_back(stations_[node].peaks[of_class].*member);
+    for (std::size_t node = first; node < peaks_.size(); ++node) {
+      values.push_back(peaks_[node][of_class].*member);
     }
   };
   column(out.load, &Peak::load);
@@ -188,28 +260,44 @@ void DesignRecorder::fill_peaks(DesignPeaks& out, std::size_t of_class, std::siz
 void DesignRecorder::fill(StationDesign& design, std::size_t first) const {
   fill_peaks(design, static_cast<std::size_t>(model_->description.checks.safety_class), first);
   for (std::size_t i = 0; i < kSafetyClasses; ++i) fill_peaks(design.of_class[i], i, first);
-  const auto column = [&](std::vector<double>& values, double Station::*member) {
-    values.clear();
-    for (std::size_t node = first; node < stations_.size(); ++node) values.push_back(stations_[node].*member);
+  const auto column = [&](std::vector<double>& values, const std::vector<double>& all) {
+    values.assign(all.begin() + static_cast<std::ptrdiff_t>(first), all.end());
   };
-  column(design.largest_force, &Station::largest_force);
-  column(design.von_mises_time, &Station::von_mises_time);
-  column(design.fibre_strain_time, &Station::fibre_strain_time);
-  column(design.tension_time, &Station::tension_time);
+  column(design.largest_force, largest_force_);
+  column(design.von_mises_time, von_mises_.time);
+  column(design.fibre_strain_time, fibre_strain_.time);
+  column(design.tension_time, tension_.time);
 }
 
 std::vector<double> DesignRecorder::save() const {
-  static_assert(sizeof(Station) == kStationNumbers * sizeof(double));
-  std::vector<double> out(kStationNumbers * stations_.size());
-  std::memcpy(out.data(), stations_.data(), out.size() * sizeof(double));
+  static_assert(sizeof(Peaks) == kPeakNumbers * sizeof(double));
+  std::vector<double> out;
+  out.reserve(kStationNumbers * peaks_.size());
+  for (std::size_t node = 0; node < peaks_.size(); ++node) {
+    const std::size_t at = out.size();
+    out.resize(at + kPeakNumbers);
+    std::memcpy(out.data() + at, &peaks_[node], sizeof(Peaks));
+    out.insert(out.end(),
+               {largest_force_[node], von_mises_.value[node], von_mises_.time[node], fibre_strain_.value[node],
+                fibre_strain_.time[node], tension_.value[node], tension_.time[node]});
+  }
   return out;
 }
 
 void DesignRecorder::restore(std::span<const double> saved) {
-  if (saved.size() != kStationNumbers * stations_.size()) {
+  if (saved.size() != kStationNumbers * peaks_.size()) {
     throw std::runtime_error("the checkpoint's checks do not fit");
   }
-  std::memcpy(static_cast<void*>(stations_.data()), saved.data(), saved.size() * sizeof(double));
+  const double* from = saved.data();
+  for (std::size_t node = 0; node < peaks_.size(); ++node) {
+    std::memcpy(static_cast<void*>(&peaks_[node]), from, sizeof(Peaks));
+    from += kPeakNumbers;
+    for (std::vector<double>* column : {&largest_force_, &von_mises_.value, &von_mises_.time, &fibre_strain_.value,
+                                        &fibre_strain_.time, &tension_.value, &tension_.time}) {
+      (*column)[node] = *from++;
+    }
+    set_limits(node);
+  }
 }
 
 }  // namespace overbend

@@ -2,13 +2,13 @@
 /// every safety class.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
 
 #include "checks/check_section.h"
 #include "checks/current_part.h"
+#include "recording/design_screen.h"
 #include "recording/dynamic_stations.h"
 #include "results/dynamic_results.h"
 
@@ -17,8 +17,8 @@ namespace overbend {
 /// A step as the design recorder is told of it.
 struct DesignInstant {
   const NodeValues& nodes;
-  const std::vector<Vec3>& moments;         ///< Bending moment at every node as a vector, W [N m].
-  const std::vector<Vec3>& tangents;        ///< Unit, W.
+  const VectorColumns& moments;             ///< Bending moment at every node as a vector, W [N m].
+  const VectorColumns& tangents;            ///< Unit, W.
   const std::vector<int>& station_of_node;  ///< Of the mesh that contacts tell of.
   const std::vector<RollerContact>& contacts;
   double time = 0.0;
@@ -32,9 +32,7 @@ class DesignRecorder {
   /// start(); none where it is not told.
   void set_current(std::vector<CurrentPart> parts) { current_ = std::move(parts); }
   /// What stands at the stations now, where pipe moves through them.
-  void set_sections(const std::vector<int>& section_of_node) {
-    std::copy(section_of_node.begin(), section_of_node.end(), section_.begin());
-  }
+  void set_sections(const std::vector<int>& section_of_node);
   /// The static state: the functional load effects.
   void start(const DesignInstant& at);
   /// An accepted step after t = 0. Nothing is allocated.
@@ -47,10 +45,13 @@ class DesignRecorder {
 
  private:
   void find_rollers(const DesignInstant& at);
+  void find_overpressure(const DesignInstant& at);
+  void keep_times(const DesignInstant& at);
+  void step_run(const DesignInstant& at, const SectionRun& run);
   void step_load(const DesignInstant& at, std::size_t node);
   void step_strain(const DesignInstant& at, std::size_t node);
-  void step_times(const DesignInstant& at, std::size_t node);
-  double overpressure(const DesignInstant& at, std::size_t node) const;
+  SectionOfClasses section_of_classes(std::size_t section) const;
+  void set_limits(std::size_t node);
 
   /// Of one instant and combination of load factors.
   struct LoadEffect {
@@ -63,33 +64,37 @@ class DesignRecorder {
   const Model* model_;
   std::array<std::vector<CheckSection>, kSafetyClasses> sections_;  ///< By class, as in Model::sections.
   std::vector<LoadFactors> combinations_;
-  std::vector<std::size_t> section_;  ///< Of every node.
-  std::size_t first_supported_ = 0;   ///< Lowest node over the supports; one beyond the last without supports.
+  std::vector<int> section_;  ///< Of every node.
+  std::vector<SectionRun> runs_;
+  std::size_t first_supported_ = 0;  ///< Lowest node over the supports; one beyond the last without supports.
 
-  struct Functional {
-    Vec3 moment = Vec3::Zero(), strain = Vec3::Zero(), tangent = Vec3::UnitX();
-    double force = 0.0;
-  };
-  std::vector<Functional> functional_;
+  FunctionalEffects functional_;
   std::vector<CurrentPart> current_;
-  std::vector<double> roller_;  ///< Largest roller force at the node now [N].
+  DesignScreen screen_;
+  std::vector<double> roller_;        ///< Largest roller force at the node now [N].
+  std::vector<double> overpressure_;  ///< External less internal pressure now [Pa].
 
   // Numbers only, in the order of save().
   struct Peak {
     double load = 0.0, load_time = 0.0, moment = 0.0, force = 0.0, load_pressure = 0.0, share = 1.0;
     double strain = 0.0, strain_time = 0.0, design_strain = 0.0, strain_pressure = 0.0;
   };
-  struct Station {
-    std::array<Peak, kSafetyClasses> peaks;
-    double largest_force = 0.0;
-    double von_mises = -1.0, von_mises_time = 0.0, fibre_strain = -1.0, fibre_strain_time = 0.0;
-    double tension = -1e300, tension_time = 0.0;
-  };
-  static constexpr std::size_t kStationNumbers = 10 * kSafetyClasses + 7;
-  std::vector<Station> stations_;
+  using Peaks = std::array<Peak, kSafetyClasses>;
+  static constexpr std::size_t kPeakNumbers = 10 * kSafetyClasses;
+  std::vector<Peaks> peaks_;  ///< Of every node.
 
-  static void keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect);
-  static void keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect);
+  /// The largest so far at every node, and when it was.
+  struct Largest {
+    std::vector<double> value, time;
+    Largest(std::size_t nodes, double least) : value(nodes, least), time(nodes, 0.0) {}
+    void keep(const std::vector<double>& values, double now);
+  };
+  std::vector<double> largest_force_;
+  Largest von_mises_, fibre_strain_, tension_;
+  static constexpr std::size_t kStationNumbers = kPeakNumbers + 7;
+
+  static bool keep_load(Peak& peak, const CheckSection& section, const LoadEffect& effect);
+  static bool keep_strain(Peak& peak, const CheckSection& section, const StrainEffect& effect);
   void fill_peaks(DesignPeaks& out, std::size_t of_class, std::size_t first) const;
 };
 

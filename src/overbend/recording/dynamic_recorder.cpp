@@ -100,11 +100,9 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   first_ = static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
   nodes_.resize(s.size());
   if (model.description.fatigue) fatigue_.emplace(model, recovery_.sections(), first_);
-  const std::size_t n = s.size() - first_;
-  node_sample_.resize(kNodeQuantities * n);
   support_sample_.resize(kBoxQuantities * boxes_ + kRollerQuantities * rollers_);
   key_sample_.resize(kKeyQuantities);
-  node_statistics_ = RunningStatistics(node_sample_.size());
+  node_statistics_ = RunningStatistics(kNodeQuantities * (s.size() - first_));
   support_statistics_ = RunningStatistics(support_sample_.size());
   key_statistics_ = RunningStatistics(key_sample_.size());
   reaction_sample_.resize(boxes_);
@@ -303,12 +301,11 @@ void DynamicRecorder::stepped(const Instant& at) {
   if (move_ != nullptr) design_.set_sections(recovery_.sections());
   design_.step(design_instant(at));
   if (fatigue_) fatigue_->step(design_instant(at));
-  double* out = node_sample_.data();
-  for (const std::vector<double>* values : {&nodes_.effective_tension, &nodes_.bending_moment, &nodes_.bending_stress,
-                                            &nodes_.von_mises, &nodes_.strain, &nodes_.x, &nodes_.y, &nodes_.z}) {
-    out = std::copy(values->begin() + static_cast<std::ptrdiff_t>(first_), values->end(), out);
-  }
-  node_statistics_.add(node_sample_, at.step);
+  const auto recorded = [&](const std::vector<double>& values) { return std::span(values).subspan(first_); };
+  node_statistics_.add_parts(
+      {recorded(nodes_.effective_tension), recorded(nodes_.bending_moment), recorded(nodes_.bending_stress),
+       recorded(nodes_.von_mises), recorded(nodes_.strain), recorded(nodes_.x), recorded(nodes_.y), recorded(nodes_.z)},
+      at.step);
   support_statistics_.add(support_sample_, at.step);
   reaction_quantiles_.add(reaction_sample_, at.step);
   key_statistics_.add(key_sample_, at.step);

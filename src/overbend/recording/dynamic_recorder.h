@@ -97,7 +97,7 @@ class DynamicRecorder : public SimulationObserver {
   std::optional<double> static_departure_;  ///< Place of the last contact in the static state [m].
   std::size_t rollers_, boxes_;
 
-  std::vector<double> node_sample_, support_sample_, static_supports_, key_sample_;
+  std::vector<double> support_sample_, static_supports_, key_sample_;
   RunningStatistics node_statistics_, support_statistics_, key_statistics_;
   std::vector<double> reaction_sample_;  ///< Of the boxes.
   RunningQuantiles reaction_quantiles_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mechanics/stress.h"
 #include "system/cut_forces.h"
@@ -38,12 +39,6 @@ double yielded_at(const std::vector<BendingMemory>& memory, std::size_t node) {
   return std::max(memory[after].largest, after > 0 ? memory[after - 1].largest : 0.0);
 }
 
-Vec3 up_across(const Vec3& t) {
-  const Vec3 up = Vec3::UnitZ() - t.z() * t;
-  const double size = up.norm();
-  return size > 1e-9 ? Vec3(up / size) : Vec3(Vec3::Zero());
-}
-
 /// Part of a moment about the pipe's axis taken off, and turned to point to the centre of the curve.
 Vec3 bend_of(const Vec3& moment, const Vec3& t) {
   return (moment - moment.dot(t) * t).cross(t);
@@ -71,23 +66,71 @@ NodeRecovery::NodeRecovery(const Model& model, const Line& line) : model_(&model
   for (std::size_t node = 0; node < nodes; ++node) {
     section_.push_back(line.mesh.section[std::min(node, line.mesh.section.size() - 1)]);
   }
-  bend_.resize(nodes);
-  tangent_.resize(nodes);
+  find_section_runs(section_, runs_);
+  for (VectorColumns* columns : {&direction_, &cut_force_, &cut_moment_, &bend_, &tangent_}) columns->resize(nodes);
   carrying_.reserve(model.supports.rollers.size());
 }
 
-void NodeRecovery::cut_moments(const LineState& state, const std::vector<double>& cuts, NodeValues& values) {
-  for (std::size_t node = 0; node < bend_.size(); ++node) {
-    const Vec3 t = tangent_of(state, node).normalized();
-    tangent_[node] = t;
-    const CutForces cut = cut_at_node(cuts, state.q, node);
-    bend_[node] = bend_of(cut.moment, t);
-    values.effective_tension[node] = cut.force.dot(t);
-    values.bending_moment[node] = bend_[node].norm();
-    values.vertical_moment[node] = bend_[node].dot(up_across(t));
-    values.curvature[node] =
-        values.bending_moment[node] / model_->sections[static_cast<std::size_t>(section_[node])].EI;
+/// Places and cuts, which have the nodes one after the other, as columns.
+void NodeRecovery::take_columns(const LineState& state, const std::vector<double>& cuts, NodeValues& values) {
+  const PlainColumns direction(direction_), force(cut_force_), moment(cut_moment_);
+  double *x = values.x.data(), *y = values.y.data(), *z = values.z.data();
+  const double *q = state.q.data(), *cut = cuts.data();
+  for (std::size_t node = 0; node < section_.size(); ++node, q += 6, cut += 6) {
+    x[node] = q[0];
+    y[node] = q[1];
+    z[node] = q[2];
+    direction.put(node, {q[3], q[4], q[5]});
+    force.put(node, {cut[0], cut[1], cut[2]});
+    moment.put(node, {cut[3], cut[4], cut[5]});
   }
+}
+
+void NodeRecovery::find_pressures(const std::vector<double>& water, NodeValues& values) const {
+  const double* z = values.z.data();
+  double* pressure = values.external_pressure.data();
+  const std::size_t nodes = section_.size();
+  const double density = model_->water_weight_density;
+  const double* head = water.empty() ? nullptr : water.data() + 7;
+#pragma GCC ivdep
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const double surface = head != nullptr ? head[static_cast<std::size_t>(kWaterValues) * node] : 0.0;
+    pressure[node] = density * std::max(surface - z[node], 0.0);
+  }
+}
+
+/// Arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of the loop.
+void NodeRecovery::cut_moments(NodeValues& values) {
+  const ConstColumns direction(direction_), force(cut_force_), moment(cut_moment_);
+  const PlainColumns tangent(tangent_), bend(bend_);
+  double *tension = values.effective_tension.data(), *size = values.bending_moment.data();
+  double* vertical = values.vertical_moment.data();
+  const std::size_t nodes = section_.size();
+#pragma GCC ivdep
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const Parts a = direction.at(node), m = moment.at(node);
+    const Parts t = a / length(a);
+    // The moment in the cut, its part about the pipe's axis taken off, and turned to point to the centre of the curve.
+    const Parts all = cross(a, m);
+    const Parts b = cross(all - dot(all, t) * t, t);
+    // Upwards across the pipe; no such direction where it stands upright.
+    const Parts up = Parts{0.0, 0.0, 1.0} - t.z * t;
+    const double level = length(up);
+    tangent.put(node, t);
+    bend.put(node, b);
+    tension[node] = dot(force.at(node), t);
+    size[node] = length(b);
+    vertical[node] = dot(b, up / (level > 1e-9 ? level : std::numeric_limits<double>::infinity()));
+  }
+}
+
+/// Of linear steel.
+void NodeRecovery::linear_curvatures(const SectionRun& run, NodeValues& values) const {
+  const double EI = model_->sections[run.section].EI;
+  const double* moment = values.bending_moment.data();
+  double* curvature = values.curvature.data();
+#pragma GCC ivdep
+  for (std::size_t node = run.first; node < run.last; ++node) curvature[node] = moment[node] / EI;
 }
 
 /// EI times the curvature at a node is the mean of those of the cubics on both sides, with the fixed-end moments of the
@@ -111,7 +154,7 @@ void NodeRecovery::shape_curvatures(const LineState& state, NodeValues& values) 
     if (node > 0) add_element(node - 1, true);
     if (node < last) add_element(node, false);
     const double share = node == 0 || node == last ? 1.0 : 0.5;
-    const Vec3& t = tangent_[node];
+    const Vec3 t = tangent_[node];
     values.curvature[node] = share * (bend - bend.dot(t) * t).norm() / softer_side(line_->elements.EI, node, last);
   }
 }
@@ -157,15 +200,63 @@ void NodeRecovery::moments_under_rollers(const LineState& state, const LineAssem
     values.curvature[node] = std::max(values.curvature[node], curvature);
     if (moment > values.bending_moment[node]) {
       values.bending_moment[node] = moment;
-      bend_[node] = bend;
+      bend_.set(node, bend);
     }
   }
 }
 
 /// A cable has no bending; what keeps it defined where it is slack is not told.
-void NodeRecovery::lay_straight(std::size_t node, NodeValues& values) {
-  bend_[node] = Vec3::Zero();
-  values.bending_moment[node] = values.vertical_moment[node] = values.curvature[node] = 0.0;
+void NodeRecovery::lay_straight(const SectionRun& run, NodeValues& values) {
+  for (std::size_t node = run.first; node < run.last; ++node) {
+    bend_.set(node, Vec3::Zero());
+    values.bending_moment[node] = values.vertical_moment[node] = values.curvature[node] = 0.0;
+    values.bending_stress[node] = values.von_mises[node] = values.strain[node] = 0.0;
+  }
+}
+
+void NodeRecovery::elastic_stresses(const SectionRun& run, NodeValues& values) const {
+  const Section& section = model_->sections[run.section];
+  const SectionWall wall(section);
+  const double at_zero = section.internal_pressure, by_height = section.contents_weight_density;
+  const double* tension = values.effective_tension.data();
+  const double* moment = values.bending_moment.data();
+  const double* curvature = values.curvature.data();
+  const double* external = values.external_pressure.data();
+  const double* z = values.z.data();
+  double* bending = values.bending_stress.data();
+  double* von_mises = values.von_mises.data();
+  double* strain = values.strain.data();
+#pragma GCC ivdep
+  for (std::size_t node = run.first; node < run.last; ++node) {
+    SectionLoads loads;
+    loads.effective_tension = tension[node];
+    loads.bending_moment = moment[node];
+    loads.curvature = curvature[node];
+    loads.external_pressure = external[node];
+    loads.internal_pressure = at_zero - by_height * z[node];
+    const SectionStress stress = stress_of_wall(wall, loads, 0.0, [](double elastic, double) { return elastic; });
+    bending[node] = stress.bending;
+    von_mises[node] = stress.von_mises;
+    strain[node] = stress.strain;
+  }
+}
+
+void NodeRecovery::yielding_stresses(const SectionRun& run, const LineState& state, NodeValues& values) const {
+  const Section& section = model_->sections[run.section];
+  for (std::size_t node = run.first; node < run.last; ++node) {
+    SectionLoads loads;
+    loads.effective_tension = values.effective_tension[node];
+    loads.bending_moment = values.bending_moment[node];
+    loads.curvature = values.curvature[node];
+    loads.z = values.z[node];
+    loads.largest_curvature = yielded_at(state.bending, node);
+    loads.external_pressure = values.external_pressure[node];
+    loads.internal_pressure = section.internal_pressure - section.contents_weight_density * loads.z;
+    const SectionStress stress = section_stress(section, loads);
+    values.bending_stress[node] = stress.bending;
+    values.von_mises[node] = stress.von_mises;
+    values.strain[node] = stress.strain;
+  }
 }
 
 void NodeRecovery::recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water,
@@ -174,32 +265,21 @@ void NodeRecovery::recover(const LineState& state, const LineAssembly& line, con
   for (const RollerContact& contact : line.contacts().contacts()) {
     if (contact.normal > 0.0) carrying_.push_back(&contact);
   }
-  cut_moments(state, line.cuts(), values);
+  take_columns(state, line.cuts(), values);
+  find_pressures(water, values);
+  cut_moments(values);
+  for (const SectionRun& run : runs_) linear_curvatures(run, values);
   if (line_->yielding.any) shape_curvatures(state, values);
   moments_under_rollers(state, line, values);
-  for (std::size_t node = 0; node < section_.size(); ++node) {
-    const Section& section = model_->sections[static_cast<std::size_t>(section_[node])];
-    if (section.kind == SectionKind::cable) lay_straight(node, values);
-    const double* q = state.q.data() + 6 * node;
-    const double z = q[2];
-    const double head = water.empty() ? 0.0 : water[static_cast<std::size_t>(kWaterValues) * node + 7];
-    SectionLoads loads;
-    loads.effective_tension = values.effective_tension[node];
-    loads.bending_moment = values.bending_moment[node];
-    loads.curvature = values.curvature[node];
-    loads.z = z;
-    loads.largest_curvature = section.bending ? yielded_at(state.bending, node) : 0.0;
-    loads.external_pressure = model_->water_weight_density * std::max(head - z, 0.0);
-    loads.internal_pressure = section.internal_pressure - section.contents_weight_density * z;
-    const SectionStress stress = section_stress(section, loads);
-    values.external_pressure[node] = loads.external_pressure;
-    const bool pipe = section.kind != SectionKind::cable;  // what is told of a cable is its tension
-    values.bending_stress[node] = pipe ? stress.bending : 0.0;
-    values.von_mises[node] = pipe ? stress.von_mises : 0.0;
-    values.strain[node] = pipe ? stress.strain : 0.0;
-    values.x[node] = q[0];
-    values.y[node] = q[1];
-    values.z[node] = z;
+  for (const SectionRun& run : runs_) {
+    const Section& section = model_->sections[run.section];
+    if (section.kind == SectionKind::cable) {
+      lay_straight(run, values);  // what is told of a cable is its tension
+    } else if (section.bending) {
+      yielding_stresses(run, state, values);
+    } else {
+      elastic_stresses(run, values);
+    }
   }
 }
 

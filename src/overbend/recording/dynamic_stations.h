@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "model/model.h"
+#include "recording/section_runs.h"
+#include "recording/vector_columns.h"
 #include "system/assembly.h"
 
 namespace overbend {
@@ -33,23 +35,30 @@ class NodeRecovery {
   void recover(const LineState& state, const LineAssembly& line, const std::vector<double>& water, NodeValues& values);
 
   // Of the state recovered last, at every node, W.
-  const std::vector<Vec3>& moments() const { return bend_; }      ///< Bending moment [N m].
-  const std::vector<Vec3>& tangents() const { return tangent_; }  ///< Unit.
+  const VectorColumns& moments() const { return bend_; }      ///< Bending moment [N m].
+  const VectorColumns& tangents() const { return tangent_; }  ///< Unit.
   const std::vector<int>& sections() const { return section_; }
 
  private:
-  void cut_moments(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
+  void take_columns(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
+  void find_pressures(const std::vector<double>& water, NodeValues& values) const;
+  void cut_moments(NodeValues& values);
+  void linear_curvatures(const SectionRun& run, NodeValues& values) const;
   void shape_curvatures(const LineState& state, NodeValues& values);
   void moments_under_rollers(const LineState& state, const LineAssembly& line, NodeValues& values);
-  void lay_straight(std::size_t node, NodeValues& values);
+  void lay_straight(const SectionRun& run, NodeValues& values);
+  void elastic_stresses(const SectionRun& run, NodeValues& values) const;
+  void yielding_stresses(const SectionRun& run, const LineState& state, NodeValues& values) const;
   Vec3 moment_under(const LineState& state, const LineAssembly& line, const RollerContact& contact) const;
   Vec3 shape_bend(const LineState& state, const RollerContact& contact) const;
 
   const Model* model_;
   const Line* line_;
   std::vector<int> section_;  ///< Of every node.
-  std::vector<Vec3> bend_;
-  std::vector<Vec3> tangent_;
+  std::vector<SectionRun> runs_;
+  VectorColumns direction_;               ///< The tangents as the unknowns have them.
+  VectorColumns cut_force_, cut_moment_;  ///< As LineAssembly::cuts().
+  VectorColumns bend_, tangent_;
   std::vector<const RollerContact*> carrying_;
 };
 

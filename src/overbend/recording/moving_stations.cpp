@@ -81,8 +81,8 @@ void MovingStations::interpolate(NodeValues& values) {
       (values.*quantity)[station] = of[below] + share * (of[below + 1] - of[below]);
     }
     const std::size_t nearer = share < 0.5 ? below : below + 1;
-    moments_[station] = (1.0 - share) * recovery_.moments()[below] + share * recovery_.moments()[below + 1];
-    tangents_[station] = recovery_.tangents()[nearer];
+    moments_.set(station, (1.0 - share) * recovery_.moments()[below] + share * recovery_.moments()[below + 1]);
+    tangents_.set(station, recovery_.tangents()[nearer]);
     sections_[station] = recovery_.sections()[below];
   }
 }
@@ -99,8 +99,8 @@ void MovingStations::take_largest(NodeValues& values) {
     }
     if (peaks_at(nodes_.bending_moment, node) && nodes_.bending_moment[node] > values.bending_moment[station]) {
       values.bending_moment[station] = nodes_.bending_moment[node];
-      moments_[station] = recovery_.moments()[node];
-      tangents_[station] = recovery_.tangents()[node];
+      moments_.set(station, recovery_.moments()[node]);
+      tangents_.set(station, recovery_.tangents()[node]);
       sections_[station] = recovery_.sections()[node];
     }
   }

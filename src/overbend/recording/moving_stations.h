@@ -29,8 +29,8 @@ class MovingStations {
   double arc_length_of(double place) const { return place + shift_; }
 
   // Of the state recovered last, at every station.
-  const std::vector<Vec3>& moments() const { return moves_ ? moments_ : recovery_.moments(); }
-  const std::vector<Vec3>& tangents() const { return moves_ ? tangents_ : recovery_.tangents(); }
+  const VectorColumns& moments() const { return moves_ ? moments_ : recovery_.moments(); }
+  const VectorColumns& tangents() const { return moves_ ? tangents_ : recovery_.tangents(); }
   const std::vector<int>& sections() const { return moves_ ? sections_ : recovery_.sections(); }
   /// Of every node the station nearest to it.
   const std::vector<int>& station_of_node() const { return station_of_node_; }
@@ -49,7 +49,7 @@ class MovingStations {
   std::vector<double> places_;
   double shift_ = 0.0;
   NodeValues nodes_;
-  std::vector<Vec3> moments_, tangents_;
+  VectorColumns moments_, tangents_;
   std::vector<int> sections_, station_of_node_;
 };
 

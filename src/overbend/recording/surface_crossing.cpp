@@ -8,17 +8,20 @@
 namespace overbend {
 namespace {
 
-/// A node over the surface: height, speed upwards away from it, and how much of a vertical motion is across the pipe.
+/// Of a node over the surface.
 struct OverSurface {
-  double height = 0.0, rising = 0.0, across = 0.0;
+  double rising = 0.0;  ///< Speed upwards away from it [m/s].
+  double across = 0.0;  ///< How much of a vertical motion is across the pipe [-].
 };
 
 OverSurface over_surface(const LineState& state, const std::vector<double>& waves, std::size_t node) {
   const double* q = state.q.data() + 6 * node;
-  const double* water = waves.empty() ? nullptr : waves.data() + kWaterValues * node;
-  const double elevation = water != nullptr ? water[6] : 0.0, upwards = water != nullptr ? water[2] : 0.0;
-  const double slope = std::hypot(q[3], q[4]) / std::hypot(q[3], q[4], q[5]);
-  return {q[2] - elevation, state.v[6 * node + 2] - upwards, slope};
+  const double upwards = waves.empty() ? 0.0 : waves[kWaterValues * node + 2];
+  return {state.v[6 * node + 2] - upwards, std::hypot(q[3], q[4]) / std::hypot(q[3], q[4], q[5])};
+}
+
+double height_over_surface(const LineState& state, const std::vector<double>& waves, std::size_t node) {
+  return state.q[6 * node + 2] - (waves.empty() ? 0.0 : waves[kWaterValues * node + 6]);
 }
 
 }  // namespace
@@ -26,11 +29,12 @@ OverSurface over_surface(const LineState& state, const std::vector<double>& wave
 void SurfaceCrossing::add(const LineState& state, double time, const std::vector<double>& water, const LineMesh& mesh,
                           double shift) {
   if (time <= 0.0) return;
-  OverSurface below = over_surface(state, water, 0);
+  double low = height_over_surface(state, water, 0);
   for (std::size_t e = 0; e < mesh.length.size(); ++e) {
-    const OverSurface above = over_surface(state, water, e + 1);
-    if ((below.height < 0.0) != (above.height < 0.0)) {
-      const double share = below.height / (below.height - above.height);
+    const double high = height_over_surface(state, water, e + 1);
+    if ((low < 0.0) != (high < 0.0)) {
+      const OverSurface below = over_surface(state, water, e), above = over_surface(state, water, e + 1);
+      const double share = low / (low - high);
       const auto between = [&](double a, double b) { return a + share * (b - a); };
       const double speed = -between(below.rising, above.rising) * between(below.across, above.across);
       if (speed > speed_) {
@@ -39,7 +43,7 @@ void SurfaceCrossing::add(const LineState& state, double time, const std::vector
         time_ = time;
       }
     }
-    below = above;
+    low = high;
   }
 }
 
