@@ -3,6 +3,8 @@
 ///
 ///     overbend_robustness [COUNT] [SEED] [FILE.csv] [yields | routes]
 ///
+/// What is told of each lay in the file, places and reactions too, lets two programs be compared lay by lay.
+///
 /// With `routes` every lay has lateral friction, three of four a current and every other a route that bends, with 0.6
 /// to 3 times the radius that friction holds; it says, too, how often no line of steady laying was found.
 ///
@@ -204,7 +206,7 @@ void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ost
             d.supports.boxes.size(), model.supports.rows.size());
   if (!outcome.solution) {
     ++tally.reasons[outcome.failure->what];
-    csv.print("{},,,,\n", outcome.failure->what);
+    csv.print("{},,,,,,,,\n", outcome.failure->what);
     fmt::print("lay {}: {:.4g} inch, {:.0f} m, {} boxes: {} ({})\n", seed, diameter, d.environment.water_depth,
                d.supports.boxes.size(), outcome.failure->what, outcome.failure->why);
     return;
@@ -224,8 +226,11 @@ void run_one(std::uint64_t seed, const std::string& kind, Tally& tally, fmt::ost
   tally.missed += miss > 1e-3 ? 1 : 0;
   tally.largest_miss = std::max(tally.largest_miss, miss);
   tally.times.push_back(results.solve.wall_time);
-  csv.print("solved,{},{:.2f},{:.1e},{:.1e}\n", results.solve.method, 1e3 * results.solve.wall_time,
-            results.force_residual, results.global_residual);
+  double lateral = 0.0;
+  for (const SupportResult& support : results.supports) lateral = std::max(lateral, std::abs(support.lateral));
+  csv.print("solved,{},{:.2f},{:.1e},{:.1e},{:.7g},{:.7g},{:.5f},{:.6g}\n", results.solve.method,
+            1e3 * results.solve.wall_time, results.force_residual, results.global_residual, results.bottom_tension,
+            results.lay_back, (results.touchdown.p_W - results.stations.back().p_W).y(), lateral);
   if (!sound) {
     fmt::print("lay {}: unsound, residual {:.1e}, global {:.1e}\n", seed, results.force_residual,
                results.global_residual);
@@ -239,7 +244,9 @@ int main(int count, char** words) {
   const int lays = count > 1 ? std::stoi(words[1]) : 1000;
   const std::uint64_t seed = count > 2 ? std::stoull(words[2]) : 1;
   auto csv = fmt::output_file(count > 3 ? words[3] : "robustness.csv");
-  csv.print("seed,diameter [in],depth [m],tension [kN],boxes,rows,outcome,method,time [ms],residual,global residual\n");
+  csv.print(
+      "seed,diameter [in],depth [m],tension [kN],boxes,rows,outcome,method,time [ms],residual,global residual,"
+      "bottom tension [N],lay-back [m],across [m],largest lateral reaction [N]\n");
   const std::string kind = count > 4 ? words[4] : "";
   overbend::Tally tally;
   for (int i = 0; i < lays; ++i) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "modelfile/yaml_reader.h"
+#include "statics/current_effect.h"
 #include "statics/recovery.h"
 #include "statics/statics.h"
 
@@ -38,6 +39,29 @@ void bgl1_hundred_tensions(benchmark::State& state) {
   state.counters["failures"] = failures;
 }
 BENCHMARK(bgl1_hundred_tensions)->Unit(benchmark::kMillisecond);
+
+/// One of them by itself, 1 kN on: without making the model.
+void bgl1_one_tension_on(benchmark::State& state) {
+  Description d = bgl1();
+  const StaticSolution first = solve_statics(build_model(d)).solution.value();
+  *d.tensioner.tension += 1e3;
+  const Model next = build_model(d);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solve_statics(next, &first));
+  }
+}
+BENCHMARK(bgl1_one_tension_on)->Unit(benchmark::kMillisecond);
+
+/// The same lay without its current, which the code checks ask for.
+void bgl1_still_lay(benchmark::State& state) {
+  const Model model = build_model(bgl1());
+  const StaticSolution solution = solve_statics(model).solution.value();
+  const Model still = without_current(model);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(solve_still_lay(still, solution));
+  }
+}
+BENCHMARK(bgl1_still_lay)->Unit(benchmark::kMillisecond);
 
 void bgl1_recovery(benchmark::State& state) {
   const Model model = build_model(bgl1());

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "statics/recovery.h"
+#include "statics/flat_start.h"
+#include "statics/recovery_parts.h"
 
 namespace overbend {
 namespace {
@@ -17,7 +18,7 @@ bool flows(const CurrentProfile& current) {
 /// Values of the still lay at a distance from the tensioner.
 class StillLay {
  public:
-  explicit StillLay(const StaticResults& results) : stations_(&results.stations), total_(results.total_length) {}
+  explicit StillLay(const std::vector<Station>& stations) : stations_(&stations), total_(stations.back().s) {}
 
   double at(double from_top, double Station::*member) const {
     const double s = total_ - from_top;
@@ -53,7 +54,13 @@ Model without_current(const Model& model) {
   return still;
 }
 
-void set_current_effect(const StaticResults& still, StaticResults& results) {
+StaticOutcome solve_still_lay(const Model& still_model, const StaticSolution& solution, const StaticSolution* still) {
+  if (still != nullptr) return solve_statics(still_model, still, solution.past);
+  const StaticSolution flat = laid_flat(still_model, solution);
+  return solve_statics(still_model, &flat, solution.past);
+}
+
+void set_current_effect(const std::vector<Station>& still, StaticResults& results) {
   const StillLay lay(still);
   for (Station& at : results.stations) {
     const double from_top = results.total_length - at.s;
@@ -72,13 +79,13 @@ void find_current_effect(const Model& model, const StaticSolution& solution, Sta
                          std::optional<StaticSolution>& still) {
   if (!needs_still_lay(model)) return;
   const Model still_model = without_current(model);
-  StaticOutcome outcome = solve_statics(still_model, still ? &*still : &solution, solution.past);
+  StaticOutcome outcome = solve_still_lay(still_model, solution, still ? &*still : nullptr);
   if (!outcome.solution) {
     results.warnings.emplace_back(
         "there is no equilibrium without the current: the checks treat the load effects of the current as functional");
     return;
   }
-  set_current_effect(recover_statics(still_model, *outcome.solution), results);
+  set_current_effect(recover_stations(still_model, *outcome.solution), results);
   still = std::move(outcome.solution);
 }
 

@@ -310,17 +310,28 @@ void warn_of_roll(StaticResults& results) {
       results.residual_curvature));
 }
 
+/// Of a solution on its system, which is left as evaluated there.
+std::vector<Station> stations_on(StaticSystem& system, const StaticSolution& solution,
+                                 const std::optional<LinePlace>& touchdown) {
+  const std::vector<CutForces> cuts = cut_forces(system, solution.state);
+  return make_stations(system, solution.state, cuts, touchdown,
+                       solution.past.solution ? solution.bending : std::vector<BendingMemory>());
+}
+
 }  // namespace
+
+std::vector<Station> recover_stations(const Model& model, const StaticSolution& solution) {
+  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
+  return stations_on(system, solution, landing(system, solution.state));
+}
 
 StaticResults recover_state(const Model& model, const StaticSolution& solution) {
   StaticResults results;
   copy_model(results, model);
   StaticSystem system = system_with_past(model, solution.mesh, solution.past);
   const LineState& state = solution.state;
-  const std::vector<CutForces> cuts = cut_forces(system, state);
   const std::optional<LinePlace> touchdown = landing(system, state);
-  results.stations = make_stations(system, state, cuts, touchdown,
-                                   solution.past.solution ? solution.bending : std::vector<BendingMemory>());
+  results.stations = stations_on(system, solution, touchdown);
 
   const Station top = results.stations.back();
   const Station landing = touchdown ? station_at(results.stations, touchdown->s) : results.stations.front();

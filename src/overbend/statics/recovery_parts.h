@@ -9,4 +9,7 @@ namespace overbend {
 /// Results with what is warned of, but without what the current adds (statics/current_effect.h).
 StaticResults recover_in_current(const Model& model, const StaticSolution& solution);
 
+/// The stations alone, as recover_state makes them.
+std::vector<Station> recover_stations(const Model& model, const StaticSolution& solution);
+
 }  // namespace overbend

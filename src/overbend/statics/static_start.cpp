@@ -147,32 +147,33 @@ LineTargetValue wanted_of(const Description& description) {
   return {LineTargetValue::Kind::anchor_distance, *description.pipe.anchor - description.tensioner.x};
 }
 
-StartingPoint starting_point(const Model& model, const LayPlane& plane) {
-  const Description& d = model.description;
+namespace {
+
+/// What no shape is needed for to be seen.
+std::optional<StaticFailure> impossible(const Model& model, const LayPlane& plane) {
   const Section& pipe = model.sections.front();
-  StartingPoint start;
-  if (pipe.weight_submerged <= 0.0) {
-    start.failure = floats(pipe);
-    return start;
-  }
-  const SeabedDescription& bed = d.environment.seabed;
+  if (pipe.weight_submerged <= 0.0) return floats(pipe);
+  const SeabedDescription& bed = model.description.environment.seabed;
   if (bed.soil == SoilModel::hyperbolic && pipe.weight_submerged >= bed.bearing_force.value_or(0.0)) {
-    start.failure = StaticFailure{
+    return StaticFailure{
         "the seabed does not carry the pipe", "the laid pipe",
         fmt::format("its submerged weight of {:.4g} N/m is not below the bearing force of the soil, {:.4g} "
                     "N/m (environment.seabed.soil)",
                     pipe.weight_submerged, bed.bearing_force.value_or(0.0))};
-    return start;
   }
   if (plane.tensioner_W.z() <= plane.bed(0.0)) {
-    start.failure =
-        StaticFailure{"the tensioner is below the seabed", "at the tensioner", "check water depth and tensioner.z"};
-    return start;
+    return StaticFailure{"the tensioner is below the seabed", "at the tensioner", "check water depth and tensioner.z"};
   }
-  if (auto failure = misplaced_box(model, plane)) {
-    start.failure = std::move(failure);
-    return start;
-  }
+  return misplaced_box(model, plane);
+}
+
+}  // namespace
+
+StartingPoint starting_point(const Model& model, const LayPlane& plane) {
+  const Description& d = model.description;
+  StartingPoint start;
+  start.failure = impossible(model, plane);
+  if (start.failure) return start;
   if (has_cable(d)) return stage_start(model, plane, std::move(start));
   const double least = hanging_weight(model, plane, highest_bed(plane));
   start.target = wanted_of(d);
@@ -210,6 +211,30 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
                  start.shape.bottom_tension,
                  {}};
   start.failure = too_many_elements(model, start.zones);
+  return start;
+}
+
+StartingPoint point_beside(const Model& model, const LayPlane& plane, const StaticSolution& solution) {
+  const Description& d = model.description;
+  const bool level = plane.surface.shape() == nullptr && d.environment.seabed.slope == 0.0;
+  // the search for a stinger's angles turns it under one lay after another, on the mesh of each guess
+  const bool turns = !d.supports.sections.empty();
+  if (!solution.zones || !level || turns || !plane.route.straight() || has_cable(d)) {
+    return starting_point(model, plane);
+  }
+  StartingPoint start;
+  start.shaped = false;
+  start.failure = impossible(model, plane);
+  if (start.failure) return start;
+  start.target = wanted_of(d);
+  if (start.target.kind == LineTargetValue::Kind::top_tension) {
+    const double least = hanging_weight(model, plane, highest_bed(plane));
+    if (start.target.value <= least) {
+      start.failure = too_little_tension(start.target.value, least);
+      return start;
+    }
+  }
+  start.zones = *solution.zones;
   return start;
 }
 

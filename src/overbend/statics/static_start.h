@@ -16,12 +16,17 @@ struct StartingPoint {
   LineTargetValue target;
   double tail = 0.0;  ///< Laid length behind touchdown [m].
   std::optional<StaticFailure> failure;
+  bool shaped = true;  ///< Whether there is a shape; see point_beside.
 };
 
 /// What the model wants of the line: the tension at the tensioner, or else the place of the anchor.
 LineTargetValue wanted_of(const Description& description);
 
 StartingPoint starting_point(const Model& model, const LayPlane& plane);
+
+/// The same beside a solution on a mesh that the model fits: where the shape of the guess decides nothing, on a level
+/// bed and a straight route, it is left out and the zones are those of the solution's mesh.
+StartingPoint point_beside(const Model& model, const LayPlane& plane, const StaticSolution& solution);
 
 /// The guess at the nodes of the system's mesh.
 LineState sample_shape(const StaticSystem& system, const LayShape& shape);

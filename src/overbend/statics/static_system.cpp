@@ -164,6 +164,7 @@ void StaticSystem::turn_far_end(const LineState& state, bool with_tangent) {
 }
 
 std::vector<BendingMemory> StaticSystem::bending_memory(const LineState& state) {
+  if (!line().yielding.any) return {};
   follow_far_end(state);
   assembly_.evaluate_at_rest(parts_->motions, state, model_->description.statics.history, false, true);
   return yielding_points().memory;

@@ -51,10 +51,10 @@ bool solve_on_new_mesh(StaticCase& at, const LayShape& shape) {
 }
 
 /// Zones of the mesh as the solution has them.
-MeshZones zones_of(const StaticCase& at, const MeshZones& built) {
+MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::optional<LinePlace>& touchdown) {
   MeshZones zones = built;
   const double total = at.system.mesh().total_length();
-  if (const auto touchdown = landing(at.system, at.state)) {
+  if (touchdown) {
     zones.touchdown = total - touchdown->s;
   }
   if (const auto waterline = find_waterline(at.system, at.state)) {
@@ -183,14 +183,14 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*obstacle);
   }
   const LayPlane plane = lay_plane(model, model.mean_pose);
-  StartingPoint from = starting_point(model, plane);
+  const bool same_line = start != nullptr && mesh_fits(model, start->mesh);
+  StartingPoint from = same_line ? point_beside(model, plane, *start) : starting_point(model, plane);
   if (from.failure) {
     return fail(*from.failure);
   }
   if (auto failure = too_many_elements(model, from.zones)) {
     return fail(*failure);
   }
-  const bool same_line = start != nullptr && mesh_fits(model, start->mesh);
   if (same_line) from.zones.total = start->mesh.total_length();
   StaticCase at{model,
                 system_with_past(model, same_line ? start->mesh : build_mesh(model, from.zones), past),
@@ -210,15 +210,20 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   const double aside = laid_beside(model);
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
     if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) return solve_at_once(model, nullptr, past);
-    const MeshZones now = zones_of(at, from.zones);
-    const bool touches = landing(at.system, at.state).has_value();
+    const std::optional<LinePlace> touchdown = landing(at.system, at.state);
+    const MeshZones now = zones_of(at, from.zones, touchdown);
+    const bool touches = touchdown.has_value();
     if (!touches && (model.description.pipe.length || pass == kMeshPasses - 1)) {
       return fail(never_touches(model, at.system.mesh().total_length()));
     }
     if (touches && mesh_serves(at, from.zones, now)) {
       break;
     }
-    from.zones = now;
+    if (!from.shaped) {
+      from = starting_point(model, plane);
+      if (from.failure) return fail(*from.failure);
+    }
+    from.zones = zones_of(at, from.zones, touchdown);
     from.zones.touchdown = touches ? now.touchdown : 1.2 * at.system.mesh().total_length();
     from.zones.total = model.description.pipe.length.value_or(from.zones.touchdown + from.tail);
     if (auto failure = too_many_elements(model, from.zones)) {
@@ -241,10 +246,10 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return {
-      StaticSolution{
-          at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}, past, {}},
-      std::nullopt};
+  StaticSolution solution{
+      at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}, past, {}};
+  solution.zones = from.zones;
+  return {std::move(solution), std::nullopt};
 }
 
 /// A route that bends, from the straight one on: its arcs keep their lengths and turn more and more.

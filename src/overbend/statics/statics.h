@@ -40,6 +40,7 @@ struct StaticSolution {
   std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
   LinePast past;                          ///< What it was solved from.
   StingerAtRest stinger = {};             ///< Of a stinger on hinges, see statics/stinger_rest.h.
+  std::optional<MeshZones> zones = {};    ///< What its mesh was made for.
 };
 
 /// The equations of a line on a mesh, with its past.

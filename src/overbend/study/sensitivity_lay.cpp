@@ -47,7 +47,7 @@ void hold_stinger(Model& model, const Model& at_rest) {
 /// With the lay in still water, where there is one.
 StaticResults recovered(const Model& model, const StaticSolution& solution, const StaticResults* still) {
   StaticResults results = recover_state(model, solution);
-  if (still != nullptr) set_current_effect(*still, results);
+  if (still != nullptr) set_current_effect(still->stations, results);
   fill_checks(model, results);
   return results;
 }
@@ -63,7 +63,7 @@ SensitivityLay::Still::Still(Model made, StaticSolution found)
 std::unique_ptr<SensitivityLay::Still> SensitivityLay::still_lay(const Model& model, const StaticSolution& solution) {
   if (!needs_still_lay(model)) return nullptr;
   Model still = without_current(model);
-  StaticOutcome outcome = solve_statics(still, &solution);
+  StaticOutcome outcome = solve_still_lay(still, solution);
   if (!outcome.solution) return nullptr;
   return std::make_unique<Still>(std::move(still), std::move(*outcome.solution));
 }

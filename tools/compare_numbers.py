@@ -1,0 +1,34 @@
+#!/usr/bin/env python3
+"""Holds two lists of named numbers against each other: tools/compare_numbers.py ONE OTHER TOLERANCE.
+
+A line is "NAME NUMBER". Numbers of one name may differ by TOLERANCE of the largest of that name.
+"""
+
+import math
+import pathlib
+import sys
+
+
+def numbers(path):
+    by_name = {}
+    for line in pathlib.Path(path).read_text().splitlines():
+        name, number = line.split()
+        by_name.setdefault(name, []).append(float(number))
+    return by_name
+
+
+def main():
+    one, other, tolerance = numbers(sys.argv[1]), numbers(sys.argv[2]), float(sys.argv[3])
+    if not one or {n: len(v) for n, v in one.items()} != {n: len(v) for n, v in other.items()}:
+        sys.exit("compare_numbers.py: the two do not list the same")
+    bad = False
+    for name in one:
+        size = max(map(abs, other[name]))
+        apart = max(abs(a - b) for a, b in zip(one[name], other[name]))
+        good = math.isfinite(size) and apart <= tolerance * size  # a NaN on either side is not good
+        bad |= not good
+        print(f"{name:20} {len(one[name]):5} numbers, largest {size:9.3g}, apart {apart:8.1e}{'' if good else '  WRONG'}")
+    sys.exit(bad)
+
+
+main()
