@@ -66,6 +66,23 @@ TEST(root_scan, a_gap_hides_no_root_beside_it_and_makes_none) {
   EXPECT_FALSE(scan.crossings[0].jump);
 }
 
+TEST(root_scan, encloses_a_root_from_both_sides_where_a_limit_asks_for_it) {
+  // Values of zero but for rounding are met on one side of the root long before the bracket is narrow.
+  const auto f = [](double x) { return std::expm1(x - 0.3); };
+  ScanSettings settings;
+  settings.both_ends = true;
+  for (const double sign : {1.0, -1.0}) {
+    const RootScan scan = scan_roots([&](double x) { return sign * f(x); }, 0.0, 1.0, settings);
+    ASSERT_EQ(scan.crossings.size(), 1U);
+    const Crossing& crossing = scan.crossings[0];
+    EXPECT_LT(crossing.high - crossing.low, 1e-7);
+    EXPECT_LE(crossing.low, 0.3);
+    EXPECT_GE(crossing.high, 0.3);
+    EXPECT_LE(sign * crossing.at_low, 0.0);
+    EXPECT_GE(sign * crossing.at_high, 0.0);
+  }
+}
+
 TEST(root_scan, says_whether_the_function_is_monotone) {
   EXPECT_TRUE(is_monotone(scan_roots([](double x) { return std::exp(-x); }, 0.0, 3.0)));
   EXPECT_FALSE(is_monotone(scan_roots([](double x) { return std::sin(x); }, 0.0, 3.0)));

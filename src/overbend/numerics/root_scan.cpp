@@ -124,7 +124,23 @@ class Scan {
       if (!value) return std::nullopt;
       fb = *value;
     }
+    if (settings_.both_ends) draw_in(b, fb, c, fc);
     return told(bracket, b, fb, c, fc);
+  }
+
+  /// The far end of a bracket whose near end is zero already: as close behind it as the function has the other sign.
+  void draw_in(double b, double fb, double& c, double& fc) {
+    constexpr double kLonger = 4.0;
+    double step = std::copysign(settings_.resolution * width_, c - b);
+    for (; std::abs(step) < std::abs(c - b); step *= kLonger) {
+      const std::optional<double> value = at(b + step);
+      if (!value) return;
+      if (opposed(*value, fb)) {
+        c = b + step;
+        fc = *value;
+        return;
+      }
+    }
   }
 
   static double interpolated(double a, double b, double c, double fa, double fb, double fc) {

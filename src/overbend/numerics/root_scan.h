@@ -35,6 +35,7 @@ struct ScanSettings {
   int points = 13;           ///< Of the grid.
   double resolution = 1e-8;  ///< Width at which a bracket is closed, relative to the interval.
   double negligible = 1e-9;  ///< Value taken as zero, relative to the largest on the grid.
+  bool both_ends = false;    ///< Whether a bracket is closed also where one end is zero already: for limits.
 };
 
 /// Evaluates a grid from `from` to `to`, looks between its points where the values turn towards zero, and closes every

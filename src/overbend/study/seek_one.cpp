@@ -61,7 +61,9 @@ class OneKey {
     };
     results_.goals[0].before = decisive_value(history_.at({unknown_.before}), condition_);
     require_one_value();
-    const RootScan scan = scan_roots(f, unknown_.from, unknown_.to);
+    ScanSettings settings;
+    settings.both_ends = inequality();  // the answer lies on the side where the limit is kept
+    const RootScan scan = scan_roots(f, unknown_.from, unknown_.to, settings);
     results_.monotone = is_monotone(scan);
     tell_jumps(scan);
     const std::vector<double> answers = answers_of(scan);
