@@ -208,15 +208,16 @@ class Model:
     def compare(self, of: str = "tensioner", duration: Time = None, out: Optional[PathLike] = None, *, threads: int = 0,
                 resume: bool = False, restart: bool = False, checkpoint: float = 30.0,
                 progress: Union[bool, Progress] = False) -> ComparisonResults:
-        """Variants of the model in the same sea: the tensioner off, controlled and constant, or rollers against gap springs.
+        """Variants of the model in the same sea: the tensioner off, controlled and constant, rollers against gap springs, or
+        impacts resolved and captured.
 
         Args:
-            of: 'tensioner' or 'contact'.
+            of: 'tensioner', 'contact' or 'impacts'.
 
         The others as of dynamic() and seeds().
         """
-        if of not in ("tensioner", "contact"):
-            raise ValueError(f"of: found {of!r}, expected 'tensioner' or 'contact'")
+        if of not in ("tensioner", "contact", "impacts"):
+            raise ValueError(f"of: found {of!r}, expected 'tensioner', 'contact' or 'impacts'")
         folder, holder = self._run(out, of=of, duration=seconds(duration), threads=threads, resume=resume,
                                    restart=restart, checkpoint=checkpoint, progress=progress)
         return ComparisonResults(folder, self, holder)

@@ -110,7 +110,7 @@ class ComparisonResults(_RunsInFolders):
 
     Attributes:
         summary: The content of comparison.json.
-        of: 'tensioner' or 'contact'.
+        of: 'tensioner', 'contact' or 'impacts'.
         variants: The names of the variants.
     """
 

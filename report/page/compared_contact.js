@@ -1,8 +1,8 @@
-// Rollers against gap springs: bars side by side, box by box.
+// Rollers against gap springs, impacts resolved against captured: bars side by side, box by box.
 'use strict';
 (function () {
   const data = Report.data.comparison;
-  if (!data || data.of !== 'contact') return;
+  if (!data || data.of === 'tensioner') return;
   const { base, zero_line } = Report.row_bars;
   const looks = [{ colour: Report.colours.pipe, rows: '#9fc3e6' }, { colour: Report.colours.second, rows: null }];
 

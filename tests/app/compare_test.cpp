@@ -114,6 +114,35 @@ TEST(compare, contact_tells_of_every_box_in_both_models) {
   }
 }
 
+/// A barge that throws the pipe off its rollers.
+const std::string kThrown = with(kSmallLay, "heave: {amplitude: 0.3 m, period: 7 s}, pitch: {amplitude: 0.5 deg",
+                                 "heave: {amplitude: 1 m, period: 5 s}, pitch: {amplitude: 3 deg");
+
+TEST(compare, impacts_captured_are_counted_in_fewer_steps_and_not_told_too_small) {
+  const TemporaryFolder folder;
+  const ProgramRun run = compare(folder, kThrown, "--of impacts");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json resolved = json_of(folder / "out/resolved/summary.json").at("dynamic");
+  const Json captured = json_of(folder / "out/captured/summary.json").at("dynamic");
+  EXPECT_LT(captured.at("steps").get<int>(), 0.8 * resolved.at("steps").get<int>());
+  ASSERT_GT(resolved.at("impact_count").get<int>(), 2);
+  EXPECT_GT(captured.at("impact_count").get<int>(), 0);
+  const auto hardest = [](const Json& dynamic) {
+    double force = 0.0;
+    for (const Json& box : dynamic.at("impacts")) {
+      force = std::max(force, box.value("largest_impact_force", 0.0));
+    }
+    return force;
+  };
+  EXPECT_GT(hardest(captured), 0.9 * hardest(resolved));
+  double most = 0.0;
+  for (const Json& box : captured.at("supports")) most = std::max(most, box.at("reaction").at("max").get<double>());
+  EXPECT_GE(most, hardest(captured));
+  const std::string page = file_text(folder / "out/comparison.html");
+  EXPECT_NE(page.find("Captured against resolved"), std::string::npos);
+  EXPECT_NE(page.find("compared_contact"), std::string::npos);
+}
+
 TEST(compare, killed_and_resumed_gives_the_same_comparison) {
   const std::string model = with(kControlled, "duration: 10 s, build_up: 5 s, output_step: 0.5 s",
                                  "duration: 20 s, build_up: 5 s, output_step: 0.2 s");

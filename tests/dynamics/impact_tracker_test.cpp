@@ -31,11 +31,11 @@ RollerContact struck(double speed, double t) {
   return contact;
 }
 
-std::vector<Impact> followed(double speed, double h) {
+std::vector<Impact> followed(double speed, double h, const ImpactSettings& settings = {}) {
   const std::vector<BodyRoller> rollers = one_roller();
-  ImpactTracker tracker(rollers, {});
+  ImpactTracker tracker(rollers, settings);
   std::vector<Impact> ended;
-  for (double t = -20.0 * h; t < 0.1; t += h) tracker.accept({struck(speed, t)}, t, h, ended);
+  for (double t = -20.3 * h; t < 0.1; t += h) tracker.accept({struck(speed, t)}, t, h, ended);
   return ended;
 }
 
@@ -67,6 +67,55 @@ TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
   EXPECT_TRUE(limit.reject);
   EXPECT_NEAR(limit.step, gap / speed, 0.1 * gap / speed);  // to the first touch
   EXPECT_FALSE(tracker.check({struck(speed, -0.5 * gap / speed)}, h).reject);
+}
+
+ImpactSettings captured() {
+  ImpactSettings settings;
+  settings.captured = true;
+  return settings;
+}
+
+TEST(impact_tracker, captured_impacts_leave_the_steps_as_they_are) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  ImpactTracker tracker(rollers, captured());
+  std::vector<Impact> ended;
+  const double h = 0.012, gap = 0.005, speed = 0.5;
+  tracker.accept({struck(speed, -gap / speed)}, 0.0, h, ended);
+  const std::vector<RollerContact> touching = {struck(speed, h - gap / speed)};
+  EXPECT_FALSE(tracker.check(touching, h).reject);
+  const double before = tracker.step_limit();
+  tracker.accept(touching, h, h, ended);
+  EXPECT_EQ(tracker.step_limit(), before);
+}
+
+TEST(impact_tracker, estimates_the_peak_of_a_captured_impact_from_its_approach) {
+  const double speed = 0.5, undamped = speed * std::sqrt(kStiffness * kMass);
+  const double contact_time = std::numbers::pi * std::sqrt(kMass / kStiffness);
+  for (const double step : {0.3, 0.45, 0.7, 0.9}) {  // in contact times: no step ends at the peak itself
+    const std::vector<Impact> impacts = followed(speed, step * contact_time, captured());
+    ASSERT_EQ(impacts.size(), 1U) << step;
+    EXPECT_NEAR(impacts[0].approach_velocity, speed, 1e-9);
+    EXPECT_GE(impacts[0].peak_force, undamped);
+    EXPECT_LE(impacts[0].peak_force, 2.0 * undamped);  // what the roller bears after the step comes on top
+  }
+}
+
+TEST(impact_tracker, a_captured_impact_goes_on_where_a_checkpoint_left_it) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  const double h = 0.005, speed = 0.5;
+  ImpactTracker whole(rollers, captured()), resumed(rollers, captured());
+  std::vector<Impact> first, second;
+  for (double t = -3.5 * h; t < 0.1; t += h) {
+    whole.accept({struck(speed, t)}, t, h, first);
+    resumed.accept({struck(speed, t)}, t, h, second);
+    ImpactTracker next(rollers, captured());
+    next.restore(resumed.save());
+    resumed = next;
+  }
+  ASSERT_EQ(first.size(), 1U);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(first[0].peak_force, second[0].peak_force);
+  EXPECT_EQ(first[0].approach_velocity, second[0].approach_velocity);
 }
 
 TEST(impact_tracker, what_lies_on_rollers_at_the_start_has_not_struck_them) {

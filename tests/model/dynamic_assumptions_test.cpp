@@ -148,6 +148,14 @@ TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
   EXPECT_EQ(mentions(d, "weaker than 0.25 kN"), 1);
 }
 
+TEST(dynamic_assumptions, tell_of_impacts_that_are_captured) {
+  Description d = moving();
+  EXPECT_EQ(mentions(d, "Impacts are captured"), 0);
+  d.dynamics->impacts = ImpactTreatment::captured;
+  EXPECT_EQ(mentions(d, "Impacts are captured, not resolved"), 1);
+  EXPECT_EQ(mentions(d, "neither counted nor recorded"), 1);
+}
+
 TEST(dynamic_assumptions, of_gap_springs_tell_of_no_damping_and_no_friction) {
   Description d = moving();
   d.supports.contact = SupportContact::gap_springs;

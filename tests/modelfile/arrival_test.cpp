@@ -185,7 +185,7 @@ analysis:
   mesh: {overbend_element: 1 m, touchdown_element: 2 m, longest_element: 3 m}
   static: {method: dynamic_relaxation, history: monotonic, tolerance: 0.0004, max_iterations: 5}
   dynamic: {duration: 1 s, build_up: 2 s, step: 3 s, max_step: 4 s, spectral_radius: 0.5, output_step: 6 s, impact_steps: 7,
-    impact_force: 8 N, tolerance: 0.0009, step_error: 0.01 m, seeds: [11, 12]}
+    impact_force: 8 N, tolerance: 0.0009, step_error: 0.01 m, seeds: [11, 12], impacts: captured}
 )"));
   EXPECT_EQ(d.title, "t");
   EXPECT_EQ(
@@ -199,6 +199,7 @@ analysis:
   expect_from(1, {s.duration, s.build_up, s.step.value(), s.max_step.value(), 10 * s.spectral_radius, s.output_step,
                   s.impact_steps, s.impact_force, 1e4 * s.tolerance, 1e3 * s.step_error});
   EXPECT_EQ(s.seeds, (std::vector<std::uint64_t>{11, 12}));
+  EXPECT_EQ(s.impacts, ImpactTreatment::captured);
 }
 
 }  // namespace

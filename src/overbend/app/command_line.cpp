@@ -15,6 +15,8 @@
 #include "base/simd.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "base/words.h"
+#include "results/comparison_results.h"
 #include "runstore/append_file.h"
 
 namespace overbend {
@@ -90,8 +92,10 @@ void add_compare(CLI::App& program, int& code) {
       "Dynamic analysis of variants of a model, compared, or results of two or more folders beside each other; writes "
       "a folder with a page. Ctrl-C leaves checkpoints.");
   auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("--of", arguments->of, "tensioner: off, controlled, constant; contact: rollers, gap springs")
-      ->check(CLI::IsMember({"tensioner", "contact"}));
+  command
+      ->add_option("--of", arguments->of,
+                   "tensioner: off, controlled, constant; contact: rollers, gap springs; impacts: resolved, captured")
+      ->check(CLI::IsMember(words_of<ComparisonOf>()));
   command->add_option("-o,--output", arguments->output,
                       "Folder for the variants and the page; default: MODEL's name with .comparison, here");
   add_run_options(command, *arguments, "Variants", "Model file (YAML), with --of; or a folder of results");

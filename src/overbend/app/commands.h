@@ -53,7 +53,7 @@ int run_dynamic(const DynamicArguments& arguments);
 struct CompareArguments {
   std::string model_file;
   std::vector<std::string> others;  ///< Folders of results that are compared with `model_file`, then such a folder.
-  std::string of;                   ///< "tensioner" or "contact"; empty where folders are compared.
+  std::string of;                   ///< A word of ComparisonOf; empty where folders are compared.
   std::string output;               ///< Folder; empty: "<stem>.comparison" in the current folder.
   std::string duration;             ///< With its unit; empty: the model's.
   TakeUp take_up;                   ///< Unfinished runs in `output`.

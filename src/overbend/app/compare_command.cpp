@@ -48,14 +48,15 @@ int run_compare(const CompareArguments& arguments) {
   }
   if (arguments.of.empty()) {
     return tell({RunEnding::wrong_input,
-                 "compare: found a model file, expected --of tensioner or --of contact with it, or two or more "
-                 "folders of results"});
+                 "compare: found a model file, expected --of tensioner, contact or impacts with it, or two or "
+                 "more folders of results"});
   }
   const std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
   std::variant<StudyPlan, std::string> planned;
   try {
-    planned = plan_comparison(comparison_of(arguments.of).value(), *description, duration_of(arguments.duration));
+    planned =
+        plan_comparison(from_word<ComparisonOf>(arguments.of).value(), *description, duration_of(arguments.duration));
   } catch (const std::invalid_argument& fault) {
     planned = fault.what();
   }

@@ -14,6 +14,7 @@ DynamicOptions dynamic_options(const Model& model) {
   options.error_tolerance = settings.step_error;
   options.step.spectral_radius = settings.spectral_radius;
   options.step.tolerance = settings.tolerance;
+  options.impacts.captured = settings.impacts == ImpactTreatment::captured;
   options.impacts.steps = settings.impact_steps;
   options.impacts.least_force = settings.impact_force;
   if (const auto& hull = model.description.vessel.coupled) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
 constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
 constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
-constexpr int kSaved = 8;               ///< Numbers per roller.
+constexpr int kSaved = 9;               ///< Numbers per roller.
 
 }  // namespace
 
@@ -26,13 +26,35 @@ double ImpactTracker::contact_time(std::size_t roller) const {
   return std::numbers::pi * std::sqrt(r.mass / r.law.stiffness);
 }
 
-bool ImpactTracker::hard(std::size_t roller, double velocity) const {
+/// Of the mass that the impact moves on the roller's spring [N].
+double ImpactTracker::undamped_force(std::size_t roller, double velocity) const {
   const BodyRoller& r = (*rollers_)[roller];
-  return velocity * std::sqrt(r.law.stiffness * r.mass) > settings_.least_force;
+  return velocity * std::sqrt(r.law.stiffness * r.mass);
+}
+
+bool ImpactTracker::hard(std::size_t roller, double velocity) const {
+  return undamped_force(roller, velocity) > settings_.least_force;
+}
+
+/// What begins with a step of `h` that ends at `time` in contact. A captured one is over within about this step: what
+/// the pipe approached with is known from before it, and its peak is estimated on the safe side, as if the roller had
+/// no damping and bore in full already what it bears after the step.
+Impact ImpactTracker::touched(std::size_t roller, const RollerContact& contact, double time, double h) const {
+  const Track& before = tracks_[roller];
+  Impact impact;
+  impact.roller = static_cast<int>(roller);
+  impact.time = time - h * contact.penetration / (contact.penetration - before.penetration);
+  impact.approach_velocity = std::max(contact.rate, (contact.penetration - before.penetration) / h);
+  if (settings_.captured) {
+    impact.approach_velocity = std::max(impact.approach_velocity, before.rate);
+    impact.peak_force = undamped_force(roller, impact.approach_velocity) + contact.normal;
+  }
+  return impact;
 }
 
 ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, double h) const {
   ImpactLimit limit;
+  if (settings_.captured) return limit;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const double before = tracks_[i].penetration, now = contacts[i].penetration;
     if (before >= 0.0 || now <= 0.0) {
@@ -57,17 +79,10 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
     const RollerContact& contact = contacts[i];
     const double penetration = contact.at.found ? contact.penetration : -1.0;
     if (!track.open && track.penetration < 0.0 && penetration > 0.0) {
-      const double velocity = std::max(contact.rate, (penetration - track.penetration) / h);
-      if (hard(i, velocity)) {
+      const Impact impact = touched(i, contact, time, h);
+      if (hard(i, impact.approach_velocity)) {
         track.open = true;
-        track.impact = {static_cast<int>(i),
-                        time - h * penetration / (penetration - track.penetration),
-                        velocity,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0};
+        track.impact = impact;
       }
     }
     if (track.open) {
@@ -81,20 +96,21 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
       if (left || rests || contact_times > kLongestTimes) {
         track.open = false;
         ended.push_back(impact);
-      } else if (contact_times < kResolvedTimes) {
+      } else if (!settings_.captured && contact_times < kResolvedTimes) {
         step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
       }
     }
     track.penetration = penetration;
     track.force = contact.normal;
+    track.rate = contact.rate;
   }
 }
 
 std::vector<double> ImpactTracker::save() const {
   std::vector<double> out{step_limit_};
   for (const Track& t : tracks_) {
-    out.insert(out.end(), {t.penetration, t.force, t.open ? 1.0 : 0.0, t.impact.time, t.impact.approach_velocity,
-                           t.impact.peak_force, t.impact.duration, t.impact.impulse});
+    out.insert(out.end(), {t.penetration, t.force, t.rate, t.open ? 1.0 : 0.0, t.impact.time,
+                           t.impact.approach_velocity, t.impact.peak_force, t.impact.duration, t.impact.impulse});
   }
   return out;
 }
@@ -103,7 +119,7 @@ void ImpactTracker::restore(const std::vector<double>& saved) {
   step_limit_ = saved.at(0);
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const double* v = &saved.at(1 + kSaved * i);
-    tracks_[i] = {v[0], v[1], v[2] != 0.0, {static_cast<int>(i), v[3], v[4], v[5], v[6], v[7], 0.0, 0.0}};
+    tracks_[i] = {v[0], v[1], v[2], v[3] != 0.0, {static_cast<int>(i), v[4], v[5], v[6], v[7], v[8], 0.0, 0.0}};
   }
 }
 

@@ -8,8 +8,9 @@
 
 namespace overbend {
 
-/// How impacts are resolved.
+/// How impacts are followed.
 struct ImpactSettings {
+  bool captured = false;       ///< Within the steps that there are; their peak force is estimated.
   double steps = 16.0;         ///< Steps in the undamped contact time pi sqrt(m / k).
   double least_force = 1.0e3;  ///< Impacts with v sqrt(k m) below this are not resolved nor recorded [N].
 };
@@ -38,12 +39,15 @@ class ImpactTracker {
   struct Track {
     double penetration = -1.0;  ///< After the last step [m].
     double force = 0.0;         ///< Normal, after the last step [N].
+    double rate = 0.0;          ///< Of penetration, after the last step [m/s].
     bool open = false;          ///< An impact goes on.
     Impact impact;
   };
 
   double contact_time(std::size_t roller) const;
+  double undamped_force(std::size_t roller, double velocity) const;
   bool hard(std::size_t roller, double velocity) const;
+  Impact touched(std::size_t roller, const RollerContact& contact, double time, double h) const;
 
   const std::vector<BodyRoller>* rollers_;
   ImpactSettings settings_;

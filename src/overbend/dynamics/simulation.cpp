@@ -157,7 +157,7 @@ bool Simulation::part_lines() {
   if (!part_due_lines(setup_.system, state_)) return true;
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(tensioner(state_).machine.drive);
-  stepper_->forget_factors();
+  stepper_->forget();
   return begin_motion(*assembly_, state_);
 }
 
@@ -321,7 +321,7 @@ void Simulation::reach_tick() {
   if (!clock_.at_row()) return;
   const Instant at = now();
   for (SimulationObserver* observer : observers_) observer->row(at, row_number());
-  stepper_->forget_factors();  // a simulation restored here has none
+  stepper_->forget();  // a simulation restored here has none
 }
 
 bool Simulation::step() {

@@ -83,7 +83,7 @@ void SystemRun::adapt(double h) {
 bool SystemRun::part_lines() {
   if (!part_due_lines(system_, state_)) return true;
   assembly_->set_time(state_.time, state_);
-  stepper_->forget_factors();
+  stepper_->forget();
   return begin_motion(*assembly_, state_);
 }
 
@@ -114,7 +114,7 @@ void SystemRun::reach_tick() {
   }
   if (!clock_.at_row()) return;
   for (SystemObserver* observer : observers_) observer->row(*this);
-  stepper_->forget_factors();
+  stepper_->forget();
 }
 
 bool SystemRun::step() {

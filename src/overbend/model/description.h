@@ -142,6 +142,12 @@ struct SideRollerDescription {
   double clearance = 0.0;  ///< Gap to a pipe centred on the bottom roller [m].
 };
 
+/// How impacts on rollers are followed in time.
+enum class ImpactTreatment {
+  resolved,  ///< By steps that are a fraction of the contact time.
+  captured,  ///< Within the steps that there are, for screening.
+};
+
 /// How the damping of a roller follows from its coefficient of restitution.
 enum class RollerDamping {
   clipped,   ///< For a contact that never pulls, as the program's do: rebounds have the coefficient given.
@@ -245,6 +251,7 @@ struct DynamicSettings {
   double spectral_radius = 0.6;
   double output_step = 0.5;  ///< [s]
   std::vector<std::uint64_t> seeds;
+  ImpactTreatment impacts = ImpactTreatment::resolved;
   double impact_steps = 16.0;  ///< Steps in the undamped contact time of an impact.
   double impact_force = 1e3;   ///< Impacts weaker than this are neither resolved nor recorded [N].
   double tolerance = 1e-6;     ///< Largest unbalanced nodal force over the line's weight.

@@ -54,6 +54,12 @@ inline constexpr std::array kWords<RollerDamping> = {
 };
 
 template <>
+inline constexpr std::array kWords<ImpactTreatment> = {
+    Word{ImpactTreatment::resolved, "resolved"},
+    Word{ImpactTreatment::captured, "captured"},
+};
+
+template <>
 inline constexpr std::array kWords<RollerStiffness> = {
     Word{RollerStiffness::physical, "physical"},
     Word{RollerStiffness::penalty, "penalty"},

@@ -126,8 +126,15 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
         "Roller friction acts in the dynamic analysis, but not in the static initial state: it is mobilised by the "
         "motion only.");
   }
-  list.push_back(
-      fmt::format("Impacts weaker than {:.4g} kN are neither resolved nor recorded.", 1e-3 * settings.impact_force));
+  if (settings.impacts == ImpactTreatment::captured) {
+    list.push_back(
+        "Impacts are captured, not resolved: steps stay long, rebounds are damped out, and the peak force is that of "
+        "the "
+        "participating mass on an undamped roller plus what the roller bears after the step. Stresses are those at the "
+        "ends of steps. For screening: 'overbend compare --of impacts' tells the difference.");
+  }
+  list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.", 1e-3 * settings.impact_force,
+                             settings.impacts == ImpactTreatment::captured ? "counted" : "resolved"));
   list.push_back(
       "Dents follow from the relation of DNV-RP-F107 for bare steel, which neglects the effects of coatings, pressure, "
       "tension and bending.");

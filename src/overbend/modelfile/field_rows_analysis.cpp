@@ -198,6 +198,12 @@ std::vector<Field> analysis() {
        .text = "At infinite frequency: 1 means no numerical damping, 0 removes all high-frequency motion.",
        .range = {.low = 0.0, .high = 1.0}},
       time(".output_step", defaults(&DynamicSettings::output_step), "Time between stored results."),
+      {.path = d + ".impacts",
+       .member = defaults(&DynamicSettings::impacts),
+       .kind = FieldKind::choice,
+       .text =
+           "resolved: short steps follow every impact on a roller; captured: steps stay long, an impact ends within "
+           "the step that meets it and its peak force is estimated, for screening."},
       {.path = d + ".impact_steps",
        .member = defaults(&DynamicSettings::impact_steps),
        .kind = FieldKind::number,

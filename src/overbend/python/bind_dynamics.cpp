@@ -27,7 +27,7 @@ struct RunWish {
   std::optional<double> duration;
   std::vector<std::uint64_t> seeds;  ///< Empty: one run with the model's first seed.
   bool several = false;              ///< A folder for each seed, even of one.
-  std::string of;                    ///< Of a comparison: "tensioner" or "contact".
+  std::string of;                    ///< Of a comparison: a word of ComparisonOf.
   bool resume = false, restart = false;
   double checkpoint_every = 30.0;
   int threads = 0;
@@ -40,8 +40,7 @@ StudyPlan taken(std::variant<StudyPlan, std::string> plan) {
 }
 
 StudyPlan plan_of(const Description& description, const RunWish& wish) {
-  if (wish.of == "contact") return taken(plan_comparison(ComparisonOf::contact, description, wish.duration));
-  if (!wish.of.empty()) return taken(plan_comparison(ComparisonOf::tensioner, description, wish.duration));
+  if (const auto of = from_word<ComparisonOf>(wish.of)) return taken(plan_comparison(*of, description, wish.duration));
   if (wish.several) return taken(plan_seeds(wish.seeds, wish.duration));
   StudyPlan plan = plan_single(wish.duration);
   if (!wish.seeds.empty()) plan.cases.front().seed = wish.seeds.front();

@@ -34,6 +34,7 @@ const std::vector<std::string>& assumption_phrases(AssumptionRank rank) {
       "axial friction is not mobilised in statics",
       "m face and no given stiffness",
       "Hard impacts amplify the smallest differences",
+      "Impacts are captured, not resolved",
       "The hardest impact, ",
       "Fatigue: the sea of the run lasts",
       "The vessel does not move.",

@@ -78,7 +78,7 @@ json contact_data(const Comparison& comparison) {
 json comparison_data(const Comparison& comparison) {
   const bool tensioner = comparison.of == ComparisonOf::tensioner;
   json data = tensioner ? tensioner_data(comparison) : contact_data(comparison);
-  data["of"] = tensioner ? "tensioner" : "contact";
+  data["of"] = word_of(comparison.of);
   data["duration"] = json_number(comparison.duration);
   data["build_up"] = json_number(comparison.build_up);
   data["close_from"] = json_number(comparison.close_from);

@@ -41,6 +41,18 @@ std::string quantities_section(const Comparison& comparison) {
                        table.str() + "<p class=\"small\">From the end of the build-up to the end of the run.</p>\n");
 }
 
+const char* title_of(ComparisonOf of) {
+  switch (of) {
+    case ComparisonOf::tensioner:
+      return "Tensioner off, controlled and constant";
+    case ComparisonOf::contact:
+      return "Rollers and gap springs";
+    case ComparisonOf::impacts:
+      return "Impacts resolved and captured";
+  }
+  broken_promise("every comparison has a title");
+}
+
 const std::vector<Figure>& figures_of(ComparisonOf of) {
   static const std::vector<Figure> kTensioner = {
       {"compared_tensioner",
@@ -86,17 +98,16 @@ std::vector<std::string> all_warnings(const Comparison& comparison) {
 }  // namespace
 
 std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
-  const bool tensioner = comparison.of == ComparisonOf::tensioner;
   const std::vector<WeighedWarning> warnings = weighed(all_warnings(comparison));
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
   entries.emplace_back("Status", status_words("completed", warnings.size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written_now());
-  const std::string kind = tensioner ? "Tensioner off, controlled and constant" : "Rollers and gap springs";
-  const std::string body = title_block("Comparison: " + kind, statics.title, entries) + findings_section(comparison) +
-                           warnings_section(warnings) + figures(comparison) + quantities_section(comparison) +
-                           boxes_section(comparison) + links_section(comparison) + model_text_section(model_text);
+  const std::string body = title_block(std::string("Comparison: ") + title_of(comparison.of), statics.title, entries) +
+                           findings_section(comparison) + warnings_section(warnings) + figures(comparison) +
+                           quantities_section(comparison) + boxes_section(comparison) + links_section(comparison) +
+                           model_text_section(model_text);
   return whole_page(statics.title + " - comparison", body, report_data(statics, comparison));
 }
 

@@ -116,6 +116,63 @@ std::vector<std::string> contact_findings(const Comparison& comparison) {
   return list;
 }
 
+// Impacts -----------------------------------------------------------------------------------------------------------
+
+double hardest_impact(const DynamicResults& results) {
+  return results.hardest_impacts.empty() ? 0.0 : results.hardest_impacts.front().peak_force;
+}
+
+std::string impacts_words(const Comparison& comparison, std::size_t run) {
+  const DynamicResults& results = comparison.runs[run].results;
+  std::string words = fmt::format("{}: {} impacts", comparison.runs[run].words, results.impact_count);
+  if (results.impact_count > 0) {
+    const Impact& most = results.hardest_impacts.front();
+    words += fmt::format(", the hardest {} kN at {} m/s and t = {} s", forces().text(most.peak_force, 1),
+                         fixed(most.approach_velocity, 3), fixed(most.time, 1));
+  }
+  const ComparedBox& box = hardest(comparison, run).runs[run];
+  return words + fmt::format(". The largest force of one roller on the pipe is {} kN ({}), {} steps were made in {} s.",
+                             forces().text(box.peak_force, 1), hardest(comparison, run).name, results.run.steps,
+                             fixed(results.run.wall_time, 1));
+}
+
+/// How far what `value` tells of the second run is from that of the first, in words.
+std::string change_words(const Comparison& comparison, double (*value)(const DynamicResults&)) {
+  const double first = value(comparison.runs[0].results), second = value(comparison.runs[1].results);
+  if (first == 0.0) return second == 0.0 ? "the same" : "not zero";
+  const double change = 100.0 * (second / first - 1.0);
+  return fmt::format("{} % {}", fixed(std::abs(change), 1), change < 0.0 ? "less" : "more");
+}
+
+std::vector<std::string> impacts_findings(const Comparison& comparison) {
+  std::vector<std::string> list = {impacts_words(comparison, 0), impacts_words(comparison, 1)};
+  const auto count = [](const DynamicResults& r) { return static_cast<double>(r.impact_count); };
+  const auto stress = [](const DynamicResults& r) { return r.overbend.von_mises.over_time.max; };
+  const auto sagbend = [](const DynamicResults& r) { return r.sagbend.von_mises.over_time.max; };
+  const auto tension = [](const DynamicResults& r) { return r.top_tension.max; };
+  list.push_back(fmt::format(
+      "Captured against resolved: number of impacts {}, hardest impact {}, maximum von Mises stress in the overbend {} "
+      "and in the sagbend {}, maximum tension {}.",
+      change_words(comparison, count), change_words(comparison, hardest_impact), change_words(comparison, stress),
+      change_words(comparison, sagbend), change_words(comparison, tension)));
+  list.push_back(
+      "Captured peaks are estimates on the safe side for a single impact; where the pipe bounces, runs part from each "
+      "other by chance as well.");
+  return list;
+}
+
+std::vector<std::string> findings_of(const Comparison& comparison) {
+  switch (comparison.of) {
+    case ComparisonOf::tensioner:
+      return tensioner_findings(comparison);
+    case ComparisonOf::contact:
+      return contact_findings(comparison);
+    case ComparisonOf::impacts:
+      return impacts_findings(comparison);
+  }
+  broken_promise("every comparison has findings");
+}
+
 std::vector<std::string> box_cells(const ComparedBox& box) {
   return {fixed(100.0 * box.contact_share, 1), forces().text(box.static_reaction, 1),
           forces().text(box.mean_reaction, 1), forces().text(box.peak_reaction, 1),
@@ -126,9 +183,7 @@ std::vector<std::string> box_cells(const ComparedBox& box) {
 }  // namespace
 
 std::string findings_section(const Comparison& comparison) {
-  return html::section("findings", "Findings",
-                       html::list(comparison.of == ComparisonOf::tensioner ? tensioner_findings(comparison)
-                                                                           : contact_findings(comparison)));
+  return html::section("findings", "Findings", html::list(findings_of(comparison)));
 }
 
 std::string boxes_section(const Comparison& comparison) {

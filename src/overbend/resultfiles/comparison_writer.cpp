@@ -94,7 +94,7 @@ std::string comparison_summary(const StaticResults& statics, const Comparison& c
   for (const ComparedRun& run : comparison.runs) runs.push_back(run_json(run, comparison.quantities));
   for (const ComparedBoxes& box : comparison.boxes) boxes.push_back(box_json(box, comparison.runs));
   Json summary = static_summary_json(statics);
-  summary["comparison"] = {{"of", comparison.of == ComparisonOf::tensioner ? "tensioner" : "contact"},
+  summary["comparison"] = {{"of", word_of(comparison.of)},
                            {"duration", comparison.duration},
                            {"build_up", comparison.build_up},
                            {"quantities", quantities},

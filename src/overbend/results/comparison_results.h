@@ -1,15 +1,24 @@
 /// Results of variants of one model in the same dynamic run. Plain data, SI units.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "base/words.h"
 #include "results/dynamic_results.h"
 #include "results/seeds_results.h"
 
 namespace overbend {
 
-enum class ComparisonOf { tensioner, contact };
+enum class ComparisonOf { tensioner, contact, impacts };
+
+template <>
+inline constexpr std::array kWords<ComparisonOf> = {
+    Word{ComparisonOf::tensioner, "tensioner"},
+    Word{ComparisonOf::contact, "contact"},
+    Word{ComparisonOf::impacts, "impacts"},
+};
 
 /// How long the tensioner was in one state without a break.
 struct TensionerSpan {
@@ -55,7 +64,7 @@ struct Comparison {
   double close_from = 0.0;                ///< Where the close look begins [s].
   std::vector<SeedQuantity> quantities;
   std::vector<ComparedRun> runs;
-  std::vector<ComparedBoxes> boxes;  ///< Of a comparison of contact.
+  std::vector<ComparedBoxes> boxes;  ///< Of a comparison of contact or impacts.
 };
 
 }  // namespace overbend

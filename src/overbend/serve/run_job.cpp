@@ -48,7 +48,7 @@ StudyPlan plan_of(const RunInfo& run, const Description& description) {
   std::variant<StudyPlan, std::string> plan =
       run.kind == "seeds"
           ? plan_seeds(run.seeds, duration)
-          : plan_comparison(comparison_of(run.of).value_or(ComparisonOf::tensioner), description, duration);
+          : plan_comparison(from_word<ComparisonOf>(run.of).value_or(ComparisonOf::tensioner), description, duration);
   if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);
   return std::get<StudyPlan>(plan);
 }

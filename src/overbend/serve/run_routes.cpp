@@ -66,8 +66,8 @@ RunRecord order_of(const Json& body, const Description& description) {
     plan = plan_seeds(order.seeds, {});
   } else if (order.kind == "comparison") {
     order.of = body.value("of", "");
-    const std::optional<ComparisonOf> of = comparison_of(order.of);
-    if (!of) throw HttpFault(400, "of: found '" + order.of + "', expected tensioner or contact");
+    const std::optional<ComparisonOf> of = from_word<ComparisonOf>(order.of);
+    if (!of) throw HttpFault(400, "of: found '" + order.of + "', expected tensioner, contact or impacts");
     plan = plan_comparison(*of, description, {});
   }
   if (const auto* fault = std::get_if<std::string>(&plan)) throw HttpFault(422, *fault);

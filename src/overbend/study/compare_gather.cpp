@@ -76,6 +76,10 @@ std::vector<Rule> contact_rules() {
   };
 }
 
+std::vector<Rule> rules_of(ComparisonOf of) {
+  return of == ComparisonOf::tensioner ? tensioner_rules() : contact_rules();
+}
+
 /// Five periods of the sea up to the end, whole seconds; a minute where it has none.
 double close_look(const WavesDescription& waves, double duration) {
   constexpr double kPeriods = 5.0;
@@ -147,7 +151,7 @@ Comparison gather_comparison(ComparisonOf of, const Description& description, co
   all.duration = settings.duration;
   all.build_up = settings.build_up;
   all.close_from = close_look(description.environment.waves, settings.duration);
-  const std::vector<Rule> rules = of == ComparisonOf::tensioner ? tensioner_rules() : contact_rules();
+  const std::vector<Rule> rules = rules_of(of);
   for (const Rule& rule : rules) all.quantities.push_back(rule.quantity);
   const std::vector<SeedQuantity> key = seed_quantities(statics);
   all.quantities.insert(all.quantities.end(), key.begin(), key.end());
@@ -158,7 +162,7 @@ Comparison gather_comparison(ComparisonOf of, const Description& description, co
     if (of == ComparisonOf::tensioner) read_tensioner(run, h5, all.close_from);
     all.runs.push_back(std::move(run));
   }
-  if (of == ComparisonOf::contact) all.boxes = compared_boxes(all.runs);
+  if (of != ComparisonOf::tensioner) all.boxes = compared_boxes(all.runs);
   return all;
 }
 

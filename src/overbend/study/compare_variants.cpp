@@ -9,21 +9,14 @@ Case variant(const char* name, const char* words, const char* path, const char* 
 
 }  // namespace
 
-const char* word(ComparisonOf of) {
-  return of == ComparisonOf::contact ? "contact" : "tensioner";
-}
-
-std::optional<ComparisonOf> comparison_of(const std::string& word) {
-  for (const ComparisonOf of : {ComparisonOf::tensioner, ComparisonOf::contact}) {
-    if (word == overbend::word(of)) return of;
-  }
-  return std::nullopt;
-}
-
 std::vector<Case> variants_of(ComparisonOf of) {
   if (of == ComparisonOf::contact) {
     return {variant("rollers", "Rollers", "supports.contact", "rollers"),
             variant("gap_springs", "Gap springs", "supports.contact", "gap_springs")};
+  }
+  if (of == ComparisonOf::impacts) {
+    return {variant("resolved", "Impacts resolved", "analysis.dynamic.impacts", "resolved"),
+            variant("captured", "Impacts captured", "analysis.dynamic.impacts", "captured")};
   }
   return {variant("off", "Off, held by its brake", "tensioner.mode", "locked"),
           variant("controlled", "Controlled", "tensioner.mode", "controlled"),
@@ -34,7 +27,7 @@ std::optional<std::string> comparison_obstacle(ComparisonOf of, const Descriptio
   if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
     return "tensioner.range is missing: a controlled tensioner needs a range, for example [240 kN, 260 kN]";
   }
-  if (of == ComparisonOf::contact && description.supports.boxes.empty()) {
+  if (of != ComparisonOf::tensioner && description.supports.boxes.empty()) {
     return "the model has no supports, so there is no contact to compare";
   }
   return std::nullopt;

@@ -11,11 +11,6 @@
 
 namespace overbend {
 
-/// "tensioner" or "contact".
-const char* word(ComparisonOf of);
-/// Nothing for another word.
-std::optional<ComparisonOf> comparison_of(const std::string& word);
-
 /// Each a key of the model file set to another value.
 std::vector<Case> variants_of(ComparisonOf of);
 

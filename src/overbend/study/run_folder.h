@@ -16,7 +16,7 @@ const char* word(RunState state);
 /// What is run, from which input, and how far it is. A member that does not apply is empty.
 struct RunRecord {
   std::string kind;                  ///< "static", "dynamic", "seeds" or "comparison".
-  std::string of;                    ///< Of a comparison: "tensioner" or "contact".
+  std::string of;                    ///< Of a comparison: a word of ComparisonOf.
   std::vector<std::uint64_t> seeds;  ///< Of several seeds.
   std::string title;
   std::string stage;       ///< Of an operation on the line, its name; empty: the lay as such.

@@ -86,7 +86,7 @@ void keep_record(const StudyEnd& end, const StudyPlan& plan, const fs::path& fol
   change_record(folder, [&](RunRecord& record) {
     const bool seeds = plan.kind == StudyKind::seeds;
     record.kind = seeds ? "seeds" : "comparison";
-    record.of = seeds ? "" : word(plan.of);
+    record.of = seeds ? "" : word_of(plan.of);
     record.seeds.clear();
     for (const Case& one : plan.cases) {
       if (one.seed) record.seeds.push_back(*one.seed);

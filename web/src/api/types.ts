@@ -73,7 +73,7 @@ export interface Run {
   progress: number; started: number; message: string;
   /** Of a case: the study that it belongs to. */
   parent?: string;
-  /** Of a comparison: tensioner or contact. */
+  /** Of a comparison: tensioner, contact or impacts. */
   of?: string;
   /** The user's. */
   name: string; note: string;

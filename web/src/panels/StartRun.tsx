@@ -8,7 +8,7 @@ import { leadToFault } from '../state/lead';
 import { byPath, errors, hasModel } from '../state/model';
 import { startRun, type Order } from '../state/runs';
 
-const kinds = [['dynamic', 'One run'], ['seeds', 'Several seeds'], ['tensioner', 'Compare tensioner modes'], ['contact', 'Compare contact models']] as const;
+const kinds = [['dynamic', 'One run'], ['seeds', 'Several seeds'], ['tensioner', 'Compare tensioner modes'], ['contact', 'Compare contact models'], ['impacts', 'Compare impacts resolved and captured']] as const;
 type Kind = (typeof kinds)[number][0];
 
 /** As the model gives them: a number of seeds, or a list. */
