@@ -278,5 +278,66 @@ TEST(roller_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
   EXPECT_GT(apart, 200);
 }
 
+TEST(roller_contacts, no_roller_that_the_line_has_come_near_since_is_passed_over) {
+  const Deck deck;
+  const std::vector<Body> bodies = {
+      {deck.rollers, contact_cells(deck.model.supports, deck.pipe_radius), deck.shoe_V, {}}};
+  Line line;
+  line.mesh.length = deck.length;
+  line.mesh.s.resize(deck.length.size() + 1);
+  line.elements.radius = deck.radius;
+  RollerContacts watched(line, bodies), all(line, bodies);
+  std::mt19937_64 generator(5);
+  const auto random = [&](double size) {
+    return size * (2.0 * static_cast<double>(generator() >> 11) * 0x1.0p-53 - 1.0);
+  };
+  const std::vector<double> v(deck.q_V.size(), 0.0);
+  std::vector<double> forces(deck.q_V.size()), forces_of_all(deck.q_V.size()), cuts(deck.q_V.size());
+  std::vector<ContactMemory> memory(deck.rollers.size());
+  Vec3 offset = Vec3::Zero(), turn = Vec3::Zero(), heave = Vec3::Zero();
+  int touched = 0, passed_over = 0;
+  for (int step = 0; step < 400; ++step) {
+    std::vector<ContactMemory> after = memory, after_all = memory;
+    std::vector<double> q;
+    // Iterates of a step wander; now and then the pipe jumps.
+    const double size = step % 10 == 9 ? 0.2 : 0.01;
+    for (int iteration = 0; iteration < 3; ++iteration) {
+      offset += Vec3(random(size), random(size), random(size)) - 0.05 * offset;
+      turn += 0.02 * Vec3(0.0, random(size), random(size)) - 0.05 * turn;
+      heave += Vec3(0.0, 0.0, random(size)) - 0.05 * heave;
+      RigidMotion vessel;
+      vessel.pose.R_WV = Eigen::AngleAxisd(0.1 * heave.z(), Vec3::UnitX()).toRotationMatrix();
+      vessel.pose.p_WV = heave;
+      const Mat3 lag =
+          (Eigen::AngleAxisd(turn.y(), Vec3::UnitY()) * Eigen::AngleAxisd(turn.z(), Vec3::UnitZ())).toRotationMatrix();
+      q = moved(deck.q_V, lag, offset);
+      std::fill(forces.begin(), forces.end(), 0.0);
+      std::fill(forces_of_all.begin(), forces_of_all.end(), 0.0);
+      watched.place({vessel}, q.data(), 0.0);
+      watched.evaluate(q.data(), v.data(), {}, memory, after, ContactMode::free, {forces, cuts});
+      all.place({vessel}, q.data(), 0.0);
+      all.forget();
+      all.evaluate(q.data(), v.data(), {}, memory, after_all, ContactMode::free, {forces_of_all, cuts});
+      for (std::size_t i = 0; i < forces.size(); ++i) {
+        ASSERT_NEAR(forces[i], forces_of_all[i], 1e-3) << "step " << step << " number " << i;  // of about 1e5 N
+      }
+      for (int i = 0; i < watched.count(); ++i) {
+        ASSERT_EQ(watched.carries(i), all.carries(i)) << "step " << step << " roller " << i;
+        const std::size_t index = static_cast<std::size_t>(i);
+        touched += all.carries(i) ? 1 : 0;
+        passed_over += watched.contacts()[index].penetration != all.contacts()[index].penetration ? 1 : 0;
+      }
+    }
+    watched.complete(q.data(), v.data(), after);
+    for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
+      ASSERT_NEAR(watched.contacts()[i].penetration, all.contacts()[i].penetration, 1e-9);
+      ASSERT_EQ(after[i].carries, after_all[i].carries);
+    }
+    memory = after;
+  }
+  EXPECT_GT(touched, 1000);
+  EXPECT_GT(passed_over, 1000);
+}
+
 }  // namespace
 }  // namespace overbend
