@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -43,6 +45,21 @@ TEST(run_folder, what_the_user_wrote_outlives_a_new_run) {
   mark_finished(folder.path(), "dynamic", "a lay", "model");
   unmark(folder.path());
   EXPECT_EQ(read_record(folder.path())->name, "limit");
+}
+
+TEST(run_folder, threads_that_change_a_record_at_once_lose_nothing) {
+  const TemporaryFolder folder;
+  constexpr int kChanges = 200;
+  const auto count = [&](double RunRecord::*member) {
+    for (int i = 0; i < kChanges; ++i) change_record(folder.path(), [&](RunRecord& record) { record.*member += 1.0; });
+  };
+  std::thread other(count, &RunRecord::duration);
+  count(&RunRecord::progress);
+  other.join();
+  const std::optional<RunRecord> read = read_record(folder.path());
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->duration, kChanges);
+  EXPECT_EQ(read->progress, kChanges);
 }
 
 TEST(run_folder, a_file_that_only_looks_like_a_record_is_none) {

@@ -208,7 +208,8 @@ void RunQueue::update(const std::string& id, const std::function<void(RunInfo&)>
   }
   if (lasting) {
     try {
-      const std::lock_guard hold(files_);  // the run writes its part of the record under the same
+      const std::lock_guard hold(files_);
+      now = find(id);  // not what was true before another thread's turn
       keep_record(now, folder(now));
     } catch (const std::exception&) {
       // The disk is full or the folder gone; the list of this start still knows.

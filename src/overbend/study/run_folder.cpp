@@ -2,6 +2,7 @@
 
 #include <array>
 #include <fstream>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
@@ -57,6 +58,18 @@ RunRecord record_of(const Json& json) {
   return r;
 }
 
+/// A queue of runs and the run at work change the same record, each its part.
+std::mutex& records() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+void replace_record(const RunRecord& record, const fs::path& folder) {
+  const fs::path beside = folder / "run.json.part";
+  write_text(beside, record_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  fs::rename(beside, folder / kRecord);
+}
+
 }  // namespace
 
 const char* word(RunState state) {
@@ -75,15 +88,15 @@ std::optional<RunRecord> read_record(const fs::path& folder) {
 }
 
 void write_record(const RunRecord& record, const fs::path& folder) {
-  const fs::path beside = folder / "run.json.part";
-  write_text(beside, record_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-  fs::rename(beside, folder / kRecord);
+  const std::lock_guard hold(records());
+  replace_record(record, folder);
 }
 
 void change_record(const fs::path& folder, const std::function<void(RunRecord&)>& change) {
+  const std::lock_guard hold(records());
   RunRecord record = read_record(folder).value_or(RunRecord{});
   change(record);
-  write_record(record, folder);
+  replace_record(record, folder);
 }
 
 void mark_finished(const fs::path& folder, const std::string& kind, const std::string& title,

@@ -37,7 +37,7 @@ std::optional<RunRecord> read_record(const std::filesystem::path& folder);
 /// Replaces the record at once. Throws std::runtime_error when the disk refuses.
 void write_record(const RunRecord& record, const std::filesystem::path& folder);
 
-/// Reads, changes and writes the record, a new one where there is none.
+/// Reads, changes and writes the record, a new one where there is none. Threads of this program take turns.
 void change_record(const std::filesystem::path& folder, const std::function<void(RunRecord&)>& change);
 
 /// The folder's results are whole: of this kind and this input (input_text() of study/prepared_case.h).
