@@ -130,13 +130,13 @@ export function colours(page: Page, a: string): Promise<number> {
   }, a);
 }
 
-/** Waits until the picture stands still and is drawn sharply. */
+/** Waits until the picture stands still and is drawn sharply, however slowly frames follow each other. */
 export async function rested(page: Page): Promise<void> {
   await page.waitForFunction(async () => {
-    const view = (window as unknown as { __view?: { frames: number } }).__view;
+    const view = (window as unknown as { __view?: { frames: number; coarse: number; flight: { path: unknown } } }).__view;
     if (!view) return false;
     const before = view.frames;
     await new Promise((done) => setTimeout(done, 400));
-    return before > 0 && view.frames === before;
+    return before > 0 && view.frames === before && view.coarse === 1 && !view.flight.path;
   }, undefined, { timeout: 20_000 });
 }
