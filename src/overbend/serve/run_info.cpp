@@ -102,8 +102,9 @@ bool has_checkpoint(const fs::path& folder) {
 std::vector<RunInfo> cases_of(const RunInfo& study) {
   std::vector<Case> cases;
   if (study.kind == "seeds") cases = seed_cases(study.seeds);
-  if (study.kind == "comparison")
+  if (study.kind == "comparison") {
     cases = variants_of(from_word<ComparisonOf>(study.of).value_or(ComparisonOf::tensioner));
+  }
   std::vector<RunInfo> list;
   for (const Case& one : cases) {
     RunInfo run;
