@@ -226,6 +226,17 @@ TEST(statics, a_pipe_that_a_current_drives_off_its_rollers_is_said_to_have_left_
   }
 }
 
+TEST(statics, a_pipe_that_nothing_holds_on_its_rollers_is_said_to_run_off_them) {
+  for (const double factor : {1.0, 2.0}) {  // the second leaves it in equilibrium beside all supports
+    Description d = bgl1();
+    for (RollerKindDescription& kind : d.rollers) kind.sides.reset();
+    for (CurrentPoint& point : d.environment.current) point.speed *= factor;
+    const StaticFailure f = failure_of(d);
+    EXPECT_NE(f.what.find("the pipe runs off its rollers"), std::string::npos) << f.what;
+    EXPECT_NE(f.why.find("that box has no side rollers to hold it"), std::string::npos) << f.why;
+  }
+}
+
 /// Least clear distance from a roller of the places of all stations [m].
 double least_of_stations(const StaticResults& r, const RollerResult& roller) {
   const Vec3 center = roller.p_W - roller.radius * roller.normal_W;

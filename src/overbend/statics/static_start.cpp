@@ -339,11 +339,33 @@ double support_end(const StaticSystem& system) {
   return end;
 }
 
+std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& system) {
+  const std::vector<Roller>& rollers = model.supports.rollers;
+  for (std::size_t i = 0; i < rollers.size(); ++i) {
+    const ClosestPoint& closest = system.contacts()[i].at;
+    if (!lies_beside(rollers[i].position, closest, model.section_over(rollers[i]).outer_radius())) continue;
+    if (closest.off_end > system.mesh().total_length()) return std::nullopt;
+    const bool sided = std::ranges::any_of(rollers, [&](const Roller& other) {
+      return other.box == rollers[i].box && other.position != RollerPosition::bottom;
+    });
+    return BoxLeft{model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end, sided};
+  }
+  return std::nullopt;
+}
+
 std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system) {
   const auto& states = system.contacts();
   const bool carried = std::any_of(states.begin(), states.end(), [](const RollerContact& r) { return r.normal > 0.0; });
   if (model.supports.boxes.empty() || carried) {
     return std::nullopt;
+  }
+  if (const std::optional<BoxLeft> left = first_box_left(model, system)) {
+    return StaticFailure{
+        "the pipe runs off its rollers", left->name,
+        fmt::format(
+            "no roller carries it: it is in equilibrium beside its supports, {:.2f} m off the end of the roller "
+            "there{}",
+            left->off_end, left->sided ? "" : "; that box has no side rollers to hold it")};
   }
   return StaticFailure{
       "the pipe lifts off every support", "ramp and stinger",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "statics/lay_shape.h"
 #include "statics/static_system.h"
@@ -44,6 +45,17 @@ void bring_to_ends(const StaticSystem& system, LineState& state);
 
 /// Length from the tensioner to the last roller that the pipe passes [m]; from the contacts of the last evaluation.
 double support_end(const StaticSystem& system);
+
+/// A box that the pipe lies beside.
+struct BoxLeft {
+  std::string name;
+  double off_end = 0.0;  ///< Beyond the end of its bottom roller [m].
+  bool sided = false;    ///< Whether it has side rollers, over which the pipe has climbed.
+};
+
+/// The first, seen from the tensioner, in the state evaluated last; nothing where the pipe lies over all boxes, or
+/// so far away that the state means nothing.
+std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& system);
 
 /// A pipe that touches none of its supports is not held by them: says so. Uses the contacts of the last evaluation.
 std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system);

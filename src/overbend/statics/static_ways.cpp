@@ -275,14 +275,9 @@ bool relax_and_finish(StaticCase& at) {
 }
 
 void note_left(StaticCase& at) {
-  const std::vector<Roller>& rollers = at.model.supports.rollers;
-  for (std::size_t i = 0; i < rollers.size(); ++i) {
-    const ClosestPoint& closest = at.system.contacts()[i].at;
-    if (lies_beside(rollers[i].position, closest, at.model.section_over(rollers[i]).outer_radius())) {
-      at.left = fmt::format(". In an attempt the pipe lay beside '{}', {:.2f} m off the end of its roller",
-                            at.model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name, closest.off_end);
-      return;
-    }
+  if (const std::optional<BoxLeft> left = first_box_left(at.model, at.system)) {
+    at.left = fmt::format(". In an attempt the pipe lay beside '{}', {:.2f} m off the end of its roller{}", left->name,
+                          left->off_end, left->sided ? "" : "; that box has no side rollers to hold it");
   }
 }
 

@@ -124,7 +124,9 @@ StaticOutcome give_up(const StaticCase& at, double least_tension) {
   if (at.least_found > 0.0) {
     return fail(compressed_at_seabed(at.target.value, at.least_found));
   }
-  return fail({"no equilibrium found", where,
+  const std::string what =
+      at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
+  return fail({what, where,
                fmt::format("neither Newton's method, nor hardening the rollers, raising the current or lowering the "
                            "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
                            "weight). The tension is "
