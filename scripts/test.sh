@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# Everything a change has to pass: layers, format, release tests, kernels on ARM, linter, and the tests again with
-# sanitizers.
+# Everything a change has to pass: layers, format, release tests, linter, and the tests again with sanitizers.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -26,10 +25,6 @@ build_preset release -DOVERBEND_BENCH=ON
 
 step "Release tests"
 ctest --preset release --parallel "$jobs"
-
-step "Kernels on ARM"
-bash scripts/install.sh arm
-bash tools/arm_check.sh
 
 step "Linter"
 bash tools/tidy.sh
