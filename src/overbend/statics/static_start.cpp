@@ -353,6 +353,11 @@ std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& sy
   return std::nullopt;
 }
 
+std::string off_end_words(const BoxLeft& left) {
+  return fmt::format("{:.2f} m off the end of its roller{}", left.off_end,
+                     left.sided ? "" : "; that box has no side rollers to hold it");
+}
+
 std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system) {
   const auto& states = system.contacts();
   const bool carried = std::any_of(states.begin(), states.end(), [](const RollerContact& r) { return r.normal > 0.0; });
@@ -360,12 +365,9 @@ std::optional<StaticFailure> check_supports(const Model& model, const StaticSyst
     return std::nullopt;
   }
   if (const std::optional<BoxLeft> left = first_box_left(model, system)) {
-    return StaticFailure{
-        "the pipe runs off its rollers", left->name,
-        fmt::format(
-            "no roller carries it: it is in equilibrium beside its supports, {:.2f} m off the end of the roller "
-            "there{}",
-            left->off_end, left->sided ? "" : "; that box has no side rollers to hold it")};
+    return StaticFailure{"the pipe runs off its rollers", left->name,
+                         fmt::format("no roller carries it: it is in equilibrium beside its supports, at '{}' {}",
+                                     left->name, off_end_words(*left))};
   }
   return StaticFailure{
       "the pipe lifts off every support", "ramp and stinger",

@@ -276,8 +276,7 @@ bool relax_and_finish(StaticCase& at) {
 
 void note_left(StaticCase& at) {
   if (const std::optional<BoxLeft> left = first_box_left(at.model, at.system)) {
-    at.left = fmt::format(". In an attempt the pipe lay beside '{}', {:.2f} m off the end of its roller{}", left->name,
-                          left->off_end, left->sided ? "" : "; that box has no side rollers to hold it");
+    at.left = fmt::format(". In an attempt the pipe lay beside '{}', {}", left->name, off_end_words(*left));
   }
 }
 
