@@ -100,6 +100,27 @@ TEST(impact_tracker, estimates_the_peak_of_a_captured_impact_from_its_approach) 
   }
 }
 
+TEST(impact_tracker, a_captured_impact_counts_what_the_other_rollers_of_its_box_bear) {
+  std::vector<BodyRoller> rollers(4, one_roller().front());
+  rollers[3].box = 1;
+  ImpactTracker tracker(rollers, captured());
+  std::vector<Impact> ended;
+  RollerContact carrying = struck(0.0, 0.0);
+  carrying.penetration = 1e-3;
+  carrying.normal = 30e3;
+  const double h = 0.01, speed = 0.5;
+  // Two of a box are struck in the same step, the third bears its load all the time; the fourth is of another box.
+  for (int step = 0; step < 20; ++step) {
+    const RollerContact one = struck(speed, (step - 1.5) * h);
+    tracker.accept({one, one, carrying, carrying}, step * h, h, ended);
+  }
+  ASSERT_EQ(ended.size(), 2U);
+  const RollerContact at_end = struck(speed, 0.5 * h);
+  const double estimate = speed * std::sqrt(kStiffness * kMass) + at_end.normal;
+  EXPECT_NEAR(ended[0].box_force, 2.0 * estimate + carrying.normal, 1.0);
+  EXPECT_NEAR(ended[1].box_force, 2.0 * estimate + carrying.normal, 1.0);
+}
+
 TEST(impact_tracker, a_captured_impact_goes_on_where_a_checkpoint_left_it) {
   const std::vector<BodyRoller> rollers = one_roller();
   const double h = 0.005, speed = 0.5;

@@ -10,7 +10,7 @@ namespace {
 constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
 constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
 constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
-constexpr int kSaved = 9;               ///< Numbers per roller.
+constexpr int kSaved = 10;              ///< Numbers per roller.
 
 }  // namespace
 
@@ -52,6 +52,16 @@ Impact ImpactTracker::touched(std::size_t roller, const RollerContact& contact, 
   return impact;
 }
 
+/// At the peak of captured impacts that began with this step, as if all of a box were struck at once [N].
+double ImpactTracker::bears(std::size_t roller, const std::vector<RollerContact>& contacts) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if ((*rollers_)[i].box != (*rollers_)[roller].box) continue;
+    sum += tracks_[i].begun ? tracks_[i].impact.peak_force : contacts[i].normal;
+  }
+  return sum;
+}
+
 ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, double h) const {
   ImpactLimit limit;
   if (settings_.captured) return limit;
@@ -76,17 +86,22 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
   step_limit_ = 1e300;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Track& track = tracks_[i];
-    const RollerContact& contact = contacts[i];
-    const double penetration = contact.at.found ? contact.penetration : -1.0;
+    track.begun = false;
+    const double penetration = contacts[i].at.found ? contacts[i].penetration : -1.0;
     if (!track.open && track.penetration < 0.0 && penetration > 0.0) {
-      const Impact impact = touched(i, contact, time, h);
+      const Impact impact = touched(i, contacts[i], time, h);
       if (hard(i, impact.approach_velocity)) {
-        track.open = true;
+        track.open = track.begun = true;
         track.impact = impact;
       }
     }
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Track& track = tracks_[i];
+    const RollerContact& contact = contacts[i];
     if (track.open) {
       Impact& impact = track.impact;
+      if (settings_.captured && track.begun) impact.box_force = bears(i, contacts);
       impact.peak_force = std::max(impact.peak_force, contact.normal);
       impact.impulse += 0.5 * h * (track.force + contact.normal);
       impact.duration = time - impact.time;
@@ -100,7 +115,7 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
         step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
       }
     }
-    track.penetration = penetration;
+    track.penetration = contact.at.found ? contact.penetration : -1.0;
     track.force = contact.normal;
     track.rate = contact.rate;
   }
@@ -109,8 +124,9 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
 std::vector<double> ImpactTracker::save() const {
   std::vector<double> out{step_limit_};
   for (const Track& t : tracks_) {
-    out.insert(out.end(), {t.penetration, t.force, t.rate, t.open ? 1.0 : 0.0, t.impact.time,
-                           t.impact.approach_velocity, t.impact.peak_force, t.impact.duration, t.impact.impulse});
+    out.insert(out.end(),
+               {t.penetration, t.force, t.rate, t.open ? 1.0 : 0.0, t.impact.time, t.impact.approach_velocity,
+                t.impact.peak_force, t.impact.duration, t.impact.impulse, t.impact.box_force});
   }
   return out;
 }
@@ -119,7 +135,8 @@ void ImpactTracker::restore(const std::vector<double>& saved) {
   step_limit_ = saved.at(0);
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const double* v = &saved.at(1 + kSaved * i);
-    tracks_[i] = {v[0], v[1], v[2], v[3] != 0.0, {static_cast<int>(i), v[4], v[5], v[6], v[7], v[8], 0.0, 0.0}};
+    tracks_[i] = {v[0],        v[1],  v[2],
+                  v[3] != 0.0, false, {static_cast<int>(i), v[4], v[5], v[6], v[7], v[8], 0.0, 0.0, v[9]}};
   }
 }
 

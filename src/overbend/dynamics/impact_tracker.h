@@ -41,6 +41,7 @@ class ImpactTracker {
     double force = 0.0;         ///< Normal, after the last step [N].
     double rate = 0.0;          ///< Of penetration, after the last step [m/s].
     bool open = false;          ///< An impact goes on.
+    bool begun = false;         ///< It began with the last step.
     Impact impact;
   };
 
@@ -48,6 +49,7 @@ class ImpactTracker {
   double undamped_force(std::size_t roller, double velocity) const;
   bool hard(std::size_t roller, double velocity) const;
   Impact touched(std::size_t roller, const RollerContact& contact, double time, double h) const;
+  double bears(std::size_t roller, const std::vector<RollerContact>& contacts) const;
 
   const std::vector<BodyRoller>* rollers_;
   ImpactSettings settings_;

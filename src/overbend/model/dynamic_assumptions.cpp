@@ -129,9 +129,9 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
   if (settings.impacts == ImpactTreatment::captured) {
     list.push_back(
         "Impacts are captured, not resolved: steps stay long, rebounds are damped out, and the peak force is that of "
-        "the "
-        "participating mass on an undamped roller plus what the roller bears after the step. Stresses are those at the "
-        "ends of steps. For screening: 'overbend compare --of impacts' tells the difference.");
+        "the participating mass on an undamped roller plus what the roller bears after the step. Stresses, and the "
+        "histories, percentiles and extremes over hours of reactions, are those at the ends of steps, without these "
+        "peaks. For screening: 'overbend compare --of impacts' tells the difference.");
   }
   list.push_back(fmt::format("Impacts weaker than {:.4g} kN are neither {} nor recorded.", 1e-3 * settings.impact_force,
                              settings.impacts == ImpactTreatment::captured ? "counted" : "resolved"));

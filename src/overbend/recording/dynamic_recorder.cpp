@@ -370,6 +370,7 @@ void DynamicRecorder::count(const Impact& impact) {
   sum.velocity = std::max(sum.velocity, impact.approach_velocity);
   sum.force = std::max(sum.force, impact.peak_force);
   sum.impulse = std::max(sum.impulse, impact.impulse);
+  sum.of_box = std::max(sum.of_box, impact.box_force);
   impact_count_ += 1.0;
   const auto harder = [](const Impact& a, const Impact& b) { return a.peak_force > b.peak_force; };
   hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), impact, harder), impact);

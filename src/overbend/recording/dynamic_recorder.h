@@ -111,7 +111,7 @@ class DynamicRecorder : public SimulationObserver {
   std::vector<double> row_, snapshot_;
   std::vector<double> largest_reaction_, least_separation_, largest_key_, least_key_;  ///< Since the last row.
   struct RollerImpacts {
-    double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0;
+    double count = 0.0, velocity = 0.0, force = 0.0, impulse = 0.0, of_box = 0.0;
   };
   std::vector<RollerImpacts> impacts_;
   struct BoxLeft {

@@ -33,7 +33,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   }
   put_peak(key_.slack);
   for (const RollerImpacts& i : impacts_) {
-    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse});
+    impacts.insert(impacts.end(), {i.count, i.velocity, i.force, i.impulse, i.of_box});
   }
   for (const Impact& i : hardest_) {
     hardest.insert(hardest.end(), {static_cast<double>(i.roller), i.time, i.approach_velocity, i.peak_force, i.duration,
@@ -78,8 +78,8 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   const std::vector<double>& impacts = get("record/impacts");
   impact_count_ = impacts.at(0);
   for (std::size_t r = 0; r < impacts_.size(); ++r) {
-    const double* v = &impacts.at(4 * r + 1);
-    impacts_[r] = {v[0], v[1], v[2], v[3]};
+    const double* v = &impacts.at(5 * r + 1);
+    impacts_[r] = {v[0], v[1], v[2], v[3], v[4]};
   }
   const std::vector<double>& left = get("record/left");
   for (std::size_t box = 0; box < boxes_; ++box) {
@@ -89,7 +89,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   hardest_.clear();
   for (std::size_t k = 0; k + kImpactNumbers <= hardest.size(); k += kImpactNumbers) {
     hardest_.push_back({static_cast<int>(hardest[k]), hardest[k + 1], hardest[k + 2], hardest[k + 3], hardest[k + 4],
-                        hardest[k + 5], hardest[k + 6], hardest[k + 7]});
+                        hardest[k + 5], hardest[k + 6], hardest[k + 7], 0.0});
   }
 }
 

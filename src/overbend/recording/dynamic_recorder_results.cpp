@@ -76,7 +76,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
       r.largest_impulse = impacts_[roller].impulse;
       if (captured) {  // their peaks lie between two steps
         r.reaction.max = std::max(r.reaction.max, r.largest_impact_force);
-        out.reaction.max = std::max(out.reaction.max, r.largest_impact_force);
+        out.reaction.max = std::max(out.reaction.max, impacts_[roller].of_box);
       }
       r.dent_depth = dent_depth(r.reaction.max, pipe);
       r.line_load = line_load(r.reaction.max, contact_length(placed.face, pipe.outer_diameter, pipe.steel_diameter));
