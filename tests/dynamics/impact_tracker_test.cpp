@@ -34,9 +34,11 @@ RollerContact struck(double speed, double t) {
 std::vector<Impact> followed(double speed, double h, const ImpactSettings& settings = {}) {
   const std::vector<BodyRoller> rollers = one_roller();
   ImpactTracker tracker(rollers, settings);
-  std::vector<Impact> ended;
+  std::vector<EndedImpact> ended;
   for (double t = -20.3 * h; t < 0.1; t += h) tracker.accept({struck(speed, t)}, t, h, ended);
-  return ended;
+  std::vector<Impact> impacts;
+  for (const EndedImpact& one : ended) impacts.push_back(one.impact);
+  return impacts;
 }
 
 TEST(impact_tracker, records_force_impulse_and_duration_of_a_half_sine) {
@@ -60,7 +62,7 @@ TEST(impact_tracker, passes_over_touches_too_soft_to_matter) {
 TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
   const std::vector<BodyRoller> rollers = one_roller();
   ImpactTracker tracker(rollers, {});
-  std::vector<Impact> ended;
+  std::vector<EndedImpact> ended;
   const double h = 0.012, gap = 0.005, speed = 0.5;
   tracker.accept({struck(speed, -gap / speed)}, 0.0, h, ended);
   const ImpactLimit limit = tracker.check({struck(speed, h - gap / speed)}, h);
@@ -78,7 +80,7 @@ ImpactSettings captured() {
 TEST(impact_tracker, captured_impacts_leave_the_steps_as_they_are) {
   const std::vector<BodyRoller> rollers = one_roller();
   ImpactTracker tracker(rollers, captured());
-  std::vector<Impact> ended;
+  std::vector<EndedImpact> ended;
   const double h = 0.012, gap = 0.005, speed = 0.5;
   tracker.accept({struck(speed, -gap / speed)}, 0.0, h, ended);
   const std::vector<RollerContact> touching = {struck(speed, h - gap / speed)};
@@ -104,7 +106,7 @@ TEST(impact_tracker, a_captured_impact_counts_what_the_other_rollers_of_its_box_
   std::vector<BodyRoller> rollers(4, one_roller().front());
   rollers[3].box = 1;
   ImpactTracker tracker(rollers, captured());
-  std::vector<Impact> ended;
+  std::vector<EndedImpact> ended;
   RollerContact carrying = struck(0.0, 0.0);
   carrying.penetration = 1e-3;
   carrying.normal = 30e3;
@@ -125,7 +127,7 @@ TEST(impact_tracker, a_captured_impact_goes_on_where_a_checkpoint_left_it) {
   const std::vector<BodyRoller> rollers = one_roller();
   const double h = 0.005, speed = 0.5;
   ImpactTracker whole(rollers, captured()), resumed(rollers, captured());
-  std::vector<Impact> first, second;
+  std::vector<EndedImpact> first, second;
   for (double t = -3.5 * h; t < 0.1; t += h) {
     whole.accept({struck(speed, t)}, t, h, first);
     resumed.accept({struck(speed, t)}, t, h, second);
@@ -135,14 +137,15 @@ TEST(impact_tracker, a_captured_impact_goes_on_where_a_checkpoint_left_it) {
   }
   ASSERT_EQ(first.size(), 1U);
   ASSERT_EQ(second.size(), 1U);
-  EXPECT_EQ(first[0].peak_force, second[0].peak_force);
-  EXPECT_EQ(first[0].approach_velocity, second[0].approach_velocity);
+  EXPECT_EQ(first[0].impact.peak_force, second[0].impact.peak_force);
+  EXPECT_EQ(first[0].box_force, second[0].box_force);
+  EXPECT_EQ(first[0].impact.approach_velocity, second[0].impact.approach_velocity);
 }
 
 TEST(impact_tracker, what_lies_on_rollers_at_the_start_has_not_struck_them) {
   const std::vector<BodyRoller> rollers = one_roller();
   ImpactTracker tracker(rollers, {});
-  std::vector<Impact> ended;
+  std::vector<EndedImpact> ended;
   RollerContact resting;
   resting.at.found = true;
   resting.penetration = 1e-3;

@@ -82,7 +82,7 @@ ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, dou
 }
 
 void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double time, double h,
-                           std::vector<Impact>& ended) {
+                           std::vector<EndedImpact>& ended) {
   step_limit_ = 1e300;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Track& track = tracks_[i];
@@ -101,7 +101,7 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
     const RollerContact& contact = contacts[i];
     if (track.open) {
       Impact& impact = track.impact;
-      if (settings_.captured && track.begun) impact.box_force = bears(i, contacts);
+      if (settings_.captured && track.begun) track.box_force = bears(i, contacts);
       impact.peak_force = std::max(impact.peak_force, contact.normal);
       impact.impulse += 0.5 * h * (track.force + contact.normal);
       impact.duration = time - impact.time;
@@ -110,7 +110,7 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
       const bool rests = contact_times > 1.0 && std::abs(contact.rate) < kAtRest * impact.approach_velocity;
       if (left || rests || contact_times > kLongestTimes) {
         track.open = false;
-        ended.push_back(impact);
+        ended.push_back({impact, track.box_force});
       } else if (!settings_.captured && contact_times < kResolvedTimes) {
         step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
       }
@@ -126,7 +126,7 @@ std::vector<double> ImpactTracker::save() const {
   for (const Track& t : tracks_) {
     out.insert(out.end(),
                {t.penetration, t.force, t.rate, t.open ? 1.0 : 0.0, t.impact.time, t.impact.approach_velocity,
-                t.impact.peak_force, t.impact.duration, t.impact.impulse, t.impact.box_force});
+                t.impact.peak_force, t.impact.duration, t.impact.impulse, t.box_force});
   }
   return out;
 }
@@ -135,8 +135,8 @@ void ImpactTracker::restore(const std::vector<double>& saved) {
   step_limit_ = saved.at(0);
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const double* v = &saved.at(1 + kSaved * i);
-    tracks_[i] = {v[0],        v[1],  v[2],
-                  v[3] != 0.0, false, {static_cast<int>(i), v[4], v[5], v[6], v[7], v[8], 0.0, 0.0, v[9]}};
+    tracks_[i] = {v[0], v[1], v[2], v[3] != 0.0, false, {static_cast<int>(i), v[4], v[5], v[6], v[7], v[8], 0.0, 0.0},
+                  v[9]};
   }
 }
 

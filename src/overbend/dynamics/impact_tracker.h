@@ -15,6 +15,11 @@ struct ImpactSettings {
   double least_force = 1.0e3;  ///< Impacts with v sqrt(k m) below this are not resolved nor recorded [N].
 };
 
+struct EndedImpact {
+  Impact impact;
+  double box_force = 0.0;  ///< All that its box bears at the peak, where that is estimated: captured impacts [N].
+};
+
 /// What limits the next step.
 struct ImpactLimit {
   bool reject = false;  ///< The step ran into an impact that it is too long for.
@@ -28,7 +33,7 @@ class ImpactTracker {
   /// Looks at a step of `h` that led to `contacts`, before it is accepted.
   ImpactLimit check(const std::vector<RollerContact>& contacts, double h) const;
   /// Takes an accepted step; impacts that end with it are appended to `ended` (which has room for all rollers).
-  void accept(const std::vector<RollerContact>& contacts, double time, double h, std::vector<Impact>& ended);
+  void accept(const std::vector<RollerContact>& contacts, double time, double h, std::vector<EndedImpact>& ended);
   /// Longest step while impacts go on [s].
   double step_limit() const { return step_limit_; }
 
@@ -43,6 +48,7 @@ class ImpactTracker {
     bool open = false;          ///< An impact goes on.
     bool begun = false;         ///< It began with the last step.
     Impact impact;
+    double box_force = 0.0;  ///< See EndedImpact [N].
   };
 
   double contact_time(std::size_t roller) const;

@@ -306,7 +306,7 @@ void Simulation::accept(double h) {
   report_.largest_step = std::max(report_.largest_step, h);
   const Instant at = now();
   for (SimulationObserver* observer : observers_) {
-    for (const Impact& impact : ended_) observer->impact(impact);
+    for (const EndedImpact& ended : ended_) observer->impact(ended);
     observer->stepped(at);
   }
 }

@@ -124,7 +124,7 @@ class Simulation {
   SystemState state_, next_;
   StepChooser chooser_;
   TensionWatch watch_;
-  std::vector<Impact> ended_;
+  std::vector<EndedImpact> ended_;
   DynamicRunReport report_;
   std::optional<StaticFailure> failure_;
   std::vector<SimulationObserver*> observers_;

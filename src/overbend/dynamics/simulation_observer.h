@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "dynamics/impact_tracker.h"
 #include "mechanics/move_profile.h"
 #include "results/dynamic_sink.h"
 #include "system/assembly.h"
@@ -44,7 +45,7 @@ class SimulationObserver {
   /// After every accepted step.
   virtual void stepped(const Instant&) {}
   /// An impact that ended with the step; before stepped().
-  virtual void impact(const Impact&) {}
+  virtual void impact(const EndedImpact&) {}
   /// At every row of output, after stepped(); row 0 is that of t = 0.
   virtual void row(const Instant&, std::int64_t /*number*/) {}
   virtual void save(DynamicCheckpoint&) const {}

@@ -353,24 +353,24 @@ std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
   return snapshot_;
 }
 
-void DynamicRecorder::impact(const Impact& ended) {
-  Impact impact = ended;
+void DynamicRecorder::impact(const EndedImpact& ended) {
+  Impact impact = ended.impact;
   const Roller& roller = model_->supports.rollers[static_cast<std::size_t>(impact.roller)];
   const Section& pipe = model_->section_over(roller);
   impact.dent_depth = dent_depth(impact.peak_force, pipe);
   impact.line_load =
       line_load(impact.peak_force, contact_length(roller.face, pipe.outer_diameter, pipe.steel_diameter));
-  if (impact.time > 0.0) count(impact);
+  if (impact.time > 0.0) count(impact, ended.box_force);
   sink_->impact(impact);
 }
 
-void DynamicRecorder::count(const Impact& impact) {
+void DynamicRecorder::count(const Impact& impact, double box_force) {
   RollerImpacts& sum = impacts_[static_cast<std::size_t>(impact.roller)];
   sum.count += 1.0;
   sum.velocity = std::max(sum.velocity, impact.approach_velocity);
   sum.force = std::max(sum.force, impact.peak_force);
   sum.impulse = std::max(sum.impulse, impact.impulse);
-  sum.of_box = std::max(sum.of_box, impact.box_force);
+  sum.of_box = std::max(sum.of_box, box_force);
   impact_count_ += 1.0;
   const auto harder = [](const Impact& a, const Impact& b) { return a.peak_force > b.peak_force; };
   hardest_.insert(std::upper_bound(hardest_.begin(), hardest_.end(), impact, harder), impact);

@@ -47,7 +47,7 @@ class DynamicRecorder : public SimulationObserver {
   /// Statistics count from t > 0. Nothing is allocated.
   void stepped(const Instant& at) override;
   /// Counts the impact, and fills in what it does to pipe and coating.
-  void impact(const Impact& ended) override;
+  void impact(const EndedImpact& ended) override;
   /// Hands over the row and, now and then, a snapshot; forgets what was largest since the last.
   void row(const Instant& at, std::int64_t number) override;
   void save(DynamicCheckpoint& checkpoint) const override;
@@ -61,7 +61,7 @@ class DynamicRecorder : public SimulationObserver {
 
  private:
   void tell_current();
-  void count(const Impact& impact);
+  void count(const Impact& impact, double box_force);
   std::span<const double> snapshot(const Instant& at);
   void recover(const Instant& at);
   DesignInstant design_instant(const Instant& at) const;

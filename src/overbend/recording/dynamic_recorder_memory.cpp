@@ -89,7 +89,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   hardest_.clear();
   for (std::size_t k = 0; k + kImpactNumbers <= hardest.size(); k += kImpactNumbers) {
     hardest_.push_back({static_cast<int>(hardest[k]), hardest[k + 1], hardest[k + 2], hardest[k + 3], hardest[k + 4],
-                        hardest[k + 5], hardest[k + 6], hardest[k + 7], 0.0});
+                        hardest[k + 5], hardest[k + 6], hardest[k + 7]});
   }
 }
 

@@ -46,7 +46,6 @@ struct Impact {
   double impulse = 0.0;            ///< Integral of the normal force over the duration [N s].
   double dent_depth = 0.0;         ///< Of bare steel under the peak force, see contact_damage.h [m].
   double line_load = 0.0;          ///< Peak force over the length of the coating under the roller [N/m].
-  double box_force = 0.0;  ///< All that its box bears at the peak, where that is estimated: captured impacts [N].
 };
 
 /// What one roller saw.
