@@ -84,7 +84,6 @@ void Rod::hold_in_plane() {
 }
 
 void Rod::evaluate(bool with_tangent) {
-  std::fill(residual_.begin(), residual_.end(), 0.0);
   LineTarget target{residual_.data(), nullptr, nullptr, nullptr};
   if (with_tangent) {
     tangent_.resize(nodes());

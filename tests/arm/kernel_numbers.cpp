@@ -217,7 +217,10 @@ void lines(Numbers& numbers, int soil) {
   moving.print("moving_forces");
   moving_tangent.print("moving_tangent");
   slip_next.print("bed_slip");
-  const LineEnergy e = line_energy(line, env, shape, motion);
+  LineEnergy e;
+  LineTarget energies;
+  energies.energy = &e;
+  add_moving_line_forces(line, env, shape, motion, energies);
   for (const double value : {e.kinetic, e.strain, e.gravity, e.seabed, e.fluid_power, e.seabed_loss}) {
     std::printf("line_energy %.17g\n", value);
   }

@@ -87,7 +87,7 @@ TEST_P(block_tridiagonal_of_any_kind, solves_again_for_another_right_hand_side) 
 }
 
 TEST_P(block_tridiagonal_of_any_kind, factors_anew_from_the_node_where_blocks_have_changed) {
-  constexpr int kChanged = 25;
+  constexpr int kChanged = 15;
   for (const Isa isa : available_isas()) {
     DenseTwin twin = random_system(40, 7, GetParam());
     const DenseTwin other = random_system(40, 8, GetParam());

@@ -169,7 +169,7 @@ TEST(bordered_system, factors_one_line_anew_from_where_it_changed_to_the_same_bi
     Twin twin = random_twin(lines_of_a_barge(), 10, isa);
     ASSERT_TRUE(twin.system.factor().solved());
     for (const int line : {0, 4}) {  // changed and changed back
-      constexpr int kFirst = 4;
+      constexpr int kFirst = 3;
       for (const unsigned seed : {77U, 5U}) {
         Twin other = random_twin(lines_of_a_barge(), 10, isa, seed);
         const int at = twin.first_of(line) + 6 * kFirst,

@@ -182,16 +182,14 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
 
 LineEnergy line_energy(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                        const LineMotion& motion, Isa isa) {
-#if defined(OVERBEND_X86_KERNELS)
-  if (isa == Isa::avx512) {
-    return isa_avx512::line_energy(elements.view(), env, shape, motion);
-  }
-  if (isa == Isa::avx2) {
-    return isa_avx2::line_energy(elements.view(), env, shape, motion);
-  }
-#endif
-  (void)isa;
-  return isa_baseline::line_energy(elements.view(), env, shape, motion);
+  LineMotion now = motion;
+  now.step = 0.0;
+  now.bed_slip_next = nullptr;
+  LineEnergy energy;
+  LineTarget target;
+  target.energy = &energy;
+  add_line_forces(elements, env, shape, now, target, isa);
+  return energy;
 }
 
 WettedFraction wetted_fraction(double z, double radius) {

@@ -53,8 +53,8 @@ struct WettedFraction {
 };
 WettedFraction wetted_fraction(double z, double radius);
 
-/// Adds internal minus external forces of every element to the residual (six per node) and, where `target` has blocks,
-/// writes their exact derivative into these.
+/// Internal minus external forces of all elements (six per node) and, where `target` has blocks, their exact
+/// derivative.
 void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target, Isa isa);
 
@@ -64,7 +64,7 @@ void add_line_forces(const LineElements& elements, const LineEnvironment& env, c
 void add_line_forces(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                      const LineMotion& motion, const LineTarget& target, Isa isa);
 
-/// Energies and powers at one instant.
+/// Energies and powers alone, at an instant: the friction of the bed is stretched by `motion.bed_slip`.
 LineEnergy line_energy(const LineElements& elements, const LineEnvironment& env, const LineShape& shape,
                        const LineMotion& motion, Isa isa);
 

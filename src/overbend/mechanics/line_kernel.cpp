@@ -1,6 +1,6 @@
 #include "mechanics/line_kernel.h"
 
-#include "mechanics/line_kernel_energy.h"
+#include "mechanics/line_kernel_motion.h"
 #include "mechanics/line_kernel_tangent.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
@@ -21,61 +21,53 @@ inline void gather(Batch& e, const LineView& line, const LineShape& shape, int f
   }
   e.q[1] = e.h * e.q[1];
   e.q[3] = e.h * e.q[3];
-  for (Lanes& f : e.f) {
-    f = Lanes{};
-  }
+  find_cubic(e);
+  clear_forces(e);
 }
 
-inline bool is_tangent_dof(int dof) {
-  return dof / 3 % 2 == 1;
-}
+/// What the elements of a batch add to their upper nodes: the next batch adds its lower nodes' to the last.
+struct UpperForces {
+  Lanes f[kNodeDofs] = {};
+};
 
 /// Forces of elements that do not fill a batch.
-inline void scatter_forces_singly(const Lanes (&f)[kDofs], const LineTarget& target, int first, int used) {
+inline void put_forces_singly(const Lanes (&at_node)[kNodeDofs], const Lanes (&upper)[kNodeDofs],
+                              const LineTarget& target, int first, int used) {
   for (int l = 0; l < used; ++l) {
-    for (int i = 0; i < kDofs; ++i) {
-      target.residual[kNodeDofs * (first + l) + i] += f[i][l];
-    }
-    for (int i = kNodeDofs; i < (target.cuts != nullptr ? kDofs : 0); ++i) {
-      target.cuts[kNodeDofs * (first + l) + i] = f[i][l];
-    }
-  }
-}
-
-/// Forces of a whole batch: what both elements at a node add to it, six numbers of every node side by side.
-inline void scatter_forces(const Lanes (&f)[kDofs], const LineTarget& target, int first) {
-  alignas(64) double packed[kNodeDofs * kWidth + 2];
-  Lanes at_node[kNodeDofs], upper[kNodeDofs];
-  for (int i = 0; i < kNodeDofs; ++i) {
-    upper[i] = f[kNodeDofs + i];
-    at_node[i] = f[i] + from_last(upper[i], Lanes{});
-  }
-  pack_rows(packed, at_node);
-  double* residual = target.residual + kNodeDofs * first;
-  for (int i = 0; i < kNodeDofs; ++i) {
-    *reinterpret_cast<LooseLanes*>(residual + kWidth * i) += load_lanes(packed + kWidth * i);
-    residual[kNodeDofs * kWidth + i] += upper[i][kWidth - 1];
-  }
-  if (target.cuts != nullptr) {
-    pack_rows(packed, upper);
     for (int i = 0; i < kNodeDofs; ++i) {
-      *reinterpret_cast<LooseLanes*>(target.cuts + kNodeDofs * (first + 1) + kWidth * i) =
-          load_lanes(packed + kWidth * i);
+      target.residual[kNodeDofs * (first + l) + i] = at_node[i][l];
+      if (target.cuts != nullptr) {
+        target.cuts[kNodeDofs * (first + l + 1) + i] = upper[i][l];
+      }
     }
   }
 }
 
-inline void scatter_force(Batch& e, const LineTarget& target, int first, int used) {
-  for (int i = 0; i < kDofs; ++i) {
-    e.f[i] = is_tangent_dof(i) ? e.h * e.f[i] : e.f[i];
+/// Writes what both elements at a node add to it, but at the node after the last element, which is left in `before`.
+inline void put_forces(const Batch& e, const LineTarget& target, UpperForces& before, int first, int used) {
+  Lanes lower[kNodeDofs], upper[kNodeDofs], at_node[kNodeDofs];
+  nodal_forces(e, lower, upper);
+  for (int i = 0; i < kNodeDofs; ++i) {
+    at_node[i] = lower[i] + from_last(upper[i], before.f[i]);
+    before.f[i] = upper[i];
   }
   if (used == kWidth) {
-    scatter_forces(e.f, target, first);
+    store_rows(target.residual + kNodeDofs * first, at_node);
+    if (target.cuts != nullptr) {
+      store_rows(target.cuts + kNodeDofs * (first + 1), upper);
+    }
   } else {
-    scatter_forces_singly(e.f, target, first, used);
+    put_forces_singly(at_node, upper, target, first, used);
   }
   for (int i = 0; i < (target.cuts != nullptr && first == 0 ? kNodeDofs : 0); ++i) {
-    target.cuts[i] = -e.f[i][0];
+    target.cuts[i] = -lower[i][0];
+  }
+}
+
+/// At the line's last node, above the element in lane `last`.
+inline void put_last_forces(const UpperForces& upper, const LineTarget& target, int node, int last) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    target.residual[kNodeDofs * node + i] = upper.f[i][last];
   }
 }
 
@@ -94,68 +86,100 @@ inline PressureTension pressure_tension(const LineView& line, int first) {
           load_lanes(line.pressure_external + first)};
 }
 
+/// The lengths of a batch's elements, 0 where they only fill it up.
+inline Lanes counting(const Lanes& h, int used) {
+  Lanes counts = h;
+  for (int l = used; l < kWidth; ++l) {
+    counts[l] = 0.0;
+  }
+  return counts;
+}
+
 inline int padded_count(const LineView& line) {
   return (line.count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Of a line at rest or, with kMoving, in motion, one pass over the Gauss points for all forces. `motion` is null in
-/// statics, `upper` without a tangent.
-template <bool kTangent, bool kMoving>
-void add_batch(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineMotion* motion,
-               const LineTarget& target, UpperBlocks* upper, int first) {
+/// What a batch reads and writes.
+struct LineData {
+  const LineView& line;
+  const LineEnvironment& env;
+  const LineShape& shape;
+  const LineMotion* motion;  ///< Null in statics.
+  const LineTarget& target;
+};
+
+/// Of a line at rest or, with kMoving, in motion, for all forces and, with kEnergy, energies. `blocks` is null without
+/// a tangent.
+template <bool kTangent, bool kMoving, bool kEnergy>
+void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, EnergyLanes* sum, int first) {
+  const auto& [line, env, shape, motion, target] = data;
   Batch e;
   BatchTangent memory;
   BatchTangent* tangent = kTangent ? &memory : nullptr;
   gather(e, line, shape, first);
   const Lanes EA = load_lanes(line.EA + first), EI = load_lanes(line.EI + first);
+  const int used = line.count - first < kWidth ? line.count - first : kWidth, padded = padded_count(line);
   BatchMotion m;
   if constexpr (kMoving) {
     gather_motion(m, e.h, *motion, first, line.count);
-    add_membrane<kTangent>(e, tangent, EA, pressure_tension(line, first), m.head);
   } else {
-    add_membrane<kTangent>(e, tangent, EA, pressure_tension(line, first), {});
+    m.head[0] = m.head[1] = Lanes{};
+  }
+  const EnergySums energy{sum, kEnergy ? counting(e.h, used) : Lanes{}};
+  const Membrane membrane = membrane_of(e, pressure_tension(line, first), m.head);
+  add_membrane<kTangent>(e, tangent, EA, membrane);
+  if constexpr (kEnergy) {
+    add_membrane_energy(energy, e, m.v, EA, membrane);
   }
   const LoadConstants loads = load_constants(line, first);
   const InertiaConstants inertia = kMoving ? inertia_constants(line, first) : InertiaConstants{};
+  PointSlope slopes[kGaussPoints];
+  for (int i = 0; i < kGaussPoints; ++i) {  // roots and quotients take long, and all can go on at once
+    slopes[i] = slope_at(e, kGauss[i]);
+  }
+#pragma GCC unroll 1
   for (int i = 0; i < kGaussPoints; ++i) {
-    const Shape& s = kGaussShape[i];
-    const PointSlope slope = slope_at(e, s);
-    add_bending<kTangent>(e, tangent, s, kGaussWeight[i], EI, slope);
-    if constexpr (kMoving) {
-      const MovingPoint at = moving_point(e, m, s, kGaussXi[i]);
-      add_point_load(e, tangent, i,
-                     moving_load<kTangent>(env, *motion, at, slope, loads, inertia, i, first, padded_count(line)));
-    } else {
-      add_point_load(e, tangent, i, resting_load<kTangent>(env, loads, combine(e, s.n), slope));
+    const Lanes twice_energy = add_bending<kTangent>(e, tangent, i, EI, slopes[i]);
+    if constexpr (kEnergy) {
+      sum->strain += 0.5 * energy.counts * twice_energy;
     }
   }
-  const int used = line.count - first < kWidth ? line.count - first : kWidth;
-  scatter_force(e, target, first, used);
+#pragma GCC unroll 1
+  for (int i = 0; i < kGaussPoints; ++i) {
+    if constexpr (kMoving) {
+      add_load(e, tangent, i,
+               moving_load<kTangent, kEnergy>(env, *motion, energy, {e, m, kGauss[i]}, slopes[i], loads, inertia, i,
+                                              first, padded));
+    } else {
+      add_load(e, tangent, i, resting_load<kTangent>(env, loads, value_at(e.r, kGauss[i]), slopes[i]));
+    }
+  }
+  if (target.residual != nullptr) {
+    put_forces(e, target, upper, first, used);
+  }
   if constexpr (kTangent) {
-    join(*tangent, {all(1.0), e.h, all(1.0), e.h});
-    put_tangent(*tangent, target, *upper, first, used);
+    join(*tangent, e.h);
+    put_tangent(*tangent, target, *blocks, first, used);
   }
 }
 
-template <bool kTangent, bool kMoving>
-void add_batches(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineMotion* motion,
-                 const LineTarget& target) {
-  UpperBlocks upper;
-  for (int first = 0; first < line.count; first += kWidth) {
-    add_batch<kTangent, kMoving>(line, env, shape, motion, target, &upper, first);
+template <bool kTangent, bool kMoving, bool kEnergy>
+__attribute__((flatten)) void add_batches(const LineData& data) {
+  const int count = data.line.count, last = (count - 1) % kWidth;
+  UpperForces upper;
+  UpperBlocks blocks;
+  EnergyLanes sum;
+  for (int first = 0; first < count; first += kWidth) {
+    add_batch<kTangent, kMoving, kEnergy>(data, upper, kTangent ? &blocks : nullptr, kEnergy ? &sum : nullptr, first);
+  }
+  if (data.target.residual != nullptr) {
+    put_last_forces(upper, data.target, count, last);
   }
   if constexpr (kTangent) {
-    put_last_block(upper, target, line.count, (line.count - 1) % kWidth);
+    put_last_block(blocks, data.target, count, last);
   }
-}
-
-template <bool kMoving>
-void add_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape, const LineMotion* motion,
-                const LineTarget& target) {
-  if (target.diag != nullptr) {
-    add_batches<true, kMoving>(line, env, shape, motion, target);
-  } else {
-    add_batches<false, kMoving>(line, env, shape, motion, target);
+  if constexpr (kEnergy) {
+    *data.target.energy = sum_of(sum);
   }
 }
 
@@ -163,32 +187,20 @@ void add_forces(const LineView& line, const LineEnvironment& env, const LineShap
 
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target) {
-  add_forces<false>(line, env, shape, nullptr, target);
+  const LineData data{line, env, shape, nullptr, target};
+  target.diag != nullptr ? add_batches<true, false, false>(data) : add_batches<false, false, false>(data);
 }
 
 void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                             const LineMotion& motion, const LineTarget& target) {
-  add_forces<true>(line, env, shape, &motion, target);
-}
-
-LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
-                       const LineMotion& motion) {
-  EnergyLanes sum;
-  for (int first = 0; first < line.count; first += kWidth) {
-    Batch e;
-    BatchMotion m;
-    gather(e, line, shape, first);
-    gather_motion(m, e.h, motion, first, line.count);
-    Lanes counts = e.h;
-    for (int l = line.count - first; l < kWidth; ++l) {
-      counts[l] = 0.0;
-    }
-    add_membrane_energy(sum, e, m, load_lanes(line.EA + first), pressure_tension(line, first), counts);
-    add_energy(sum, e, env, motion, m, load_constants(line, first), inertia_constants(line, first),
-               load_lanes(line.EI + first), counts, first, padded_count(line));
+  const LineData data{line, env, shape, &motion, target};
+  if (target.diag != nullptr) {
+    add_batches<true, true, false>(data);
+  } else if (target.energy != nullptr) {
+    add_batches<false, true, true>(data);
+  } else {
+    add_batches<false, true, false>(data);
   }
-  return {sum_of(sum.kinetic), sum_of(sum.strain),      sum_of(sum.gravity),
-          sum_of(sum.seabed),  sum_of(sum.fluid_power), sum_of(sum.seabed_loss)};
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

@@ -83,15 +83,14 @@ struct LineEnergy {
   double seabed_loss = 0.0;  ///< Damping and friction of the bed, stored stretch included [W].
 };
 
-/// Where the results go: forces are added to the residual (six per node); unless null, the blocks of the tangent are
-/// written, those of all nodes.
+/// Where the results go, whatever is not null. Everything is written.
 struct LineTarget {
-  double* residual = nullptr;
+  double* residual = nullptr;                                  ///< Six per node.
   double *diag = nullptr, *upper = nullptr, *lower = nullptr;  ///< As stored by BlockTridiagonal.
-  /// Unless null, six per node, written: what the element below a node adds to the node's residual; at the first node
-  /// minus what the first element adds. In balance that is what the line above a cut at the node exerts on what is
-  /// below.
+  /// Six per node: what the element below a node adds to the node's residual; at the first node minus what the first
+  /// element adds. In balance that is what the line above a cut at the node exerts on what is below.
   double* cuts = nullptr;
+  LineEnergy* energy = nullptr;  ///< In motion, and only without blocks: at the end of the step.
 };
 
 namespace isa_baseline {
@@ -99,24 +98,18 @@ void add_line_forces(const LineView& line, const LineEnvironment& env, const Lin
                      const LineTarget& target);
 void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                             const LineMotion& motion, const LineTarget& target);
-LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
-                       const LineMotion& motion);
 }  // namespace isa_baseline
 namespace isa_avx2 {
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target);
 void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                             const LineMotion& motion, const LineTarget& target);
-LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
-                       const LineMotion& motion);
 }  // namespace isa_avx2
 namespace isa_avx512 {
 void add_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                      const LineTarget& target);
 void add_moving_line_forces(const LineView& line, const LineEnvironment& env, const LineShape& shape,
                             const LineMotion& motion, const LineTarget& target);
-LineEnergy line_energy(const LineView& line, const LineEnvironment& env, const LineShape& shape,
-                       const LineMotion& motion);
 }  // namespace isa_avx512
 
 }  // namespace overbend

@@ -19,6 +19,9 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
 inline constexpr int kDofs = 12;
+inline constexpr int kNodeDofs = 6;
+inline constexpr int kRowWidth = 8;  ///< Of a row of a block, see LineTarget.
+inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
 inline constexpr double kPi = 3.14159265358979323846;
 
 struct Vec {
@@ -70,46 +73,101 @@ inline bool any(const Lanes& x) {
 }
 
 inline Lanes root(const Lanes& a) {
+#if defined(__AVX512F__)
+  return _mm512_maskz_sqrt_pd(0xff, a);  // g++ 12 warns of the plain one
+#elif defined(__AVX__)
+  return _mm256_sqrt_pd(a);
+#elif defined(__SSE2__)
+  return _mm_sqrt_pd(a);
+#else
   Lanes r;
   for (int l = 0; l < kWidth; ++l) {
     r[l] = __builtin_sqrt(a[l]);
   }
   return r;
+#endif
 }
 
-/// Hermite functions of (r1, h t1, r2, h t2) at xi: values, first derivatives times h, second times h^2.
-struct Shape {
-  double n[4], c[4], d[4];
+/// A cubic about the middle of the elements: c0 + c1 y + c2 y^2 + c3 y^3 with y = xi - 1/2, so that a point costs a
+/// constant for each power.
+struct Cubic {
+  Vec c0, c1, c2, c3;
 };
 
-constexpr Shape shape_at(double x) {
-  return {{1 - 3 * x * x + 2 * x * x * x, x - 2 * x * x + x * x * x, 3 * x * x - 2 * x * x * x, x * x * x - x * x},
-          {-6 * x + 6 * x * x, 1 - 4 * x + 3 * x * x, 6 * x - 6 * x * x, 3 * x * x - 2 * x},
-          {-6 + 12 * x, -4 + 6 * x, 6 - 12 * x, 6 * x - 2}};
+/// Of r1, h t1, r2, h t2, or what moves like them; `chord` is r2 - r1.
+inline Cubic cubic_of(const Vec (&nodes)[4], const Vec& chord) {
+  const Vec both = nodes[1] + nodes[3], turn = nodes[3] - nodes[1];
+  return {0.5 * (nodes[0] + nodes[2]) - 0.125 * turn, 1.5 * chord - 0.25 * both, 0.5 * turn, both - 2.0 * chord};
 }
 
-inline constexpr Shape kGaussShape[kGaussPoints] = {shape_at(kGaussXi[0]), shape_at(kGaussXi[1]), shape_at(kGaussXi[2]),
-                                                    shape_at(kGaussXi[3])};
-inline constexpr Shape kStrainShape[3] = {shape_at(0.0), shape_at(0.5), shape_at(1.0)};
+inline Cubic cubic_of(const Vec (&nodes)[4]) {
+  return cubic_of(nodes, nodes[2] - nodes[0]);
+}
 
-inline constexpr int kNodeDofs = 6;
-inline constexpr int kRowWidth = 8;  ///< Of a row of a block, see LineTarget.
-inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
-inline constexpr int kSlopeDofs = 9;  ///< h t1, chord, h t2: what derivatives along the element depend on.
+/// Its derivative by xi.
+inline Vec slope_of(const Cubic& c, double y) {
+  return c.c1 + y * (2.0 * c.c2 + (3.0 * y) * c.c3);
+}
 
-/// As many elements as a register holds: unknowns, constants, force and tangent.
+/// A Gauss point: its distance y from the middle with what cubics, their derivatives and forces at it are multiplied
+/// by.
+struct GaussPoint {
+  double y, y2, y3, twice_y, thrice_y2, six_y, weight;
+};
+
+constexpr GaussPoint gauss_point(double xi, double weight) {
+  const double y = xi - 0.5;
+  return {y, y * y, y * y * y, 2.0 * y, 3.0 * y * y, 6.0 * y, weight};
+}
+
+inline constexpr GaussPoint kGauss[kGaussPoints] = {
+    gauss_point(kGaussXi[0], kGaussWeight[0]), gauss_point(kGaussXi[1], kGaussWeight[1]),
+    gauss_point(kGaussXi[2], kGaussWeight[2]), gauss_point(kGaussXi[3], kGaussWeight[3])};
+
+inline Vec value_at(const Cubic& c, const GaussPoint& p) {
+  return c.c0 + p.y * c.c1 + p.y2 * c.c2 + p.y3 * c.c3;
+}
+
+/// What the unknowns of an element are for its derivatives: mean (r1 + r2)/2 and turn h (t2 - t1), whose functions are
+/// even about the middle; chord r2 - r1 and both h (t1 + t2), whose functions are odd. Derivatives along the element
+/// depend on the last three alone.
+enum Unknown { kMean = 0, kTurn = 1, kChord = 2, kBoth = 3 };
+inline constexpr int kSlopeDofs = 9;  ///< Turn, chord, both.
+
+/// The functions of these four at a point, of the three their first derivatives by xi and their second.
+struct Shape {
+  double n[4], c[3], d[3];
+};
+
+constexpr Shape shape_at(double y) {
+  return {{1.0, 0.5 * y * y - 0.125, 1.5 * y - 2.0 * y * y * y, y * y * y - 0.25 * y},
+          {y, 1.5 - 6.0 * y * y, 3.0 * y * y - 0.25},
+          {1.0, -12.0 * y, 6.0 * y}};
+}
+
+/// Gauss points come in pairs as far below as above the middle: the functions at the upper ones, 2 and 3.
+inline constexpr int kGaussPairs = kGaussPoints / 2;
+inline constexpr Shape kGaussShape[kGaussPairs] = {shape_at(kGauss[2].y), shape_at(kGauss[3].y)};
+
+/// As many elements as a register holds: unknowns, what derivatives along the element are made of, and forces.
 struct Batch {
   Vec q[4];   ///< r1, h t1, r2, h t2.
   Vec chord;  ///< r2 - r1: derivatives need no more, and the difference keeps digits that positions of hundreds of
               ///< metres lose.
   Lanes h, inv_h;
-  Lanes f[kDofs];
+  Cubic r;            ///< Place.
+  Vec a1, a2, a3;     ///< dr/ds of the unstressed length = a1 + a2 y + a3 y^2.
+  Vec b0, b1;         ///< d2r/ds2 = b0 + b1 y.
+  Vec by_cubic[4];    ///< Forces on c0 to c3 of the place,
+  Vec by_tangent[2];  ///< and beside them on h t1 and h t2.
 };
 
 /// Derivatives of the forces of a batch, of each kind in the form it comes in: joined at the end.
 struct BatchTangent {
-  Lanes by_slope[kSlopeDofs][kSlopeDofs];  ///< Of strains, symmetric: at first the blocks on and above the diagonal.
-  Lanes by_height[kDofs][4];               ///< Of the tension of pressure, in z of r1, h t1, r2, h t2.
+  Mat aa[kGaussPoints], bb[kGaussPoints];      ///< Of bending, in slope and curvature, times the point's weight,
+  Mat ba[kGaussPoints];                        ///< and mixed: rows by the curvature.
+  Lanes by_slope[kSlopeDofs][kSlopeDofs];      ///< Of strains, symmetric: the blocks on and above the diagonal.
+  Lanes by_height[kSlopeDofs][3];              ///< Of the tension of pressure, in z of kMean, kTurn, kChord.
   Mat in_r[kGaussPoints], in_a[kGaussPoints];  ///< Of loads, in place and slope, times the point's weight.
   Lanes k[kDofs][kDofs];                       ///< All together.
 };
@@ -177,27 +235,54 @@ inline void load_rows(Lanes (&out)[kRow], const double* rows) {
   load_parts<kRow>(out, rows, std::make_integer_sequence<int, kRowParts<kRow>>());
 }
 
+inline constexpr int kNodeParts = kRowParts<kNodeDofs>;
+/// The six numbers of every node of a batch, as load_rows() reads them: by part and node.
+using NodeRows = Lanes[kNodeParts][kWidth];
+
 template <int kPart>
-inline void pack_part(double* packed, const Lanes (&values)[kNodeDofs]) {
+inline void turn_part(NodeRows& rows, const Lanes (&values)[kNodeDofs]) {
   constexpr int kStart = kPartStart<kNodeDofs, kPart>;
-  Lanes rows[kWidth];
   for (int j = 0; j < kWidth; ++j) {
-    rows[j] = kStart + j < kNodeDofs ? values[kStart + j < kNodeDofs ? kStart + j : 0] : Lanes{};
+    rows[kPart][j] = kStart + j < kNodeDofs ? values[kStart + j < kNodeDofs ? kStart + j : 0] : Lanes{};
   }
-  transpose(rows);
-  for (int l = 0; l < kWidth; ++l) {
-    *reinterpret_cast<LooseLanes*>(packed + kNodeDofs * l + kStart) = rows[l];
+  transpose(rows[kPart]);
+}
+
+/// Which part of a node's row begins with a number of it; the last reaches to the row's end.
+template <int kFirst>
+inline constexpr int kPartFrom = kWidth >= kNodeDofs                                    ? 0
+                                 : kFirst % kWidth == 0 && kFirst + kWidth <= kNodeDofs ? kFirst / kWidth
+                                                                                        : kNodeParts - 1;
+
+/// Register number kOut of the rows of a batch side by side; I runs over its lanes.
+template <int kOut, int... I>
+inline Lanes packed_register(const NodeRows& rows, std::integer_sequence<int, I...> /*all*/) {
+  constexpr int kNode = kOut * kWidth / kNodeDofs, kFirst = kOut * kWidth % kNodeDofs;
+  constexpr int kPart = kPartFrom<kFirst>, kStart = kPartStart<kNodeDofs, kPart>;
+  if constexpr (kFirst + kWidth <= kNodeDofs) {
+    return rows[kPart][kNode];
+  } else {
+    return __builtin_shufflevector(rows[kPart][kNode], rows[0][kNode + 1],
+                                   (kFirst + I < kNodeDofs ? kFirst + I - kStart : kWidth + kFirst + I - kNodeDofs)...);
   }
+}
+
+template <int... O>
+inline void store_registers(double* to, const NodeRows& rows, std::integer_sequence<int, O...> /*registers*/) {
+  constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
+  ((*reinterpret_cast<LooseLanes*>(to + kWidth * O) = packed_register<O>(rows, lanes)), ...);
 }
 
 template <int... P>
-inline void pack_parts(double* packed, const Lanes (&values)[kNodeDofs], std::integer_sequence<int, P...> /*parts*/) {
-  (pack_part<P>(packed, values), ...);
+inline void turn_parts(NodeRows& rows, const Lanes (&values)[kNodeDofs], std::integer_sequence<int, P...> /*parts*/) {
+  (turn_part<P>(rows, values), ...);
 }
 
-/// The way back, to kWidth * kNodeDofs numbers and up to two more that have no meaning.
-inline void pack_rows(double* packed, const Lanes (&values)[kNodeDofs]) {
-  pack_parts(packed, values, std::make_integer_sequence<int, kRowParts<kNodeDofs>>());
+/// The way back: six numbers of every node side by side.
+inline void store_rows(double* to, const Lanes (&values)[kNodeDofs]) {
+  NodeRows rows;
+  turn_parts(rows, values, std::make_integer_sequence<int, kNodeParts>());
+  store_registers(to, rows, std::make_integer_sequence<int, kNodeDofs>());
 }
 
 template <int... L>
@@ -220,52 +305,84 @@ inline Lanes from_last(const Lanes& x, const Lanes& before) {
   return lanes_from_last(x, before, std::make_integer_sequence<int, kWidth>());
 }
 
-/// Values of six per node at both nodes of every element of a batch; beyond the last element, of the last.
-inline void gather_nodes(Vec (&out)[4], const double* from, int first, int count) {
-  Lanes lower[kNodeDofs] = {}, upper[kNodeDofs] = {};
+/// kRow numbers per node at both nodes of every element of a batch; beyond the last element, of the last.
+template <int kRow>
+inline void gather_ends(Lanes (&lower)[kRow], Lanes (&upper)[kRow], const double* from, int first, int count) {
+  const double* rows = from + kRow * first;
   if (first + kWidth <= count) {
-    load_rows<kNodeDofs>(lower, from + kNodeDofs * first);
-    for (int i = 0; i < kNodeDofs; ++i) {
-      upper[i] = from_next(lower[i], from[kNodeDofs * (first + kWidth) + i]);
+    load_rows<kRow>(lower, rows);
+    for (int i = 0; i < kRow; ++i) {
+      upper[i] = from_next(lower[i], rows[kRow * kWidth + i]);
     }
-  } else {
-    for (int l = 0; l < kWidth; ++l) {
-      const double* node = from + kNodeDofs * (first + l < count ? first + l : count - 1);
-      for (int i = 0; i < kNodeDofs; ++i) {
-        lower[i][l] = node[i];
-        upper[i][l] = node[kNodeDofs + i];
-      }
+    return;
+  }
+  double padded[2][kRow * (kWidth + 1)];
+  for (int l = 0; l <= kWidth; ++l) {
+    const double* node = from + kRow * (first + l < count ? first + l : count - 1);
+    for (int i = 0; i < kRow; ++i) {
+      padded[0][kRow * l + i] = node[i];
+      padded[1][kRow * l + i] = node[kRow + i];
     }
   }
+  load_rows<kRow>(lower, padded[0]);
+  load_rows<kRow>(upper, padded[1]);
+}
+
+inline void gather_nodes(Vec (&out)[4], const double* from, int first, int count) {
+  Lanes lower[kNodeDofs], upper[kNodeDofs];
+  gather_ends<kNodeDofs>(lower, upper, from, first, count);
   for (int j = 0; j < 2; ++j) {
     out[j] = {lower[3 * j], lower[3 * j + 1], lower[3 * j + 2]};
     out[2 + j] = {upper[3 * j], upper[3 * j + 1], upper[3 * j + 2]};
   }
 }
 
-inline Vec combine(const Batch& e, const double (&s)[4]) {
-  return s[0] * e.q[0] + s[1] * e.q[1] + s[2] * e.q[2] + s[3] * e.q[3];
+/// What the unknowns of a batch make of place, slope and curvature.
+inline void find_cubic(Batch& e) {
+  e.r = cubic_of(e.q, e.chord);
+  e.a1 = e.inv_h * e.r.c1;
+  e.a2 = (2.0 * e.inv_h) * e.r.c2;
+  e.a3 = (3.0 * e.inv_h) * e.r.c3;
+  e.b0 = e.inv_h * e.a2;
+  e.b1 = (2.0 * e.inv_h) * e.a3;
 }
 
-/// A derivative of the centreline: the functions of r1 and r2 are opposite.
-inline Vec combine_derivative(const Batch& e, const double (&s)[4]) {
-  return s[1] * e.q[1] + s[2] * e.chord + s[3] * e.q[3];
+inline void clear_forces(Batch& e) {
+  for (Vec& force : e.by_cubic) force = Vec{};
+  for (Vec& force : e.by_tangent) force = Vec{};
 }
 
-/// A force at a point, through the functions of all four.
-inline void add_force(Batch& e, const double (&by)[4], const Vec& v) {
-  for (int j = 0; j < 4; ++j) {
-    e.f[3 * j] += by[j] * v.x;
-    e.f[3 * j + 1] += by[j] * v.y;
-    e.f[3 * j + 2] += by[j] * v.z;
-  }
+/// A force at a point.
+inline void add_force(Batch& e, const GaussPoint& p, const Vec& f) {
+  e.by_cubic[0] = e.by_cubic[0] + f;
+  e.by_cubic[1] = e.by_cubic[1] + p.y * f;
+  e.by_cubic[2] = e.by_cubic[2] + p.y2 * f;
+  e.by_cubic[3] = e.by_cubic[3] + p.y3 * f;
 }
 
-/// To one of r1, h t1, r2, h t2.
-inline void add_node_force(Batch& e, int j, const Vec& v) {
-  e.f[3 * j] += v.x;
-  e.f[3 * j + 1] += v.y;
-  e.f[3 * j + 2] += v.z;
+/// What works at a point on dr/d(xi) and d2r/d(xi)2.
+inline void add_strain_force(Batch& e, const GaussPoint& p, const Vec& g, const Vec& m) {
+  e.by_cubic[1] = e.by_cubic[1] + g;
+  e.by_cubic[2] = e.by_cubic[2] + (p.twice_y * g + 2.0 * m);
+  e.by_cubic[3] = e.by_cubic[3] + (p.thrice_y2 * g + p.six_y * m);
+}
+
+inline void put_components(Lanes* to, const Vec& v) {
+  to[0] = v.x;
+  to[1] = v.y;
+  to[2] = v.z;
+}
+
+/// All forces of a batch, on r and t of its lower and upper nodes.
+inline void nodal_forces(const Batch& e, Lanes (&lower)[kNodeDofs], Lanes (&upper)[kNodeDofs]) {
+  const Vec by_chord = 1.5 * e.by_cubic[1] - 2.0 * e.by_cubic[3];
+  const Vec by_both = e.by_cubic[3] - 0.25 * e.by_cubic[1];
+  const Vec by_turn = 0.5 * e.by_cubic[2] - 0.125 * e.by_cubic[0];
+  const Vec half = 0.5 * e.by_cubic[0];
+  put_components(lower, half - by_chord);
+  put_components(lower + 3, e.h * (by_both - by_turn + e.by_tangent[0]));
+  put_components(upper, half + by_chord);
+  put_components(upper + 3, e.h * (by_both + by_turn + e.by_tangent[1]));
 }
 
 inline Mat full(const Sym& s) {

@@ -55,11 +55,7 @@ inline void put_shape_under(BedUnder& under, int l, const LineEnvironment& env, 
 }
 
 /// Points that no place of a shape reaches, given the pipe's radius, get a clearance that says so.
-inline BedUnder bed_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
-  if (env.bed_shape == nullptr) {
-    const Vec n{all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
-    return {n, dot(n, r) - env.bed_offset, n, LevelColumns{}};
-  }
+__attribute__((noinline)) BedUnder shape_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
   BedUnder under{{Lanes{}, Lanes{}, all(1.0)}, r.z - env.bed_highest, {Lanes{}, Lanes{}, all(1.0)}, LevelColumns{}};
   if (!any(radius - under.clearance)) {
     return under;
@@ -72,13 +68,30 @@ inline BedUnder bed_under(const LineEnvironment& env, const Vec& r, const Lanes&
   return under;
 }
 
+inline Vec plane_normal(const LineEnvironment& env) {
+  return {all(env.bed_normal[0]), all(env.bed_normal[1]), all(env.bed_normal[2])};
+}
+
+inline BedUnder bed_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+  if (env.bed_shape != nullptr) return shape_under(env, r, radius);
+  const Vec n = plane_normal(env);
+  return {n, dot(n, r) - env.bed_offset, n, LevelColumns{}};
+}
+
+/// Whether any point may lie on the bed: of most lines most do not, and they are spared the rest.
+inline bool near_bed(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+  return any(env.bed_shape != nullptr ? radius - (r.z - env.bed_highest)
+                                      : radius - (dot(plane_normal(env), r) - env.bed_offset));
+}
+
 /// Force per length of soil that is not linear, its derivative in the penetration and its integral; see
 /// mechanics/soil_law.h for the laws. All 0 where nothing touches.
 struct SoilForce {
   Lanes force, slope, energy;
 };
 
-inline SoilForce soil_force(const LineEnvironment& env, const Lanes& touching, const Lanes& penetration) {
+__attribute__((noinline)) SoilForce soil_force(const LineEnvironment& env, const Lanes& touching,
+                                               const Lanes& penetration) {
   const Lanes x = touching * penetration;
   const double k = env.bed_stiffness, bearing = env.bed_bearing;
   SoilForce soil;
@@ -122,7 +135,7 @@ struct RouteBeside {
 };
 
 /// Of a route with arcs: the piece is the last whose beginning the point has passed.
-inline RouteBeside beside_bent_route(const LineEnvironment& env, const Vec& r) {
+__attribute__((noinline)) RouteBeside beside_bent_route(const LineEnvironment& env, const Vec& r) {
   RouteBeside at{{Lanes{}, Lanes{}, Lanes{}}, Lanes{}, Lanes{}};
   for (int l = 0; l < kWidth; ++l) {
     const RoutePiece* piece = env.route;

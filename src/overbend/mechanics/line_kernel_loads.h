@@ -2,8 +2,8 @@
 /// line_kernel.cpp alone.
 #pragma once
 
+#include "mechanics/line_kernel_energy.h"
 #include "mechanics/line_kernel_ground.h"
-#include "mechanics/line_kernel_strain.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -12,11 +12,10 @@ struct Wetting {
   Lanes share, slope;
 };
 
-inline Wetting wetting(const Lanes& z, const Lanes& radius) {
+/// Of points some of which the surface cuts. What looks at lanes one by one has a call of its own: it would keep all
+/// that it touches out of registers.
+__attribute__((noinline)) Wetting wetting_at_surface(const Lanes& z, const Lanes& radius) {
   Wetting wet{z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
-  if (!any(radius * radius - z * z)) {  // almost every point is wholly under or wholly above the water
-    return wet;
-  }
   const Lanes c = z / radius;
   for (int l = 0; l < kWidth; ++l) {
     if (c[l] > -1.0 && c[l] < 1.0) {
@@ -26,6 +25,13 @@ inline Wetting wetting(const Lanes& z, const Lanes& radius) {
     }
   }
   return wet;
+}
+
+inline Wetting wetting(const Lanes& z, const Lanes& radius) {
+  if (!any(radius * radius - z * z)) {  // almost every point is wholly under or wholly above the water
+    return {z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
+  }
+  return wetting_at_surface(z, radius);
 }
 
 struct Current {
@@ -153,12 +159,12 @@ inline void add_downhill_friction_in_bend(PointLoad<kTangent>& load, const LineE
 template <bool kTangent>
 inline void add_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const Vec& r, const Lanes& radius,
                        const Lanes& submerged_weight) {
+  if (!near_bed(env, r, radius)) {
+    return;
+  }
   const BedUnder bed = bed_under(env, r, radius);
   const Vec& n = bed.normal;
   const Lanes penetration = radius - bed.clearance;
-  if (!any(penetration)) {
-    return;
-  }
   const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
   Lanes stiffness = env.bed_stiffness * touching;
   Lanes normal = stiffness * penetration;
@@ -226,16 +232,14 @@ struct Drag {
   Lanes by_size;   ///< Cn |un|
   Lanes by_along;  ///< Ct |ut|
   Lanes inv_size;  ///< 1 / |un|
-  Lanes inv_norm;  ///< 1 / |dr/ds|
 };
 
 template <bool kTangent>
-inline Drag drag_of(const PointSlope& slope, const Vec& u, const Lanes& normal, const Lanes& axial) {
+inline Drag drag_of(const Vec& t, const Vec& u, const Lanes& normal, const Lanes& axial) {
   Drag d;
-  d.inv_norm = root(slope.inv_g);
-  d.t = d.inv_norm * slope.a;
-  d.ut = dot(u, d.t);
-  d.un = u - d.ut * d.t;
+  d.t = t;
+  d.ut = dot(u, t);
+  d.un = u - d.ut * t;
   const Lanes size = root(dot(d.un, d.un)) + 1e-30;  // water along the pipe has no normal drag, not 0/0
   d.by_size = normal * size;
   d.by_along = axial * (d.ut > 0.0 ? d.ut : -d.ut);
@@ -260,7 +264,7 @@ inline void add_drag(PointLoad<kTangent>& load, const LineEnvironment& env, cons
     return;
   }
   const Current now = current_at(env, z);
-  const Drag d = drag_of<kTangent>(slope, now.velocity, drag_normal, drag_axial);
+  const Drag d = drag_of<kTangent>(slope.inv_norm * slope.a, now.velocity, drag_normal, drag_axial);
   const Vec f = d.by_size * d.un + (d.by_along * d.ut) * d.t;
   load.f = load.f + wet.share * f;
   if constexpr (kTangent) {
@@ -269,7 +273,7 @@ inline void add_drag(PointLoad<kTangent>& load, const LineEnvironment& env, cons
     load.in_r.m[1][2] += z_column.y;
     load.in_r.m[2][2] += z_column.z;
     // Turning the pipe: d un = -(u.dt) t - ut dt; in the drag's own terms t (2 Ct |ut| - Cn |un|) u' and the rest.
-    add_turning(load.in_a, wet.share * d.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * now.velocity,
+    add_turning(load.in_a, wet.share * slope.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * now.velocity,
                 d.ut * (d.by_along - d.by_size), -d.ut * d.by_size, d.inv_size * d.un);
   }
 }
@@ -281,9 +285,9 @@ struct LoadConstants {
 /// Adds a load at Gauss point i; external forces enter the residual with a minus sign. `tangent` is null unless
 /// kTangent.
 template <bool kTangent>
-inline void add_point_load(Batch& e, BatchTangent* tangent, int i, const PointLoad<kTangent>& load) {
-  const Lanes w = -kGaussWeight[i] * e.h;
-  add_force(e, kGaussShape[i].n, w * load.f);
+inline void add_load(Batch& e, BatchTangent* tangent, int i, const PointLoad<kTangent>& load) {
+  const Lanes w = -kGauss[i].weight * e.h;
+  add_force(e, kGauss[i], w * load.f);
   if constexpr (kTangent) {
     const Lanes w_a = w * e.inv_h;
     for (int r = 0; r < 3; ++r) {

@@ -1,5 +1,5 @@
 /// Inertia, Morison's forces and the bed's friction at the Gauss points of a batch in motion, with their exact
-/// derivatives; energies. For line_kernel.cpp alone.
+/// derivatives and energies. For line_kernel.cpp alone.
 #pragma once
 
 #include "mechanics/line_kernel_loads.h"
@@ -7,60 +7,51 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-inline constexpr int kTangentNodes[2] = {1, 3};  ///< Which of r1, t1, r2, t2 are tangents.
+/// The water along the elements of a batch: in the middle, and what it changes from end to end.
+struct BatchWater {
+  Vec velocity, acceleration;
+  Lanes surface;  ///< Elevation [m].
+};
 
-/// Motion of a batch: like Batch::q, tangents scaled by the element length; water at both ends.
+/// Motion of a batch: velocity and acceleration along its elements, and the water's.
 struct BatchMotion {
-  Vec v[4], acc[4];
-  Vec water_v[2], water_a[2];
-  Lanes surface[2];
-  Lanes head[2];
+  Cubic v, acc;
+  BatchWater middle, change;
+  Lanes head[2];  ///< Of the dynamic pressure at both ends [m].
 };
 
 /// Water at both ends, linear along an element; beyond the last element, of the last.
 inline void gather_water(BatchMotion& m, const double* water, int first, int count) {
-  Lanes ends[2][kWaterValues] = {};
-  if (first + kWidth <= count) {
-    load_rows<kWaterValues>(ends[0], water + kWaterValues * first);
-    for (int i = 0; i < kWaterValues; ++i) {
-      ends[1][i] = from_next(ends[0][i], water[kWaterValues * (first + kWidth) + i]);
-    }
-  } else {
-    for (int l = 0; l < kWidth; ++l) {
-      const double* node = water + kWaterValues * (first + l < count ? first + l : count - 1);
-      for (int i = 0; i < kWaterValues; ++i) {
-        ends[0][i][l] = node[i];
-        ends[1][i][l] = node[kWaterValues + i];
-      }
-    }
+  Lanes ends[2][kWaterValues];
+  gather_ends<kWaterValues>(ends[0], ends[1], water, first, count);
+  Lanes mean[kWaterValues], change[kWaterValues];
+  for (int i = 0; i < kWaterValues; ++i) {
+    mean[i] = 0.5 * (ends[0][i] + ends[1][i]);
+    change[i] = ends[1][i] - ends[0][i];
   }
-  for (int end = 0; end < 2; ++end) {
-    const Lanes(&w)[kWaterValues] = ends[end];
-    m.water_v[end] = {w[0], w[1], w[2]};
-    m.water_a[end] = {w[3], w[4], w[5]};
-    m.surface[end] = w[6];
-    m.head[end] = w[7];
-  }
+  m.middle = {{mean[0], mean[1], mean[2]}, {mean[3], mean[4], mean[5]}, mean[6]};
+  m.change = {{change[0], change[1], change[2]}, {change[3], change[4], change[5]}, change[6]};
+  m.head[0] = ends[0][7];
+  m.head[1] = ends[1][7];
+}
+
+/// The cubic that values of six per node make along every element.
+inline Cubic gather_cubic(const double* values, const Lanes& h, int first, int count) {
+  Vec nodes[4];
+  gather_nodes(nodes, values, first, count);
+  nodes[1] = h * nodes[1];
+  nodes[3] = h * nodes[3];
+  return cubic_of(nodes);
 }
 
 inline void gather_motion(BatchMotion& m, const Lanes& h, const LineMotion& motion, int first, int count) {
-  gather_nodes(m.v, motion.v, first, count);
-  gather_nodes(m.acc, motion.acc, first, count);
-  for (const int tangent : kTangentNodes) {
-    m.v[tangent] = h * m.v[tangent];
-    m.acc[tangent] = h * m.acc[tangent];
-  }
+  m.v = gather_cubic(motion.v, h, first, count);
+  m.acc = gather_cubic(motion.acc, h, first, count);
   if (motion.water != nullptr) {
     return gather_water(m, motion.water, first, count);
   }
-  for (int end = 0; end < 2; ++end) {
-    m.water_v[end] = m.water_a[end] = Vec{};
-    m.surface[end] = m.head[end] = Lanes{};
-  }
-}
-
-inline Vec combine_nodes(const Vec (&nodes)[4], const double (&s)[4]) {
-  return s[0] * nodes[0] + s[1] * nodes[1] + s[2] * nodes[2] + s[3] * nodes[3];
+  m.middle = m.change = BatchWater{};
+  m.head[0] = m.head[1] = Lanes{};
 }
 
 /// Constants of a moving batch beside LoadConstants.
@@ -68,23 +59,19 @@ struct InertiaConstants {
   Lanes mass, displaced, added_normal, added_axial;
 };
 
-/// Place and motion at a Gauss point of a moving line, and the waves there.
+/// A Gauss point of a moving line and the waves there. Each quantity is made where it is used: all at once would not
+/// fit into the registers.
 struct MovingPoint {
-  Vec r, v, acc;
-  Vec water_v, water_a;
-  Lanes surface;  ///< Elevation of the water [m].
-};
+  const Batch& e;
+  const BatchMotion& m;
+  const GaussPoint& p;
 
-inline MovingPoint moving_point(const Batch& e, const BatchMotion& m, const Shape& s, double xi) {
-  MovingPoint at;
-  at.r = combine(e, s.n);
-  at.v = combine_nodes(m.v, s.n);
-  at.acc = combine_nodes(m.acc, s.n);
-  at.water_v = (1.0 - xi) * m.water_v[0] + xi * m.water_v[1];
-  at.water_a = (1.0 - xi) * m.water_a[0] + xi * m.water_a[1];
-  at.surface = mixed(m.surface, xi);
-  return at;
-}
+  Vec v() const { return value_at(m.v, p); }
+  Vec acc() const { return value_at(m.acc, p); }
+  Vec water_v() const { return m.middle.velocity + p.y * m.change.velocity; }
+  Vec water_a() const { return m.middle.acceleration + p.y * m.change.acceleration; }
+  Lanes surface() const { return m.middle.surface + p.y * m.change.surface; }  ///< Elevation of the water [m].
+};
 
 inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
   const Mat f = full(s);
@@ -99,27 +86,30 @@ inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
 /// acceleration, each with its normal and tangential part, and the force rho A a_water of the pressure field that
 /// accelerates the displaced water (Morison et al. 1950; DNV-RP-C205 section 6). The last acts in all directions: along
 /// the pipe it is the gradient of the dynamic pressure that the effective tension contains. Times the wetted fraction.
+/// Returns the force.
 template <bool kTangent>
-inline void add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
-                        const MovingPoint& at, const PointSlope& slope, const Wetting& wet, const LoadConstants& c,
-                        const InertiaConstants& i) {
+inline Vec add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
+                       const MovingPoint& at, const Lanes& z, const PointSlope& slope, const Wetting& wet,
+                       const LoadConstants& c, const InertiaConstants& i) {
   if (!any(wet.share)) {
-    return;
+    return Vec{};
   }
-  Vec u = at.water_v - at.v;
+  const Vec t = slope.inv_norm * slope.a;
+  const Vec water_a = at.water_a(), slip = water_a - at.acc();
+  const Lanes more_along = i.added_axial - i.added_normal;
+  const Lanes slip_t = more_along * dot(slip, t);
+  Vec f = i.displaced * water_a + i.added_normal * slip;
+  Vec u = at.water_v() - at.v();
   Vec current_slope{};
   if (env.current_rows > 0) {
-    const Current now = current_at(env, at.r.z);
+    const Current now = current_at(env, z);
     u = u + now.velocity;
     current_slope = now.slope;
   }
-  const Drag d = drag_of<kTangent>(slope, u, c.drag_normal, c.drag_axial);
-  const Vec slip = at.water_a - at.acc;
-  const Lanes more_along = i.added_axial - i.added_normal;
-  const Lanes slip_t = more_along * dot(slip, d.t);
-  const Vec f =
-      d.by_size * d.un + (d.by_along * d.ut + slip_t) * d.t + i.displaced * at.water_a + i.added_normal * slip;
-  load.f = load.f + wet.share * f;
+  const Drag d = drag_of<kTangent>(t, u, c.drag_normal, c.drag_axial);
+  f = f + d.by_size * d.un + (d.by_along * d.ut + slip_t) * t;
+  const Vec wetted = wet.share * f;
+  load.f = load.f + wetted;
   if constexpr (kTangent) {
     const Vec z_column = wet.share * with_velocity(d, current_slope) + wet.slope * f;
     load.in_r.m[0][2] += z_column.x;
@@ -132,10 +122,11 @@ inline void add_morison(PointLoad<kTangent>& load, const LineEnvironment& env, c
     const Lanes drag_t = 2.0 * motion.velocity_share * d.by_along;
     const Lanes added = motion.acceleration_share * i.added_normal;
     const Lanes added_t = motion.acceleration_share * i.added_axial;
-    add_sym(load.in_r, -wet.share, dyads(drag + added, drag_t + added_t - drag - added, d.t, drag, e, Lanes{}));
-    add_turning(load.in_a, wet.share * d.inv_norm, d.t, (2.0 * d.by_along - d.by_size) * u + more_along * slip,
+    add_sym(load.in_r, -wet.share, dyads(drag + added, drag_t + added_t - drag - added, t, drag, e, Lanes{}));
+    add_turning(load.in_a, wet.share * slope.inv_norm, t, (2.0 * d.by_along - d.by_size) * u + more_along * slip,
                 d.ut * (d.by_along - d.by_size) + slip_t, -d.ut * d.by_size, e);
   }
+  return wetted;
 }
 
 /// One direction of the bed's friction: elastic stretch up to mu times the normal force, then sliding (return mapping).
@@ -145,7 +136,7 @@ inline Lanes add_bed_friction(PointLoad<kTangent>& load, const LineEnvironment& 
                               const Vec& n, const Vec& direction, double mu, const Lanes& touching, const Lanes& normal,
                               const Lanes& normal_in_r, const Lanes& speed, const Lanes& stretch) {
   const Lanes trial = touching * (stretch + motion.step * speed);
-  const Lanes limit = mu * normal / env.bed_stick;
+  const Lanes limit = (mu / env.bed_stick) * normal;
   const Lanes size = trial > 0.0 ? trial : -trial;
   const Lanes sign = trial > 0.0 ? all(1.0) : all(-1.0);
   const Lanes sliding = size > limit ? all(1.0) : Lanes{};
@@ -165,7 +156,9 @@ struct BedSlip {
 
 /// The bed's normal force at moving points.
 struct NormalForce {
-  Lanes touching, approaching, size;
+  Lanes touching, approaching;
+  Lanes held;       ///< By the soil [N/m].
+  Lanes size;       ///< With damping.
   Lanes in_r;       ///< Derivative of its size along the normal of a plane.
   Lanes stiffness;  ///< Of the soil.
 };
@@ -174,116 +167,152 @@ struct NormalForce {
 /// derivatives, and the direction along the route turns with the bed.
 template <bool kTangent>
 inline BedSlip add_moving_shape(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
-                                const MovingPoint& at, const BedUnder& bed, const NormalForce& normal,
+                                const Vec& r, const Vec& v, const BedUnder& bed, const NormalForce& normal,
                                 const BedSlip& slip) {
   const Vec& n = bed.normal;
-  const Vec more = -normal.stiffness * (bed.gradient - n) -
-                   (env.bed_damping * normal.approaching) * transposed_times(bed.turn, at.v);
+  const Vec more =
+      -normal.stiffness * (bed.gradient - n) - (env.bed_damping * normal.approaching) * transposed_times(bed.turn, v);
   if constexpr (kTangent) {
     add_outer(load.in_r, all(1.0), n, more);
     add_columns(load.in_r, normal.size, bed.turn);
   }
   BedSlip next{Lanes{}, Lanes{}};
   const auto hold = [&](const Vec& direction, double mu, const Lanes& stretch) {
-    const Lanes speed = dot(direction, at.v);
+    const Lanes speed = dot(direction, v);
     const Lanes held = add_bed_friction<kTangent>(load, env, motion, n, direction, mu, normal.touching, normal.size,
                                                   normal.in_r, speed, stretch);
     const Lanes trial = normal.touching * (stretch + motion.step * speed);
-    const Lanes sliding = (trial > 0.0 ? trial : -trial) > mu * normal.size / env.bed_stick ? all(1.0) : Lanes{};
+    const Lanes sliding = (trial > 0.0 ? trial : -trial) > (mu / env.bed_stick) * normal.size ? all(1.0) : Lanes{};
     if constexpr (kTangent) {
       add_outer(load.in_r, -sliding * (trial > 0.0 ? all(mu) : all(-mu)), direction, more);
     }
     return std::pair{held, sliding};
   };
   if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
-    next.across = hold(across_route(env, at.r), env.bed_friction_lateral, slip.across).first;
+    next.across = hold(across_route(env, r), env.bed_friction_lateral, slip.across).first;
   }
   if (env.bed_friction_axial > 0.0 && env.bed_stick > 0.0) {
-    const AlongShape along = along_shape(env, at.r, bed);
+    const AlongShape along = along_shape(env, r, bed);
     const auto [held, sliding] = hold(along.direction, env.bed_friction_axial, slip.along);
     next.along = held;
     if constexpr (kTangent) {
       add_columns(load.in_r, -env.bed_stick * held, along.turn);
       add_outer(load.in_r, (sliding - 1.0) * normal.touching * (env.bed_stick * motion.step), along.direction,
-                transposed_times(along.turn, at.v));
+                transposed_times(along.turn, v));
     }
   }
   return next;
 }
 
-/// Normal penalty with damping on approach, never pulling, and friction across and along the route.
-template <bool kTangent>
-inline BedSlip add_moving_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
-                                 const MovingPoint& at, const Lanes& radius, const BedSlip& slip) {
-  const BedUnder bed = bed_under(env, at.r, radius);
+/// What the bed stores and takes at a point; the stretch of its friction counts as lost.
+inline void add_bed_energy(const EnergySums& energy, const Lanes& w, const LineEnvironment& env, const Vec& r,
+                           const Vec& v, const BedUnder& bed, const NormalForce& normal, const Lanes& penetration,
+                           const BedSlip& slip) {
+  EnergyLanes& sum = *energy.sum;
+  const Lanes speed = dot(bed.normal, v), held = normal.held;
+  Lanes loss = normal.approaching * env.bed_damping * speed * speed;
+  if (env.bed_soil != 0) {
+    sum.seabed += w * soil_force(env, normal.touching, penetration).energy;
+  } else {
+    sum.seabed += 0.5 * w * held * penetration;
+  }
+  Vec along = along_route(env, r);
+  if (env.bed_shape != nullptr) {  // the force of a curved bed has no potential: what it is off counts as lost
+    along = along_shape(env, r, bed).direction;
+    loss += held * dot(bed.gradient - bed.normal, v);
+  }
+  loss += env.bed_stick * (slip.across * dot(across_route(env, r), v) + slip.along * dot(along, v));
+  sum.seabed_loss += w * loss;
+}
+
+/// Normal penalty with damping on approach, never pulling, and friction across and along the route: `slip` becomes what
+/// its stretch is after the step.
+template <bool kTangent, bool kEnergy>
+inline void add_moving_seabed(PointLoad<kTangent>& load, const LineEnvironment& env, const LineMotion& motion,
+                              const EnergySums& energy, const Lanes& w, const Vec& r, const Vec& v, const Lanes& radius,
+                              BedSlip& slip) {
+  const BedUnder bed = bed_under(env, r, radius);
   const Vec& n = bed.normal;
   const Lanes penetration = radius - bed.clearance;
-  if (!any(penetration)) {
-    return BedSlip{Lanes{}, Lanes{}};
-  }
-  const Lanes touching = penetration > 0.0 ? all(1.0) : Lanes{};
-  const Lanes speed = -dot(n, at.v);
-  const Lanes approaching = speed > 0.0 ? touching : Lanes{};
-  Lanes normal = touching * env.bed_stiffness * penetration + approaching * env.bed_damping * speed;
-  Lanes in_r = -(touching * env.bed_stiffness + approaching * (env.bed_damping * motion.velocity_share));
-  Lanes stiffness = touching * env.bed_stiffness;
+  const Lanes speed = -dot(n, v);
+  NormalForce normal;
+  normal.touching = penetration > 0.0 ? all(1.0) : Lanes{};
+  normal.approaching = speed > 0.0 ? normal.touching : Lanes{};
+  normal.stiffness = normal.touching * env.bed_stiffness;
+  normal.held = normal.stiffness * penetration;
   if (env.bed_soil != 0) {
-    const SoilForce soil = soil_force(env, touching, penetration);
-    stiffness = soil.slope;
-    normal = soil.force + approaching * env.bed_damping * speed;
-    in_r = -(stiffness + approaching * (env.bed_damping * motion.velocity_share));
+    const SoilForce soil = soil_force(env, normal.touching, penetration);
+    normal.stiffness = soil.slope;
+    normal.held = soil.force;
   }
-  load.f = load.f + normal * n;
+  normal.size = normal.held + normal.approaching * env.bed_damping * speed;
+  normal.in_r = -(normal.stiffness + normal.approaching * (env.bed_damping * motion.velocity_share));
+  load.f = load.f + normal.size * n;
   if constexpr (kTangent) {
-    add_outer(load.in_r, in_r, n, n);
-  }
-  if (env.bed_shape != nullptr) {
-    return add_moving_shape<kTangent>(load, env, motion, at, bed, {touching, approaching, normal, in_r, stiffness},
-                                      slip);
+    add_outer(load.in_r, normal.in_r, n, n);
   }
   BedSlip next{Lanes{}, Lanes{}};
-  if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
-    const Vec across = across_route(env, at.r);
-    next.across = add_bed_friction<kTangent>(load, env, motion, n, across, env.bed_friction_lateral, touching, normal,
-                                             in_r, dot(across, at.v), slip.across);
+  if (env.bed_shape != nullptr) {
+    next = add_moving_shape<kTangent>(load, env, motion, r, v, bed, normal, slip);
+  } else {
+    const auto hold = [&](const Vec& direction, double mu, const Lanes& stretch) {
+      return add_bed_friction<kTangent>(load, env, motion, n, direction, mu, normal.touching, normal.size, normal.in_r,
+                                        dot(direction, v), stretch);
+    };
+    if (env.bed_friction_lateral > 0.0 && env.bed_stick > 0.0) {
+      next.across = hold(across_route(env, r), env.bed_friction_lateral, slip.across);
+    }
+    if (env.bed_friction_axial > 0.0 && env.bed_stick > 0.0) {
+      next.along = hold(along_route(env, r), env.bed_friction_axial, slip.along);
+    }
   }
-  if (env.bed_friction_axial > 0.0 && env.bed_stick > 0.0) {
-    const Vec along = along_route(env, at.r);
-    next.along = add_bed_friction<kTangent>(load, env, motion, n, along, env.bed_friction_axial, touching, normal, in_r,
-                                            dot(along, at.v), slip.along);
+  slip = next;
+  if constexpr (kEnergy) {
+    add_bed_energy(energy, w, env, r, v, bed, normal, penetration, slip);
   }
-  return next;
 }
 
-inline Lanes* slip_at(double* slips, int point, int direction, int padded, int first) {
-  return reinterpret_cast<Lanes*>(slips + (point * kBedDirections + direction) * padded + first);
+/// Of Gauss point i of a batch that begins with element `first`: the stretch of the bed's friction.
+inline Lanes* slip_at(double* slips, int i, int direction, int padded, int first) {
+  return reinterpret_cast<Lanes*>(slips + (i * kBedDirections + direction) * padded + first);
 }
 
-/// Weight, buoyancy, seabed, water and inertia at Gauss point i of a batch that begins with element `first`.
-template <bool kTangent>
-inline PointLoad<kTangent> moving_load(const LineEnvironment& env, const LineMotion& motion, const MovingPoint& at,
-                                       const PointSlope& slope, const LoadConstants& c, const InertiaConstants& inertia,
-                                       int i, int first, int padded) {
-  const Wetting wet = wetting(at.r.z - at.surface, c.radius);
-  Vec f = -inertia.mass * at.acc;
-  f.z += c.buoyancy * wet.share - c.weight;
+/// Weight, buoyancy, seabed, water and inertia at Gauss point i of a batch that begins with element `first`, and with
+/// kEnergy the energies there.
+template <bool kTangent, bool kEnergy>
+inline PointLoad<kTangent> moving_load(const LineEnvironment& env, const LineMotion& motion, const EnergySums& energy,
+                                       const MovingPoint& at, const PointSlope& slope, const LoadConstants& c,
+                                       const InertiaConstants& inertia, int i, int first, int padded) {
+  const Vec r = value_at(at.e.r, at.p);
+  const Wetting wet = wetting(r.z - at.surface(), c.radius);
+  const Lanes lift = c.buoyancy * wet.share, w = at.p.weight * energy.counts;
+  Vec f = -inertia.mass * at.acc();
+  f.z += lift - c.weight;
   PointLoad<kTangent> load = load_of<kTangent>(f, c.buoyancy * wet.slope);
   if constexpr (kTangent) {
-    for (int r = 0; r < 3; ++r) {
-      load.in_r.m[r][r] -= motion.acceleration_share * inertia.mass;
+    for (int k = 0; k < 3; ++k) {
+      load.in_r.m[k][k] -= motion.acceleration_share * inertia.mass;
     }
   }
   BedSlip slip{Lanes{}, Lanes{}};
-  if (motion.bed_slip != nullptr) {
-    double* slips = const_cast<double*>(motion.bed_slip);
-    slip = {*slip_at(slips, i, 0, padded, first), *slip_at(slips, i, 1, padded, first)};
+  if (near_bed(env, r, c.radius)) {
+    if (motion.bed_slip != nullptr) {
+      double* slips = const_cast<double*>(motion.bed_slip);
+      slip = {*slip_at(slips, i, 0, padded, first), *slip_at(slips, i, 1, padded, first)};
+    }
+    add_moving_seabed<kTangent, kEnergy>(load, env, motion, energy, w, r, at.v(), c.radius, slip);
   }
-  const BedSlip next = add_moving_seabed<kTangent>(load, env, motion, at, c.radius, slip);
   if (motion.bed_slip_next != nullptr) {
-    *slip_at(motion.bed_slip_next, i, 0, padded, first) = next.across;
-    *slip_at(motion.bed_slip_next, i, 1, padded, first) = next.along;
+    *slip_at(motion.bed_slip_next, i, 0, padded, first) = slip.across;
+    *slip_at(motion.bed_slip_next, i, 1, padded, first) = slip.along;
   }
-  add_morison<kTangent>(load, env, motion, at, slope, wet, c, inertia);
+  const Vec water = add_morison<kTangent>(load, env, motion, at, r.z, slope, wet, c, inertia);
+  if constexpr (kEnergy) {
+    const Vec v = at.v();
+    energy.sum->kinetic += 0.5 * w * inertia.mass * dot(v, v);
+    energy.sum->gravity += w * c.weight * r.z;
+    energy.sum->fluid_power += w * (dot(water, v) + lift * v.z);
+  }
   return load;
 }
 

@@ -6,46 +6,126 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-/// Of r1, h t1, r2, h t2: which slope it makes. r1 makes the chord shorter.
-inline constexpr int kSlopeOf[4] = {kChord, kLowerSlope, kChord, kUpperSlope};
-inline constexpr double kSlopeSign[4] = {-1.0, 1.0, 1.0, 1.0};
+/// What a quantity with these values at two points as far below as above the middle is worth to pairs of functions: its
+/// sum where both are even or both odd, its difference, upper less lower, where one is.
+struct Pair {
+  Lanes sum, difference;
+};
 
-/// The blocks below the diagonal.
-inline void mirror_slopes(BatchTangent& tangent) {
-  for (int j = 0; j < 3; ++j) {
-    for (int k = j + 1; k < 3; ++k) {
-      for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) {
-          tangent.by_slope[3 * k + c][3 * j + r] = tangent.by_slope[3 * j + r][3 * k + c];
-        }
-      }
+inline Pair pair_of(const Lanes& lower, const Lanes& upper) {
+  return {upper + lower, upper - lower};
+}
+
+/// Bending at all points, by the slope unknowns: the block of components r and c, on and above the diagonal. First
+/// derivatives of turn are odd, those of chord and both even; second derivatives the other way.
+inline void add_bending_tangent(BatchTangent& tangent, int r, int c) {
+  Lanes turn_turn{}, turn_chord{}, turn_both{}, chord_chord{}, chord_both{}, both_both{};
+#pragma GCC unroll 2
+  for (int pair = 0; pair < kGaussPairs; ++pair) {
+    const int upper = kGaussPairs + pair, lower = kGaussPairs - 1 - pair;
+    const Shape& s = kGaussShape[pair];
+    const Pair aa = pair_of(tangent.aa[lower].m[r][c], tangent.aa[upper].m[r][c]);
+    const Pair ab = pair_of(tangent.ba[lower].m[c][r], tangent.ba[upper].m[c][r]);
+    const Pair ba = pair_of(tangent.ba[lower].m[r][c], tangent.ba[upper].m[r][c]);
+    const Pair bb = pair_of(tangent.bb[lower].m[r][c], tangent.bb[upper].m[r][c]);
+    // What a row's first and second derivative are multiplied with, in a column.
+    struct Column {
+      Lanes by_c, by_d;
+    };
+    const auto like = [&](int j) {
+      return Column{s.c[j] * aa.sum + s.d[j] * ab.difference, s.c[j] * ba.difference + s.d[j] * bb.sum};
+    };
+    const auto unlike = [&](int j) {
+      return Column{s.c[j] * aa.difference + s.d[j] * ab.sum, s.c[j] * ba.sum + s.d[j] * bb.difference};
+    };
+    const auto row = [&](int j, const Column& x) { return s.c[j] * x.by_c + s.d[j] * x.by_d; };
+    const Column chord = like(1), both = like(2);
+    turn_turn += row(0, like(0));
+    turn_chord += row(0, unlike(1));
+    turn_both += row(0, unlike(2));
+    chord_chord += row(1, chord);
+    chord_both += row(1, both);
+    both_both += row(2, both);
+  }
+  tangent.by_slope[r][c] += turn_turn;
+  tangent.by_slope[r][3 + c] += turn_chord;
+  tangent.by_slope[r][6 + c] += turn_both;
+  tangent.by_slope[3 + r][3 + c] += chord_chord;
+  tangent.by_slope[3 + r][6 + c] += chord_both;
+  tangent.by_slope[6 + r][6 + c] += both_both;
+}
+
+/// Loads at all points, in components r and c, by mean, turn, chord and both.
+inline void load_tangent(const BatchTangent& tangent, int r, int c, Lanes (&k)[4][4]) {
+  for (auto& row : k) {
+    for (Lanes& entry : row) entry = Lanes{};
+  }
+#pragma GCC unroll 2
+  for (int pair = 0; pair < kGaussPairs; ++pair) {
+    const int upper = kGaussPairs + pair, lower = kGaussPairs - 1 - pair;
+    const Shape& s = kGaussShape[pair];
+    const Pair in_r = pair_of(tangent.in_r[lower].m[r][c], tangent.in_r[upper].m[r][c]);
+    const Pair in_a = pair_of(tangent.in_a[lower].m[r][c], tangent.in_a[upper].m[r][c]);
+    // Columns as an even function sees them, and as an odd one does.
+    const Lanes even[4] = {in_r.sum, s.n[1] * in_r.sum + s.c[0] * in_a.difference,
+                           s.n[2] * in_r.difference + s.c[1] * in_a.sum, s.n[3] * in_r.difference + s.c[2] * in_a.sum};
+    const Lanes odd[4] = {in_r.difference, s.n[1] * in_r.difference + s.c[0] * in_a.sum,
+                          s.n[2] * in_r.sum + s.c[1] * in_a.difference, s.n[3] * in_r.sum + s.c[2] * in_a.difference};
+#pragma GCC unroll 4
+    for (int j = 0; j < 4; ++j) {
+      k[kMean][j] += even[j];
+      k[kTurn][j] += s.n[1] * even[j];
+      k[kChord][j] += s.n[2] * odd[j];
+      k[kBoth][j] += s.n[3] * odd[j];
     }
   }
 }
 
-/// All together, and from h t to t: `scale` is 1 or h of r1, h t1, r2, h t2.
-inline void join(BatchTangent& tangent, const Lanes (&scale)[4]) {
-  mirror_slopes(tangent);
+/// From mean, turn, chord and both to r1, t1, r2, t2.
+inline void to_nodes(const Lanes& h, const Lanes& mean, const Lanes& turn, const Lanes& chord, const Lanes& both,
+                     Lanes (&nodes)[4]) {
+  nodes[0] = 0.5 * mean - chord;
+  nodes[1] = h * (both - turn);
+  nodes[2] = 0.5 * mean + chord;
+  nodes[3] = h * (both + turn);
+}
+
+/// All together.
+inline void join(BatchTangent& tangent, const Lanes& h) {
   for (int r = 0; r < 3; ++r) {
     for (int c = 0; c < 3; ++c) {
-#pragma GCC unroll 4
-      for (int k = 0; k < 4; ++k) {
-        Lanes by_node[kGaussPoints];
-#pragma GCC unroll 4
-        for (int i = 0; i < kGaussPoints; ++i) {
-          by_node[i] = kGaussShape[i].n[k] * tangent.in_r[i].m[r][c] + kGaussShape[i].c[k] * tangent.in_a[i].m[r][c];
+      add_bending_tangent(tangent, r, c);
+    }
+  }
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      Lanes k[4][4];
+      load_tangent(tangent, r, c, k);
+#pragma GCC unroll 3
+      for (int i = 0; i < 3; ++i) {
+#pragma GCC unroll 3
+        for (int j = 0; j < 3; ++j) {
+          k[1 + i][1 + j] += i <= j ? tangent.by_slope[3 * i + r][3 * j + c] : tangent.by_slope[3 * j + c][3 * i + r];
         }
-#pragma GCC unroll 4
-        for (int j = 0; j < 4; ++j) {
-          Lanes sum = (kSlopeSign[j] * kSlopeSign[k]) * tangent.by_slope[3 * kSlopeOf[j] + r][3 * kSlopeOf[k] + c];
-#pragma GCC unroll 4
-          for (int i = 0; i < kGaussPoints; ++i) {
-            sum += kGaussShape[i].n[j] * by_node[i];
+        if (c == 2) {
+#pragma GCC unroll 3
+          for (int j = 0; j < 3; ++j) {
+            k[1 + i][j] += tangent.by_height[3 * i + r][j];
           }
-          if (c == 2) {
-            sum += tangent.by_height[3 * j + r][k];
-          }
-          tangent.k[3 * j + r][3 * k + c] = scale[j] * (scale[k] * sum);
+        }
+      }
+      Lanes columns[4][4];
+#pragma GCC unroll 4
+      for (int i = 0; i < 4; ++i) {
+        to_nodes(h, k[i][kMean], k[i][kTurn], k[i][kChord], k[i][kBoth], columns[i]);
+      }
+#pragma GCC unroll 4
+      for (int j = 0; j < 4; ++j) {
+        Lanes rows[4];
+        to_nodes(h, columns[kMean][j], columns[kTurn][j], columns[kChord][j], columns[kBoth][j], rows);
+#pragma GCC unroll 4
+        for (int i = 0; i < 4; ++i) {
+          tangent.k[3 * i + r][3 * j + c] = rows[i];
         }
       }
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/require.h"
+
 namespace overbend {
 
 void BlockTridiagonal::resize(int nodes) {
@@ -62,6 +64,7 @@ void resolve_on(BlockTridiagonal& solved, double* x, Isa isa) {
 }
 
 BlockSolveReport refactor_on(BlockTridiagonal& solved, int first, Isa isa) {
+  require(first <= solved.middle(), "blocks are set again from the middle on at least");
   return kernels_for(isa).factor(view_of(solved), first);
 }
 

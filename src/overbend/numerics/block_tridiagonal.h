@@ -6,7 +6,8 @@
 ///
 /// Friction and drag make the tangent unsymmetric, so no symmetry is assumed. The second right-hand side carries the
 /// border of one extra unknown. A row of D is stored with its two right-hand sides as one vector of eight, which is
-/// what makes the elimination fast: every row operation is one multiply-add.
+/// what makes the elimination fast: every row operation is one multiply-add. It runs from both ends to the middle node,
+/// so that there are always two nodes that need not wait for each other.
 #pragma once
 
 #include <cstddef>
@@ -24,6 +25,8 @@ class BlockTridiagonal {
   void resize(int nodes);
   void set_zero();
   int nodes() const { return nodes_; }
+  /// Where the elimination from both ends meets.
+  int middle() const { return nodes_ / 2; }
 
   /// Row-major 6 x 8: columns 0-5 the block, column 6 the first right-hand side, column 7 the second.
   double* diag(int node) { return diag_.data() + static_cast<std::size_t>(node) * kBlockSize; }
@@ -60,16 +63,16 @@ void add_element(BlockTridiagonal& system, int node, const Matrix& k) {
   }
 }
 
-/// Solves in place by block elimination with row pivoting inside each block; the solutions are in the columns of the
-/// right-hand sides. The blocks are overwritten by what `resolve` needs.
+/// Solves in place by block elimination from both ends, with row pivoting inside each block; the solutions are in the
+/// columns of the right-hand sides. The blocks are overwritten by what `resolve` needs.
 BlockSolveReport solve(BlockTridiagonal& system);
 
 /// Solves a system that `solve` has been through for another right-hand side: `x`, six per node, holds it and receives
 /// the solution. About a fifth of the work of `solve`.
 void resolve(BlockTridiagonal& solved, double* x);
 
-/// Factors anew from node `first` on, where blocks have been set again; the factors of the nodes before it are kept.
-/// Right-hand sides are left to `resolve`.
+/// Factors anew from node `first` on, which is not beyond the middle and where blocks have been set again; the factors
+/// of the nodes before it are kept. Right-hand sides are left to `resolve`.
 BlockSolveReport refactor(BlockTridiagonal& solved, int first);
 
 /// The blocks as the kernels take them.

@@ -1,5 +1,9 @@
 #include "numerics/block_tridiagonal_kernel.h"
 
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
 #include <utility>
 
 #include "base/simd.h"
@@ -8,8 +12,10 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
 inline double magnitude(double x) {
-  return x < 0.0 ? -x : x;
+  return __builtin_fabs(x);
 }
+
+using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
 
 static_assert(kRowWidth == kLanes, "a row of a block is one batch of lanes");
 constexpr int kParts = kLanes / kWidth;
@@ -39,73 +45,101 @@ constexpr double kPivotFloor = 1e-14;
 constexpr double kPivotShare = 0.02;
 constexpr double kPivotLoss = 1e-10;
 
-/// The twelve rows of a block and its neighbour, all of them in registers.
+/// A block with its right-hand sides, all in registers.
 struct BlockRows {
-  Row d[kNodeDofs], u[kNodeDofs];
+  Row d[kNodeDofs];
+  bool negative = false;  ///< The determinant so far.
+  bool good = true;
 };
 
-/// Takes out row I by the pivot row K, already scaled.
+/// v with lane K of another. The compiler's own way would send it through memory.
+template <int K>
+inline Lanes exchanged_lane(const Lanes& v, const Lanes& by) {
+#if defined(__AVX512F__)
+  return _mm512_mask_blend_pd(1 << K, v, by);
+#elif defined(__AVX__)
+  return _mm256_blend_pd(v, by, 1 << K);
+#elif defined(__SSE2__)
+  return K == 0 ? _mm_move_sd(v, by) : _mm_move_sd(by, v);
+#else
+  Lanes exchanged = v;
+  exchanged[K] = by[K];
+  return exchanged;
+#endif
+}
+
+template <int K, int... L>
+inline Lanes repeated_lane(const Lanes& v, std::integer_sequence<int, L...> /*all*/) {
+  return __builtin_shufflevector(v, v, (L * 0 + K)...);
+}
+
+/// Lane K everywhere.
+template <int K>
+inline Lanes repeated_lane(const Lanes& v) {
+  return repeated_lane<K>(v, std::make_integer_sequence<int, kWidth>());
+}
+
+/// Takes out row I by the pivot row K, already scaled; `largest` keeps the largest entry below the pivot.
 template <int K, int I>
-inline __attribute__((always_inline)) void take_out(BlockRows& rows) {
+inline __attribute__((always_inline)) void take_out(BlockRows& rows, double& largest) {
   if constexpr (I != K) {
-    const double factor = rows.d[I].part[K / kWidth][K % kWidth];
-    rows.d[I].part[K / kWidth][K % kWidth] = 0.0;
-    rows.d[I].subtract(factor, rows.d[K]);
-    rows.u[I].subtract(factor, rows.u[K]);
+    constexpr int kPart = K / kWidth, kLane = K % kWidth;
+    Row& row = rows.d[I];
+    const Lanes factor = repeated_lane<kLane>(row.part[kPart]);
+    if constexpr (I > K) {
+      largest = magnitude(factor[0]) > largest ? magnitude(factor[0]) : largest;
+    }
+    row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{});
+    for (int i = 0; i < kParts; ++i) {
+      row.part[i] -= factor * rows.d[K].part[i];
+    }
   }
 }
 
-/// Whether the pivot of K may stay where it is. I runs over all rows.
-template <int K, int I>
-inline __attribute__((always_inline)) bool outweighs(const BlockRows& rows, double pivot) {
-  return I <= K || kPivotShare * magnitude(rows.d[I].part[K / kWidth][K % kWidth]) <= magnitude(pivot);
-}
-
 template <int K, int... I>
-inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const double* at_first, int& sign, bool& good,
+inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const double* at_first,
                                                          std::integer_sequence<int, I...> /*all*/) {
-  const double pivot = rows.d[K].part[K / kWidth][K % kWidth];
-  good = good & (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (outweighs<K, I>(rows, pivot) & ...);
-  sign = pivot < 0.0 ? -sign : sign;
-  const double inverse = 1.0 / pivot;
-  rows.d[K].part[K / kWidth][K % kWidth] = 1.0;
-  rows.d[K].scale(inverse);
-  rows.u[K].scale(inverse);
-  (take_out<K, I>(rows), ...);
+  constexpr int kPart = K / kWidth, kLane = K % kWidth;
+  Row& row = rows.d[K];
+  const double pivot = row.part[kPart][kLane];
+  row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{} + 1.0);
+  row.scale(1.0 / pivot);
+  double largest = 0.0;
+  (take_out<K, I>(rows, largest), ...);
+  const bool keeps =
+      (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (kPivotShare * largest <= magnitude(pivot));
+  rows.good = rows.good & keeps;
+  rows.negative = rows.negative != (pivot < 0.0);
 }
 
 template <int... K>
-inline __attribute__((always_inline)) int eliminate_rows(BlockRows& rows, const double* at_first,
-                                                         std::integer_sequence<int, K...> all) {
-  int sign = 1;
-  bool good = true;
-  (eliminate_row<K>(rows, at_first, sign, good, all), ...);
-  return good ? sign : 0;
+inline __attribute__((always_inline)) void eliminate_rows(BlockRows& rows, const double* at_first,
+                                                          std::integer_sequence<int, K...> all) {
+  (eliminate_row<K>(rows, at_first, all), ...);
 }
 
 /// What `eliminate` does, without exchanging rows: most blocks need none, and then nothing has to wait for memory.
 /// Returns 0 and leaves everything as it was where some row should be exchanged.
-inline int eliminate_in_place(Row* d, Row* u) {
+inline int eliminate_in_place(Row* d) {
   BlockRows rows;
   double at_first[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
     rows.d[i] = d[i];
-    rows.u[i] = u[i];
     at_first[i] = d[i][i];
   }
-  const int sign = eliminate_rows(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
-  if (sign != 0) {
-    for (int i = 0; i < kNodeDofs; ++i) {
-      d[i] = rows.d[i];
-      u[i] = rows.u[i];
-    }
+  eliminate_rows(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
+  if (!rows.good) {
+    return 0;
   }
-  return sign;
+  for (int i = 0; i < kNodeDofs; ++i) {
+    d[i] = rows.d[i];
+  }
+  return rows.negative ? -1 : 1;
 }
 
-/// Gauss-Jordan on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse, which serves
-/// further right-hand sides. Returns the sign of the determinant, 0 when singular.
-int eliminate(Row* d, Row* u) {
+/// Gauss-Jordan on [D | b c]: b and c become D^-1 b, D^-1 c, and D its inverse, which serves further right-hand sides.
+/// Returns the sign of the determinant, 0 when singular.
+__attribute__((noinline)) int eliminate(Row* d) {
   double largest = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
     for (int j = 0; j < kNodeDofs; ++j) {
@@ -124,25 +158,20 @@ int eliminate(Row* d, Row* u) {
     }
     swapped_with[k] = pivot;
     if (pivot != k) {
-      const Row d_row = d[k];
-      const Row u_row = u[k];
+      const Row row = d[k];
       d[k] = d[pivot];
-      u[k] = u[pivot];
-      d[pivot] = d_row;
-      u[pivot] = u_row;
+      d[pivot] = row;
       sign = -sign;
     }
     sign = d[k][k] < 0.0 ? -sign : sign;
     const double inverse = 1.0 / d[k][k];
     d[k][k] = 1.0;
     d[k].scale(inverse);
-    u[k].scale(inverse);
     for (int i = 0; i < kNodeDofs; ++i) {
       if (i != k) {
         const double factor = d[i][k];
         d[i][k] = 0.0;
         d[i].subtract(factor, d[k]);
-        u[i].subtract(factor, u[k]);
       }
     }
   }
@@ -158,43 +187,158 @@ int eliminate(Row* d, Row* u) {
   return sign;
 }
 
-/// [D | b c] of the next node loses L times [X | x y] of this one.
-inline void update_next(Row* d_next, const double* lower, const Row* d, Row* u) {
-  for (int k = 0; k < kNodeDofs; ++k) {
-    u[k][6] = d[k][6];
-    u[k][7] = d[k][7];
-  }
+/// The inverse of a node's block; the sign of its determinant, 0 when singular.
+inline int invert(Row* d) {
+  const int sign = eliminate_in_place(d);
+  return sign != 0 ? sign : eliminate(d);
+}
+
+/// The columns that the next node is coupled by, with the right-hand sides beside them.
+inline Row with_sides(const Row& u, const Row& d) {
+  Row row = u;
+#if OVERBEND_ISA_WIDTH == 8
+  row.part[0] = __builtin_shufflevector(u.part[0], d.part[0], 0, 1, 2, 3, 4, 5, 14, 15);
+#elif OVERBEND_ISA_WIDTH == 4
+  row.part[1] = __builtin_shufflevector(u.part[1], d.part[1], 0, 1, 6, 7);
+#else
+  row.part[3] = d.part[3];
+#endif
+  return row;
+}
+
+/// [D | b c] of the node that is next loses `back` times [X | x y] of this one: `x` has both, see with_sides().
+inline __attribute__((always_inline)) void update(Row* d_next, const double* back, const Row (&x)[kNodeDofs]) {
   for (int i = 0; i < kNodeDofs; ++i) {
     Row row = d_next[i];
     for (int k = 0; k < kNodeDofs; ++k) {
-      row.subtract(lower[i * kLanes + k], u[k]);
+      row.subtract(back[i * kLanes + k], x[k]);
     }
     d_next[i] = row;
   }
 }
 
-inline void substitute_back(Row* d, const Row* u, const Row* d_next) {
+/// After a node's block D is inverted: its coupling U with the node that is next becomes X = D^-1 U, and the next node
+/// is updated.
+inline __attribute__((always_inline)) void pass_on(const Row* d, Row* u, const double* back, Row* d_next) {
+  Row x[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
-    double x = d[i][6];
-    double y = d[i][7];
-    for (int k = 0; k < kNodeDofs; ++k) {
-      x -= u[i][k] * d_next[k][6];
-      y -= u[i][k] * d_next[k][7];
+    x[i] = u[0];
+    x[i].scale(d[i][0]);
+  }
+  for (int k = 1; k < kNodeDofs; ++k) {
+    const Row row = u[k];
+    for (int i = 0; i < kNodeDofs; ++i) {
+      x[i].subtract(-d[i][k], row);
     }
-    d[i][6] = x;
-    d[i][7] = y;
+  }
+  for (int i = 0; i < kNodeDofs; ++i) {
+    u[i] = x[i];
+    x[i] = with_sides(x[i], d[i]);
+  }
+  update(d_next, back, x);
+}
+
+/// Both right-hand sides of a row.
+using Sides = double __attribute__((vector_size(16), may_alias));
+
+inline Sides& sides(Row& row) {
+  return reinterpret_cast<Sides*>(row.part)[kNodeDofs / 2];
+}
+
+inline void substitute_back(Row* d, const Row* u, Row* d_next) {
+  for (int i = 0; i < kNodeDofs; ++i) {
+    Sides x = sides(d[i]);
+    for (int k = 0; k < kNodeDofs; ++k) {
+      x -= u[i][k] * sides(d_next[k]);
+    }
+    sides(d[i]) = x;
   }
 }
 
-/// y = A x for the first six columns.
-inline void multiply(const double* a, const double* x, double* y) {
-  for (int i = 0; i < kNodeDofs; ++i) {
-    double sum = a[i * kLanes] * x[0];
-    for (int k = 1; k < kNodeDofs; ++k) {
-      sum += a[i * kLanes + k] * x[k];
-    }
-    y[i] = sum;
+/// Six numbers of a node in the lanes of a row, the last two zero.
+struct NodeVector {
+  Lanes part[kParts];
+};
+
+inline NodeVector load_node(const double* x) {
+  NodeVector v;
+#if OVERBEND_ISA_WIDTH == 8
+  v.part[0] = _mm512_maskz_loadu_pd((1 << kNodeDofs) - 1, x);
+#elif OVERBEND_ISA_WIDTH == 4
+  v.part[0] = *reinterpret_cast<const LooseLanes*>(x);
+  v.part[1] = Lanes{x[4], x[5], 0.0, 0.0};
+#else
+  for (int i = 0; i < 3; ++i) {
+    v.part[i] = Lanes{x[2 * i], x[2 * i + 1]};
   }
+  v.part[3] = Lanes{};
+#endif
+  return v;
+}
+
+inline void store_node(double* x, const NodeVector& v) {
+#if OVERBEND_ISA_WIDTH == 8
+  _mm512_mask_storeu_pd(x, (1 << kNodeDofs) - 1, v.part[0]);
+#elif OVERBEND_ISA_WIDTH == 4
+  *reinterpret_cast<LooseLanes*>(x) = v.part[0];
+  x[4] = v.part[1][0];
+  x[5] = v.part[1][1];
+#else
+  for (int i = 0; i < 3; ++i) {
+    x[2 * i] = v.part[i][0];
+    x[2 * i + 1] = v.part[i][1];
+  }
+#endif
+}
+
+inline NodeVector operator-(const NodeVector& a, const NodeVector& b) {
+  NodeVector v;
+  for (int i = 0; i < kParts; ++i) {
+    v.part[i] = a.part[i] - b.part[i];
+  }
+  return v;
+}
+
+/// Sums of neighbouring lanes of two registers, by turns.
+template <int... L>
+inline Lanes pairwise(const Lanes& a, const Lanes& b, std::integer_sequence<int, L...> /*all*/) {
+  return __builtin_shufflevector(a, b, (L % 2 == 0 ? L : kWidth + L - 1)...) +
+         __builtin_shufflevector(a, b, (L % 2 == 0 ? L + 1 : kWidth + L)...);
+}
+
+inline Lanes pairwise(const Lanes& a, const Lanes& b) {
+  return pairwise(a, b, std::make_integer_sequence<int, kWidth>());
+}
+
+/// A x for the first six columns of a block.
+inline NodeVector product(const double* a, const NodeVector& x) {
+  const Row* row = reinterpret_cast<const Row*>(a);
+  Lanes sum[kNodeDofs];
+  for (int i = 0; i < kNodeDofs; ++i) {
+    sum[i] = row[i].part[0] * x.part[0];
+    for (int p = 1; p * kWidth < kNodeDofs; ++p) {
+      sum[i] += row[i].part[p] * x.part[p];
+    }
+  }
+  NodeVector y;
+  const Lanes y01 = pairwise(sum[0], sum[1]), y23 = pairwise(sum[2], sum[3]), y45 = pairwise(sum[4], sum[5]);
+#if OVERBEND_ISA_WIDTH == 8
+  const Lanes y0123 = __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13) +
+                      __builtin_shufflevector(y01, y23, 2, 3, 10, 11, 6, 7, 14, 15);
+  const Lanes last = __builtin_shufflevector(y45, Lanes{}, 0, 1, 8, 9, 4, 5, 12, 13) +
+                     __builtin_shufflevector(y45, Lanes{}, 2, 3, 10, 11, 6, 7, 14, 15);
+  y.part[0] = __builtin_shufflevector(y0123, last, 0, 1, 2, 3, 8, 9, 10, 11) +
+              __builtin_shufflevector(y0123, last, 4, 5, 6, 7, 12, 13, 14, 15);
+#elif OVERBEND_ISA_WIDTH == 4
+  y.part[0] = __builtin_shufflevector(y01, y23, 0, 1, 6, 7) + __builtin_shufflevector(y01, y23, 2, 3, 4, 5);
+  y.part[1] = __builtin_shufflevector(y45, Lanes{}, 0, 1, 4, 5) + __builtin_shufflevector(y45, Lanes{}, 2, 3, 6, 7);
+#else
+  y.part[0] = y01;
+  y.part[1] = y23;
+  y.part[2] = y45;
+  y.part[3] = Lanes{};
+#endif
+  return y;
 }
 
 inline Row* rows(double* blocks, int node) {
@@ -205,24 +349,49 @@ inline Row* rows(double* blocks, int node) {
 
 BlockSolveReport factor_blocks(const BlockView& system, int first) {
   BlockSolveReport report;
-  const int n = system.nodes;
-  if (first > 0) {
-    update_next(rows(system.diag, first), system.lower + (first - 1) * kBlockSize, rows(system.diag, first - 1),
-                rows(system.upper, first - 1));
-  }
-  for (int i = first; i < n; ++i) {
-    Row* d = rows(system.diag, i);
-    Row* u = rows(system.upper, i);
-    int sign = eliminate_in_place(d, u);
-    sign = sign != 0 ? sign : eliminate(d, u);
-    if (sign == 0) {
-      report.singular_node = i;
-      return report;
+  const int n = system.nodes, middle = n / 2;
+  const auto diag = [&](int i) { return rows(system.diag, i); };
+  const auto upper = [&](int i) { return rows(system.upper, i); };
+  const auto lower = [&](int i) { return rows(system.lower, i); };
+  const auto invert_node = [&](int node) {
+    const int sign = invert(diag(node));
+    if (sign == 0 && report.solved()) {
+      report.singular_node = node;
     }
     report.negative_blocks += sign < 0 ? 1 : 0;
-    if (i + 1 < n) {
-      update_next(rows(system.diag, i + 1), system.lower + i * kBlockSize, d, u);
+  };
+  const auto pass_up = [&](int i) { pass_on(diag(i), upper(i), system.lower + i * kBlockSize, diag(i + 1)); };
+  const auto pass_down = [&](int j) {
+    pass_on(diag(j), lower(j - 1), system.upper + (j - 1) * kBlockSize, diag(j - 1));
+  };
+  int i = first < middle ? first : middle, j = n - 1;
+  if (i > 0) {
+    Row x[kNodeDofs];
+    for (int k = 0; k < kNodeDofs; ++k) {
+      x[k] = with_sides(upper(i - 1)[k], diag(i - 1)[k]);
     }
+    update(diag(i), system.lower + (i - 1) * kBlockSize, x);
+  }
+  // An inverse waits for its own numbers again and again: meanwhile the other side passes on what it has.
+  bool waiting = false;
+  for (; i < middle && j > middle && report.solved(); ++i, --j) {
+    invert_node(i);
+    if (waiting) pass_down(j + 1);
+    invert_node(j);
+    pass_up(i);
+    waiting = true;
+  }
+  if (waiting) pass_down(j + 1);
+  for (; i < middle && report.solved(); ++i) {
+    invert_node(i);
+    pass_up(i);
+  }
+  for (; j > middle && report.solved(); --j) {
+    invert_node(j);
+    pass_down(j);
+  }
+  if (report.solved()) {
+    invert_node(middle);
   }
   return report;
 }
@@ -232,35 +401,66 @@ BlockSolveReport solve_blocks(const BlockView& system) {
   if (!report.solved()) {
     return report;
   }
-  for (int i = system.nodes - 2; i >= 0; --i) {
-    substitute_back(rows(system.diag, i), rows(system.upper, i), rows(system.diag, i + 1));
+  const int n = system.nodes, middle = n / 2;
+  int i = middle - 1, j = middle + 1;
+  const auto back_down = [&](int k) {
+    substitute_back(rows(system.diag, k), rows(system.upper, k), rows(system.diag, k + 1));
+  };
+  const auto back_up = [&](int k) {
+    substitute_back(rows(system.diag, k), rows(system.lower, k - 1), rows(system.diag, k - 1));
+  };
+  for (; i >= 0 && j < n; --i, ++j) {
+    back_down(i);
+    back_up(j);
   }
+  for (; i >= 0; --i) back_down(i);
+  for (; j < n; ++j) back_up(j);
   return report;
 }
 
 void resolve_blocks(const BlockView& system, double* x) {
-  const int n = system.nodes;
-  double product[kNodeDofs];
-  for (int i = 0; i < n; ++i) {
-    double* at = x + i * kNodeDofs;
-    if (i > 0) {
-      multiply(system.lower + (i - 1) * kBlockSize, at - kNodeDofs, product);
-      for (int k = 0; k < kNodeDofs; ++k) {
-        at[k] -= product[k];
-      }
-    }
-    multiply(system.diag + i * kBlockSize, at, product);
-    for (int k = 0; k < kNodeDofs; ++k) {
-      at[k] = product[k];
-    }
+  const int n = system.nodes, middle = n / 2;
+  const auto diag = [&](int i) { return system.diag + i * kBlockSize; };
+  const auto upper = [&](int i) { return system.upper + i * kBlockSize; };
+  const auto lower = [&](int i) { return system.lower + i * kBlockSize; };
+  const auto at = [&](int i) { return x + i * kNodeDofs; };
+  NodeVector below{}, above{};  // of the nodes solved last on either side
+  const auto from_below = [&](int i) {
+    const NodeVector b = load_node(at(i));
+    below = product(diag(i), i > 0 ? b - product(lower(i - 1), below) : b);
+    store_node(at(i), below);
+  };
+  const auto from_above = [&](int j) {
+    const NodeVector b = load_node(at(j));
+    above = product(diag(j), j + 1 < n ? b - product(upper(j), above) : b);
+    store_node(at(j), above);
+  };
+  int i = 0, j = n - 1;
+  for (; i < middle && j > middle; ++i, --j) {
+    from_below(i);
+    from_above(j);
   }
-  for (int i = n - 2; i >= 0; --i) {
-    double* at = x + i * kNodeDofs;
-    multiply(system.upper + i * kBlockSize, at + kNodeDofs, product);
-    for (int k = 0; k < kNodeDofs; ++k) {
-      at[k] -= product[k];
-    }
+  for (; i < middle; ++i) from_below(i);
+  for (; j > middle; --j) from_above(j);
+  NodeVector rest = load_node(at(middle));
+  if (middle > 0) rest = rest - product(lower(middle - 1), below);
+  if (middle + 1 < n) rest = rest - product(upper(middle), above);
+  below = above = product(diag(middle), rest);
+  store_node(at(middle), below);
+  const auto back_down = [&](int k) {
+    below = load_node(at(k)) - product(upper(k), below);
+    store_node(at(k), below);
+  };
+  const auto back_up = [&](int k) {
+    above = load_node(at(k)) - product(lower(k - 1), above);
+    store_node(at(k), above);
+  };
+  for (i = middle - 1, j = middle + 1; i >= 0 && j < n; --i, ++j) {
+    back_down(i);
+    back_up(j);
   }
+  for (; i >= 0; --i) back_down(i);
+  for (; j < n; ++j) back_up(j);
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

@@ -74,7 +74,7 @@ class BorderedSystem {
 
   /// Factors everything. The blocks are overwritten, as `solve` of a line does; borders and corner stay.
   BorderedReport factor();
-  /// Factors a line from node `first` on, where blocks have been put in afresh, and solves its border's columns.
+  /// Factors a line from node `first` on, see `refactor`, and solves its border's columns.
   /// `close` must follow. Lines may be factored at the same time by several threads.
   BlockSolveReport factor_line(int line, int first = 0);
   /// Solves the columns of a line's border anew; its factors stand. `close` must follow.

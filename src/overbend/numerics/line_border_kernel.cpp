@@ -56,28 +56,54 @@ inline const double* panel_at(const SparsePanelView& panel, int node) {
   return slot < 0 ? nullptr : panel.values + slot * kNodeDofs * panel.stride;
 }
 
-/// Solves for the columns from `column` on, as many as a register holds.
+/// Solves for the columns from `column` on, as many as a register holds: from both ends to the middle and back, as
+/// block_tridiagonal_kernel.cpp does.
 void solve_columns(const BlockView& factored, const SparsePanelView& b, int column, double* x) {
-  const int size = kNodeDofs * b.stride;
-  const int n = factored.nodes;
-  Columns at = {};
-  for (int i = 0; i < b.first && i < n; ++i) {  // nothing reaches the nodes before the first that has rows
-    store(at, x + i * size + column, b.stride);
-  }
-  for (int i = b.first; i < n; ++i) {
-    const double* rhs = panel_at(b, i);
-    Columns now = rhs != nullptr ? load(rhs + column, b.stride) : Columns{};
-    if (i > b.first) {
-      subtract_product(factored.lower + (i - 1) * kBlockSize, at, now);
+  const int n = factored.nodes, middle = n / 2;
+  const auto at = [&](int node) { return x + node * kNodeDofs * b.stride + column; };
+  const auto side = [&](int node) {
+    const double* rhs = panel_at(b, node);
+    return rhs != nullptr ? load(rhs + column, b.stride) : Columns{};
+  };
+  const auto take_lower = [&](int node, const Columns& below, Columns& now) {
+    subtract_product(factored.lower + (node - 1) * kBlockSize, below, now);
+  };
+  const auto take_upper = [&](int node, const Columns& above, Columns& now) {
+    subtract_product(factored.upper + node * kBlockSize, above, now);
+  };
+  Columns below{}, above{};  // zero until a node has rows
+  for (int i = 0; i < middle; ++i) {
+    if (i >= b.first) {
+      Columns now = side(i);
+      if (i > b.first) take_lower(i, below, now);
+      below = product(factored.diag + i * kBlockSize, now);
     }
-    at = product(factored.diag + i * kBlockSize, now);
-    store(at, x + i * size + column, b.stride);
+    store(below, at(i), b.stride);
   }
-  for (int i = n - 2; i >= 0; --i) {
-    Columns now = load(x + i * size + column, b.stride);
-    subtract_product(factored.upper + i * kBlockSize, at, now);
-    at = now;
-    store(at, x + i * size + column, b.stride);
+  for (int j = n - 1; j > middle; --j) {
+    if (j <= b.last) {
+      Columns now = side(j);
+      if (j < b.last) take_upper(j, above, now);
+      above = product(factored.diag + j * kBlockSize, now);
+    }
+    store(above, at(j), b.stride);
+  }
+  Columns now = side(middle);
+  if (middle > b.first) take_lower(middle, below, now);
+  if (middle < b.last) take_upper(middle, above, now);
+  below = above = product(factored.diag + middle * kBlockSize, now);
+  store(below, at(middle), b.stride);
+  for (int i = middle - 1; i >= 0; --i) {
+    now = load(at(i), b.stride);
+    take_upper(i, below, now);
+    below = now;
+    store(below, at(i), b.stride);
+  }
+  for (int j = middle + 1; j < n; ++j) {
+    now = load(at(j), b.stride);
+    take_lower(j, above, now);
+    above = now;
+    store(above, at(j), b.stride);
   }
 }
 

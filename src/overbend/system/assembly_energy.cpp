@@ -1,8 +1,6 @@
 // Energies and powers of what an assembly adds up.
 #include "system/assembly.h"
 
-#include "base/simd.h"
-
 namespace overbend {
 namespace {
 
@@ -59,7 +57,7 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     const LineAssembly& line = lines_[i];
     const LineState& at = state.lines[i];
     const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
-    add(now.line, line_energy(line.elements(), line.environment(), {at.q.data(), nullptr}, motion, best_isa()));
+    add(now.line, line.energy(at, surroundings_.water[i]));
     add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
     if (line.line().yielding.any) {
       now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);

@@ -62,8 +62,13 @@ double LineAssembly::energy_by_length(const LineShape& shape, const LineMotion& 
   return (more - less) / (2.0 * part);
 }
 
-LineTarget LineAssembly::clear(bool with_tangent) {
-  std::fill(residual_.begin(), residual_.end(), 0.0);
+LineEnergy LineAssembly::energy(const LineState& state, const std::vector<double>& water) const {
+  if (energy_) return *energy_;
+  const LineMotion motion = motion_of(state, state, {}, water, nullptr);
+  return line_energy(elements(), environment_, {state.q.data(), nullptr}, motion, best_isa());
+}
+
+LineTarget LineAssembly::target(bool with_tangent) {
   if (!with_tangent) {
     return {residual_.data(), nullptr, nullptr, nullptr, cuts_.data()};
   }
@@ -77,7 +82,7 @@ void LineAssembly::keep_ends() {
 
 void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                                     bool with_tangent, bool keep_memory) {
-  const LineTarget target = clear(with_tangent);
+  const LineTarget target = this->target(with_tangent);
   add_line_forces(elements(), environment_, state.shape(), target, best_isa());
   if (yielding_.any && easing_.yielding > 0.0) {
     choose_levels(yielding_, state.q.data());
@@ -111,7 +116,10 @@ LineMotion LineAssembly::motion_of(const LineState& state, const LineState& befo
 
 void LineAssembly::evaluate(LineState& state, const LineState& before, const Weights& weights,
                             const std::vector<double>& water, bool with_tangent, ContactMode contacts) {
-  const LineTarget target = clear(with_tangent);
+  LineTarget target = this->target(with_tangent);
+  // The last evaluation of a step is wanted with its energies: hardly ever the first, or one with a tangent.
+  energy_.reset();
+  if (!with_tangent && contacts == ContactMode::free) target.energy = &energy_.emplace();
   const LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
   add_line_forces(elements(), environment_, {state.q.data(), nullptr}, motion, target, best_isa());
   if (yielding_.any) {
@@ -128,8 +136,9 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
     if (without_contacts_.nodes() == 0) {  // at rest there is no need for it
       without_contacts_.resize(line_->mesh.nodes());
     }
-    kept_from_ = contacts_.first_within_reach(line_->mesh.nodes());
-    without_contacts_.copy_from(*tangent_, kept_from_);
+    const int nodes = line_->mesh.nodes(), first = contacts_.first_within_reach(nodes);
+    kept_from_ = first < nodes ? std::min(first, tangent_->middle()) : nodes;
+    if (first < nodes) without_contacts_.copy_from(*tangent_, kept_from_);
     contacts_.add_tangent(state.q.data(), weights, *tangent_);
   }
 }

@@ -44,6 +44,8 @@ class LineAssembly {
   /// How the energy of the line grows with that length while its unknowns stand [N]: minus the tension, but for what
   /// the new length brings with it.
   double energy_by_length(const LineShape& shape, const LineMotion& motion) const;
+  /// Of the elements, at the state evaluated last: often made with its forces.
+  LineEnergy energy(const LineState& state, const std::vector<double>& water) const;
 
   /// Six per node: internal minus external forces, inertia included.
   const std::vector<double>& residual() const { return residual_; }
@@ -89,7 +91,7 @@ class LineAssembly {
                        const std::vector<double>& water, double* next_slip) const;
 
  private:
-  LineTarget clear(bool with_tangent);
+  LineTarget target(bool with_tangent);
   void keep_ends();
 
   const Line* line_;
@@ -103,6 +105,7 @@ class LineAssembly {
   std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
   std::vector<double> residual_, cuts_;
   std::array<double, 6> first_{}, last_{};
+  std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.
   BlockTridiagonal* tangent_;
   BlockTridiagonal without_contacts_;  ///< From node `kept_from_` on, in motion.
   int kept_from_ = 0;
