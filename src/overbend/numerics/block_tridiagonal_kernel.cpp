@@ -364,35 +364,31 @@ BlockSolveReport factor_blocks(const BlockView& system, int first) {
   const auto pass_down = [&](int j) {
     pass_on(diag(j), lower(j - 1), system.upper + (j - 1) * kBlockSize, diag(j - 1));
   };
-  int i = first < middle ? first : middle, j = n - 1;
-  if (i > 0) {
+  const auto pass_up_again = [&](int i) {  // what passed on before
     Row x[kNodeDofs];
     for (int k = 0; k < kNodeDofs; ++k) {
-      x[k] = with_sides(upper(i - 1)[k], diag(i - 1)[k]);
+      x[k] = with_sides(upper(i)[k], diag(i)[k]);
     }
-    update(diag(i), system.lower + (i - 1) * kBlockSize, x);
+    update(diag(i + 1), system.lower + i * kBlockSize, x);
+  };
+  int i = first < middle ? first : middle, j = n - 1;
+  if (i > 0) pass_up_again(i - 1);
+  // An inverse waits for its own numbers again and again: meanwhile the other side passes on what it has. What the
+  // middle takes comes last, so that its sum has one order wherever this begins.
+  for (int waiting = n; i < middle || j > middle; ++i, --j) {
+    if (i < middle) invert_node(i);
+    if (waiting < n) pass_down(waiting);
+    waiting = n;
+    if (j > middle) {
+      invert_node(j);
+      waiting = j > middle + 1 ? j : n;
+    }
+    if (i < middle - 1) pass_up(i);
+    if (!report.solved()) return report;
   }
-  // An inverse waits for its own numbers again and again: meanwhile the other side passes on what it has.
-  bool waiting = false;
-  for (; i < middle && j > middle && report.solved(); ++i, --j) {
-    invert_node(i);
-    if (waiting) pass_down(j + 1);
-    invert_node(j);
-    pass_up(i);
-    waiting = true;
-  }
-  if (waiting) pass_down(j + 1);
-  for (; i < middle && report.solved(); ++i) {
-    invert_node(i);
-    pass_up(i);
-  }
-  for (; j > middle && report.solved(); --j) {
-    invert_node(j);
-    pass_down(j);
-  }
-  if (report.solved()) {
-    invert_node(middle);
-  }
+  if (middle > 0 && first < middle) pass_up(middle - 1);
+  if (middle + 1 < n) pass_down(middle + 1);
+  invert_node(middle);
   return report;
 }
 
