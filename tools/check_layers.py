@@ -47,7 +47,7 @@ LIBRARIES = [
     ("Eigen/", EVERYTHING),
     ("unsupported/Eigen/", {"numerics"}),
     ("fmt/", EVERYTHING),
-    ("immintrin.h", {"mechanics"}),
+    ("immintrin.h", {"mechanics", "numerics"}),
     ("yaml-cpp/", {"base", "modelfile", "seafiles"}),
     ("hdf5", {"resultfiles", "seafiles"}),
     ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve", "python"}),

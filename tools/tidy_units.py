@@ -16,6 +16,7 @@ import sys
 from units import units
 
 LARGEST_UNIT = 32
+ONLY_OF_GCC = r" -mmemset-strategy=\S+"
 
 
 def sources(commands, expressions):
@@ -45,6 +46,7 @@ def groups(chosen):
 def unit_command(paths, chosen, directory):
     """The command for a file that includes `paths`, which it writes; for one source the command it has."""
     command = dict(chosen[paths[0]])
+    command["command"] = re.sub(ONLY_OF_GCC, "", command["command"])
     if len(paths) > 1:
         unit = directory / f"{paths[0].parent.name}_{paths[0].stem}_and_{len(paths) - 1}_more.cpp"
         lines = [f'#include "{path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths]

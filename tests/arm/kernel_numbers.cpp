@@ -87,7 +87,7 @@ class Arrays {
 
 struct Blocks {
   Batch diag{kNodes * kBlockSize}, upper{kNodes * kBlockSize}, lower{kNodes * kBlockSize};
-  BlockView view() const { return {kNodes, diag.data(), upper.data(), lower.data()}; }
+  BlockView view() const { return {kNodes, kNodes / 2, diag.data(), upper.data(), lower.data()}; }
   void print(const char* name) const {
     diag.print(name);
     upper.print(name);

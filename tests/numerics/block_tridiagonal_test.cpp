@@ -107,6 +107,48 @@ TEST_P(block_tridiagonal_of_any_kind, factors_anew_from_the_node_where_blocks_ha
   }
 }
 
+/// A cantilever of n elements of unit length and bending stiffness that hardly stretch, sloping in the plane of the
+/// first two freedoms, its slopes in the third; a unit force across its tip.
+BlockTridiagonal stiff_cantilever(int n, double EA, const Eigen::Vector2d& across) {
+  BlockTridiagonal system(n + 1);
+  Eigen::Matrix<double, 6, 6> beam = Eigen::Matrix<double, 6, 6>::Zero();  // along, across, slope of either node
+  beam << EA, 0, 0, -EA, 0, 0,                                             //
+      0, 12, 6, 0, -12, 6,                                                 //
+      0, 6, 4, 0, -6, 2,                                                   //
+      -EA, 0, 0, EA, 0, 0,                                                 //
+      0, -12, -6, 0, 12, -6,                                               //
+      0, 6, 2, 0, -6, 4;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() << across.y(), -across.x(), across.x(), across.y();
+  Eigen::Matrix<double, 12, 12> element = Eigen::Matrix<double, 12, 12>::Identity();
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      element.block<3, 3>(6 * i, 6 * j) = turn.transpose() * beam.block<3, 3>(3 * i, 3 * j) * turn;
+    }
+  }
+  for (int e = 0; e < n; ++e) add_element(system, e, element);
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      system.diag(0)[i * kRowWidth + j] = i == j ? 1.0 : 0.0;
+      system.upper(0)[i * kRowWidth + j] = 0.0;
+    }
+  }
+  for (int i = 0; i < 2; ++i) system.rhs(n, i, 0) = across(i);
+  return system;
+}
+
+TEST(block_tridiagonal, keeps_the_digits_of_bending_where_a_line_hardly_stretches) {
+  constexpr int kElements = 30;
+  constexpr double kExact = kElements * kElements * kElements / 3.0;
+  const Eigen::Vector2d across(0.6, 0.8);
+  for (const Isa isa : available_isas()) {
+    BlockTridiagonal system = stiff_cantilever(kElements, 1e9, across);
+    ASSERT_TRUE(solve_on(system, isa).solved());
+    const Eigen::Vector2d tip(system.rhs(kElements, 0, 0), system.rhs(kElements, 1, 0));
+    EXPECT_NEAR(tip.dot(across), kExact, 1e-4 * kExact);
+  }
+}
+
 TEST(block_tridiagonal, names_the_singular_node) {
   DenseTwin twin = random_system(10, 3);
   for (int j = 0; j < kRowWidth; ++j) {  // node 6 loses an equation

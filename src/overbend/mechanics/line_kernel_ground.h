@@ -55,7 +55,7 @@ inline void put_shape_under(BedUnder& under, int l, const LineEnvironment& env, 
 }
 
 /// Points that no place of a shape reaches, given the pipe's radius, get a clearance that says so.
-__attribute__((noinline)) BedUnder shape_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
+inline __attribute__((noinline)) BedUnder shape_under(const LineEnvironment& env, const Vec& r, const Lanes& radius) {
   BedUnder under{{Lanes{}, Lanes{}, all(1.0)}, r.z - env.bed_highest, {Lanes{}, Lanes{}, all(1.0)}, LevelColumns{}};
   if (!any(radius - under.clearance)) {
     return under;
@@ -90,8 +90,8 @@ struct SoilForce {
   Lanes force, slope, energy;
 };
 
-__attribute__((noinline)) SoilForce soil_force(const LineEnvironment& env, const Lanes& touching,
-                                               const Lanes& penetration) {
+inline __attribute__((noinline)) SoilForce soil_force(const LineEnvironment& env, const Lanes& touching,
+                                                      const Lanes& penetration) {
   const Lanes x = touching * penetration;
   const double k = env.bed_stiffness, bearing = env.bed_bearing;
   SoilForce soil;
@@ -135,7 +135,7 @@ struct RouteBeside {
 };
 
 /// Of a route with arcs: the piece is the last whose beginning the point has passed.
-__attribute__((noinline)) RouteBeside beside_bent_route(const LineEnvironment& env, const Vec& r) {
+inline __attribute__((noinline)) RouteBeside beside_bent_route(const LineEnvironment& env, const Vec& r) {
   RouteBeside at{{Lanes{}, Lanes{}, Lanes{}}, Lanes{}, Lanes{}};
   for (int l = 0; l < kWidth; ++l) {
     const RoutePiece* piece = env.route;

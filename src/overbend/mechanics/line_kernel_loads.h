@@ -14,7 +14,7 @@ struct Wetting {
 
 /// Of points some of which the surface cuts. What looks at lanes one by one has a call of its own: it would keep all
 /// that it touches out of registers.
-__attribute__((noinline)) Wetting wetting_at_surface(const Lanes& z, const Lanes& radius) {
+inline __attribute__((noinline)) Wetting wetting_at_surface(const Lanes& z, const Lanes& radius) {
   Wetting wet{z < 0.0 ? all(1.0) : Lanes{}, Lanes{}};
   const Lanes c = z / radius;
   for (int l = 0; l < kWidth; ++l) {

@@ -28,7 +28,7 @@ void BlockTridiagonal::copy_from(const BlockTridiagonal& other, int first) {
 }
 
 BlockView view_of(BlockTridiagonal& system) {
-  return {system.nodes(), system.diag(0), system.upper(0), system.lower(0)};
+  return {system.nodes(), system.middle(), system.diag(0), system.upper(0), system.lower(0)};
 }
 
 namespace {

@@ -25,7 +25,7 @@ class BlockTridiagonal {
   void resize(int nodes);
   void set_zero();
   int nodes() const { return nodes_; }
-  /// Where the elimination from both ends meets.
+  /// Where the eliminations from both ends meet.
   int middle() const { return nodes_ / 2; }
 
   /// Row-major 6 x 8: columns 0-5 the block, column 6 the first right-hand side, column 7 the second.

@@ -45,9 +45,9 @@ constexpr double kPivotFloor = 1e-14;
 constexpr double kPivotShare = 0.02;
 constexpr double kPivotLoss = 1e-10;
 
-/// A block with its right-hand sides, all in registers.
+/// A block with its right-hand sides and what couples it to the node that is next.
 struct BlockRows {
-  Row d[kNodeDofs];
+  Row d[kNodeDofs], u[kNodeDofs];
   bool negative = false;  ///< The determinant so far.
   bool good = true;
 };
@@ -80,7 +80,7 @@ inline Lanes repeated_lane(const Lanes& v) {
 }
 
 /// Takes out row I by the pivot row K, already scaled; `largest` keeps the largest entry below the pivot.
-template <int K, int I>
+template <bool kCoupled, int K, int I>
 inline __attribute__((always_inline)) void take_out(BlockRows& rows, double& largest) {
   if constexpr (I != K) {
     constexpr int kPart = K / kWidth, kLane = K % kWidth;
@@ -92,54 +92,62 @@ inline __attribute__((always_inline)) void take_out(BlockRows& rows, double& lar
     row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{});
     for (int i = 0; i < kParts; ++i) {
       row.part[i] -= factor * rows.d[K].part[i];
+      if constexpr (kCoupled) rows.u[I].part[i] -= factor * rows.u[K].part[i];
     }
   }
 }
 
-template <int K, int... I>
+template <bool kCoupled, int K, int... I>
 inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const double* at_first,
                                                          std::integer_sequence<int, I...> /*all*/) {
   constexpr int kPart = K / kWidth, kLane = K % kWidth;
   Row& row = rows.d[K];
   const double pivot = row.part[kPart][kLane];
   row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{} + 1.0);
-  row.scale(1.0 / pivot);
+  const double inverse = 1.0 / pivot;
+  row.scale(inverse);
+  if constexpr (kCoupled) rows.u[K].scale(inverse);
   double largest = 0.0;
-  (take_out<K, I>(rows, largest), ...);
+  (take_out<kCoupled, K, I>(rows, largest), ...);
   const bool keeps =
       (magnitude(pivot) > kPivotLoss * magnitude(at_first[K])) & (kPivotShare * largest <= magnitude(pivot));
   rows.good = rows.good & keeps;
   rows.negative = rows.negative != (pivot < 0.0);
 }
 
-template <int... K>
+template <bool kCoupled, int... K>
 inline __attribute__((always_inline)) void eliminate_rows(BlockRows& rows, const double* at_first,
                                                           std::integer_sequence<int, K...> all) {
-  (eliminate_row<K>(rows, at_first, all), ...);
+  (eliminate_row<kCoupled, K>(rows, at_first, all), ...);
 }
 
 /// What `eliminate` does, without exchanging rows: most blocks need none, and then nothing has to wait for memory.
 /// Returns 0 and leaves everything as it was where some row should be exchanged.
-inline int eliminate_in_place(Row* d) {
+template <bool kCoupled>
+inline int eliminate_in_place(Row* d, Row* u) {
   BlockRows rows;
   double at_first[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
     rows.d[i] = d[i];
+    if constexpr (kCoupled) rows.u[i] = u[i];
     at_first[i] = d[i][i];
   }
-  eliminate_rows(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
+  eliminate_rows<kCoupled>(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
   if (!rows.good) {
     return 0;
   }
   for (int i = 0; i < kNodeDofs; ++i) {
     d[i] = rows.d[i];
+    if constexpr (kCoupled) u[i] = rows.u[i];
   }
   return rows.negative ? -1 : 1;
 }
 
-/// Gauss-Jordan on [D | b c]: b and c become D^-1 b, D^-1 c, and D its inverse, which serves further right-hand sides.
-/// Returns the sign of the determinant, 0 when singular.
-__attribute__((noinline)) int eliminate(Row* d) {
+/// Gauss-Jordan on [D | b c] and U together: b, c and U become D^-1 b, D^-1 c, D^-1 U, and D its inverse, which serves
+/// further right-hand sides. U is not multiplied by the inverse: where a line hardly stretches that would lose the
+/// digits which its bending has. Returns the sign of the determinant, 0 when singular.
+template <bool kCoupled>
+__attribute__((noinline)) int eliminate(Row* d, Row* u) {
   double largest = 0.0;
   for (int i = 0; i < kNodeDofs; ++i) {
     for (int j = 0; j < kNodeDofs; ++j) {
@@ -158,20 +166,21 @@ __attribute__((noinline)) int eliminate(Row* d) {
     }
     swapped_with[k] = pivot;
     if (pivot != k) {
-      const Row row = d[k];
-      d[k] = d[pivot];
-      d[pivot] = row;
+      std::swap(d[k], d[pivot]);
+      if constexpr (kCoupled) std::swap(u[k], u[pivot]);
       sign = -sign;
     }
     sign = d[k][k] < 0.0 ? -sign : sign;
     const double inverse = 1.0 / d[k][k];
     d[k][k] = 1.0;
     d[k].scale(inverse);
+    if constexpr (kCoupled) u[k].scale(inverse);
     for (int i = 0; i < kNodeDofs; ++i) {
       if (i != k) {
         const double factor = d[i][k];
         d[i][k] = 0.0;
         d[i].subtract(factor, d[k]);
+        if constexpr (kCoupled) u[i].subtract(factor, u[k]);
       }
     }
   }
@@ -187,10 +196,12 @@ __attribute__((noinline)) int eliminate(Row* d) {
   return sign;
 }
 
-/// The inverse of a node's block; the sign of its determinant, 0 when singular.
-inline int invert(Row* d) {
-  const int sign = eliminate_in_place(d);
-  return sign != 0 ? sign : eliminate(d);
+/// The inverse of a node's block D, its coupling U with the node that is next becomes X = D^-1 U; the sign of the
+/// determinant, 0 when singular.
+template <bool kCoupled>
+inline int invert(Row* d, Row* u) {
+  const int sign = eliminate_in_place<kCoupled>(d, u);
+  return sign != 0 ? sign : eliminate<kCoupled>(d, u);
 }
 
 /// The columns that the next node is coupled by, with the right-hand sides beside them.
@@ -217,23 +228,11 @@ inline __attribute__((always_inline)) void update(Row* d_next, const double* bac
   }
 }
 
-/// After a node's block D is inverted: its coupling U with the node that is next becomes X = D^-1 U, and the next node
-/// is updated.
-inline __attribute__((always_inline)) void pass_on(const Row* d, Row* u, const double* back, Row* d_next) {
+/// Updates the node that is next by what it is coupled with by `back`.
+inline __attribute__((always_inline)) void pass_on(const Row* d, const Row* u, const double* back, Row* d_next) {
   Row x[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
-    x[i] = u[0];
-    x[i].scale(d[i][0]);
-  }
-  for (int k = 1; k < kNodeDofs; ++k) {
-    const Row row = u[k];
-    for (int i = 0; i < kNodeDofs; ++i) {
-      x[i].subtract(-d[i][k], row);
-    }
-  }
-  for (int i = 0; i < kNodeDofs; ++i) {
-    u[i] = x[i];
-    x[i] = with_sides(x[i], d[i]);
+    x[i] = with_sides(u[i], d[i]);
   }
   update(d_next, back, x);
 }
@@ -349,12 +348,11 @@ inline Row* rows(double* blocks, int node) {
 
 BlockSolveReport factor_blocks(const BlockView& system, int first) {
   BlockSolveReport report;
-  const int n = system.nodes, middle = n / 2;
+  const int n = system.nodes, middle = system.middle;
   const auto diag = [&](int i) { return rows(system.diag, i); };
   const auto upper = [&](int i) { return rows(system.upper, i); };
   const auto lower = [&](int i) { return rows(system.lower, i); };
-  const auto invert_node = [&](int node) {
-    const int sign = invert(diag(node));
+  const auto take = [&](int node, int sign) {
     if (sign == 0 && report.solved()) {
       report.singular_node = node;
     }
@@ -364,31 +362,24 @@ BlockSolveReport factor_blocks(const BlockView& system, int first) {
   const auto pass_down = [&](int j) {
     pass_on(diag(j), lower(j - 1), system.upper + (j - 1) * kBlockSize, diag(j - 1));
   };
-  const auto pass_up_again = [&](int i) {  // what passed on before
-    Row x[kNodeDofs];
-    for (int k = 0; k < kNodeDofs; ++k) {
-      x[k] = with_sides(upper(i)[k], diag(i)[k]);
-    }
-    update(diag(i + 1), system.lower + i * kBlockSize, x);
-  };
   int i = first < middle ? first : middle, j = n - 1;
-  if (i > 0) pass_up_again(i - 1);
+  if (i > 0 && i < middle) pass_up(i - 1);
   // An inverse waits for its own numbers again and again: meanwhile the other side passes on what it has. What the
   // middle takes comes last, so that its sum has one order wherever this begins.
   for (int waiting = n; i < middle || j > middle; ++i, --j) {
-    if (i < middle) invert_node(i);
+    if (i < middle) take(i, invert<true>(diag(i), upper(i)));
     if (waiting < n) pass_down(waiting);
     waiting = n;
     if (j > middle) {
-      invert_node(j);
+      take(j, invert<true>(diag(j), lower(j - 1)));
       waiting = j > middle + 1 ? j : n;
     }
     if (i < middle - 1) pass_up(i);
     if (!report.solved()) return report;
   }
-  if (middle > 0 && first < middle) pass_up(middle - 1);
+  if (middle > 0) pass_up(middle - 1);
   if (middle + 1 < n) pass_down(middle + 1);
-  invert_node(middle);
+  take(middle, invert<false>(diag(middle), nullptr));
   return report;
 }
 
@@ -397,7 +388,7 @@ BlockSolveReport solve_blocks(const BlockView& system) {
   if (!report.solved()) {
     return report;
   }
-  const int n = system.nodes, middle = n / 2;
+  const int n = system.nodes, middle = system.middle;
   int i = middle - 1, j = middle + 1;
   const auto back_down = [&](int k) {
     substitute_back(rows(system.diag, k), rows(system.upper, k), rows(system.diag, k + 1));
@@ -415,7 +406,7 @@ BlockSolveReport solve_blocks(const BlockView& system) {
 }
 
 void resolve_blocks(const BlockView& system, double* x) {
-  const int n = system.nodes, middle = n / 2;
+  const int n = system.nodes, middle = system.middle;
   const auto diag = [&](int i) { return system.diag + i * kBlockSize; };
   const auto upper = [&](int i) { return system.upper + i * kBlockSize; };
   const auto lower = [&](int i) { return system.lower + i * kBlockSize; };

@@ -17,6 +17,7 @@ struct BlockSolveReport {
 /// instruction set that the machine may lack.
 struct BlockView {
   int nodes;
+  int middle;  ///< Node where the eliminations from both ends meet.
   double *diag, *upper, *lower;
 };
 

@@ -59,7 +59,7 @@ inline const double* panel_at(const SparsePanelView& panel, int node) {
 /// Solves for the columns from `column` on, as many as a register holds: from both ends to the middle and back, as
 /// block_tridiagonal_kernel.cpp does.
 void solve_columns(const BlockView& factored, const SparsePanelView& b, int column, double* x) {
-  const int n = factored.nodes, middle = n / 2;
+  const int n = factored.nodes, middle = factored.middle;
   const auto at = [&](int node) { return x + node * kNodeDofs * b.stride + column; };
   const auto side = [&](int node) {
     const double* rhs = panel_at(b, node);
