@@ -23,7 +23,7 @@ Description one_row() {
 }
 
 BodyRoller only_roller(const Description& d) {
-  return vessel_rollers(build_model(d), 0.5).at(0);
+  return vessel_rollers(build_model(d)).at(0);
 }
 
 /// Damping for a share of critical damping and the mass of the pipe in air that an impact moves.

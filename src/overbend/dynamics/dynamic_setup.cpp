@@ -72,8 +72,7 @@ System pipe_system(const Model& model, const StaticSolution& solution, double st
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
   const double radius =
       *std::max_element(line.elements.radius.begin(), line.elements.radius.begin() + line.elements.count);
-  const double shortest = *std::min_element(line.mesh.length.begin(), line.mesh.length.end());
-  system.bodies.push_back(vessel_body(model, shortest, radius));
+  system.bodies.push_back(vessel_body(model, radius));
   system.lines.push_back(std::move(line));
   system.attachments = {anchor_of(model, solution), tensioner_of(model, solution, static_tension)};
   system.machine = 1;

@@ -115,7 +115,8 @@ void assume_contact_stiffness(std::vector<std::string>& list, const Model& model
   }
   if (penalty) {
     list.push_back(
-        "Contact with rollers of default_stiffness: penalty has the bending stiffness of a short pipe element, EI/h^3; "
+        "Contact with rollers of default_stiffness: penalty has the bending stiffness of a piece of pipe as long as it "
+        "is thick, EI/D^3; "
         "the largest penetration is reported.");
   }
 }

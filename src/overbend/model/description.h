@@ -157,7 +157,7 @@ enum class RollerDamping {
 /// Stiffness used for a roller that gives none.
 enum class RollerStiffness {
   physical,  ///< Springs in series of pipe shell, coating and roller structure.
-  penalty,   ///< EI/h^3 of the pipe's elements: as good as rigid in statics.
+  penalty,   ///< EI/D^3 of the pipe: as good as rigid in statics.
 };
 
 /// A kind of roller row, used by name in the supports.

@@ -212,7 +212,7 @@ std::vector<Field> rollers() {
        .member = defaults(&RollerKindDescription::default_stiffness),
        .kind = FieldKind::choice,
        .text = "Used if no stiffness is given. physical: pipe shell, coating and roller structure in series; penalty: "
-               "EI/h^3 of the pipe's elements, nearly rigid."},
+               "EI/D^3 of the pipe, nearly rigid."},
       {.path = "rollers.*.structure_stiffness",
        .member = with_default(fills(&RollerKindDescription::structure_stiffness), kRollerStructure),
        .kind = FieldKind::quantity,

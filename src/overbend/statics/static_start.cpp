@@ -273,9 +273,9 @@ LineState sample_shape(const StaticSystem& system, const LayShape& shape) {
 void pin_far_end(const StaticSystem& system, LineState& state) {
   if (cable_at_far_end(system.model().description)) state.q[2] = pinned_height(system.model());
   const LayRoute& route = system.plane().route;
-  if (route.straight() || system.lays_steadily()) return;
-  Eigen::Map<Vec3> far(state.q.data());
-  far -= route.offset(far) * route.port(route.distance(far));
+  Eigen::Map<Vec3> far(state.q.data()), tangent(state.q.data() + 3);
+  if (!route.straight() && !system.lays_steadily()) far -= route.offset(far) * route.port(route.distance(far));
+  if (const auto along = system.held_far_direction(route.distance(far))) tangent = -tangent.norm() * *along;
 }
 
 LineState interpolate(const LineMesh& from, const LineState& state, const LineMesh& to, const LayPlane& plane) {
@@ -301,30 +301,71 @@ LineState interpolate(const LineMesh& from, const LineState& state, const LineMe
   return moved;
 }
 
-void bring_to_ends(const StaticSystem& system, LineState& state) {
+namespace {
+
+Eigen::Isometry3d motion_of(const VesselPose& before, const VesselPose& now) {
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (now.R_WV == before.R_WV && now.p_WV == before.p_WV) return motion;  // to the last bit
+  motion.linear() = now.R_WV * before.R_WV.transpose();
+  motion.translation() = now.p_WV - motion.linear() * before.p_WV;
+  return motion;
+}
+
+/// In plan, from one direction to another.
+Mat3 turn_in_plan(const Vec3& from, const Vec3& to) {
+  const double angle = std::atan2(from.x() * to.y() - from.y() * to.x(), from.head<2>().dot(to.head<2>()));
+  return Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+}
+
+/// How a laid line goes to the route as it is now: turned into its direction, its far end put on it, as far along it as
+/// its top goes, to `top_now`.
+Eigen::Isometry3d motion_of_laid(const StaticSystem& system, const LineState& state, const Vec3& top_now) {
+  const LayPlane& plane = system.plane();
+  const Vec3 far(state.q.data()), tangent(state.q.data() + 3), top(state.q.data() + state.q.size() - 6);
+  const double distance = plane.route.distance(far);
+  Vec3 to = far;
+  if (!system.lays_steadily()) to -= plane.route.offset(far) * plane.route.port(distance);  // else it lies beside it
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  if (cable_at_far_end(system.model().description)) {
+    motion.linear() = turn_in_plan(top - far, top_now - to);
+  } else if (plane.route.straight()) {
+    motion.linear() = turn_in_plan(-tangent, plane.route.direction(distance));
+  }
+  to += plane.astern_W.dot(top_now - to - motion.linear() * (top - far)) * plane.astern_W;
+  motion.translation() = to - motion.linear() * far;
+  return motion;
+}
+
+}  // namespace
+
+void bring_to_ends(const StaticSystem& system, const VesselPose& before, double last_support, LineState& state) {
   const LayPlane& plane = system.plane();
   const LineMesh& mesh = system.mesh();
-  Eigen::Map<Vec3> top(state.q.data() + state.q.size() - 6), tangent(state.q.data() + state.q.size() - 3);
-  const Vec3 miss = plane.tensioner_W - top;
-  const double along = miss.dot(plane.astern_W), across = miss.dot(plane.port_W);
-  // steadily laid, it lies beside the route
-  const double far_across = system.lays_steadily() ? 0.0 : -plane.route.offset(Eigen::Map<const Vec3>(state.q.data()));
-  if (system.held_direction()) {
-    tangent = tangent.norm() * *system.held_direction();
-  }
-  if (miss.isZero(0.0) && far_across == 0.0) {
-    return;
-  }
   const auto touchdown = find_touchdown(system, state);
-  const double landing = touchdown ? touchdown->s : 0.0;
+  const double total = mesh.total_length(), landing = touchdown ? touchdown->s : 0.0;
+  const double hanging = std::max(total - last_support - landing, 1.0);
+  const Vec3 top(state.q.data() + state.q.size() - 6);
+  const Eigen::Isometry3d carried = motion_of(before, system.pose());
+  const Eigen::Isometry3d laid = motion_of_laid(system, state, carried * top);
+  const Vec3 miss = plane.tensioner_W - carried * top;
+  const double along = miss.dot(plane.astern_W), across = miss.dot(plane.port_W);
+  const Vec3 turn = across / total * plane.port_W, lift = miss.z() / (total - landing) * Vec3::UnitZ();
   for (std::size_t node = 0; node < mesh.s.size(); ++node) {
-    const double share = mesh.s[node] / mesh.total_length();
-    const double lifted = std::max(0.0, (mesh.s[node] - landing) / (mesh.total_length() - landing));
-    Eigen::Map<Vec3>(state.q.data() + 6 * node) += along * plane.astern_W +
-                                                   (share * across + (1.0 - share) * far_across) * plane.port_W +
-                                                   lifted * miss.z() * Vec3::UnitZ();
+    Eigen::Map<Vec3> r(state.q.data() + 6 * node), t(state.q.data() + 6 * node + 3);
+    const double s = mesh.s[node], above = std::max(0.0, s - landing);
+    const double share = std::min(above / hanging, 1.0);
+    const Vec3 with_vessel = carried * r, with_route = laid * r;
+    t = share * (carried.linear() * t) + (1.0 - share) * (laid.linear() * t) + turn;
+    if (share > 0.0) t += lift;
+    if (share > 0.0 && share < 1.0) t += (with_vessel - with_route) / hanging;
+    r = share * with_vessel + (1.0 - share) * with_route + along * plane.astern_W + s * turn + above * lift;
   }
-  top = plane.tensioner_W;
+  Eigen::Map<Vec3>(state.q.data() + state.q.size() - 6) = plane.tensioner_W;
+  if (const auto& guide = system.held_direction()) {
+    Eigen::Map<Vec3> tangent(state.q.data() + state.q.size() - 3);
+    tangent = tangent.norm() * *guide;
+  }
+  pin_far_end(system, state);
 }
 
 double support_end(const StaticSystem& system) {

@@ -47,10 +47,9 @@ std::unique_ptr<const StaticSystem::Parts> StaticSystem::parts_of(const Model& m
                                                                   LineMesh mesh, const LayPlane& plane) {
   auto parts = std::make_unique<Parts>();
   parts->line = pipe_line(model, std::move(mesh), plane.route);
-  const std::vector<double>& lengths = parts->line.mesh.length;
   const LineElements& elements = parts->line.elements;
   const double radius = *std::max_element(elements.radius.begin(), elements.radius.begin() + elements.count);
-  parts->bodies.push_back(vessel_body(model, *std::min_element(lengths.begin(), lengths.end()), radius));
+  parts->bodies.push_back(vessel_body(model, radius));
   parts->motions.push_back(resting(pose));
   return parts;
 }
@@ -68,17 +67,21 @@ StaticSystem::StaticSystem(const Model& model, const VesselPose& pose, LineMesh 
   hold_ends(pose);
 }
 
+std::optional<Vec3> StaticSystem::held_far_direction(double distance) const {
+  if (cable_at_far_end(model_->description) || model_->seabed.surface.shape() != nullptr) return std::nullopt;
+  return model_->seabed.surface.along(plane_.route.place(distance), plane_.route.direction(distance));
+}
+
 /// At a distance along the route: across it, and where it lies on the bed in its direction.
 void StaticSystem::hold_far_end(double distance) {
   const Vec3 port = plane_.route.port(distance);
   far_direction_ = model_->seabed.surface.along(plane_.route.place(distance), plane_.route.direction(distance));
   held_far_.position = {{port, Vec3::Zero(), Vec3::Zero()}, 1};
   held_far_.tangent = {};
-  if (model_->seabed.surface.shape() == nullptr) held_far_.tangent = across(far_direction_);
+  if (const auto along = held_far_direction(distance)) held_far_.tangent = across(*along);
   if (cable_at_far_end(model_->description)) {
     far_direction_ = plane_.route.direction(distance);
     held_far_.position = {{port, Vec3::UnitZ(), Vec3::Zero()}, 2};
-    held_far_.tangent = {};
   }
 }
 

@@ -44,6 +44,8 @@ class StaticSystem {
   const std::vector<double>& cuts() const { return assembly_.cuts(); }
   BlockTridiagonal& tangent() { return assembly_.tangent(); }
   Vec3 far_direction() const { return far_direction_; }
+  /// What the line is held along at its far end, at a distance along the route; none where it may turn there.
+  std::optional<Vec3> held_far_direction(double distance) const;
   /// Direction of the pipe in its guide at the tensioner, towards it; none where it may turn.
   const std::optional<Vec3>& held_direction() const { return guide_; }
   double total_weight() const { return line().force_scale; }  ///< In air [N].

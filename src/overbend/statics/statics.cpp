@@ -72,8 +72,7 @@ MeshZones zones_of(const StaticCase& at, const MeshZones& built, const std::opti
 bool solve_from(StaticCase& at, const StaticSolution& start, const LayPlane& plane) {
   const bool same_line = at.system.mesh().s == start.mesh.s;
   at.state = same_line ? start.state : interpolate(start.mesh, start.state, at.system.mesh(), plane);
-  pin_far_end(at.system, at.state);
-  bring_to_ends(at.system, at.state);
+  bring_to_ends(at.system, start.pose, start.zones ? start.zones->last_support : 0.0, at.state);
   const LineState brought = at.state;
   if (follow(at, "from the last solution")) return true;
   if (same_line) return false;

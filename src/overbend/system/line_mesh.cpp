@@ -93,7 +93,8 @@ MeshSizes mesh_sizes(const Model& model, const MeshZones& zones) {
   const double soil = soil_length(model, bottom_EI);
 
   MeshSizes sizes;
-  sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.4 * row_spacing(model.supports)));
+  // What rollers put into an element is known without nodes under them.
+  sizes.overbend = std::max(kShortestElement, std::min(top_bending / 25.0, 0.8 * row_spacing(model.supports)));
   sizes.touchdown = std::max(kShortestElement, std::min(bottom_bending / 20.0, soil / 8.0));
   const double suspended = std::max(zones.touchdown - zones.last_support, 1.0);
   sizes.longest =

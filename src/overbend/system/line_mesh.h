@@ -45,7 +45,7 @@ struct MeshSizes {
 /// Length over which a line on the bed bends, (4 EI/k)^(1/4) [m] (Winkler 1867).
 double soil_length(const Model& model, double EI);
 
-/// The rule. Over the supports: a twenty-fifth of the bending length sqrt(EI/T) or two fifths of the closest distance
+/// The rule. Over the supports: a twenty-fifth of the bending length sqrt(EI/T) or four fifths of the closest distance
 /// of two rows of rollers, whichever is less. Around touchdown: a twentieth of sqrt(EI/H) or an eighth of the soil
 /// length (4 EI/k)^(1/4). Elsewhere growing by a quarter from element to element up to a quarter of sqrt(EI/H), or what
 /// gives 300 elements in the suspended part where that is more. On a shaped bed the laid line has elements of at most a

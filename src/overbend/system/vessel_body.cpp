@@ -50,11 +50,11 @@ ContactLaw law_of(const Roller& roller, double stiffness, double mass, double ze
 
 }  // namespace
 
-double penalty_stiffness(const Section& pipe, double element_length) {
-  return pipe.EI / std::pow(std::max(element_length, pipe.steel_diameter), 3);
+double penalty_stiffness(const Section& pipe) {
+  return pipe.EI / std::pow(pipe.steel_diameter, 3);
 }
 
-std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_element) {
+std::vector<BodyRoller> vessel_rollers(const Model& model) {
   const VesselPose& mean = model.mean_pose;
   const auto to_V = [&](const Vec3& d_W) { return Vec3(mean.R_WV.transpose() * d_W); };
   std::vector<BodyRoller> rollers;
@@ -62,7 +62,7 @@ std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_eleme
   for (const Roller& roller : model.supports.rollers) {
     const Section& pipe = model.pipe_over(roller);
     const Vec3 center = point_from_ramp(model, mean, roller.center_S);
-    const double stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty_stiffness(pipe, shortest_element);
+    const double stiffness = roller.stiffness > 0.0 ? roller.stiffness : penalty_stiffness(pipe);
     BodyRoller of_body;
     of_body.center_V = to_V(center - mean.p_WV);
     of_body.axis_V = to_V(direction_from_ramp(mean, roller.axis_S));
@@ -78,9 +78,9 @@ std::vector<BodyRoller> vessel_rollers(const Model& model, double shortest_eleme
   return rollers;
 }
 
-Body vessel_body(const Model& model, double shortest_element, double pipe_radius) {
+Body vessel_body(const Model& model, double pipe_radius) {
   Body body;
-  body.rollers = vessel_rollers(model, shortest_element);
+  body.rollers = vessel_rollers(model);
   body.cells = contact_cells(model.supports, pipe_radius);
   body.ramp_origin_V = Vec3(model.description.vessel.stern_shoe_x, 0.0, model.description.vessel.stern_shoe_z);
   return body;
