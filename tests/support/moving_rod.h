@@ -170,12 +170,13 @@ class MovingRod {
     }
   }
 
-  void step(double h) {
+  StepReport step(double h) {
     const StepReport report = stepper_.step(now, h, next_);
     if (!report.converged()) {
       throw std::runtime_error(fmt::format("no balance after {} s: residual {}", now.time, report.residual));
     }
     std::swap(now, next_);
+    return report;
   }
 
   /// `count` steps; `after` sees every state.

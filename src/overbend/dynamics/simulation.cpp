@@ -321,7 +321,7 @@ void Simulation::reach_tick() {
   if (!clock_.at_row()) return;
   const Instant at = now();
   for (SimulationObserver* observer : observers_) observer->row(at, row_number());
-  stepper_->forget();  // a simulation restored here has none
+  if (clock_.at_restart()) stepper_->forget();
 }
 
 bool Simulation::step() {

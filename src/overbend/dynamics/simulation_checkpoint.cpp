@@ -7,7 +7,8 @@
 
 namespace overbend {
 
-DynamicCheckpoint Simulation::checkpoint() const {
+DynamicCheckpoint Simulation::checkpoint() {
+  stepper_->forget();
   DynamicCheckpoint c;
   c.time = state_.time;
   save_state(c, state_);

@@ -12,7 +12,8 @@ constexpr std::size_t kWatchNumbers = 4;
 
 }  // namespace
 
-DynamicCheckpoint SystemRun::checkpoint() const {
+DynamicCheckpoint SystemRun::checkpoint() {
+  stepper_->forget();
   DynamicCheckpoint c;
   c.time = state_.time;
   save_state(c, state_);
