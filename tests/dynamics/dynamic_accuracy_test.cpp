@@ -59,25 +59,6 @@ TEST(dynamic_accuracy, error_falls_with_the_square_of_steps_that_change_every_ti
   });
 }
 
-/// Iterations of a swing whose accelerations are taken to go on as they changed, or to stay.
-std::pair<int, std::vector<double>> iterations_of_swing(bool may_go_on) {
-  MovingRod rod(soft_pendulum(5.0, 3), straight(soft_pendulum(5.0, 3), Vec3::Zero(), Vec3::UnitX()), {0.6, 1e-8, 20});
-  rod.begin();
-  int iterations = 0;
-  for (int i = 0; i < 200; ++i) {
-    rod.line_now().goes_on = rod.line_now().goes_on && may_go_on;
-    iterations += rod.step(1e-3).iterations;
-  }
-  return {iterations, rod.line_now().q};
-}
-
-TEST(dynamic_accuracy, a_smooth_swing_is_followed_in_fewer_iterations_where_accelerations_may_go_on) {
-  const auto [going_on, q] = iterations_of_swing(true);
-  const auto [staying, same] = iterations_of_swing(false);
-  EXPECT_LT(going_on, 0.8 * staying);
-  EXPECT_LT(largest_difference(q, same), 1e-7);
-}
-
 struct EnergyRecord {
   double largest_change = 0.0, last_change = 0.0, exchanged = 0.0;
 };

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 namespace overbend {
 namespace {
@@ -27,34 +26,6 @@ TEST(clock, names_the_row_after_any_tick) {
     clock.tick = tick;
     EXPECT_EQ(clock.next_row(), next) << tick;
   }
-}
-
-std::vector<double> restarts_of(double duration) {
-  DynamicOptions options;
-  options.build_up = 0.0;
-  options.duration = duration;
-  options.output_step = 0.5;
-  std::vector<double> restarts;
-  for (Clock clock = make_clock(options, 0.25); clock.tick <= clock.last_tick; ++clock.tick) {
-    if (clock.at_restart()) restarts.push_back(clock.time());
-  }
-  return restarts;
-}
-
-TEST(clock, has_a_restart_every_two_seconds_more_often_in_a_short_run_and_at_the_end) {
-  const std::vector<double> of_70 = restarts_of(70.0), of_2 = restarts_of(2.0);
-  EXPECT_EQ(of_70.size(), 36U);
-  EXPECT_EQ(std::vector<double>(of_70.end() - 3, of_70.end()), (std::vector<double>{66.0, 68.0, 70.0}));
-  EXPECT_EQ(of_2, (std::vector<double>{0.0, 0.5, 1.0, 1.5, 2.0}));
-}
-
-TEST(clock, has_a_restart_at_every_row_where_rows_are_far_apart) {
-  DynamicOptions options;
-  options.build_up = 0.0;
-  options.duration = 60.0;
-  options.output_step = 20.0;
-  Clock clock = make_clock(options, 0.5);
-  for (; clock.tick <= clock.last_tick; ++clock.tick) EXPECT_EQ(clock.at_restart(), clock.at_row()) << clock.tick;
 }
 
 TEST(step_chooser, meets_the_tick_in_equal_steps_no_longer_than_wanted) {

@@ -131,7 +131,7 @@ TEST(simulation, a_restored_one_shows_the_same_present_and_goes_on_with_the_same
   whole.observe(first_recorder);
   second.observe(second_recorder);
   whole.advance(1.0);
-  second.restore(whole.checkpoint());
+  second.restore(std::as_const(whole).checkpoint());
   EXPECT_EQ(second.time(), whole.time());
   EXPECT_NEAR(second.tension(), whole.tension(), 1e-6 * whole.tension());  // evaluated anew at the same state
   EXPECT_EQ(second.now().elevation, whole.now().elevation);

@@ -170,13 +170,12 @@ class MovingRod {
     }
   }
 
-  StepReport step(double h) {
+  void step(double h) {
     const StepReport report = stepper_.step(now, h, next_);
     if (!report.converged()) {
       throw std::runtime_error(fmt::format("no balance after {} s: residual {}", now.time, report.residual));
     }
     std::swap(now, next_);
-    return report;
   }
 
   /// `count` steps; `after` sees every state.

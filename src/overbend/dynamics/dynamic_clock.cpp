@@ -11,8 +11,6 @@ namespace {
 constexpr double kBendOfRange = 5e-3;
 constexpr double kBendOfTension = 1e-4;       ///< Where hardly anything swings.
 constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tension is not followed further [s].
-constexpr double kBetweenRestarts = 2.0;      ///< At most [s].
-constexpr double kFewestRestarts = 16.0;      ///< In a run.
 constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
 
 }  // namespace
@@ -25,8 +23,6 @@ Clock make_clock(const DynamicOptions& options, double interval) {
   const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
   clock.tick = -rows_before * clock.ticks_per_row;
   clock.last_tick = rows_after * clock.ticks_per_row;
-  const double apart = std::min(kBetweenRestarts, (options.build_up + options.duration) / kFewestRestarts);
-  clock.rows_per_restart = std::max<std::int64_t>(1, std::llround(apart / options.output_step));
   return clock;
 }
 

@@ -11,13 +11,9 @@ namespace overbend {
 struct Clock {
   double interval = 0.5;
   std::int64_t tick = 0, ticks_per_row = 1, last_tick = 0;
-  std::int64_t rows_per_restart = 1;
 
   double time() const { return static_cast<double>(tick) * interval; }
   bool at_row() const { return tick % ticks_per_row == 0; }
-  /// Whether this is a row from which a run is gone on with after it was stopped: nothing is remembered there but the
-  /// state, so that both have the same bits.
-  bool at_restart() const { return tick % (ticks_per_row * rows_per_restart) == 0 || tick >= last_tick; }
   /// Tick of the row after this one.
   std::int64_t next_row() const {
     return tick - ((tick % ticks_per_row) + ticks_per_row) % ticks_per_row + ticks_per_row;

@@ -321,7 +321,7 @@ void Simulation::reach_tick() {
   if (!clock_.at_row()) return;
   const Instant at = now();
   for (SimulationObserver* observer : observers_) observer->row(at, row_number());
-  if (clock_.at_restart()) stepper_->forget();
+  stepper_->forget();  // a simulation restored here has none
 }
 
 bool Simulation::step() {

@@ -48,8 +48,6 @@ class Simulation {
   double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
   std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }  ///< Of the last row; 0 at t = 0.
   bool finished() const { return clock_.tick >= clock_.last_tick; }
-  /// Whether this is a row at which a checkpoint changes nothing of what follows; there is one every few seconds.
-  bool at_restart() const { return clock_.at_row() && clock_.at_restart(); }
   /// Why it cannot go on; it stays at the last accepted instant.
   const std::optional<StaticFailure>& failure() const { return failure_; }
 
@@ -75,11 +73,9 @@ class Simulation {
   void command(const std::string& machine, const MachineCommand& command);
   const Controllers& controllers() const { return controllers_; }
 
-  /// Everything that a simulation of the same arguments needs to go on from here, observers included, with the bits
-  /// that this one goes on with. Exact at a row of output: between two the steps after it may differ within their
-  /// tolerance. Where there is no restart this one forgets what helps it to solve the next step, and rounding in what
-  /// follows changes.
-  DynamicCheckpoint checkpoint();
+  /// Everything that a simulation of the same arguments needs to go on from here, observers included, bit for bit.
+  /// Exact at a row of output: between two the steps after it may differ within their tolerance.
+  DynamicCheckpoint checkpoint() const;
   /// With the same observers as when it was made.
   void restore(const DynamicCheckpoint& checkpoint);
 

@@ -7,8 +7,7 @@
 
 namespace overbend {
 
-DynamicCheckpoint Simulation::checkpoint() {
-  stepper_->forget();
+DynamicCheckpoint Simulation::checkpoint() const {
   DynamicCheckpoint c;
   c.time = state_.time;
   save_state(c, state_);

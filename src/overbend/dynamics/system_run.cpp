@@ -114,7 +114,7 @@ void SystemRun::reach_tick() {
   }
   if (!clock_.at_row()) return;
   for (SystemObserver* observer : observers_) observer->row(*this);
-  if (clock_.at_restart()) stepper_->forget();
+  stepper_->forget();
 }
 
 bool SystemRun::step() {

@@ -49,8 +49,6 @@ class SystemRun {
   double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }        ///< [s]
   double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
   bool finished() const { return clock_.tick >= clock_.last_tick; }
-  /// Whether this is a row at which a checkpoint changes nothing of what follows; see Simulation.
-  bool at_restart() const { return clock_.at_row() && clock_.at_restart(); }
   const std::optional<std::string>& failure() const { return failure_; }
   const System& system() const { return system_; }
   const SystemState& state() const { return state_; }
@@ -58,9 +56,9 @@ class SystemRun {
   const Assembly& assembly() const { return *assembly_; }
   const EnergyBalance& energy() const { return energy_.balance(); }
   int steps() const { return steps_; }
-  /// Everything that a run of the same arguments and observers needs to go on from here, with the bits that this one
-  /// goes on with; at a row of output. See Simulation.
-  DynamicCheckpoint checkpoint();
+  /// Everything that a run of the same arguments and observers needs to go on from here, bit for bit; at a row of
+  /// output.
+  DynamicCheckpoint checkpoint() const;
   void restore(const DynamicCheckpoint& checkpoint);
   /// Force on a line by what holds its end, W [N].
   Vec3 end_force(std::size_t line, LineEnd end) const;

@@ -12,8 +12,7 @@ constexpr std::size_t kWatchNumbers = 4;
 
 }  // namespace
 
-DynamicCheckpoint SystemRun::checkpoint() {
-  stepper_->forget();
+DynamicCheckpoint SystemRun::checkpoint() const {
   DynamicCheckpoint c;
   c.time = state_.time;
   save_state(c, state_);

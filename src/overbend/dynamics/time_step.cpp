@@ -47,13 +47,6 @@ class ToAndFro {
   std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; at first no two alike.
 };
 
-/// How far the acceleration changes over a step for each unit by which the algorithmic one stands apart from it; 0
-/// where nothing is damped and both are one.
-double change_by_offset(const GeneralizedAlpha& scheme) {
-  const double apart = scheme.alpha_m - scheme.alpha_f;
-  return apart != 0.0 ? 1.0 / apart : 0.0;
-}
-
 MotionValues corrected_for_step(MotionValues guide, double ratio) {
   guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
   return guide;
@@ -96,37 +89,15 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
 }
 
 /// The algorithmic acceleration stands apart from the true one in proportion to the step it was made with: `ratio` is
-/// that of the steps. Accelerations stay as they are, or change as they did before where that was a good guess.
+/// that of the steps.
 void TimeStepper::predict_line(const LineState& now, double h, double ratio, LineState& next) const {
   const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
-  const double by_offset = now.goes_on ? change_by_offset(scheme_) : 0.0;
   for (std::size_t i = 0; i < now.q.size(); ++i) {
-    const double offset = ratio * (now.alg[i] - now.acc[i]), alg = now.acc[i] + offset;
-    const double acc = now.acc[i] + by_offset * offset;
-    const double next_alg =
-        by_alg * ((1.0 - scheme_.alpha_f) * acc + scheme_.alpha_f * now.acc[i] - scheme_.alpha_m * alg);
-    next.acc[i] = acc;
+    const double alg = now.acc[i] + ratio * (now.alg[i] - now.acc[i]);
+    const double next_alg = by_alg * (now.acc[i] - scheme_.alpha_m * alg);
     next.alg[i] = next_alg;
     next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
     next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
-  }
-}
-
-/// Whether the next step may let accelerations go on as they changed over this one: not where contacts come and go.
-void TimeStepper::watch_accelerations(const SystemState& now, SystemState& next) const {
-  constexpr double kClearly = 0.25;  // of the squares
-  const double by_offset = change_by_offset(scheme_) * (now.last_step > 0.0 ? next.last_step / now.last_step : 0.0);
-  for (std::size_t line = 0; line < now.lines.size(); ++line) {
-    const LineState &from = now.lines[line], &to = next.lines[line];
-    const std::vector<double>& mass = lumped_mass_[line];
-    double stays = 0.0, goes_on = 0.0;
-    for (std::size_t i = 0; i < mass.size(); ++i) {
-      const double change = to.acc[i] - from.acc[i];
-      const double off = change - by_offset * (from.alg[i] - from.acc[i]);
-      stays += mass[i] * change * change;
-      goes_on += mass[i] * off * off;
-    }
-    next.lines[line].goes_on = goes_on < kClearly * stays;
   }
 }
 
@@ -286,7 +257,6 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
       }
       report.end = rounds < kMostRounds ? StepEnd::converged : StepEnd::too_many_iterations;
       assembly_->finish_step(now, h, next);
-      watch_accelerations(now, next);
       break;
     }
     if (!factor && !factors_serve(report, before, next, weights)) {

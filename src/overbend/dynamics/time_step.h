@@ -51,7 +51,6 @@ class TimeStepper {
                       AttachmentState& next) const;
   StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const SystemState& now, double h,
                        SystemState& next);
-  void watch_accelerations(const SystemState& now, SystemState& next) const;
   void correct(SystemState& next, double h) const;
   double body_error() const;
   bool must_factor(double h) const;

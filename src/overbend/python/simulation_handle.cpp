@@ -114,8 +114,8 @@ std::size_t SimulationHandle::first_node() const {
   return static_cast<std::size_t>(std::lower_bound(s.begin(), s.end(), 0.0) - s.begin());
 }
 
-SavedSimulation SimulationHandle::save() {
-  return {input_, simulation_->checkpoint()};
+SavedSimulation SimulationHandle::save() const {
+  return {input_, simulation().checkpoint()};
 }
 
 void SimulationHandle::restore(const SavedSimulation& saved) {

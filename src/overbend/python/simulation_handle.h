@@ -47,7 +47,7 @@ class SimulationHandle {
   /// Of these the first that is no laid pipe behind the line of statics.
   std::size_t first_node() const;
 
-  SavedSimulation save();
+  SavedSimulation save() const;
   /// Throws std::invalid_argument where it is of another model, seed or other controllers.
   void restore(const SavedSimulation& saved);
 

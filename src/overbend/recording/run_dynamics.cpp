@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "recording/dynamic_recorder.h"
 
@@ -51,17 +50,12 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
     recorder.row(simulation.now(), simulation.row_number());
   }
   const auto so_far = [&] { return results_of(simulation, recorder); };
-  DynamicControl wanted = DynamicControl::go_on;
   while (!simulation.finished()) {
     if (!simulation.advance(simulation.next_row())) return {std::nullopt, simulation.failure(), false};
-    if (wanted != DynamicControl::stop) {
-      const DynamicControl now =
-          control({simulation.time(), simulation.end(), simulation.report().steps, recorder.top_tension(), so_far});
-      if (now != DynamicControl::go_on) wanted = now;
-    }
-    if (wanted == DynamicControl::go_on || !simulation.at_restart()) continue;
-    sink.checkpoint(simulation.checkpoint());
-    if (std::exchange(wanted, DynamicControl::go_on) == DynamicControl::stop && !simulation.finished()) {
+    const DynamicControl wanted =
+        control({simulation.time(), simulation.end(), simulation.report().steps, recorder.top_tension(), so_far});
+    if (wanted != DynamicControl::go_on) sink.checkpoint(simulation.checkpoint());
+    if (wanted == DynamicControl::stop && !simulation.finished()) {
       if (simulation.time() <= 0.0) return {std::nullopt, std::nullopt, true};
       return {results_of(simulation, recorder), std::nullopt, true};
     }

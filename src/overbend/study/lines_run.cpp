@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/file_lock.h"
 #include "dynamics/lines_in_time.h"
@@ -100,21 +99,15 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   SystemRun run(std::move(system), sea, std::move(start), options);
   run.observe(recorder);
   if (sitting.from != nullptr) run.restore(*sitting.from);
-  DynamicControl wanted = DynamicControl::go_on;
   while (!run.finished()) {
     if (!run.advance(run.next_row())) {
       return {std::nullopt, StaticFailure{*run.failure(), "", "the forces do not balance even with the shortest step"}};
     }
-    if (sitting.control && wanted != DynamicControl::stop) {
-      const DynamicControl now =
-          sitting.control({run.time(), run.end(), run.steps(), run.end_force(0, LineEnd::last).norm()});
-      if (now != DynamicControl::go_on) wanted = now;
-    }
-    if (wanted == DynamicControl::go_on || !run.at_restart()) continue;
-    sitting.keep(run.checkpoint());
-    if (std::exchange(wanted, DynamicControl::go_on) == DynamicControl::stop && !run.finished()) {
-      return {std::nullopt, std::nullopt, true};
-    }
+    if (!sitting.control) continue;
+    const DynamicControl wanted =
+        sitting.control({run.time(), run.end(), run.steps(), run.end_force(0, LineEnd::last).norm()});
+    if (wanted != DynamicControl::go_on) sitting.keep(run.checkpoint());
+    if (wanted == DynamicControl::stop && !run.finished()) return {std::nullopt, std::nullopt, true};
   }
   LinesResults& results = *found.outcome.results;
   results.moved = true;

@@ -18,7 +18,6 @@ struct LineState {
   double far_force = 0.0;      ///< H, at an end that may slide along the bed, away from the barge, at rest alone [N].
   std::vector<double> v, acc;  ///< Rates of `q`.
   std::vector<double> alg;     ///< Algorithmic accelerations, see GeneralizedAlpha.
-  bool goes_on = false;        ///< Accelerations changed over the last step as they had before it.
   AlignedDoubles bed_slip;     ///< See LineMotion.
   std::vector<ContactMemory> contacts;  ///< In the order of RollerContacts.
   std::vector<BendingMemory> bending;   ///< Per Gauss point; empty where no steel yields.
