@@ -126,7 +126,7 @@ TEST(examples, yielding_page_holds) {
   EXPECT_TRUE(std::any_of(steel.warnings.begin(), steel.warnings.end(), says_roll));
   EXPECT_FALSE(std::any_of(linear.warnings.begin(), linear.warnings.end(), says_roll));
   EXPECT_NEAR(1e-3 * linear.sagbend.bending_moment.value, 98.0, 1.0);
-  EXPECT_NEAR(1e-3 * steel.sagbend.bending_moment.value, 272.0, 4.0);
+  EXPECT_NEAR(1e-3 * steel.sagbend.bending_moment.value, 269.0, 4.0);
   EXPECT_NEAR(1e-3 * steel.largest_reaction, 76.1, 1.0);
   const auto criterion = [](const StaticResults& r) {
     return std::find_if(
@@ -152,6 +152,19 @@ TEST(examples, workable_sea_keeps_the_pipe_between_its_rollers_and_below_yield) 
   EXPECT_LT(r.sagbend.von_mises.over_time.max, 200e6);
   EXPECT_GT(r.stinger_tip_clearance.min, 0.0);
   EXPECT_LT(std::abs(r.energy.drift()), 1e-3);
+}
+
+// Rounding of the mesh is all that may be seen, in contacts that come and go as well.
+TEST(examples, workable_sea_does_not_see_where_nodes_lie_over_the_rollers) {
+  Description d = example("bgl1-workable-sea.yaml");
+  d.mesh.overbend_element = 0.25;
+  const DynamicResults fine = minute_of(d, 20.0);
+  d.mesh.overbend_element = 1.0;
+  const DynamicResults coarse = minute_of(d, 20.0);
+  EXPECT_NEAR(coarse.overbend.bending_moment.over_time.max / fine.overbend.bending_moment.over_time.max, 1.0, 1e-3);
+  EXPECT_NEAR(coarse.sagbend.bending_moment.over_time.max / fine.sagbend.bending_moment.over_time.max, 1.0, 1e-3);
+  EXPECT_NEAR(coarse.top_tension.max / fine.top_tension.max, 1.0, 1e-3);
+  EXPECT_NEAR(coarse.top_tension.min / fine.top_tension.min, 1.0, 1e-3);
 }
 
 bool left_over_its_side(const DynamicResults& r, const std::string& name) {

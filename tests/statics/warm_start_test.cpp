@@ -98,8 +98,8 @@ TEST(warm_start, turns_the_laid_line_with_its_route_so_that_nothing_bends_at_its
 
 TEST(warm_start, makes_another_mesh_where_touchdown_has_left_the_fine_zone_step_by_step) {
   Description description = bgl1();
-  description.environment.current
-      .clear();                            // pushed aside, so taut a pipe climbs its side rollers in one way or another
+  // Pushed aside, so taut a pipe climbs its side rollers in one way or another: two equilibria.
+  description.environment.current.clear();
   description.mesh.longest_element = 2.0;  // stress is told at nodes: by 0.2 % less where the peak lies between them
   StaticSolution at = solve_statics(build_model(description)).solution.value();
   const std::vector<double> first = at.mesh.s;

@@ -56,6 +56,14 @@ TEST(vessel_rollers, take_a_tenth_of_the_normal_stiffness_across_unless_they_hav
   EXPECT_NEAR(law.tangential_damping / law.damping, 1.5, 1e-12);  // by the same share of critical damping
 }
 
+TEST(vessel_rollers, of_penalty_are_as_stiff_as_a_piece_of_pipe_as_long_as_it_is_thick) {
+  Description d = one_row();
+  d.rollers[0].stiffness.reset();
+  d.rollers[0].default_stiffness = RollerStiffness::penalty;
+  const double EI = derive_section("pipe", testing::sixteen_inch_pipe(), 10.05e3).EI;
+  EXPECT_NEAR(only_roller(d).law.stiffness, EI / std::pow(0.4064, 3), 1.0);
+}
+
 TEST(vessel_rollers, of_gap_springs_neither_damp_nor_rub) {
   Description d = one_row();
   d.supports.contact = SupportContact::gap_springs;

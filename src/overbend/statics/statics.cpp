@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "statics/bed_contacts.h"
+#include "statics/carried_start.h"
 #include "statics/static_obstacle.h"
 #include "statics/static_start.h"
 #include "statics/static_ways.h"
