@@ -8,7 +8,17 @@ let bench: Bench;
 let page: Page;
 let usual = '';
 
-const settled = async (p: Page): Promise<string> => { await solved(p); await rested(p); return picture(p, '.canvas'); };
+/** The picture once it stands still: two of them, half a second apart, are the same. */
+async function settled(p: Page): Promise<string> {
+  await solved(p);
+  let before = '', now = '';
+  do {
+    before = now;
+    await rested(p);
+    now = await picture(p, '.canvas');
+  } while (now !== before);
+  return now;
+}
 
 beforeAll(async () => {
   bench = await start('bgl1.yaml');
@@ -27,6 +37,19 @@ test('hull, sky, water, seabed and pipe have many colours, another view is anoth
   await page.click('.viewbuttons >> text=stinger');
   await page.waitForTimeout(600);
   expect(await difference(page, await settled(page), usual)).toBeGreaterThan(8);
+});
+
+test('a solution that comes again leaves the picture sharp where it is, another view is flown to', async () => {
+  await page.click('.viewbuttons >> text=whole');
+  await settled(page);
+  const flown = await page.evaluate(() => {
+    const view = (window as unknown as { __view: { stage: { solution: unknown }; flight: { path: unknown }; setSolution: (s: unknown) => void; go: (v: string) => void } }).__view;
+    view.setSolution(view.stage.solution);
+    const again = view.flight.path !== null;
+    view.go('stinger');
+    return [again, view.flight.path !== null];
+  });
+  expect(flown).toEqual([false, true]);
 });
 
 for (const late of ['/api/info', '/api/model', '/api/static', '/api/scene', '/assets/view3d', '/assets/three', '/assets/solver']) {

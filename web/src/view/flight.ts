@@ -3,7 +3,7 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Lay, Scene } from '../api/types';
 import { firstView, viewsOf, type ViewName } from '../logic/views';
-import { shot } from './cameras';
+import { shot, type Shot } from './cameras';
 
 const flightTime = 420; // ms
 
@@ -39,6 +39,8 @@ export class Flight {
     const to = shot(name, solution, scene, this.camera);
     if (!to) return;
     this.view = name;
+    // a solution that came again moves nothing: the picture stays sharp
+    if (smooth && this.framed && !this.path && this.isAt(to)) return;
     if (smooth && this.framed && !matchMedia('(prefers-reduced-motion: reduce)').matches) {
       this.path = { from: [this.camera.position.clone(), this.controls.target.clone()], to: [to.eye, to.target], start: performance.now() };
     } else {
@@ -49,6 +51,11 @@ export class Flight {
     }
     this.framed = true;
     this.moved();
+  }
+
+  private isAt(to: Shot): boolean {
+    const near = 1e-4 * to.eye.distanceTo(to.target); // less than a tenth of a pixel
+    return this.camera.position.distanceTo(to.eye) < near && this.controls.target.distanceTo(to.target) < near;
   }
 
   /** Goes on with a flight, if there is one. */
