@@ -20,7 +20,7 @@ inline double magnitude(double x) {
 }
 
 static_assert(kRowWidth == kLanes, "a row of a block is one batch of lanes");
-constexpr int kParts = kLanes / kWidth;
+inline constexpr int kParts = kLanes / kWidth;
 
 /// A row of eight in as many registers as it takes.
 struct Row {
@@ -41,11 +41,11 @@ struct Row {
 };
 
 /// A pivot this small against the block's largest entry means that rounding is all that is left of it.
-constexpr double kPivotFloor = 1e-14;
+inline constexpr double kPivotFloor = 1e-14;
 
 /// Rows are exchanged where a pivot is smaller than this fraction of the entries below it, or of its initial value.
-constexpr double kPivotShare = 0.02;
-constexpr double kPivotLoss = 1e-10;
+inline constexpr double kPivotShare = 0.02;
+inline constexpr double kPivotLoss = 1e-10;
 
 /// A block with its right-hand sides and what couples it to the node that is next.
 struct BlockRows {
