@@ -188,6 +188,28 @@ TEST(statics, thicker_pipe_at_the_tensioner_bends_less_there) {
   EXPECT_GT(r.sections[1].EI, 1.8 * r.sections[0].EI);
 }
 
+TEST(statics, where_the_wall_grows_thicker_the_thin_side_has_its_full_strain_on_every_mesh) {
+  Description d = bgl1();
+  SegmentDescription thin{"thin", 40.0, d.pipe.section}, thick{"thick", 12.0, d.pipe.section};
+  thick.section.steel.wall_thickness = 0.020;  // on a roller: the moment is largest here
+  d.pipe.segments = {thin, thick};
+  for (const double length : {0.1, 0.5, 1.2}) {
+    d.mesh.overbend_element = length;
+    const StaticResults r = solve_results(d);
+    for (const double change : {40.0, 52.0}) {
+      const Station *at_node = nullptr, *softest = nullptr;
+      for (const Station& at : r.stations) {
+        if (std::abs(at.s - (r.total_length - change)) > 2e-3) continue;
+        if (softest == nullptr || at.bending_stress > softest->bending_stress) softest = &at;
+        if (std::abs(at.s - (r.total_length - change)) < 1e-6) at_node = &at;
+      }
+      ASSERT_TRUE(at_node != nullptr && softest != nullptr) << change;
+      const double by_hand = at_node->bending_moment * 0.2032 / r.sections[0].second_moment;
+      EXPECT_NEAR(softest->bending_stress, by_hand, 1e-3 * by_hand) << change << " " << length;
+    }
+  }
+}
+
 // In series: the same moment bends the softer joint more, by the ratio of the stiffnesses.
 TEST(statics, strain_gathers_at_bare_field_joints) {
   Description d = reference_bgl1();

@@ -34,6 +34,19 @@ double softer_side(const AlignedDoubles& EI, std::size_t node, std::size_t last)
   return node == 0 ? after : std::min(after, EI[node - 1]);
 }
 
+bool has_wall(const Section& section) {
+  return section.kind == SectionKind::pipe || section.kind == SectionKind::head;
+}
+
+/// Section that a node's stresses are those of. Where pipe goes over into pipe it is the softer, which bends more.
+int section_at(const Model& model, const LineMesh& mesh, std::size_t node) {
+  const int after = mesh.section[std::min(node, mesh.section.size() - 1)];
+  const int before = mesh.section[node == 0 ? 0 : node - 1];
+  const Section& above = model.sections[static_cast<std::size_t>(after)];
+  const Section& below = model.sections[static_cast<std::size_t>(before)];
+  return has_wall(above) && has_wall(below) && below.EI < above.EI ? before : after;
+}
+
 double yielded_at(const std::vector<BendingMemory>& memory, std::size_t node) {
   const std::size_t after = std::min(kGaussPoints * node, memory.size() - 1);
   return std::max(memory[after].largest, after > 0 ? memory[after - 1].largest : 0.0);
@@ -64,7 +77,7 @@ void NodeValues::resize(std::size_t nodes) {
 NodeRecovery::NodeRecovery(const Model& model, const Line& line) : model_(&model), line_(&line) {
   const std::size_t nodes = static_cast<std::size_t>(line.mesh.nodes());
   for (std::size_t node = 0; node < nodes; ++node) {
-    section_.push_back(line.mesh.section[std::min(node, line.mesh.section.size() - 1)]);
+    section_.push_back(section_at(model, line.mesh, node));
   }
   find_section_runs(section_, runs_);
   for (VectorColumns* columns : {&direction_, &cut_force_, &cut_moment_, &bend_, &tangent_}) columns->resize(nodes);

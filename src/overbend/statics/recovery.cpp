@@ -124,22 +124,19 @@ StationCut make_station(const StaticSystem& system, const LineState& state, cons
 
 namespace {
 
-/// Whether a structure begins or ends between an element and the next.
-bool structure_ends(const StaticSystem& system, int element) {
+/// Whether the section changes between an element and the next.
+bool section_changes(const StaticSystem& system, int element) {
+  const std::vector<int>& section = system.mesh().section;
   if (element < 0 || element + 1 >= system.mesh().elements()) return false;
-  const auto is_structure = [&](int e) {
-    const auto section = static_cast<std::size_t>(system.mesh().section[static_cast<std::size_t>(e)]);
-    return system.model().sections[section].kind == SectionKind::structure;
-  };
-  return is_structure(element) != is_structure(element + 1);
+  return section[static_cast<std::size_t>(element)] != section[static_cast<std::size_t>(element) + 1];
 }
 
-/// A node's station is one of the element that begins there. Where the pipe ends at something stiffer its strain is
-/// largest right at that node, so both elements get a station close to it.
+/// A node's station is one of the element that begins there. Where the pipe goes over into something stiffer its strain
+/// is largest right at that node, so both elements get a station close to it.
 void add_places_beside(const StaticSystem& system, int element, double length, std::vector<double>& places) {
   if (length <= 4.0 * kBesideStep) return;
-  if (structure_ends(system, element - 1)) places.push_back(kBesideStep / length);
-  if (structure_ends(system, element)) places.push_back(1.0 - kBesideStep / length);
+  if (section_changes(system, element - 1)) places.push_back(kBesideStep / length);
+  if (section_changes(system, element)) places.push_back(1.0 - kBesideStep / length);
 }
 
 /// Nodes, places where a roller pushes, touchdown and, in long elements, points between.
