@@ -50,6 +50,7 @@ test('a file that another program changed is not overwritten: both texts are sho
 
   await page.click('header >> text=Save >> nth=0');
   await dialog.locator('text=Replace the file').click();
+  await page.waitForSelector('h1 i', { state: 'detached' }); // a notice of an earlier save may still stand there
   await page.waitForSelector('.notice.good');
   expect(file()).toContain('water_depth: 93 m');
 
