@@ -50,7 +50,7 @@ test('a file that another program changed is not overwritten: both texts are sho
 
   await page.click('header >> text=Save >> nth=0');
   await dialog.locator('text=Replace the file').click();
-  await page.waitForSelector('h1 i', { state: 'detached' }); // a notice of an earlier save may still stand there
+  await dialog.waitFor({ state: 'hidden' }); // behind it nothing can be typed; a notice of an earlier save may still stand there
   await page.waitForSelector('.notice.good');
   expect(file()).toContain('water_depth: 93 m');
 
@@ -108,6 +108,27 @@ test('changes of two tabs at the same time: the user says which stays', async ()
     await expect.poll(async () => (await model()).text).toContain(`water_depth: ${stays}`);
     await solved(page);
   }
+});
+
+test('what is typed while a save is on its way stays, unsaved, and goes into the next one', async () => {
+  await type(page, '90 m');
+  await page.waitForSelector('h1 i');
+  await page.click('text=YAML');
+  await page.waitForSelector('.cm-content');
+  await page.route('**/api/model/save', async (route) => { const answer = await route.fetch(); await new Promise((done) => setTimeout(done, 1500)); await route.fulfill({ response: answer }); });
+  await page.keyboard.press('Control+s');
+  await page.waitForTimeout(300);
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('# typed meanwhile');
+  await expect.poll(async () => (await model()).text).toContain('# typed meanwhile');
+  await page.waitForSelector('h1 i');
+  expect(file()).not.toContain('# typed meanwhile');
+  expect(await page.locator('.cm-content').innerText()).toContain('# typed meanwhile');
+  await page.unroute('**/api/model/save');
+  await page.keyboard.press('Control+s');
+  await page.waitForSelector('h1 i', { state: 'detached' });
+  expect(file()).toContain('# typed meanwhile');
 });
 
 test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409/.test(c))).toEqual([]));

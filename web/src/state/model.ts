@@ -169,7 +169,12 @@ export async function openExample(name: string): Promise<void> {
 export async function save(name: string, version?: string): Promise<boolean> {
   try {
     const known = version ?? (name === fileName.value ? disk.value : undefined);
-    const done = await guarded(async () => take(await post<ModelAnswer>('model/save', { name, text: text.value, revision: revision.value, ...(known === undefined ? {} : { disk: known }) })), () => text.value);
+    const done = await guarded(async () => {
+      const sent = text.value;
+      const answer = await post<ModelAnswer>('model/save', { name, text: sent, revision: revision.value, ...(known === undefined ? {} : { disk: known }) });
+      // What was typed since then is the newer text; its own request follows.
+      take({ ...answer, text: text.value === sent ? answer.text : text.value });
+    }, () => text.value);
     if (done) { overwrite.value = null; say(`Saved as ${fileName.value}`); }
     return done;
   } catch (error) { sayError(error); return false; }
