@@ -52,6 +52,30 @@ MotionValues corrected_for_step(MotionValues guide, double ratio) {
   return guide;
 }
 
+bool as_large(const LineState& a, const LineState& b) {
+  return a.q.size() == b.q.size() && a.bed_slip.size() == b.bed_slip.size() && a.contacts.size() == b.contacts.size() &&
+         a.bending.size() == b.bending.size();
+}
+
+/// What is not predicted, where the sizes are the same: nothing is allocated. Memories of the steel are all written by
+/// the end of a step, and are many.
+void begin_from(const SystemState& now, SystemState& next) {
+  if (!std::equal(now.lines.begin(), now.lines.end(), next.lines.begin(), next.lines.end(), as_large)) {
+    next = now;
+    return;
+  }
+  for (std::size_t i = 0; i < now.lines.size(); ++i) {
+    const LineState& from = now.lines[i];
+    LineState& to = next.lines[i];
+    to.acc = from.acc;
+    to.bed_slip = from.bed_slip;
+    to.contacts = from.contacts;
+    to.bending_heat = from.bending_heat;
+  }
+  next.attachments = now.attachments;
+  next.bodies = now.bodies;
+}
+
 }  // namespace
 
 TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
@@ -67,7 +91,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
 
 void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
                           SystemState& next) const {
-  next = now;  // same sizes: nothing is allocated
+  begin_from(now, next);
   next.time = now.time + h;
   next.last_step = h;
   const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;

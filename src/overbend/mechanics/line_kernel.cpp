@@ -2,6 +2,7 @@
 
 #include "mechanics/line_kernel_motion.h"
 #include "mechanics/line_kernel_tangent.h"
+#include "mechanics/line_kernel_yielding.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
@@ -142,6 +143,11 @@ void add_batch(const LineData& data, UpperForces& upper, UpperBlocks* blocks, En
     const Lanes twice_energy = add_bending<kTangent>(e, tangent, i, EI, slopes[i]);
     if constexpr (kEnergy) {
       sum->strain += 0.5 * energy.counts * twice_energy;
+    }
+  }
+  if constexpr (kMoving) {
+    if (motion->held != nullptr) {
+      add_held_sections<kTangent>(e, tangent, slopes, *motion->held, counting(e.h, used), first, padded);
     }
   }
 #pragma GCC unroll 1

@@ -61,6 +61,22 @@ inline constexpr int kWaterValues = 8;
 /// Directions in which the bed holds by friction: across the route, along it.
 inline constexpr int kBedDirections = 2;
 
+/// Numbers of a section whose steel may yield, see HeldSections: tangent and first axis of its memory, in these axes
+/// the curvature about which nothing slides, the square of how far from there (signed as the distance), the plastic
+/// moment of its slips in these axes, and the energy that they store.
+enum HeldValue { kHeldTangent = 0, kHeldAxis = 3, kHeldCenter = 6, kHeldSlack = 8, kHeldMoment = 9, kHeldStored = 11 };
+inline constexpr int kHeldValues = 12;
+
+/// Steel that may yield, at the Gauss points of a line in motion (mechanics/plastic_bending.h). A section that nothing
+/// slides in holds its plastic moment, whose axes go with the pipe: the kernel takes that off the elastic moment.
+struct HeldSections {
+  const double* values = nullptr;  ///< kHeldValues by Gauss point, number and element (padded count).
+  /// By Gauss point and element (padded count), written: above zero where springs slide and nothing was taken off.
+  double* left = nullptr;
+  /// Energy stored beyond that of elastic bending where nothing slides [J]: kLanes sums, added to.
+  double* stored = nullptr;
+};
+
 /// What motion adds to a shape. In statics there is none.
 struct LineMotion {
   const double* v = nullptr;        ///< Velocities of all unknowns, six per node [m/s], [1/s].
@@ -74,6 +90,7 @@ struct LineMotion {
   /// the step, and where what it has become is put.
   const double* bed_slip = nullptr;
   double* bed_slip_next = nullptr;
+  const HeldSections* held = nullptr;  ///< Null where no steel yields.
 };
 
 /// Sums over the line at one instant.

@@ -404,5 +404,14 @@ inline Sym dyad(const Lanes& alpha, const Lanes& beta, const Vec& a) {
   return {alpha + u.x * a.x, u.x * a.y, u.x * a.z, alpha + u.y * a.y, u.y * a.z, alpha + u.z * a.z};
 }
 
+inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
+  const Mat f = full(s);
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      m.m[r][c] += scale * f.m[r][c];
+    }
+  }
+}
+
 }  // namespace
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

@@ -73,15 +73,6 @@ struct MovingPoint {
   Lanes surface() const { return m.middle.surface + p.y * m.change.surface; }  ///< Elevation of the water [m].
 };
 
-inline void add_sym(Mat& m, const Lanes& scale, const Sym& s) {
-  const Mat f = full(s);
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 3; ++c) {
-      m.m[r][c] += scale * f.m[r][c];
-    }
-  }
-}
-
 /// Morison's force of moving water on the moving pipe: drag on the relative velocity and added mass on the relative
 /// acceleration, each with its normal and tangential part, and the force rho A a_water of the pressure field that
 /// accelerates the displaced water (Morison et al. 1950; DNV-RP-C205 section 6). The last acts in all directions: along

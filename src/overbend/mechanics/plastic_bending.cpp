@@ -33,24 +33,6 @@ Vec2 along_directions(const std::array<double, kWide>& values) {
   return {x, y};
 }
 
-const Vec2& held_moment(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
-  if (!(memory.held_mix == mix)) {
-    const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
-    std::array<double, kWide> sum{}, energy{};
-    for (std::size_t i = 0; i < kSliders; ++i) {
-      for (std::size_t j = 0; j < kWide; ++j) {
-        const double slip = memory.slip[kWide * i + j];
-        sum[j] += stiffness[i] * slip;
-        energy[j] += 0.5 * stiffness[i] * slip * slip;
-      }
-    }
-    memory.held = memory.stamp == 0 ? Vec2(Vec2::Zero()) : along_directions(sum);
-    memory.stored = std::accumulate(energy.begin(), energy.end(), 0.0);
-    memory.held_mix = mix;
-  }
-  return memory.held;
-}
-
 /// A number that distinguishes histories: the last one stirred with what came on top (splitmix64, Steele 2014).
 std::uint64_t stirred(std::uint64_t stamp, const Vec2& curvature) {
   for (const double part : {curvature.x(), curvature.y()}) {
@@ -106,10 +88,27 @@ BendingMemory& BendingMemory::operator=(const BendingMemory& other) {
   return *this;
 }
 
+void bring_to_level(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
+  if (memory.held_mix == mix) return;
+  const std::array<double, kSliders> stiffness = stiffness_of(law, mix);
+  std::array<double, kWide> sum{}, energy{};
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    for (std::size_t j = 0; j < kWide; ++j) {
+      const double slip = memory.slip[kWide * i + j];
+      sum[j] += stiffness[i] * slip;
+      energy[j] += 0.5 * stiffness[i] * slip * slip;
+    }
+  }
+  memory.held = memory.stamp == 0 ? Vec2(Vec2::Zero()) : along_directions(sum);
+  memory.stored = std::accumulate(energy.begin(), energy.end(), 0.0);
+  memory.held_mix = mix;
+}
+
 BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curvature, BendingMemory& memory) {
   BendingAnswer answer;
   if ((curvature - memory.center).squaredNorm() <= memory.slack * std::abs(memory.slack)) {
-    answer.plastic_moment = held_moment(law, mix, memory);
+    bring_to_level(law, mix, memory);
+    answer.plastic_moment = memory.held;
     return answer;
   }
   const Directions& d = directions();
@@ -140,7 +139,8 @@ BendingAnswer bend(const BendingLaw& law, const LevelMix& mix, const Vec2& curva
 
 Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const Vec2& moment, BendingMemory& memory) {
   constexpr int kMost = 60;
-  Vec2 k = (moment + held_moment(law, mix, memory)) / EI;
+  bring_to_level(law, mix, memory);
+  Vec2 k = (moment + memory.held) / EI;
   for (int i = 0; i < kMost; ++i) {
     BendingMemory trial = memory;
     const BendingAnswer answer = bend(law, mix, k, trial);

@@ -62,6 +62,9 @@ Vec2 curvature_for(const BendingLaw& law, const LevelMix& mix, double EI, const 
 /// Curvature that would be left without moment: M_p/EI, if nothing yields on the way [1/m].
 Vec2 residual_curvature(const BendingLaw& law, const LevelMix& mix, double EI, const BendingMemory& memory);
 
+/// Finds anew what the slips hold and store where they were last known for other stiffnesses.
+void bring_to_level(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory);
+
 /// Turns the axes of a memory with the pipe to a new unit tangent.
 void bring_along(BendingMemory& memory, const Vec3& tangent);
 

@@ -188,20 +188,42 @@ LevelMix level_at(const BendingLaw& law, double z) {
   return {static_cast<int>(above - law.levels.begin()) - 1, (z - below.z) / (above->z - below.z)};
 }
 
-MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvature) {
-  const BendingLevel& lower = law.levels[static_cast<std::size_t>(mix.lower)];
-  const BendingLevel& upper = law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)];
-  const auto between = [&](double a, double b) { return a + mix.share * (b - a); };
-  MomentPoint point{law.EI * curvature, 0.0};
-  for (std::size_t i = 0; i < kSliders; ++i) {
-    point.moment -= between(lower.stiffness[i], upper.stiffness[i]) * taken_off(law.limit[i], curvature);
-  }
+namespace {
+
+/// Of both levels, what belongs to the mix.
+class Between {
+ public:
+  Between(const BendingLaw& law, const LevelMix& mix)
+      : lower_(law.levels[static_cast<std::size_t>(mix.lower)]),
+        upper_(law.levels[std::min(static_cast<std::size_t>(mix.lower) + 1, law.levels.size() - 1)]),
+        share_(mix.share) {}
+  double stiffness(std::size_t slider) const { return mixed(lower_.stiffness[slider], upper_.stiffness[slider]); }
+  double mid_strain(std::size_t at) const { return mixed(lower_.mid_strain[at], upper_.mid_strain[at]); }
+
+ private:
+  double mixed(double a, double b) const { return a + share_ * (b - a); }
+
+  const BendingLevel &lower_, &upper_;
+  double share_;
+};
+
+}  // namespace
+
+double axis_strain(const BendingLaw& law, const LevelMix& mix, double curvature) {
+  if (!(curvature > law.curvature.front())) return 0.0;
+  const Between between(law, mix);
   const auto after = std::lower_bound(law.curvature.begin(), law.curvature.end() - 1, curvature);
   const std::size_t i = static_cast<std::size_t>(after - law.curvature.begin());
-  if (i > 0) {
-    const double share = (curvature - law.curvature[i - 1]) / (law.curvature[i] - law.curvature[i - 1]);
-    const auto strain = [&](std::size_t at) { return between(lower.mid_strain[at], upper.mid_strain[at]); };
-    point.mid_strain = strain(i - 1) + std::min(share, 1.0) * (strain(i) - strain(i - 1));
+  const double share = (curvature - law.curvature[i - 1]) / (law.curvature[i] - law.curvature[i - 1]);
+  const double below = between.mid_strain(i - 1);
+  return below + std::min(share, 1.0) * (between.mid_strain(i) - below);
+}
+
+MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvature) {
+  const Between between(law, mix);
+  MomentPoint point{law.EI * curvature, axis_strain(law, mix, curvature)};
+  for (std::size_t i = 0; i < kSliders; ++i) {
+    point.moment -= between.stiffness(i) * taken_off(law.limit[i], curvature);
   }
   return point;
 }

@@ -53,6 +53,8 @@ LevelMix level_at(const BendingLaw& law, double z);
 
 /// Moment under a load that only grows, and the strain of the axis beyond the elastic one.
 MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvature);
+/// That strain alone.
+double axis_strain(const BendingLaw& law, const LevelMix& mix, double curvature);
 
 /// What loads the wall at a height.
 struct LevelLoads {

@@ -111,6 +111,7 @@ void Assembly::set_time(double time, const SystemState& near) {
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);
+    lines_[i].begin_step();
   }
   find_held();
 }
@@ -232,8 +233,7 @@ void Assembly::forget_contacts() {
 
 void Assembly::finish_step(const SystemState& before, double h, SystemState& after) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    LineState& line = after.lines[i];
-    lines_[i].contacts().complete(line.q.data(), line.v.data(), line.contacts);
+    lines_[i].finish_step(after.lines[i], before.lines[i]);
   }
   for (std::size_t i = 0; i < border_.count(); ++i) {
     if (border_.body(i).finish_step) {

@@ -59,10 +59,8 @@ InstantEnergy Assembly::energy(const SystemState& state) const {
     const LineMotion motion = line.motion_of(at, at, {}, surroundings_.water[i], nullptr);
     add(now.line, line.energy(at, surroundings_.water[i]));
     add_point_energy(line.line().points, line.environment(), at.q.data(), motion, now.line);
-    if (line.line().yielding.any) {
-      now.line.strain += stored_by_yielding(line.line().yielding, line.line().mesh, at.q.data(), at.bending);
-      now.bending_heat += at.bending_heat;
-    }
+    now.line.strain += line.stored_by_yielding();
+    now.bending_heat += at.bending_heat;
     add_contact_energy(line.contacts(), now);
     now.anchor_power += end_power(line, at, LineEnd::first);
     now.top_power += end_power(line, at, LineEnd::last);

@@ -14,7 +14,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       environment_(line.environment),
       yielding_(line.yielding),
       contacts_(line, bodies),
-      plastic_moment_(line.yielding.any ? kGaussPoints * line.mesh.length.size() : 0, Vec3::Zero()),
+      moving_yielding_(line.yielding, line.mesh),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       cuts_(residual_.size()),
       tangent_(&tangent) {}
@@ -120,12 +120,19 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
   // The last evaluation of a step is wanted with its energies: hardly ever the first, or one with a tangent.
   energy_.reset();
   if (!with_tangent && contacts == ContactMode::free) target.energy = &energy_.emplace();
-  const LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
+  LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
+  HeldSections held;
+  if (yielding_.any) {
+    if (begins_) moving_yielding_.begin(before.bending);
+    held = moving_yielding_.held();
+    motion.held = &held;
+  }
+  begins_ = false;
   add_line_forces(elements(), environment_, {state.q.data(), nullptr}, motion, target, best_isa());
   if (yielding_.any) {
-    state.bending_heat = before.bending_heat +
-                         add_moving_yielding(yielding_, line_->mesh, state.q.data(), before.bending, state.bending,
-                                             plastic_moment_, {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
+    state.bending_heat =
+        before.bending_heat + moving_yielding_.add_sliding(state.q.data(), before.bending, state.bending,
+                                                           {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
   add_point_forces(line_->points, environment_, state.q.data(), motion, residual_.data(),
                    with_tangent ? tangent_ : nullptr);
@@ -141,6 +148,11 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
     if (first < nodes) without_contacts_.copy_from(*tangent_, kept_from_);
     contacts_.add_tangent(state.q.data(), weights, *tangent_);
   }
+}
+
+void LineAssembly::finish_step(LineState& state, const LineState& before) {
+  contacts_.complete(state.q.data(), state.v.data(), state.contacts);
+  if (yielding_.any) moving_yielding_.finish(state.q.data(), before.bending, state.bending);
 }
 
 bool LineAssembly::renew_contact_tangents(const LineState& state, const Weights& weights) {

@@ -69,10 +69,17 @@ class LineAssembly {
   void evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                         bool with_tangent, bool keep_memory = false);
 
-  /// In motion, `water` as Surroundings::water of the line. The memories of `state` receive what those of `before` have
-  /// become after the step.
+  /// Another step begins, or the same one again.
+  void begin_step() { begins_ = true; }
+  /// In motion, `water` as Surroundings::water of the line. The memories of `state` receive what those of `before`, the
+  /// same throughout a step, have become after it; of the steel, finish_step() does so where nothing slides.
   void evaluate(LineState& state, const LineState& before, const Weights& weights, const std::vector<double>& water,
                 bool with_tangent, ContactMode contacts);
+
+  /// Brings all memories up to the state that was evaluated last, the end of a step.
+  void finish_step(LineState& state, const LineState& before);
+  /// Energy that yielding stores beyond that of elastic bending, at the state evaluated last [J].
+  double stored_by_yielding() const { return yielding_.any ? moving_yielding_.stored() : 0.0; }
 
   /// After evaluate() without a tangent: puts the tangent of the contacts as they are now beside that of the line as it
   /// was at the last full one. False where contacts reach beyond what was kept, and a full tangent is needed.
@@ -102,7 +109,8 @@ class LineAssembly {
   RollerContacts contacts_;
   StaticYielding resting_;
   std::vector<BendingMemory> before_;
-  std::vector<Vec3> plastic_moment_;  ///< What yielding takes off the elastic moment, per Gauss point.
+  MovingYielding moving_yielding_;
+  bool begins_ = true;  ///< A step is, whose start has not been looked at.
   std::vector<double> residual_, cuts_;
   std::array<double, 6> first_{}, last_{};
   std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace overbend {
 namespace {
@@ -220,45 +223,102 @@ std::vector<BendingMemory> moved_along(const BentLine& before, double shift, con
   return moved;
 }
 
-double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
-                           const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
-                           std::vector<Vec3>& plastic_moment, const YieldingTarget& target) {
-  double loss = 0.0;
-  for (std::size_t e = 0; e < elements.law.size(); ++e) {
-    const BendingLaw* law = elements.law[e];
+MovingYielding::MovingYielding(const YieldingElements& elements, const LineMesh& mesh)
+    : elements_(&elements), mesh_(&mesh), padded_((elements.law.size() + kLanes - 1) / kLanes * kLanes) {
+  if (!elements.any) return;
+  values_.resize(kGaussPoints * kHeldValues * padded_, 0.0);
+  left_.resize(kGaussPoints * padded_, 0.0);
+  stored_held_.resize(kLanes, 0.0);
+  for (std::size_t i = 0; i < kGaussPoints; ++i) {  // nothing ever slides in linear steel
+    std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(place(kHeldValues * i + kHeldSlack, 0)), padded_,
+                std::numeric_limits<double>::max());
+  }
+}
+
+void MovingYielding::begin(const std::vector<BendingMemory>& before) {
+  for (std::size_t e = 0; e < elements_->law.size(); ++e) {
+    const BendingLaw* law = elements_->law[e];
     if (law == nullptr) continue;
+    for (std::size_t i = 0; i < kGaussPoints; ++i) {
+      const BendingMemory& memory = before[kGaussPoints * e + i];
+      double* values = values_.data() + place(kHeldValues * i, e);
+      const auto put = [&](int number, double value) { values[static_cast<std::size_t>(number) * padded_] = value; };
+      for (int c = 0; c < 3; ++c) {
+        put(kHeldTangent + c, memory.tangent(c));
+        put(kHeldAxis + c, memory.axis(c));
+      }
+      put(kHeldCenter, memory.center.x());
+      put(kHeldCenter + 1, memory.center.y());
+      put(kHeldSlack, memory.slack * std::abs(memory.slack));
+      const auto put_slips = [&](const BendingMemory& at_level) {
+        put(kHeldMoment, at_level.held.x());
+        put(kHeldMoment + 1, at_level.held.y());
+        put(kHeldStored, at_level.stored);
+      };
+      if (memory.held_mix == elements_->mix[e]) {
+        put_slips(memory);
+      } else {
+        BendingMemory at_level = memory;
+        bring_to_level(*law, elements_->mix[e], at_level);
+        put_slips(at_level);
+      }
+    }
+  }
+}
+
+HeldSections MovingYielding::held() {
+  std::fill(stored_held_.begin(), stored_held_.end(), 0.0);
+  return {values_.data(), left_.data(), stored_held_.data()};
+}
+
+double MovingYielding::add_sliding(const double* q, const std::vector<BendingMemory>& before,
+                                   std::vector<BendingMemory>& after, const YieldingTarget& target) {
+  double loss = 0.0;
+  stored_sliding_ = 0.0;
+  for (std::size_t e = 0; e < elements_->law.size(); ++e) {
+    const double* left = left_.data() + e;
+    if (left[0] + left[padded_] + left[2 * padded_] + left[3 * padded_] == 0.0) continue;
     const ElementVector at_nodes = dofs({q, nullptr}, e);
     ElementSum sum(target.tangent != nullptr);
     for (int i = 0; i < kGaussPoints; ++i) {
+      if (left_[place(static_cast<std::size_t>(i), e)] == 0.0) continue;
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      const HermiteValues shape = gauss_shape(i, mesh.length[e]);
+      const HermiteValues shape = gauss_shape(i, mesh_->length[e]);
       const CentrelinePoint at = point_at(at_nodes, shape);
       BendingMemory& memory = after[index];
       memory = before[index];
       bring_along(memory, at.a.normalized());
-      const BendingAnswer answer = bend(*law, elements.mix[e], in_axes(memory, curvature_vector(at)), memory);
-      const double weight = kGaussWeight[i] * mesh.length[e];
+      const Vec2 k = in_axes(memory, curvature_vector(at));
+      const BendingAnswer answer = bend(*elements_->law[e], elements_->mix[e], k, memory);
+      const double weight = kGaussWeight[i] * mesh_->length[e];
       loss += weight * answer.loss;
-      sum.add(shape, at, weight, memory, answer, plastic_moment[index]);
+      stored_sliding_ += weight * stored_beyond_elastic(k, memory);
+      Vec3 moment;
+      sum.add(shape, at, weight, memory, answer, moment);
     }
     sum.scatter_to(static_cast<int>(e), target);
   }
   return loss;
 }
 
-double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
-                          const std::vector<BendingMemory>& memory) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < elements.law.size(); ++e) {
-    if (elements.law[e] == nullptr) continue;
+double MovingYielding::stored() const {
+  return std::accumulate(stored_held_.begin(), stored_held_.end(), stored_sliding_);
+}
+
+void MovingYielding::finish(const double* q, const std::vector<BendingMemory>& before,
+                            std::vector<BendingMemory>& after) const {
+  for (std::size_t e = 0; e < elements_->law.size(); ++e) {
+    const BendingLaw* law = elements_->law[e];
     const ElementVector at_nodes = dofs({q, nullptr}, e);
     for (int i = 0; i < kGaussPoints; ++i) {
-      const BendingMemory& at = memory[kGaussPoints * e + static_cast<std::size_t>(i)];
-      const Vec2 k = in_axes(at, curvature_vector(point_at(at_nodes, gauss_shape(i, mesh.length[e]))));
-      sum += kGaussWeight[i] * mesh.length[e] * stored_beyond_elastic(k, at);
+      if (left_[place(static_cast<std::size_t>(i), e)] != 0.0) continue;
+      BendingMemory& memory = after[kGaussPoints * e + static_cast<std::size_t>(i)];
+      memory = before[kGaussPoints * e + static_cast<std::size_t>(i)];
+      if (law == nullptr) continue;
+      bring_along(memory, point_at(at_nodes, gauss_shape(i, mesh_->length[e])).a.normalized());
+      bring_to_level(*law, elements_->mix[e], memory);
     }
   }
-  return sum;
 }
 
 void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/aligned.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/plastic_bending.h"
 #include "mechanics/quadrature.h"
@@ -66,14 +67,35 @@ struct BentLine {
 std::vector<BendingMemory> moved_along(const BentLine& before, double shift, const YieldingElements& elements,
                                        const LineMesh& mesh);
 
-/// Adds those of a line in motion: `after` becomes what `before` was, bent on to `q`. Returns the heat made [J].
-double add_moving_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
-                           const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
-                           std::vector<Vec3>& plastic_moment, const YieldingTarget& target);
+/// How the steel of a line in motion yields over a step. Sections that nothing slides in are the element kernel's
+/// (HeldSections), which also tells which those are not.
+class MovingYielding {
+ public:
+  MovingYielding(const YieldingElements& elements, const LineMesh& mesh);
 
-/// Energy stored beyond that of elastic bending [J].
-double stored_by_yielding(const YieldingElements& elements, const LineMesh& mesh, const double* q,
-                          const std::vector<BendingMemory>& memory);
+  /// A step that starts from these memories.
+  void begin(const std::vector<BendingMemory>& before);
+  /// For the kernel, which is to be called next.
+  HeldSections held();
+  /// Adds the plastic moments of sections that slide, which leaves their memories in `after`. Returns the heat made
+  /// since `before` [J].
+  double add_sliding(const double* q, const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
+                     const YieldingTarget& target);
+  /// Energy stored beyond that of elastic bending, as it was then [J].
+  double stored() const;
+  /// The memories of all other sections after the step.
+  void finish(const double* q, const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after) const;
+
+ private:
+  std::size_t place(std::size_t point, std::size_t element) const { return point * padded_ + element; }
+
+  const YieldingElements* elements_;
+  const LineMesh* mesh_;
+  std::size_t padded_;
+  AlignedDoubles values_, left_;  ///< As HeldSections.
+  AlignedDoubles stored_held_;    ///< Partial sums.
+  double stored_sliding_ = 0.0;
+};
 
 /// Adds the plastic moments found to the internal force of one element.
 void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,

@@ -1,0 +1,69 @@
+/// Sections of a batch whose steel has yielded and in which nothing slides, with their exact derivatives. For
+/// line_kernel.cpp alone. Formulas and sections that slide: mechanics/plastic_bending.h.
+#pragma once
+
+#include "mechanics/line_kernel_strain.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+inline Vec cross(const Vec& a, const Vec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// u v' + v u'
+inline void add_both_dyads(Mat& m, const Vec& u, const Vec& v) {
+  const Lanes uc[3] = {u.x, u.y, u.z}, vc[3] = {v.x, v.y, v.z};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      m.m[r][c] += uc[r] * vc[c] + vc[r] * uc[c];
+    }
+  }
+}
+
+/// Takes a plastic moment off the elastic one at Gauss point i: the moment M goes with the tangent as its axes do, and
+/// works on the curvature (b - (a.b)/g a)/|a| with g = a.a.
+template <bool kTangent>
+inline void take_off_moment(Batch& e, BatchTangent* tangent, int i, const PointSlope& at, const Vec& M) {
+  const Vec &a = at.a, &b = at.b;
+  const Lanes ig = at.inv_g, g1 = at.inv_norm, g3 = g1 * ig, m = dot(a, b), beta = dot(M, b);
+  const double w = kGauss[i].weight;  // times h, one h lost to each derivative
+  add_strain_force(e, kGauss[i], w * ((beta * g3) * a + (m * g3) * M), (-w * e.inv_h * g1) * M);
+  if constexpr (kTangent) {
+    const Lanes wa = w * e.inv_h, wm = wa * e.inv_h;
+    const Vec k = g1 * (b - (m * ig) * a);
+    const Vec u = (g3 * wa) * b - (0.5 * wa * ig) * k - (3.0 * wa * m * g3 * ig) * a;
+    add_both_dyads(tangent->aa[i], u, M);
+    add_sym(tangent->aa[i], wa, dyad(beta * g3, -3.0 * beta * g3 * ig, a));
+    add_both_dyads(tangent->ba[i], (wm * g3) * a, M);
+  }
+}
+
+/// At all Gauss points; `counts` are the lengths of the elements, 0 for those that only fill the batch.
+template <bool kTangent>
+inline void add_held_sections(Batch& e, BatchTangent* tangent, const PointSlope (&slopes)[kGaussPoints],
+                              const HeldSections& held, const Lanes& counts, int first, int padded) {
+  Lanes stored = load_lanes(held.stored);
+#pragma GCC unroll 1
+  for (int i = 0; i < kGaussPoints; ++i) {
+    const PointSlope& at = slopes[i];
+    const double* values = held.values + kHeldValues * i * padded + first;
+    const auto value = [&](int number) { return load_lanes(values + number * padded); };
+    const auto vector = [&](int number) { return Vec{value(number), value(number + 1), value(number + 2)}; };
+    const Vec t = at.inv_norm * at.a, before = vector(kHeldTangent), was = vector(kHeldAxis);
+    const Vec axis = was - (dot(was, t) / (1.0 + dot(before, t))) * (before + t), other = cross(t, axis);
+    const Lanes kx = at.inv_norm * dot(at.b, axis), ky = at.inv_norm * dot(at.b, other);
+    const Lanes dx = kx - value(kHeldCenter), dy = ky - value(kHeldCenter + 1);
+    const Lanes left = dx * dx + dy * dy > value(kHeldSlack) ? all(1.0) : Lanes{};
+    *reinterpret_cast<Lanes*>(held.left + i * padded + first) = left;
+    const Lanes held_share = 1.0 - left;
+    const Lanes mx = held_share * value(kHeldMoment), my = held_share * value(kHeldMoment + 1);
+    stored += (kGauss[i].weight * counts) * (held_share * value(kHeldStored) - kx * mx - ky * my);
+    if (!any(mx * mx + my * my)) continue;
+    take_off_moment<kTangent>(e, tangent, i, at, mx * axis + my * other);
+  }
+  *reinterpret_cast<Lanes*>(held.stored) = stored;
+}
+
+}  // namespace
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE

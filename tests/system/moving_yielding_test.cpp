@@ -1,0 +1,172 @@
+/// Steel that yields in motion: the element kernel and the sections that slide against one section after the other.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "mechanics/line_elements.h"
+#include "mechanics/quadrature.h"
+#include "support/fixtures.h"
+#include "system/yielding.h"
+
+namespace overbend {
+namespace {
+
+constexpr int kNodes = 14;
+
+/// A pipe that has been bent far beyond yield and let go a little, and a shape to which it moves from there: some of
+/// its sections slide again, others hold.
+struct BentPipe {
+  Model model;
+  LineMesh mesh;
+  LineElements line;
+  YieldingElements elements;
+  std::vector<BendingMemory> before;
+  std::vector<double> q;
+};
+
+ElementVector unknowns(const std::vector<double>& q, std::size_t element) {
+  return Eigen::Map<const ElementVector>(q.data() + 6 * element);
+}
+
+Model yielding_pipe() {
+  Description d = testing::plain_description();
+  d.pipe.section.steel.material.law = MaterialLaw::ramberg_osgood;
+  d.pipe.section.steel.material.hardening_exponent = 25.0;
+  return build_model(d);
+}
+
+BentPipe bent_pipe() {
+  BentPipe pipe{yielding_pipe(), {}, {}, {}, {}, testing::wavy_line(kNodes, 1.1, Vec3(0.0, 0.0, 30.0), 5)};
+  for (int i = 0; i < kNodes; ++i) pipe.mesh.s.push_back(1.1 * i);
+  pipe.mesh.length.assign(kNodes - 1, 1.1);
+  pipe.mesh.section.assign(kNodes - 1, 0);
+  pipe.line = line_elements(pipe.model, pipe.mesh.length, pipe.mesh.section);
+  pipe.elements = yielding_elements(pipe.model, pipe.mesh);
+  choose_levels(pipe.elements, pipe.q.data());
+  pipe.elements.law[5] = nullptr;  // linear steel in between
+  pipe.before = fresh_memories(pipe.mesh, pipe.q.data());
+  constexpr double kLetGo = 0.004;  // 1/m, of 0.02 at which the steel yields there and back
+  for (std::size_t i = 0; i < pipe.before.size(); ++i) {
+    const std::size_t e = i / kGaussPoints;
+    if (pipe.elements.law[e] == nullptr) continue;
+    const CentrelinePoint at = centreline(unknowns(pipe.q, e), kGaussXi[i % kGaussPoints], 1.1);
+    const Vec2 k = in_axes(pipe.before[i], curvature_vector(at));
+    bend(*pipe.elements.law[e], {}, k + kLetGo * k.normalized(), pipe.before[i]);
+    bend(*pipe.elements.law[e], {}, k, pipe.before[i]);  // at another level than that of the element
+  }
+  std::mt19937_64 generator(11);
+  std::normal_distribution<double> normal(0.0, 1e-4);
+  for (double& value : pipe.q) value += normal(generator);
+  return pipe;
+}
+
+struct Added {
+  std::vector<double> residual = std::vector<double>(6 * kNodes, 0.0);
+  Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(6 * kNodes, 6 * kNodes);
+  std::vector<BendingMemory> after;
+  double stored = 0.0, heat = 0.0;
+  int held = 0, slid = 0;
+};
+
+/// Section by section, with what is written for one.
+Added one_by_one(const BentPipe& pipe) {
+  Added sum;
+  sum.after = pipe.before;
+  for (std::size_t e = 0; e < pipe.elements.law.size(); ++e) {
+    if (pipe.elements.law[e] == nullptr) continue;
+    ElementVector force = ElementVector::Zero();
+    ElementMatrix stiffness = ElementMatrix::Zero();
+    for (std::size_t i = 0; i < kGaussPoints; ++i) {
+      const CentrelinePoint at = centreline(unknowns(pipe.q, e), kGaussXi[i], 1.1);
+      BendingMemory& memory = sum.after[kGaussPoints * e + i];
+      bring_along(memory, at.a.normalized());
+      const Vec2 k = in_axes(memory, curvature_vector(at));
+      const std::uint64_t stamp = memory.stamp;
+      const BendingAnswer answer = bend(*pipe.elements.law[e], pipe.elements.mix[e], k, memory);
+      ++(memory.stamp == stamp ? sum.held : sum.slid);
+      const double weight = 1.1 * kGaussWeight[i];
+      sum.heat += weight * answer.loss;
+      sum.stored += weight * stored_beyond_elastic(k, memory);
+      Eigen::Matrix<double, 3, 2> axes;
+      axes << memory.axis, memory.tangent.cross(memory.axis);
+      const Mat3 by_curvature = axes * answer.plastic_tangent * axes.transpose();
+      add_plastic_point(hermite(kGaussXi[i], 1.1), at, weight, from_axes(memory, answer.plastic_moment), &by_curvature,
+                        force, &stiffness);
+    }
+    for (int r = 0; r < 12; ++r) sum.residual[6 * e + static_cast<std::size_t>(r)] += force(r);
+    sum.tangent.block<12, 12>(6 * static_cast<int>(e), 6 * static_cast<int>(e)) += stiffness;
+  }
+  return sum;
+}
+
+/// Forces and tangent of the line, with its yielding or, without `yielding`, as if it were linear.
+Added all_at_once(const BentPipe& pipe, MovingYielding* yielding, Isa isa) {
+  Added sum;
+  sum.after = pipe.before;
+  const std::vector<double> rest(pipe.q.size(), 0.0);
+  const AlignedDoubles slip(static_cast<std::size_t>(kGaussPoints * kBedDirections) * pipe.line.padded(), 0.0);
+  AlignedDoubles next = slip;
+  LineMotion motion{rest.data(), rest.data(), 0.0, 0.0, 0.0, nullptr, slip.data(), next.data()};
+  HeldSections held;
+  if (yielding != nullptr) {
+    yielding->begin(pipe.before);
+    held = yielding->held();
+    motion.held = &held;
+  }
+  BlockTridiagonal tangent(kNodes);
+  const LineEnvironment env = line_environment(pipe.model, LayRoute(Vec3::Zero(), -Vec3::UnitX()));
+  add_line_forces(pipe.line, env, {pipe.q.data(), nullptr}, motion,
+                  {sum.residual.data(), tangent.diag(0), tangent.upper(0), tangent.lower(0)}, isa);
+  if (yielding != nullptr) {
+    sum.heat = yielding->add_sliding(pipe.q.data(), pipe.before, sum.after, {&sum.residual, &tangent});
+    sum.stored = yielding->stored();
+    yielding->finish(pipe.q.data(), pipe.before, sum.after);
+  }
+  sum.tangent = testing::dense(tangent);
+  return sum;
+}
+
+class moving_yielding : public ::testing::TestWithParam<Isa> {};
+
+TEST_P(moving_yielding, takes_off_the_line_what_its_sections_take_off_one_by_one) {
+  if (GetParam() > best_isa()) GTEST_SKIP() << "an instruction set that this machine lacks";
+  const BentPipe pipe = bent_pipe();
+  const Added expected = one_by_one(pipe);
+  ASSERT_GT(expected.held, 10);
+  ASSERT_GT(expected.slid, 10);
+  MovingYielding yielding(pipe.elements, pipe.mesh);
+  const Added with = all_at_once(pipe, &yielding, GetParam()), without = all_at_once(pipe, nullptr, GetParam());
+  EXPECT_NEAR(with.stored, expected.stored, 1e-10 * std::abs(expected.stored));
+  EXPECT_NEAR(with.heat, expected.heat, 1e-10 * expected.heat);
+  double largest = 0.0;
+  for (const double force : without.residual) largest = std::max(largest, std::abs(force));
+  for (std::size_t i = 0; i < expected.residual.size(); ++i) {
+    EXPECT_NEAR(with.residual[i] - without.residual[i], expected.residual[i], 1e-12 * largest) << i;
+  }
+  const Eigen::MatrixXd lack = with.tangent - without.tangent - expected.tangent;
+  EXPECT_LT(lack.cwiseAbs().maxCoeff(), 1e-12 * without.tangent.cwiseAbs().maxCoeff());
+  EXPECT_GT(expected.tangent.cwiseAbs().maxCoeff(), 1e-4 * without.tangent.cwiseAbs().maxCoeff());
+}
+
+TEST_P(moving_yielding, remembers_what_its_sections_remember_one_by_one) {
+  if (GetParam() > best_isa()) GTEST_SKIP() << "an instruction set that this machine lacks";
+  const BentPipe pipe = bent_pipe();
+  const std::vector<BendingMemory> expected = one_by_one(pipe).after;
+  MovingYielding yielding(pipe.elements, pipe.mesh);
+  const std::vector<BendingMemory> found = all_at_once(pipe, &yielding, GetParam()).after;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const BendingMemory &a = found[i], &b = expected[i];
+    EXPECT_LT((a.tangent - b.tangent).norm() + (a.axis - b.axis).norm(), 1e-13) << i;
+    EXPECT_LT((a.held - b.held).norm(), 1e-9 * b.held.norm() + 1e-9) << i;
+    EXPECT_NEAR(a.stored, b.stored, 1e-9 * b.stored + 1e-9) << i;
+    EXPECT_NEAR(a.slack, b.slack, 1e-13) << i;
+    for (std::size_t j = 0; j < b.slip.size(); ++j) ASSERT_NEAR(a.slip[j], b.slip[j], 1e-13) << i << " " << j;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(on_every_instruction_set, moving_yielding,
+                         ::testing::Values(Isa::baseline, Isa::avx2, Isa::avx512));
+
+}  // namespace
+}  // namespace overbend
