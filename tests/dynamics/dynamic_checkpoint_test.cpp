@@ -25,7 +25,7 @@ SystemState numbered() {
     BendingMemory memory;
     memory.largest = number();
     memory.stamp = 0x123456789abcdefULL;
-    line.bending.assign(size == 30 ? 2 : 0, memory);
+    line.bending = BendingMemories(std::vector<BendingMemory>(size == 30 ? kGaussPoints : 0, memory));
     line.bending_heat = size == 30 ? number() : 0.0;
     state.lines.push_back(line);
   }
@@ -54,7 +54,7 @@ SystemState blank(const SystemState& like) {
   for (const LineState& line : like.lines) {
     LineState empty;
     empty.contacts.resize(line.contacts.size());
-    empty.bending.resize(line.bending.size());
+    empty.bending = BendingMemories(std::vector<BendingMemory>(line.bending.size()));
     state.lines.push_back(empty);
   }
   state.attachments.resize(like.attachments.size());
@@ -77,7 +77,7 @@ TEST(dynamic_checkpoint, gives_a_state_of_several_lines_and_bodies_back_bit_for_
     EXPECT_EQ(first.arrays[i].values, second.arrays[i].values) << first.arrays[i].name;
   }
   EXPECT_EQ(restored.lines[1].q, state.lines[1].q);
-  EXPECT_EQ(restored.lines[1].bending[1].stamp, state.lines[1].bending[1].stamp);
+  EXPECT_EQ(restored.lines[1].bending.at(1).stamp, state.lines[1].bending.at(1).stamp);
   EXPECT_EQ(restored.attachments[2].travel.alg, state.attachments[2].travel.alg);
   EXPECT_EQ(restored.bodies[1].h, state.bodies[1].h);
   EXPECT_EQ(restored.bodies[1].slow.rate, state.bodies[1].slow.rate);

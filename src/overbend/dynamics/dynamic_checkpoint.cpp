@@ -72,7 +72,7 @@ void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const Lin
   }
   put(checkpoint, name + "contacts", std::move(contacts));
   if (!line.bending.empty()) {
-    put(checkpoint, name + "bending", bending_numbers(line.bending));
+    put(checkpoint, name + "bending", bending_numbers(line.bending.all()));
     put(checkpoint, name + "bending_heat", {line.bending_heat});
   }
 }
@@ -91,10 +91,11 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   }
   if (!line.bending.empty()) {
     const std::vector<double>& bending = checkpoint_array(checkpoint, name + "bending");
-    line.bending.resize(bending.size() / kBendingNumbers);  // as many as there are elements
-    for (std::size_t i = 0; i < line.bending.size(); ++i) {
-      line.bending[i] = bending_memory(&bending.at(kBendingNumbers * i));
+    std::vector<BendingMemory> memories;
+    for (std::size_t i = 0; i < bending.size() / kBendingNumbers; ++i) {  // as many as there are elements
+      memories.push_back(bending_memory(&bending.at(kBendingNumbers * i)));
     }
+    line.bending = BendingMemories(memories);
     line.bending_heat = checkpoint_array(checkpoint, name + "bending_heat").at(0);
   }
 }

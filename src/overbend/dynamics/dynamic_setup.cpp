@@ -87,7 +87,7 @@ SystemState static_state(const System& system, const StaticSolution& solution,
   const Line& line = system.lines.front();
   LineState& pipe = state.lines.front();
   if (!solution.bending.empty()) {
-    pipe.bending = solution.bending;
+    pipe.bending = BendingMemories(solution.bending);
   }
   stretch_bed(line, pipe);
   return state;

@@ -57,8 +57,8 @@ bool as_large(const LineState& a, const LineState& b) {
          a.bending.size() == b.bending.size();
 }
 
-/// What is not predicted, where the sizes are the same: nothing is allocated. Memories of the steel are all written by
-/// the end of a step, and are many.
+/// What is not predicted, where the sizes are the same: nothing is allocated. Memories of the steel are looked after
+/// where they are used, see LineAssembly::evaluate().
 void begin_from(const SystemState& now, SystemState& next) {
   if (!std::equal(now.lines.begin(), now.lines.end(), next.lines.begin(), next.lines.end(), as_large)) {
     next = now;

@@ -62,8 +62,8 @@ inline constexpr int kWaterValues = 8;
 inline constexpr int kBedDirections = 2;
 
 /// Numbers of a section whose steel may yield, see HeldSections: tangent and first axis of its memory, in these axes
-/// the curvature about which nothing slides, the square of how far from there (signed as the distance), the plastic
-/// moment of its slips in these axes, and the energy that they store.
+/// the curvature about which nothing slides and how far from there (negative: not known), the plastic moment of its
+/// slips in these axes, and the energy that they store.
 enum HeldValue { kHeldTangent = 0, kHeldAxis = 3, kHeldCenter = 6, kHeldSlack = 8, kHeldMoment = 9, kHeldStored = 11 };
 inline constexpr int kHeldValues = 12;
 
@@ -71,6 +71,7 @@ inline constexpr int kHeldValues = 12;
 /// slides in holds its plastic moment, whose axes go with the pipe: the kernel takes that off the elastic moment.
 struct HeldSections {
   const double* values = nullptr;  ///< kHeldValues by Gauss point, number and element (padded count).
+  double* after = nullptr;         ///< The same after the step, of which tangents and axes are written.
   /// By Gauss point and element (padded count), written: above zero where springs slide and nothing was taken off.
   double* left = nullptr;
   /// Energy stored beyond that of elastic bending where nothing slides [J]: kLanes sums, added to.

@@ -54,8 +54,14 @@ inline void add_held_sections(Batch& e, BatchTangent* tangent, const PointSlope 
     const Vec axis = was - (dot(was, t) / (1.0 + dot(before, t))) * (before + t), other = cross(t, axis);
     const Lanes kx = at.inv_norm * dot(at.b, axis), ky = at.inv_norm * dot(at.b, other);
     const Lanes dx = kx - value(kHeldCenter), dy = ky - value(kHeldCenter + 1);
-    const Lanes left = dx * dx + dy * dy > value(kHeldSlack) ? all(1.0) : Lanes{};
+    const Lanes slack = value(kHeldSlack), within = slack > 0.0 ? slack * slack : -slack * slack;
+    const Lanes left = dx * dx + dy * dy > within ? all(1.0) : Lanes{};
     *reinterpret_cast<Lanes*>(held.left + i * padded + first) = left;
+    double* after = held.after + kHeldValues * i * padded + first;
+    const Lanes carried[6] = {t.x, t.y, t.z, axis.x, axis.y, axis.z};  // kHeldTangent and kHeldAxis
+    for (int number = 0; number < 6; ++number) {
+      *reinterpret_cast<Lanes*>(after + number * padded) = carried[number];
+    }
     const Lanes held_share = 1.0 - left;
     const Lanes mx = held_share * value(kHeldMoment), my = held_share * value(kHeldMoment + 1);
     stored += (kGauss[i].weight * counts) * (held_share * value(kHeldStored) - kx * mx - ky * my);

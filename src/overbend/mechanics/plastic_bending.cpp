@@ -73,21 +73,6 @@ struct Fibres {
 
 }  // namespace
 
-BendingMemory& BendingMemory::operator=(const BendingMemory& other) {
-  if (this == &other) return *this;
-  tangent = other.tangent;
-  axis = other.axis;
-  center = other.center;
-  slack = other.slack;
-  largest = other.largest;
-  held = other.held;
-  stored = other.stored;
-  held_mix = other.held_mix;
-  if (stamp != other.stamp) slip = other.slip;
-  stamp = other.stamp;
-  return *this;
-}
-
 void bring_to_level(const BendingLaw& law, const LevelMix& mix, BendingMemory& memory) {
   if (memory.held_mix == mix) return;
   const std::array<double, kSliders> stiffness = stiffness_of(law, mix);

@@ -21,8 +21,7 @@ using Mat2 = Eigen::Matrix2d;
 
 using Slips = std::array<double, kSliders * kDirections>;  ///< By slider, then direction [1/m].
 
-/// Memory of one section of pipe. Copying one onto another leaves the slips alone where they are the same already:
-/// `stamp` tells, which is made of the slips' whole history.
+/// Memory of one section of pipe.
 struct BendingMemory {
   Vec3 tangent = Vec3::UnitX();  ///< Direction of the pipe when the axis below was taken.
   Vec3 axis = Vec3::UnitY();     ///< First axis across the pipe; the second is tangent x axis.
@@ -32,12 +31,8 @@ struct BendingMemory {
   Vec2 held = Vec2::Zero();      ///< Plastic moment of the slips, at `held_mix` [N m].
   double stored = 0.0;           ///< Half the sum of stiffness times slip squared, at `held_mix` [J/m].
   LevelMix held_mix = {-1, 0.0};
-  std::uint64_t stamp = 0;  ///< 0: never slid.
+  std::uint64_t stamp = 0;  ///< Made of the whole history of the slips; 0: never slid.
   alignas(64) Slips slip{};
-
-  BendingMemory() = default;
-  BendingMemory(const BendingMemory& other) = default;
-  BendingMemory& operator=(const BendingMemory& other);
 };
 
 /// Answer of a section to a curvature.

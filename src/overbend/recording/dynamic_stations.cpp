@@ -47,9 +47,9 @@ int section_at(const Model& model, const LineMesh& mesh, std::size_t node) {
   return has_wall(above) && has_wall(below) && below.EI < above.EI ? before : after;
 }
 
-double yielded_at(const std::vector<BendingMemory>& memory, std::size_t node) {
+double yielded_at(const BendingMemories& memory, std::size_t node) {
   const std::size_t after = std::min(kGaussPoints * node, memory.size() - 1);
-  return std::max(memory[after].largest, after > 0 ? memory[after - 1].largest : 0.0);
+  return std::max(memory.largest(after), after > 0 ? memory.largest(after - 1) : 0.0);
 }
 
 /// Part of a moment about the pipe's axis taken off, and turned to point to the centre of the curve.

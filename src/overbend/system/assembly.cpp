@@ -268,7 +268,7 @@ SystemState state_at_rest(const System& system, const std::vector<std::vector<do
     at.bed_slip.assign(static_cast<std::size_t>(kGaussPoints * kBedDirections) * line.elements.padded(), 0.0);
     at.contacts.assign(line.on_rollers ? rollers : 0, ContactMemory{});
     if (line.yielding.any) {
-      at.bending = fresh_memories(line.mesh, at.q.data());
+      at.bending = BendingMemories(fresh_memories(line.mesh, at.q.data()));
     }
     state.lines.push_back(std::move(at));
   }

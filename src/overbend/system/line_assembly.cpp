@@ -123,8 +123,8 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
   LineMotion motion = motion_of(state, before, weights, water, state.bed_slip.data());
   HeldSections held;
   if (yielding_.any) {
-    if (begins_) moving_yielding_.begin(before.bending);
-    held = moving_yielding_.held();
+    if (begins_) moving_yielding_.begin(before.bending, state.bending);
+    held = moving_yielding_.held(before.bending, state.bending);
     motion.held = &held;
   }
   begins_ = false;
@@ -152,7 +152,7 @@ void LineAssembly::evaluate(LineState& state, const LineState& before, const Wei
 
 void LineAssembly::finish_step(LineState& state, const LineState& before) {
   contacts_.complete(state.q.data(), state.v.data(), state.contacts);
-  if (yielding_.any) moving_yielding_.finish(state.q.data(), before.bending, state.bending);
+  if (yielding_.any) moving_yielding_.finish(before.bending, state.bending);
 }
 
 bool LineAssembly::renew_contact_tangents(const LineState& state, const Weights& weights) {

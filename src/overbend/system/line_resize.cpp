@@ -144,7 +144,9 @@ void rearrange(Line& line, LineState& state, const Arrangement& a) {
     gather(*of_nodes, a.nodes, 6);
   }
   gather_padded(state.bed_slip, a.elements, kBedRows, 0.0);
-  gather(state.bending, a.elements, kGaussPoints);
+  std::vector<BendingMemory> bending = state.bending.all();
+  gather(bending, a.elements, kGaussPoints);
+  state.bending = BendingMemories(bending);
 }
 
 void put_node(LineState& state, int node, const NodeMotion& motion) {
@@ -198,10 +200,10 @@ void spread_memories(const Line& line, LineState& state, const std::array<Part, 
   }
   if (state.bending.empty()) return;
   std::array<BendingMemory, kGaussPoints> old;
-  std::copy_n(state.bending.begin() + static_cast<std::ptrdiff_t>(kGaussPoints * source), kGaussPoints, old.begin());
+  for (std::size_t i = 0; i < kGaussPoints; ++i) old[i] = state.bending.at(kGaussPoints * source + i);
   for (const Part& part : parts) {
     for (std::size_t i = 0; i < kGaussPoints; ++i) {
-      state.bending[kGaussPoints * part.element + i] = old[nearest_point(part.from + kGaussXi[i] * part.size)];
+      state.bending.set(kGaussPoints * part.element + i, old[nearest_point(part.from + kGaussXi[i] * part.size)]);
     }
   }
 }
@@ -222,7 +224,7 @@ void join_memories(const Line& line, LineState& state, const LineState& before, 
       state.bed_slip[(i * kBedDirections + direction) * stride + element] = between_points(old, share);
     }
     if (!state.bending.empty()) {
-      state.bending[kGaussPoints * element + i] = before.bending[kGaussPoints * source + nearest_point(share)];
+      state.bending.set(kGaussPoints * element + i, before.bending.at(kGaussPoints * source + nearest_point(share)));
     }
   }
 }
@@ -230,14 +232,14 @@ void join_memories(const Line& line, LineState& state, const LineState& before, 
 /// Axes for unbent points of an element that is new.
 void unbend(LineState& state, std::size_t element, const Vec3& tangent) {
   for (std::size_t i = 0; i < kGaussPoints; ++i) {
-    state.bending[kGaussPoints * element + i] = fresh_memory(tangent);
+    state.bending.set(kGaussPoints * element + i, fresh_memory(tangent));
   }
 }
 
 /// An element of a kind that may yield, in a line that had none.
 void begin_yielding(Line& line, LineState& state) {
   line.yielding.any = true;
-  if (state.bending.empty()) state.bending = fresh_memories(line.mesh, state.q.data());
+  if (state.bending.empty()) state.bending = BendingMemories(fresh_memories(line.mesh, state.q.data()));
 }
 
 }  // namespace

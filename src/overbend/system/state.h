@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "mechanics/plastic_bending.h"
+#include "mechanics/bending_memories.h"
 #include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
 #include "system/free_body.h"
@@ -20,7 +20,7 @@ struct LineState {
   std::vector<double> alg;     ///< Algorithmic accelerations, see GeneralizedAlpha.
   AlignedDoubles bed_slip;     ///< See LineMotion.
   std::vector<ContactMemory> contacts;  ///< In the order of RollerContacts.
-  std::vector<BendingMemory> bending;   ///< Per Gauss point; empty where no steel yields.
+  BendingMemories bending;              ///< Empty where no steel yields.
   double bending_heat = 0.0;            ///< Made by yielding so far [J].
 
   LineShape shape() const { return {q.data(), low.empty() ? nullptr : low.data()}; }

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
 #include <numeric>
 
 namespace overbend {
@@ -224,86 +221,57 @@ std::vector<BendingMemory> moved_along(const BentLine& before, double shift, con
   return moved;
 }
 
-namespace {
-
-/// Fetches what is asked of a memory to come: slips lie between one and the next, too many for the processor to guess.
-void fetch_ahead(const std::vector<BendingMemory>& memories, std::size_t index) {
-  constexpr std::size_t kAhead = 6, kBytes = offsetof(BendingMemory, slip);
-  if (index + kAhead >= memories.size()) return;
-  const char* at = reinterpret_cast<const char*>(&memories[index + kAhead]);
-  for (std::size_t byte = 0; byte < kBytes; byte += kLineBytes) __builtin_prefetch(at + byte);
-}
-
-}  // namespace
-
 MovingYielding::MovingYielding(const YieldingElements& elements, const LineMesh& mesh)
     : elements_(&elements), mesh_(&mesh), padded_((elements.law.size() + kLanes - 1) / kLanes * kLanes) {
   if (!elements.any) return;
-  values_.resize(kGaussPoints * kHeldValues * padded_, 0.0);
   left_.resize(kGaussPoints * padded_, 0.0);
   stored_held_.resize(kLanes, 0.0);
-  for (std::size_t i = 0; i < kGaussPoints; ++i) {  // nothing ever slides in linear steel
-    std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(place(kHeldValues * i + kHeldSlack, 0)), padded_,
-                std::numeric_limits<double>::max());
-  }
+  slid_.reserve(kGaussPoints * elements.law.size());
+  has_slid_.resize(kGaussPoints * elements.law.size());
 }
 
-void MovingYielding::begin(const std::vector<BendingMemory>& before) {
-  for (std::size_t e = 0; e < elements_->law.size(); ++e) {
-    const BendingLaw* law = elements_->law[e];
-    if (law == nullptr) continue;
-    for (std::size_t i = 0; i < kGaussPoints; ++i) {
-      const BendingMemory& memory = before[kGaussPoints * e + i];
-      fetch_ahead(before, kGaussPoints * e + i);
-      double* values = values_.data() + place(kHeldValues * i, e);
-      const auto put = [&](int number, double value) { values[static_cast<std::size_t>(number) * padded_] = value; };
-      for (int c = 0; c < 3; ++c) {
-        put(kHeldTangent + c, memory.tangent(c));
-        put(kHeldAxis + c, memory.axis(c));
-      }
-      put(kHeldCenter, memory.center.x());
-      put(kHeldCenter + 1, memory.center.y());
-      put(kHeldSlack, memory.slack * std::abs(memory.slack));
-      const auto put_slips = [&](const BendingMemory& at_level) {
-        put(kHeldMoment, at_level.held.x());
-        put(kHeldMoment + 1, at_level.held.y());
-        put(kHeldStored, at_level.stored);
-      };
-      if (memory.held_mix == elements_->mix[e]) {
-        put_slips(memory);
-      } else {
-        BendingMemory at_level = memory;
-        bring_to_level(*law, elements_->mix[e], at_level);
-        put_slips(at_level);
-      }
-    }
+void MovingYielding::begin(const BendingMemories& before, BendingMemories& after) {
+  forget_slid();
+  if (!levelled_.empty()) levelled_ = {};
+  after.become(before);
+  for (std::size_t point = 0; point < before.size(); ++point) {
+    const BendingLaw* law = elements_->law[point / kGaussPoints];
+    const LevelMix& mix = elements_->mix[point / kGaussPoints];
+    if (law == nullptr || before.mix(point) == mix) continue;
+    if (levelled_.empty()) levelled_ = before;
+    BendingMemory memory = before.at(point);
+    bring_to_level(*law, mix, memory);
+    levelled_.set(point, memory);
   }
+  if (!levelled_.empty()) after.become(levelled_);
 }
 
-HeldSections MovingYielding::held() {
+HeldSections MovingYielding::held(const BendingMemories& before, BendingMemories& after) {
   std::fill(stored_held_.begin(), stored_held_.end(), 0.0);
-  return {values_.data(), left_.data(), stored_held_.data()};
+  return {start(before).held(), after.held(), left_.data(), stored_held_.data()};
 }
 
-double MovingYielding::add_sliding(const double* q, const std::vector<BendingMemory>& before,
-                                   std::vector<BendingMemory>& after, const YieldingTarget& target) {
+double MovingYielding::add_sliding(const double* q, const BendingMemories& before, BendingMemories& after,
+                                   const YieldingTarget& target) {
   double loss = 0.0;
   stored_sliding_ = 0.0;
   for (std::size_t e = 0; e < elements_->law.size(); ++e) {
-    const double* left = left_.data() + e;
-    if (left[0] + left[padded_] + left[2 * padded_] + left[3 * padded_] == 0.0) continue;
+    const double* any = left_.data() + e;
+    if (elements_->law[e] == nullptr || any[0] + any[padded_] + any[2 * padded_] + any[3 * padded_] == 0.0) continue;
     const ElementVector at_nodes = dofs({q, nullptr}, e);
     ElementSum sum(target.tangent != nullptr);
     for (int i = 0; i < kGaussPoints; ++i) {
-      if (left_[place(static_cast<std::size_t>(i), e)] == 0.0) continue;
-      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
+      const std::size_t point = kGaussPoints * e + static_cast<std::size_t>(i);
+      if (left(point) == 0.0) continue;
       const HermiteValues shape = gauss_shape(i, mesh_->length[e]);
       const CentrelinePoint at = point_at(at_nodes, shape);
-      BendingMemory& memory = after[index];
-      memory = before[index];
+      BendingMemory memory = start(before).at(point);
       bring_along(memory, at.a.normalized());
       const Vec2 k = in_axes(memory, curvature_vector(at));
       const BendingAnswer answer = bend(*elements_->law[e], elements_->mix[e], k, memory);
+      after.set(point, memory);
+      if (!has_slid_[point]) slid_.push_back(point);
+      has_slid_[point] = true;
       const double weight = kGaussWeight[i] * mesh_->length[e];
       loss += weight * answer.loss;
       stored_sliding_ += weight * stored_beyond_elastic(k, memory);
@@ -319,23 +287,21 @@ double MovingYielding::stored() const {
   return std::accumulate(stored_held_.begin(), stored_held_.end(), stored_sliding_);
 }
 
-void MovingYielding::finish(const double* q, const std::vector<BendingMemory>& before,
-                            std::vector<BendingMemory>& after) const {
-  for (std::size_t e = 0; e < elements_->law.size(); ++e) {
-    const BendingLaw* law = elements_->law[e];
-    const ElementVector at_nodes = dofs({q, nullptr}, e);
-    for (int i = 0; i < kGaussPoints; ++i) {
-      if (left_[place(static_cast<std::size_t>(i), e)] != 0.0) continue;
-      const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      fetch_ahead(before, index);
-      fetch_ahead(after, index);
-      BendingMemory& memory = after[index];
-      memory = before[index];
-      if (law == nullptr) continue;
-      bring_along(memory, point_at(at_nodes, gauss_shape(i, mesh_->length[e])).a.normalized());
-      bring_to_level(*law, elements_->mix[e], memory);
-    }
+void MovingYielding::finish(const BendingMemories& before, BendingMemories& after) {
+  for (const std::size_t point : slid_) {
+    if (left(point) != 0.0) continue;
+    BendingMemory memory = start(before).at(point);
+    const BendingMemory carried = after.at(point);  // by the kernel
+    memory.tangent = carried.tangent;
+    memory.axis = carried.axis;
+    after.set(point, memory);
   }
+  forget_slid();
+}
+
+void MovingYielding::forget_slid() {
+  for (const std::size_t point : slid_) has_slid_[point] = false;
+  slid_.clear();
 }
 
 void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,

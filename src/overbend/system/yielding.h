@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "base/aligned.h"
+#include "mechanics/bending_memories.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/plastic_bending.h"
 #include "mechanics/quadrature.h"
@@ -73,27 +73,32 @@ class MovingYielding {
  public:
   MovingYielding(const YieldingElements& elements, const LineMesh& mesh);
 
-  /// A step that starts from these memories.
-  void begin(const std::vector<BendingMemory>& before);
+  /// A step that starts from `before`. `after` becomes the same, at the levels of the elements.
+  void begin(const BendingMemories& before, BendingMemories& after);
   /// For the kernel, which is to be called next.
-  HeldSections held();
-  /// Adds the plastic moments of sections that slide, which leaves their memories in `after`. Returns the heat made
-  /// since `before` [J].
-  double add_sliding(const double* q, const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after,
+  HeldSections held(const BendingMemories& before, BendingMemories& after);
+  /// Adds the plastic moments of sections that slide, and leaves their memories in `after`. Returns the heat made since
+  /// `before` [J].
+  double add_sliding(const double* q, const BendingMemories& before, BendingMemories& after,
                      const YieldingTarget& target);
   /// Energy stored beyond that of elastic bending, as it was then [J].
   double stored() const;
-  /// The memories of all other sections after the step.
-  void finish(const double* q, const std::vector<BendingMemory>& before, std::vector<BendingMemory>& after) const;
+  /// Sections that slid on the way to the end of the step, and hold there, remember nothing of it.
+  void finish(const BendingMemories& before, BendingMemories& after);
 
  private:
-  std::size_t place(std::size_t point, std::size_t element) const { return point * padded_ + element; }
+  double left(std::size_t point) const { return left_[point % kGaussPoints * padded_ + point / kGaussPoints]; }
+  void forget_slid();
+  const BendingMemories& start(const BendingMemories& before) const { return levelled_.empty() ? before : levelled_; }
 
   const YieldingElements* elements_;
   const LineMesh* mesh_;
   std::size_t padded_;
-  AlignedDoubles values_, left_;  ///< As HeldSections.
-  AlignedDoubles stored_held_;    ///< Partial sums.
+  AlignedDoubles left_;            ///< As HeldSections.
+  AlignedDoubles stored_held_;     ///< Partial sums.
+  BendingMemories levelled_;       ///< The start of the step, where its levels were others; else empty.
+  std::vector<std::size_t> slid_;  ///< Points that slid in this step, if only on the way to its end;
+  std::vector<bool> has_slid_;     ///< and whether a point is one of them.
   double stored_sliding_ = 0.0;
 };
 

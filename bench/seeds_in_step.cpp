@@ -1,0 +1,85 @@
+// What seeds of one model would share if they were advanced side by side in vector lanes, one step for all.
+//
+//     overbend_seeds_in_step [MODEL] [SECONDS] [SEEDS]
+//
+// Defaults: examples/bgl1.yaml of the sources, 100 s, 8 seeds. Each seed is advanced by itself, with the steps it needs;
+// then its steps are laid over those of the others, which would all have to take the smallest. Tells steps a seed alone
+// and together: their ratio is what lanes have to make up for before they gain anything.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "dynamics/simulation.h"
+#include "modelfile/yaml_reader.h"
+#include "statics/recovery.h"
+
+namespace overbend {
+namespace {
+
+/// Ends of the steps of a run, rising [s].
+std::vector<double> step_ends(const Model& model, const StaticSolution& start, double tension,
+                              const DynamicOptions& options) {
+  Simulation simulation(model, start, tension, options);
+  std::vector<double> ends;
+  while (!simulation.finished()) {
+    if (!simulation.step()) {
+      std::cerr << fmt::format("seed {} ends at {:.1f} s\n", options.seed, simulation.time());
+      std::exit(1);
+    }
+    ends.push_back(simulation.time());
+  }
+  return ends;
+}
+
+/// Steps that all take if each is as long as the shortest that one of them takes there.
+double steps_together(const std::vector<std::vector<double>>& seeds) {
+  std::vector<double> instants;
+  for (const std::vector<double>& ends : seeds) instants.insert(instants.end(), ends.begin(), ends.end());
+  std::sort(instants.begin(), instants.end());
+  double steps = 0.0, from = 0.0;
+  for (const double to : instants) {
+    if (to <= from) continue;
+    double shortest = to;
+    for (const std::vector<double>& ends : seeds) {
+      const auto end = std::lower_bound(ends.begin(), ends.end(), to);
+      if (end != ends.end()) shortest = std::min(shortest, *end - (end == ends.begin() ? 0.0 : *(end - 1)));
+    }
+    steps += (to - from) / shortest;
+    from = to;
+  }
+  return steps;
+}
+
+int measure(const std::string& file, double duration, std::size_t seeds) {
+  const ModelReading reading = read_model(file);
+  for (const std::string& line : reading.diagnostics.lines(Severity::error)) std::cerr << line << "\n";
+  if (!reading.description) return 2;
+  const Model model = build_model(*reading.description);
+  const StaticSolution start = solve_statics(model).solution.value();
+  const double tension = recover_statics(model, start).top_tension;
+  DynamicOptions options = dynamic_options(model);
+  options.duration = duration;
+  std::vector<std::vector<double>> ends;
+  double alone = 0.0;
+  for (std::size_t seed = 1; seed <= seeds; ++seed) {
+    options.seed = seed;
+    ends.push_back(step_ends(model, start, tension, options));
+    alone += static_cast<double>(ends.back().size());
+    std::cout << fmt::format("{} seeds: {:.0f} steps each alone, {:.0f} together, {:.2f} times\n", seed,
+                             alone / static_cast<double>(seed), steps_together(ends),
+                             steps_together(ends) * static_cast<double>(seed) / alone);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace overbend
+
+int main(int argc, char** argv) {
+  const std::string file = argc > 1 ? argv[1] : std::string(OVERBEND_SOURCE_DIR) + "/examples/bgl1.yaml";
+  return overbend::measure(file, argc > 2 ? std::atof(argv[2]) : 100.0,
+                           argc > 3 ? static_cast<std::size_t>(std::atoi(argv[3])) : 8);
+}
