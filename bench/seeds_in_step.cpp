@@ -2,9 +2,9 @@
 //
 //     overbend_seeds_in_step [MODEL] [SECONDS] [SEEDS]
 //
-// Defaults: examples/bgl1.yaml of the sources, 100 s, 8 seeds. Each seed is advanced by itself, with the steps it needs;
-// then its steps are laid over those of the others, which would all have to take the smallest. Tells steps a seed alone
-// and together: their ratio is what lanes have to make up for before they gain anything.
+// Defaults: examples/bgl1.yaml of the sources, 100 s, 8 seeds. Each seed is advanced by itself, with the steps it
+// needs; then its steps are laid over those of the others, which would all have to take the smallest. Tells steps a
+// seed alone and together: their ratio is what lanes have to make up for before they gain anything.
 #include <fmt/format.h>
 
 #include <algorithm>
