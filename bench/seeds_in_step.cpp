@@ -19,36 +19,35 @@
 namespace overbend {
 namespace {
 
-/// Ends of the steps of a run, rising [s].
-std::vector<double> step_ends(const Model& model, const StaticSolution& start, double tension,
-                              const DynamicOptions& options) {
+/// The instants that the steps of a run lead from and to, rising [s].
+std::vector<double> instants_of(const Model& model, const StaticSolution& start, double tension,
+                                const DynamicOptions& options) {
   Simulation simulation(model, start, tension, options);
-  std::vector<double> ends;
+  std::vector<double> instants = {simulation.time()};
   while (!simulation.finished()) {
     if (!simulation.step()) {
       std::cerr << fmt::format("seed {} ends at {:.1f} s\n", options.seed, simulation.time());
       std::exit(1);
     }
-    ends.push_back(simulation.time());
+    instants.push_back(simulation.time());
   }
-  return ends;
+  return instants;
 }
 
 /// Steps that all take if each is as long as the shortest that one of them takes there.
 double steps_together(const std::vector<std::vector<double>>& seeds) {
-  std::vector<double> instants;
-  for (const std::vector<double>& ends : seeds) instants.insert(instants.end(), ends.begin(), ends.end());
-  std::sort(instants.begin(), instants.end());
-  double steps = 0.0, from = 0.0;
-  for (const double to : instants) {
-    if (to <= from) continue;
-    double shortest = to;
-    for (const std::vector<double>& ends : seeds) {
-      const auto end = std::lower_bound(ends.begin(), ends.end(), to);
-      if (end != ends.end()) shortest = std::min(shortest, *end - (end == ends.begin() ? 0.0 : *(end - 1)));
+  std::vector<double> all;
+  for (const std::vector<double>& instants : seeds) all.insert(all.end(), instants.begin(), instants.end());
+  std::sort(all.begin(), all.end());
+  double steps = 0.0;
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    if (all[i] == all[i - 1]) continue;
+    double shortest = all.back() - all.front();
+    for (const std::vector<double>& instants : seeds) {
+      const auto end = std::lower_bound(instants.begin() + 1, instants.end(), all[i]);
+      if (end != instants.end()) shortest = std::min(shortest, *end - *(end - 1));
     }
-    steps += (to - from) / shortest;
-    from = to;
+    steps += (all[i] - all[i - 1]) / shortest;
   }
   return steps;
 }
@@ -62,15 +61,15 @@ int measure(const std::string& file, double duration, std::size_t seeds) {
   const double tension = recover_statics(model, start).top_tension;
   DynamicOptions options = dynamic_options(model);
   options.duration = duration;
-  std::vector<std::vector<double>> ends;
+  std::vector<std::vector<double>> runs;
   double alone = 0.0;
   for (std::size_t seed = 1; seed <= seeds; ++seed) {
     options.seed = seed;
-    ends.push_back(step_ends(model, start, tension, options));
-    alone += static_cast<double>(ends.back().size());
+    runs.push_back(instants_of(model, start, tension, options));
+    alone += static_cast<double>(runs.back().size() - 1);
     std::cout << fmt::format("{} seeds: {:.0f} steps each alone, {:.0f} together, {:.2f} times\n", seed,
-                             alone / static_cast<double>(seed), steps_together(ends),
-                             steps_together(ends) * static_cast<double>(seed) / alone);
+                             alone / static_cast<double>(seed), steps_together(runs),
+                             steps_together(runs) * static_cast<double>(seed) / alone);
   }
   return 0;
 }
