@@ -3,8 +3,7 @@
 
     tools/tidy_units.py COMPILE_COMMANDS DIRECTORY [EXPRESSION ...]
 
-Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources,
-which are those that need the same ones.
+Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources.
 Kernels, which are compiled once per instruction set, are looked at once each. With expressions, only sources whose path
 matches one.
 """
@@ -14,10 +13,9 @@ import pathlib
 import re
 import sys
 
-from units import headers, units
+from units import units
 
 LARGEST_UNIT = 32
-LIBRARY = re.compile(r"^#include <(\w+)[/.]", re.MULTILINE)  # those of the language have no folder and no ending
 ONLY_OF_GCC = r" -mmemset-strategy=\S+"
 
 
@@ -35,11 +33,6 @@ def sources(commands, expressions):
     return chosen
 
 
-def libraries(path):
-    """What a source reads of other projects, however far down."""
-    return sorted({name for file in {path, *headers(path)} for name in LIBRARY.findall(file.read_text())})
-
-
 def groups(chosen):
     """Sources that may share a unit: compiled with the same options, but for how well, with names that get along."""
     together = {}
@@ -47,7 +40,7 @@ def groups(chosen):
         options = re.sub(r"\S+\.(cpp|o)\b|-O\d", "", command["command"])
         together.setdefault(options, []).append(path)
     for paths in together.values():
-        yield from units(sorted(paths, key=lambda path: (libraries(path), path)), LARGEST_UNIT)
+        yield from units(paths, LARGEST_UNIT)
 
 
 def unit_command(paths, chosen, directory):
