@@ -26,6 +26,7 @@ class BendingMemories {
 
   double largest(std::size_t point) const { return largest_[point]; }
   const LevelMix& mix(std::size_t point) const { return mix_[point]; }
+  bool has_slid(std::size_t point) const { return stamp_[point] != 0; }
   /// kHeldValues by Gauss point, number and element (padded count), as HeldSections.
   const double* held() const { return held_.data(); }
   double* held() { return held_.data(); }

@@ -232,18 +232,22 @@ MovingYielding::MovingYielding(const YieldingElements& elements, const LineMesh&
 
 void MovingYielding::begin(const BendingMemories& before, BendingMemories& after) {
   forget_slid();
-  if (!levelled_.empty()) levelled_ = {};
+  if (!fitted_.empty()) fitted_ = {};
   after.become(before);
   for (std::size_t point = 0; point < before.size(); ++point) {
     const BendingLaw* law = elements_->law[point / kGaussPoints];
     const LevelMix& mix = elements_->mix[point / kGaussPoints];
-    if (law == nullptr || before.mix(point) == mix) continue;
-    if (levelled_.empty()) levelled_ = before;
+    if (law == nullptr ? !before.has_slid(point) : before.mix(point) == mix) continue;
+    if (fitted_.empty()) fitted_ = before;
     BendingMemory memory = before.at(point);
-    bring_to_level(*law, mix, memory);
-    levelled_.set(point, memory);
+    if (law == nullptr) {
+      memory = fresh_memory(memory.tangent);
+    } else {
+      bring_to_level(*law, mix, memory);
+    }
+    fitted_.set(point, memory);
   }
-  if (!levelled_.empty()) after.become(levelled_);
+  if (!fitted_.empty()) after.become(fitted_);
 }
 
 HeldSections MovingYielding::held(const BendingMemories& before, BendingMemories& after) {

@@ -73,7 +73,8 @@ class MovingYielding {
  public:
   MovingYielding(const YieldingElements& elements, const LineMesh& mesh);
 
-  /// A step that starts from `before`. `after` becomes the same, at the levels of the elements.
+  /// A step that starts from `before`. `after` becomes the same, at the levels of the elements; where linear steel has
+  /// come to lie, by rearrangement, it remembers nothing of what lay there.
   void begin(const BendingMemories& before, BendingMemories& after);
   /// For the kernel, which is to be called next.
   HeldSections held(const BendingMemories& before, BendingMemories& after);
@@ -89,14 +90,14 @@ class MovingYielding {
  private:
   double left(std::size_t point) const { return left_[point % kGaussPoints * padded_ + point / kGaussPoints]; }
   void forget_slid();
-  const BendingMemories& start(const BendingMemories& before) const { return levelled_.empty() ? before : levelled_; }
+  const BendingMemories& start(const BendingMemories& before) const { return fitted_.empty() ? before : fitted_; }
 
   const YieldingElements* elements_;
   const LineMesh* mesh_;
   std::size_t padded_;
   AlignedDoubles left_;            ///< As HeldSections.
   AlignedDoubles stored_held_;     ///< Partial sums.
-  BendingMemories levelled_;       ///< The start of the step, where its levels were others; else empty.
+  BendingMemories fitted_;         ///< The start of the step, where it did not fit the elements; else empty.
   std::vector<std::size_t> slid_;  ///< Points that slid in this step, if only on the way to its end;
   std::vector<bool> has_slid_;     ///< and whether a point is one of them.
   double stored_sliding_ = 0.0;
