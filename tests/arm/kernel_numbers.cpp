@@ -226,6 +226,37 @@ void lines(Numbers& numbers, int soil) {
   }
 }
 
+/// Steel that has yielded, some sections of it within their elastic range.
+void held_sections(Numbers& numbers) {
+  Arrays a(numbers, kElements, kPadded);
+  const LineView line = pipe(a);
+  const Batch q = hanging(numbers, 4.07);
+  const double low[kHeldValues] = {0.79, -0.01, -0.61, -0.01, 0.99, -0.01, -0.1, -0.1, -0.1, -5e4, -5e4, 0.0};
+  const double high[kHeldValues] = {0.81, 0.01, -0.59, 0.01, 1.01, 0.01, 0.1, 0.1, 0.4, 5e4, 5e4, 1e3};
+  constexpr int kPoints = 4;
+  Batch values(kPoints * kHeldValues * kPadded), after(kPoints * kHeldValues * kPadded), left(kPoints * kPadded),
+      stored(kLanes), still(kNodes * kNodeDofs), residual(kNodes * kNodeDofs);
+  for (int i = 0; i < kPoints * kHeldValues; ++i) {
+    for (int e = 0; e < kPadded; ++e) {
+      values.data()[i * kPadded + e] = numbers.between(low[i % kHeldValues], high[i % kHeldValues]);
+    }
+  }
+  const HeldSections held{values.data(), after.data(), left.data(), stored.data()};
+  Batch slip(8 * kBedDirections * kPadded), slip_next(8 * kBedDirections * kPadded);
+  LineMotion motion{still.data(), still.data(), 0.0, 0.0, 0.0, nullptr, slip.data(), slip_next.data()};
+  motion.held = &held;
+  Blocks tangent;
+  add_moving_line_forces(line, {}, {q.data(), nullptr}, motion,
+                         {residual.data(), tangent.diag.data(), tangent.upper.data(), tangent.lower.data(), nullptr});
+  residual.print("held_forces");
+  tangent.print("held_tangent");
+  after.print("held_after");
+  left.print("held_left");
+  double sum = 0.0;  // lanes are as many as the instruction set has
+  for (int l = 0; l < kLanes; ++l) sum += stored.data()[l];
+  std::printf("held_stored %.17g\n", sum);
+}
+
 void waves(Numbers& numbers) {
   Arrays a(numbers, kWaves - 3, kWaves);
   Batch k(kWaves), echo(kWaves);
@@ -283,6 +314,7 @@ int main() {
   for (const int soil : {0, 1, 2}) {
     overbend::lines(numbers, soil);
   }
+  overbend::held_sections(numbers);
   overbend::waves(numbers);
   overbend::hull(numbers);
 }
