@@ -11,6 +11,7 @@
 
 #include <utility>
 
+#include "base/lane_transpose.h"
 #include "base/simd.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/quadrature.h"
@@ -176,31 +177,6 @@ using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, ali
 
 inline Lanes load_lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
-}
-
-/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart. L runs over the
-/// lanes.
-template <int kStep, int... L>
-inline void exchange(Lanes (&rows)[kWidth], std::integer_sequence<int, L...> /*all*/) {
-  for (int i = 0; i < kWidth; ++i) {
-    if ((i & kStep) == 0) {
-      const Lanes a = rows[i], b = rows[i + kStep];
-      rows[i] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L : kWidth + L - kStep)...);
-      rows[i + kStep] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L + kStep : kWidth + L)...);
-    }
-  }
-}
-
-/// Lane l of row j becomes lane j of row l.
-inline void transpose(Lanes (&rows)[kWidth]) {
-  constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
-  exchange<1>(rows, lanes);
-  if constexpr (kWidth > 2) {
-    exchange<2>(rows, lanes);
-  }
-  if constexpr (kWidth > 4) {
-    exchange<4>(rows, lanes);
-  }
 }
 
 /// How many registers a row of kRow numbers takes, and where part number kPart begins: the last ends with the row, if

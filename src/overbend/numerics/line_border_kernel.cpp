@@ -1,9 +1,12 @@
 #include "numerics/line_border_kernel.h"
 
+#include "base/lane_transpose.h"
 #include "base/simd.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
+
+using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
 
 inline const Lanes& lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
@@ -49,6 +52,21 @@ inline Columns product(const double* a, const Columns& x) {
     }
   }
   return columns;
+}
+
+/// A row of a panel times `y`, lane by lane: their sum is the product.
+inline Lanes row_product(const double* row, const double* y, int stride) {
+  Lanes sum = lanes(row) * lanes(y);
+  for (int column = kWidth; column < stride; column += kWidth) {
+    sum += lanes(row + column) * lanes(y + column);
+  }
+  return sum;
+}
+
+inline Lanes total(const Lanes (&parts)[kWidth]) {
+  Lanes sum = parts[0];
+  for (int i = 1; i < kWidth; ++i) sum += parts[i];
+  return sum;
 }
 
 inline const double* panel_at(const SparsePanelView& panel, int node) {
@@ -155,16 +173,18 @@ void panel_times_vector(const SparsePanelView& c, const double* x, double* out) 
 }
 
 void subtract_columns(int nodes, int stride, const double* w, const double* y, double* x) {
-  for (int i = 0; i < nodes * kNodeDofs; ++i) {
-    Lanes sum = {};
-    for (int column = 0; column < stride; column += kWidth) {
-      sum += lanes(w + i * stride + column) * lanes(y + column);
-    }
-    double whole = sum[0];
-    for (int lane = 1; lane < kWidth; ++lane) {
-      whole += sum[lane];
-    }
-    x[i] -= whole;
+  const int rows = nodes * kNodeDofs;
+  int first = 0;
+  for (; first + kWidth <= rows; first += kWidth) {
+    Lanes sums[kWidth] = {};
+    for (int row = 0; row < kWidth; ++row) sums[row] = row_product(w + (first + row) * stride, y, stride);
+    transpose(sums);
+    LooseLanes& to = *reinterpret_cast<LooseLanes*>(x + first);
+    to -= total(sums);
+  }
+  for (; first < rows; ++first) {
+    const Lanes sum = row_product(w + first * stride, y, stride);
+    for (int lane = 0; lane < kWidth; ++lane) x[first] -= sum[lane];
   }
 }
 

@@ -1,0 +1,38 @@
+/// Registers of doubles that change rows for lanes. For kernels alone, see simd.h: everything stands in the unnamed
+/// namespace of one instruction set.
+#pragma once
+
+#include <utility>
+
+#include "base/simd.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+/// One stage of a transposition: blocks of kStep lanes change places between rows that are kStep apart. L runs over the
+/// lanes.
+template <int kStep, int... L>
+inline void exchange(Lanes (&rows)[kWidth], std::integer_sequence<int, L...> /*all*/) {
+  for (int i = 0; i < kWidth; ++i) {
+    if ((i & kStep) == 0) {
+      const Lanes a = rows[i], b = rows[i + kStep];
+      rows[i] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L : kWidth + L - kStep)...);
+      rows[i + kStep] = __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L + kStep : kWidth + L)...);
+    }
+  }
+}
+
+/// Lane l of row j becomes lane j of row l.
+inline void transpose(Lanes (&rows)[kWidth]) {
+  constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
+  exchange<1>(rows, lanes);
+  if constexpr (kWidth > 2) {
+    exchange<2>(rows, lanes);
+  }
+  if constexpr (kWidth > 4) {
+    exchange<4>(rows, lanes);
+  }
+}
+
+}  // namespace
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE
