@@ -11,6 +11,10 @@ Vec3 vector_of(const double (&v)[3]) {
   return {v[0], v[1], v[2]};
 }
 
+double over_flat_bed(const LineEnvironment& env, const Vec3& r) {
+  return vector_of(env.bed_normal).dot(r) - env.bed_offset;
+}
+
 /// As in mechanics/line_kernel_ground.h.
 void put_shape(GroundPoint& at, const LineEnvironment& env, const Vec3& r) {
   const BedPoint bed = bed_point(*env.bed_shape, r.x(), r.y());
@@ -50,10 +54,17 @@ void put_bent_route(GroundPoint& at, const LineEnvironment& env, const Vec3& r) 
 
 }  // namespace
 
+double bed_clearance(const LineEnvironment& env, const Vec3& r) {
+  if (env.bed_shape == nullptr) return over_flat_bed(env, r);
+  GroundPoint at;
+  put_shape(at, env, r);
+  return at.clearance;
+}
+
 GroundPoint ground_at(const LineEnvironment& env, const Vec3& r) {
   GroundPoint at;
   at.normal = vector_of(env.bed_normal);
-  at.clearance = at.normal.dot(r) - env.bed_offset;
+  at.clearance = over_flat_bed(env, r);
   at.gradient = at.normal;
   if (env.bed_shape != nullptr) put_shape(at, env, r);
   at.across_route = vector_of(env.route_normal);

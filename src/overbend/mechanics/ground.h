@@ -18,6 +18,9 @@ struct GroundPoint {
 
 GroundPoint ground_at(const LineEnvironment& env, const Vec3& r);
 
+/// GroundPoint::clearance alone.
+double bed_clearance(const LineEnvironment& env, const Vec3& r);
+
 /// Derivative of `along_route` in the place, where the bed's normal turns; of a straight route [1/m].
 Mat3 along_route_turn(const GroundPoint& at);
 

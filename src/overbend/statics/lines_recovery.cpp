@@ -80,12 +80,13 @@ void warn(const FreeLineDescription& description, const LineResult& line, bool i
 }  // namespace
 
 double length_on_bed(const Line& line, const std::vector<double>& q) {
+  const std::vector<double>& length = line.mesh.length;
+  const AlignedDoubles& radius = line.elements.radius;
   double sum = 0.0;
-  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
-    for (const std::size_t node : {e, e + 1}) {
-      const GroundPoint ground = ground_at(line.environment, Vec3Map(q.data() + 6 * node));
-      if (ground.clearance < line.elements.radius[e]) sum += 0.5 * line.mesh.length[e];
-    }
+  for (std::size_t node = 0; node <= length.size(); ++node) {
+    const double clearance = bed_clearance(line.environment, Vec3Map(q.data() + 6 * node));
+    if (node > 0 && clearance < radius[node - 1]) sum += 0.5 * length[node - 1];
+    if (node < length.size() && clearance < radius[node]) sum += 0.5 * length[node];
   }
   return sum;
 }
