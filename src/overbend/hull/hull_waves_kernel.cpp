@@ -74,15 +74,15 @@ struct DriftSums {
   Eight mean = none(), cosine_up = none(), sine_up = none(), cosine_down = none(), sine_down = none();
 };
 
-inline Lanes root_of_positive(const Lanes& a) {
-  const Lanes positive = a > 0.0 ? a : Lanes{};
+inline Lanes root_of_size(const Lanes& a) {
   Lanes r;
-  for (int l = 0; l < kWidth; ++l) r[l] = __builtin_sqrt(positive[l]);
+  for (int l = 0; l < kWidth; ++l) r[l] = __builtin_sqrt(__builtin_fabs(a[l]));
   return r;
 }
 
 inline void add_drift(const Lanes& value, int r, double sine, double cosine, DriftSums& sums) {
-  const Lanes up = root_of_positive(value), down = root_of_positive(-value);
+  const Lanes root = root_of_size(value);
+  const Lanes up = value > 0.0 ? root : Lanes{}, down = value < 0.0 ? root : Lanes{};
   sums.cosine_up.part[r] += up * cosine;
   sums.sine_up.part[r] += up * sine;
   sums.cosine_down.part[r] += down * cosine;
