@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/simulation.h"
 #include "support/line_cases.h"
@@ -156,7 +158,9 @@ TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselve
   const testing::SolvedLay at(d);
   ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
   ASSERT_FALSE(dynamic_obstacle(at.model));
-  Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  DynamicOptions options = dynamic_options(at.model);
+  options.error_tolerance = 2e-4;  // each takes steps of its own
+  Simulation simulation(at.model, *at.lay.solution, at.tension(), options);
   ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
   const MooredLine& moored = at.lay.solution->moorings->lines[0];
   EXPECT_NEAR(fairlead_tension(simulation, 1), at.lay.moorings->rest.moorings[0].fairlead_tension, 400.0);
@@ -171,7 +175,6 @@ TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselve
   line.segments[0].length = moored.line.first_segment();
   alone.lines = {line};
   alone.moorings.reset();
-  DynamicOptions options = dynamic_options(at.model);
   const LineHistory history = testing::run_lines(alone, options).front();
   for (std::size_t row = 0; row < history.time.size(); ++row) {
     simulation.advance(history.time[row]);
@@ -179,6 +182,47 @@ TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselve
     EXPECT_NEAR(fairlead_tension(simulation, 1), history.last[row], 1e-3 * history.last[row]) << history.time[row];
   }
   EXPECT_GT(history.most_last, 1.05 * history.least_last);
+}
+
+/// At the fairleads every half second, of wires that stick and slide on the bed.
+std::vector<double> tensions_by(const testing::SolvedLay& at, double step_error) {
+  DynamicOptions options = dynamic_options(at.model);
+  options.error_tolerance = step_error;
+  Simulation simulation(at.model, *at.lay.solution, at.tension(), options);
+  std::vector<double> tensions;
+  for (double time = 0.5; time <= 8.0; time += 0.5) {
+    simulation.advance(time);
+    EXPECT_FALSE(simulation.failure());
+    for (std::size_t line = 1; line <= 8; ++line) tensions.push_back(fairlead_tension(simulation, line));
+  }
+  return tensions;
+}
+
+TEST(mooring_lines, have_tensions_that_do_not_hang_on_the_step) {
+  Description d = moored();
+  d.environment.waves.type = WaveType::none;
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.coupled.reset();
+  d.vessel.harmonic["surge"] = {1.0, 8.0, 0.0};
+  d.vessel.harmonic["sway"] = {1.5, 10.0, 1.0};
+  d.dynamics->build_up = 8.0;
+  d.dynamics->duration = 8.0;
+  const testing::SolvedLay at(d);
+  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
+  const std::vector<double> usual = tensions_by(at, dynamic_options(at.model).error_tolerance),
+                            fine = tensions_by(at, 2e-5);
+  // Friction of the bed is of first order in the step: see docs/theory/integrator.md.
+  for (std::size_t line = 0; line < 8; ++line) {
+    double most = 0.0, most_fine = 0.0, least_fine = 1e300;
+    for (std::size_t i = line; i < fine.size(); i += 8) {
+      EXPECT_NEAR(usual[i], fine[i], 0.01 * 300e3) << line << " " << i / 8;  // of the tension at rest
+      most = std::max(most, usual[i]);
+      most_fine = std::max(most_fine, fine[i]);
+      least_fine = std::min(least_fine, fine[i]);
+    }
+    EXPECT_NEAR(most, most_fine, 0.005 * most_fine) << line;
+    EXPECT_GT(most_fine, 1.4 * least_fine) << line;
+  }
 }
 
 TEST(mooring_lines, are_refused_in_time_where_more_is_asked_of_them_than_they_do) {

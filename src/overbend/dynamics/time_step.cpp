@@ -29,6 +29,17 @@ std::vector<double> lumped_mass(const Line& line) {
   return mass;
 }
 
+/// How much of a node's error counts: what it does to the forces of a line is that it turns the elements beside it, and
+/// the longer they are the less. Up to 5 m all of it counts.
+std::vector<double> error_weights(const LineMesh& mesh) {
+  constexpr double kShort = 5.0;  // m
+  std::vector<double> weights;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    weights.push_back(std::min(1.0, kShort / mesh.shortest_beside(node)));
+  }
+  return weights;
+}
+
 /// Sees iterations that go to and fro between two states: a contact that opens in one and closes in the other, of a
 /// force that jumps, has no balance within this step, and more of them find none.
 class ToAndFro {
@@ -86,6 +97,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       dq_(assembly.increments()) {
   for (const Line& line : assembly.system().lines) {
     lumped_mass_.push_back(lumped_mass(line));
+    error_weights_.push_back(error_weights(line.mesh));
   }
 }
 
@@ -338,7 +350,8 @@ double TimeStepper::local_error(const SystemState& now, const SystemState& next)
   for (std::size_t line = 0; line < next.lines.size(); ++line) {
     const std::vector<double>& dq = dq_[line];
     for (std::size_t i = 0; i < dq.size(); i += 6) {
-      worst = std::max(worst, dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]);
+      const double weight = error_weights_[line][i / 6];
+      worst = std::max(worst, weight * weight * (dq[i] * dq[i] + dq[i + 1] * dq[i + 1] + dq[i + 2] * dq[i + 2]));
     }
   }
   return std::sqrt(worst);

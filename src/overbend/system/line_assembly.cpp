@@ -170,12 +170,10 @@ void LineAssembly::hold(int node, const HeldDirections& held, bool blocks) {
 }
 
 Unbalance LineAssembly::unbalance() const {
-  const std::vector<double>& length = line_->mesh.length;
   Unbalance largest;
   double worst = 0.0;
   for (int node = 0; node < line_->mesh.nodes(); ++node) {
-    const std::size_t right = std::min(static_cast<std::size_t>(node), length.size() - 1);
-    const double h = node == 0 ? length.front() : std::min(length[static_cast<std::size_t>(node) - 1], length[right]);
+    const double h = line_->mesh.shortest_beside(node);
     const double* r = residual_.data() + 6 * node;
     const double force = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
     const double moment = (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]) / (h * h);

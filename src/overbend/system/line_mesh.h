@@ -1,6 +1,7 @@
 /// Nodes along the line, from the anchor (s = 0) to the tensioner (s = total length).
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "model/model.h"
@@ -20,6 +21,11 @@ struct LineMesh {
   int nodes() const { return static_cast<int>(s.size()); }
   int elements() const { return static_cast<int>(length.size()); }
   double total_length() const { return s.back(); }
+  /// Of the elements beside a node [m].
+  double shortest_beside(int node) const {
+    const std::size_t i = static_cast<std::size_t>(node), last = length.size() - 1;
+    return std::min(length[i > 0 ? i - 1 : 0], length[std::min(i, last)]);
+  }
 };
 
 /// Lengths of the line that the mesh rule needs.
