@@ -58,9 +58,20 @@ class ToAndFro {
   std::array<double, 3> last_{-1.0, -2.0, -4.0};  ///< Residuals, the latest first; at first no two alike.
 };
 
+/// Of a step of `h` to the one that led to a state.
+double step_ratio(const SystemState& now, double h) {
+  return now.last_step > 0.0 ? h / now.last_step : 1.0;
+}
+
 MotionValues corrected_for_step(MotionValues guide, double ratio) {
   guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
   return guide;
+}
+
+/// After a step of `h`. What comes after a step of another length, impacts in most cases, is not foreseen.
+MotionValues foreseen(const GeneralizedAlpha& scheme, MotionValues now, double h, double ratio) {
+  now = corrected_for_step(now, ratio);
+  return advance(scheme, now, h, ratio == 1.0 ? scheme.foreseen(now.acc, now.alg) : now.acc);
 }
 
 bool as_large(const LineState& a, const LineState& b) {
@@ -78,7 +89,6 @@ void begin_from(const SystemState& now, SystemState& next) {
   for (std::size_t i = 0; i < now.lines.size(); ++i) {
     const LineState& from = now.lines[i];
     LineState& to = next.lines[i];
-    to.acc = from.acc;
     to.bed_slip = from.bed_slip;
     to.contacts = from.contacts;
     to.bending_heat = from.bending_heat;
@@ -106,7 +116,7 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
   begin_from(now, next);
   next.time = now.time + h;
   next.last_step = h;
-  const double ratio = now.last_step > 0.0 ? h / now.last_step : 1.0;
+  const double ratio = step_ratio(now, h);
   for (std::size_t i = 0; i < now.lines.size(); ++i) {
     predict_line(now.lines[i], h, ratio, next.lines[i]);
   }
@@ -114,8 +124,7 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
     predict_body(now.bodies[i], h, ratio, next.bodies[i]);
   }
   for (std::size_t i = 0; i < now.attachments.size(); ++i) {
-    const MotionValues& guide = now.attachments[i].guide;
-    next.attachments[i].guide = advance(scheme_, corrected_for_step(guide, ratio), h, guide.acc);
+    next.attachments[i].guide = foreseen(scheme_, now.attachments[i].guide, h, ratio);
   }
   if (assembly_->system().machine >= 0) {
     const std::size_t machine = static_cast<std::size_t>(assembly_->system().machine);
@@ -128,10 +137,13 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
 /// that of the steps.
 void TimeStepper::predict_line(const LineState& now, double h, double ratio, LineState& next) const {
   const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
+  const bool foresees = ratio == 1.0;
   for (std::size_t i = 0; i < now.q.size(); ++i) {
     const double alg = now.acc[i] + ratio * (now.alg[i] - now.acc[i]);
-    const double next_alg = by_alg * (now.acc[i] - scheme_.alpha_m * alg);
-    next.alg[i] = next_alg;
+    const double acc = foresees ? scheme_.foreseen(now.acc[i], alg) : now.acc[i];
+    const double next_alg =
+        by_alg * ((1.0 - scheme_.alpha_f) * acc + scheme_.alpha_f * now.acc[i] - scheme_.alpha_m * alg);
+    next.acc[i] = acc;
     next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
     next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
   }
@@ -139,9 +151,28 @@ void TimeStepper::predict_line(const LineState& now, double h, double ratio, Lin
 
 void TimeStepper::predict_body(const HullState& now, double h, double ratio, HullState& next) const {
   const Vec6 alg = now.acc + ratio * (now.alg - now.acc);
-  next.alg = (now.acc - scheme_.alpha_m * alg) / (1.0 - scheme_.alpha_m);
-  next.h = now.h + h * now.v + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next.alg);
-  next.v = now.v + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next.alg);
+  next.acc = now.acc + (ratio == 1.0 ? scheme_.foresight : 0.0) * (alg - now.acc);
+  const Vec6 next_alg = ((1.0 - scheme_.alpha_f) * next.acc + scheme_.alpha_f * now.acc - scheme_.alpha_m * alg) /
+                        (1.0 - scheme_.alpha_m);
+  next.h = now.h + h * now.v + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
+  next.v = now.v + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
+}
+
+/// Algorithmic accelerations of what has moved as it was led too, see GeneralizedAlpha.
+void TimeStepper::end_accelerations(const SystemState& now, double ratio, SystemState& next) const {
+  const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
+  const double of_next = by_alg * (1.0 - scheme_.alpha_f), of_alg = -by_alg * scheme_.alpha_m * ratio;
+  const double of_acc = by_alg * (scheme_.alpha_f - scheme_.alpha_m * (1.0 - ratio));
+  for (std::size_t line = 0; line < now.lines.size(); ++line) {
+    const LineState& from = now.lines[line];
+    LineState& to = next.lines[line];
+    for (std::size_t i = 0; i < to.alg.size(); ++i) {
+      to.alg[i] = of_next * to.acc[i] + of_acc * from.acc[i] + of_alg * from.alg[i];
+    }
+  }
+  for (std::size_t i = 0; i < now.bodies.size(); ++i) {
+    next.bodies[i].alg = of_next * next.bodies[i].acc + of_acc * now.bodies[i].acc + of_alg * now.bodies[i].alg;
+  }
 }
 
 void TimeStepper::predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
@@ -157,7 +188,7 @@ void TimeStepper::predict_travel(const AttachmentState& now, double h, double ra
       next.travel = {now.travel.q, 0.0, 0.0, 0.0};
       return;
     case TensionerDrive::governor:
-      next.travel = advance(scheme_, corrected_for_step(now.travel, ratio), h, now.travel.acc);
+      next.travel = foreseen(scheme_, now.travel, h, ratio);
       return;
     case TensionerDrive::slowest:
       drive_to(bounds.slowest);
@@ -178,7 +209,6 @@ void TimeStepper::correct(SystemState& next, double h) const {
       at.q[i] += dq[i];
       at.v[i] += velocity * dq[i];
       at.acc[i] += acceleration * dq[i];
-      at.alg[i] += algorithmic * dq[i];
     }
   }
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {
@@ -187,7 +217,6 @@ void TimeStepper::correct(SystemState& next, double h) const {
     at.h += dh;
     at.v += velocity * dh;
     at.acc += acceleration * dh;
-    at.alg += algorithmic * dh;
   }
   const auto correct_values = [&](MotionValues& values, const Vec3& direction, const double* dq) {
     const double d = direction.x() * dq[0] + direction.y() * dq[1] + direction.z() * dq[2];
@@ -292,6 +321,7 @@ StepReport TimeStepper::step_with(TensionerDrive drive, const SpeedBounds& bound
         continue;
       }
       report.end = rounds < kMostRounds ? StepEnd::converged : StepEnd::too_many_iterations;
+      end_accelerations(now, step_ratio(now, h), next);
       assembly_->finish_step(now, h, next);
       break;
     }
