@@ -22,6 +22,7 @@ TEST(ground, is_the_bed_and_the_route_of_the_model_at_every_place) {
     const double s = route.distance(r);
     EXPECT_EQ(at.normal, bed.normal(r.x(), r.y()));
     EXPECT_EQ(at.clearance, bed.clearance(r));
+    EXPECT_EQ(at.clearance, bed_clearance(env, r));
     EXPECT_EQ(at.across_route, route.port(s));
     EXPECT_EQ(at.off_route, route.offset(r));
     EXPECT_EQ(at.along_route, bed.along(r, route.direction(s)));
@@ -37,6 +38,7 @@ TEST(ground, of_a_shaped_bed_is_the_tangent_plane_under_the_place) {
   const Vec3 r(4.1, 0.7, -88.4);
   const GroundPoint at = ground_at(env, r);
   EXPECT_NEAR(at.clearance, bed.clearance(r), 1e-12);
+  EXPECT_EQ(at.clearance, bed_clearance(env, r));
   EXPECT_LT((at.normal - bed.normal(r.x(), r.y())).norm(), 1e-12);
   EXPECT_LT((at.along_route - bed.along(r, -Vec3::UnitX())).norm(), 1e-12);
   const double step = 1e-6;
