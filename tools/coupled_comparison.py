@@ -24,6 +24,11 @@ SEAS = [("Hs 1.5 m, Tp 8 s, 5 deg off the bow", "hs: 1.5 m, tp: 8 s, from: 85 de
 MODELS = [("RAOs", "bgl1"), ("coupled", "bgl1-moored")]
 
 
+def percent(change):
+    whole = round(100 * change)
+    return f"{whole:+d}" if whole else "0"
+
+
 def changed(text, pattern, replacement):
     text, found = re.subn(pattern, replacement, text, flags=re.M)
     if found != 1:
@@ -114,7 +119,7 @@ def findings(results):
     rao, coupled = (result["dynamic"] for result in results)
     said = []
     def by(name, a, b, unit, digits=1):
-        said.append(f"- {name}: {a:.{digits}f} {unit} with RAOs, {b:.{digits}f} {unit} coupled ({100 * (b / a - 1):+.0f} %)." if a else
+        said.append(f"- {name}: {a:.{digits}f} {unit} with RAOs, {b:.{digits}f} {unit} coupled ({percent(b / a - 1)} %)." if a else
                     f"- {name}: {a:.{digits}f} {unit} with RAOs, {b:.{digits}f} {unit} coupled.")
     by("Standard deviation of the tension", rao["top_tension"]["std"] / 1e3, coupled["top_tension"]["std"] / 1e3, "kN", 2)
     by("Standard deviation of the touchdown's place", rao["lay_back"]["std"], coupled["lay_back"]["std"], "m", 2)
