@@ -143,13 +143,19 @@ TEST(mooring_lines, whose_winches_move_part_and_drag_and_a_resumed_run_is_the_sa
   }
 }
 
-/// The vessel surges as told; its lines do what a line by itself does whose end moves so.
-TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselves) {
+/// In still water, as told.
+Description surging() {
   Description d = moored();
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.coupled.reset();
   d.vessel.harmonic["surge"] = {1.0, 8.0, 0.0};
+  return d;
+}
+
+/// The vessel surges as told; its lines do what a line by itself does whose end moves so.
+TEST(mooring_lines, on_a_vessel_whose_motion_is_told_swing_as_lines_by_themselves) {
+  Description d = surging();
   d.dynamics->build_up = 4.0;
   d.dynamics->duration = 2.0;
   for (MooringLineDescription& line : d.moorings->lines) {
@@ -199,11 +205,7 @@ std::vector<double> tensions_by(const testing::SolvedLay& at, double step_error)
 }
 
 TEST(mooring_lines, have_tensions_that_do_not_hang_on_the_step) {
-  Description d = moored();
-  d.environment.waves.type = WaveType::none;
-  d.vessel.motion = VesselMotion::harmonic;
-  d.vessel.coupled.reset();
-  d.vessel.harmonic["surge"] = {1.0, 8.0, 0.0};
+  Description d = surging();
   d.vessel.harmonic["sway"] = {1.5, 10.0, 1.0};
   d.dynamics->build_up = 8.0;
   d.dynamics->duration = 8.0;
