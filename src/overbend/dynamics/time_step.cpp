@@ -63,6 +63,15 @@ double step_ratio(const SystemState& now, double h) {
   return now.last_step > 0.0 ? h / now.last_step : 1.0;
 }
 
+Eigen::Map<const Eigen::ArrayXd> all(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+Eigen::Map<Eigen::ArrayXd> all(std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+/// The algorithmic acceleration stands apart from the true one in proportion to the step it was made with: `ratio` is
+/// that of the steps.
 MotionValues corrected_for_step(MotionValues guide, double ratio) {
   guide.alg = guide.acc + ratio * (guide.alg - guide.acc);
   return guide;
@@ -73,6 +82,27 @@ MotionValues foreseen(const GeneralizedAlpha& scheme, MotionValues now, double h
   now = corrected_for_step(now, ratio);
   return advance(scheme, now, h, ratio == 1.0 ? scheme.foreseen(now.acc, now.alg) : now.acc);
 }
+
+/// The same for many unknowns: it is linear in both accelerations.
+struct Foresight {
+  Foresight(const GeneralizedAlpha& scheme, double step, double ratio)
+      : h(step),
+        of_acc(foreseen(scheme, {0.0, 0.0, 1.0, 0.0}, step, ratio)),
+        of_alg(foreseen(scheme, {0.0, 0.0, 0.0, 1.0}, step, ratio)) {}
+  void predict(const LineState& now, LineState& next) const {
+    const auto v = all(now.v), acc = all(now.acc), alg = all(now.alg);
+    all(next.q) = all(now.q) + h * v + of_acc.q * acc + of_alg.q * alg;
+    all(next.v) = v + of_acc.v * acc + of_alg.v * alg;
+    all(next.acc) = of_acc.acc * acc + of_alg.acc * alg;
+  }
+  void predict(const HullState& now, HullState& next) const {
+    next.h = now.h + h * now.v + of_acc.q * now.acc + of_alg.q * now.alg;
+    next.v = now.v + of_acc.v * now.acc + of_alg.v * now.alg;
+    next.acc = of_acc.acc * now.acc + of_alg.acc * now.alg;
+  }
+  double h;
+  MotionValues of_acc, of_alg;
+};
 
 bool as_large(const LineState& a, const LineState& b) {
   return a.q.size() == b.q.size() && a.bed_slip.size() == b.bed_slip.size() && a.contacts.size() == b.contacts.size() &&
@@ -117,11 +147,12 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
   next.time = now.time + h;
   next.last_step = h;
   const double ratio = step_ratio(now, h);
+  const Foresight foresight(scheme_, h, ratio);
   for (std::size_t i = 0; i < now.lines.size(); ++i) {
-    predict_line(now.lines[i], h, ratio, next.lines[i]);
+    foresight.predict(now.lines[i], next.lines[i]);
   }
   for (std::size_t i = 0; i < now.bodies.size(); ++i) {
-    predict_body(now.bodies[i], h, ratio, next.bodies[i]);
+    foresight.predict(now.bodies[i], next.bodies[i]);
   }
   for (std::size_t i = 0; i < now.attachments.size(); ++i) {
     next.attachments[i].guide = foreseen(scheme_, now.attachments[i].guide, h, ratio);
@@ -131,31 +162,6 @@ void TimeStepper::predict(const SystemState& now, double h, TensionerDrive drive
     next.attachments[machine].machine.drive = drive;
     predict_travel(now.attachments[machine], h, ratio, bounds, next.attachments[machine]);
   }
-}
-
-/// The algorithmic acceleration stands apart from the true one in proportion to the step it was made with: `ratio` is
-/// that of the steps.
-void TimeStepper::predict_line(const LineState& now, double h, double ratio, LineState& next) const {
-  const double by_alg = 1.0 / (1.0 - scheme_.alpha_m);
-  const bool foresees = ratio == 1.0;
-  for (std::size_t i = 0; i < now.q.size(); ++i) {
-    const double alg = now.acc[i] + ratio * (now.alg[i] - now.acc[i]);
-    const double acc = foresees ? scheme_.foreseen(now.acc[i], alg) : now.acc[i];
-    const double next_alg =
-        by_alg * ((1.0 - scheme_.alpha_f) * acc + scheme_.alpha_f * now.acc[i] - scheme_.alpha_m * alg);
-    next.acc[i] = acc;
-    next.q[i] = now.q[i] + h * now.v[i] + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
-    next.v[i] = now.v[i] + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
-  }
-}
-
-void TimeStepper::predict_body(const HullState& now, double h, double ratio, HullState& next) const {
-  const Vec6 alg = now.acc + ratio * (now.alg - now.acc);
-  next.acc = now.acc + (ratio == 1.0 ? scheme_.foresight : 0.0) * (alg - now.acc);
-  const Vec6 next_alg = ((1.0 - scheme_.alpha_f) * next.acc + scheme_.alpha_f * now.acc - scheme_.alpha_m * alg) /
-                        (1.0 - scheme_.alpha_m);
-  next.h = now.h + h * now.v + h * h * ((0.5 - scheme_.beta) * alg + scheme_.beta * next_alg);
-  next.v = now.v + h * ((1.0 - scheme_.gamma) * alg + scheme_.gamma * next_alg);
 }
 
 /// Algorithmic accelerations of what has moved as it was led too, see GeneralizedAlpha.

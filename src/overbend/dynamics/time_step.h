@@ -46,8 +46,6 @@ class TimeStepper {
  private:
   void predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
                SystemState& next) const;
-  void predict_line(const LineState& now, double h, double ratio, LineState& next) const;
-  void predict_body(const HullState& now, double h, double ratio, HullState& next) const;
   void end_accelerations(const SystemState& now, double ratio, SystemState& next) const;
   void predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
                       AttachmentState& next) const;
