@@ -318,7 +318,7 @@ TEST(free_body, that_is_held_leaves_its_line_what_it_is_and_shows_the_wrench_of_
   const std::array<double, 6>& end = rod.assembly().line(0).end_force(LineEnd::last);
   const Vec3 force = contact.force() + Vec3(end[0], end[1], end[2]);
   const Vec3 moment =
-      contact.point.cross(contact.force()) + rod.r(rod.last()).cross(Vec3(end[0], end[1], end[2])) +
+      contact.at.place.cross(contact.force()) + rod.r(rod.last()).cross(Vec3(end[0], end[1], end[2])) +
       Vec3(rod.line_now().q[27], rod.line_now().q[28], rod.line_now().q[29]).cross(Vec3(end[3], end[4], end[5]));
   const std::vector<double>& wrench = held.assembly().body_residual();
   EXPECT_LT((Vec3(wrench[0], wrench[1], wrench[2]) - force).norm(), 1e-8 * force.norm());

@@ -105,8 +105,7 @@ SpringForces forces(double to_port, double up) {
                               0.5 * roller.face, roller.radius, roller.stiffness};
     const ClosestPoint closest = closest_point(placed, q.data(), length.data(), 0, 1);
     EXPECT_TRUE(closest.found && !closest.beyond_face);
-    const double gap =
-        roller_distance(placed, closest, testing::element_dofs(q, 0), 2.0).value - radius - roller.radius;
+    const double gap = roller_distance(placed, closest).value - radius - roller.radius;
     double& force = roller.position == RollerPosition::bottom ? result.bottom
                     : roller.position == RollerPosition::port ? result.port
                                                               : result.starboard;

@@ -13,7 +13,7 @@ ElementVector friction_on(const PlacedRoller& roller, const ElementVector& q, do
                           double reach) {
   const ClosestPoint at = closest_point(roller, q.data(), &h, 0, 1);
   EXPECT_TRUE(at.found);
-  const RollerDistance distance = roller_distance(roller, at, q, h);
+  const RollerDistance distance = roller_distance(roller, at);
   const CentrelinePoint point = centreline(q, at.xi, h);
   const HermiteValues n = hermite(at.xi, h);
   const double normal = roller.stiffness * (reach - distance.value);
@@ -31,7 +31,7 @@ TEST(roller_rub, tangent_is_the_derivative_of_the_force) {
   q << 0.0, 0.02, 0.01, 1.02, 0.1, 0.15, 2.0, 0.1, -0.02, 0.98, -0.05, -0.2;
   const RollerRub mu{0.3, -0.2};
   const ClosestPoint at = closest_point(roller, q.data(), &h, 0, 1);
-  const RollerDistance distance = roller_distance(roller, at, q, h);
+  const RollerDistance distance = roller_distance(roller, at);
   const RollerDistanceDerivatives d = roller_distance_derivatives(roller, at, distance, q, h);
   const RubForce force{mu.along, mu.across, roller.stiffness * (reach - distance.value), roller.stiffness};
   ASSERT_GT(force.normal, 1e3);

@@ -263,7 +263,7 @@ TEST(roller_contacts, every_roller_that_a_search_of_the_whole_line_finds_is_foun
           closest_point(placed, q.data(), deck.length.data(), 0, static_cast<int>(deck.length.size()));
       ASSERT_TRUE(at.found);
       // A moving pipe is where it is: behind a roller's face its distance is that to the far side.
-      const double distance = std::abs(roller_distance(placed, at, element_dofs(q, at.element), deck.length[0]).value);
+      const double distance = std::abs(roller_distance(placed, at).value);
       const double penetration = deck.pipe_radius + roller.radius - distance;
       if (penetration > 0.0) {
         ++touching;

@@ -67,15 +67,6 @@ void add_bending(const RodProperties& rod, const ElementVector& q, RodForce& res
 
 }  // namespace
 
-HermiteValues hermite(double xi, double h) {
-  const double x2 = xi * xi, x3 = x2 * xi;
-  HermiteValues n;
-  n.value << 1.0 - 3.0 * x2 + 2.0 * x3, h * (xi - 2.0 * x2 + x3), 3.0 * x2 - 2.0 * x3, h * (x3 - x2);
-  n.first << (-6.0 * xi + 6.0 * x2) / h, 1.0 - 4.0 * xi + 3.0 * x2, (6.0 * xi - 6.0 * x2) / h, 3.0 * x2 - 2.0 * xi;
-  n.second << (-6.0 + 12.0 * xi) / (h * h), (-4.0 + 6.0 * xi) / h, (6.0 - 12.0 * xi) / (h * h), (6.0 * xi - 2.0) / h;
-  return n;
-}
-
 CentrelinePoint centreline(const ElementVector& q, double xi, double length) {
   const HermiteValues n = hermite(xi, length);
   const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());

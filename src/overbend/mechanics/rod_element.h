@@ -33,7 +33,14 @@ struct RodForce {
 struct HermiteValues {
   Eigen::Vector4d value, first, second;
 };
-HermiteValues hermite(double xi, double length);
+inline HermiteValues hermite(double xi, double h) {
+  const double x2 = xi * xi, x3 = x2 * xi;
+  HermiteValues n;
+  n.value << 1.0 - 3.0 * x2 + 2.0 * x3, h * (xi - 2.0 * x2 + x3), 3.0 * x2 - 2.0 * x3, h * (x3 - x2);
+  n.first << (-6.0 * xi + 6.0 * x2) / h, 1.0 - 4.0 * xi + 3.0 * x2, (6.0 * xi - 6.0 * x2) / h, 3.0 * x2 - 2.0 * xi;
+  n.second << (-6.0 + 12.0 * xi) / (h * h), (-4.0 + 6.0 * xi) / h, (6.0 - 12.0 * xi) / (h * h), (6.0 * xi - 2.0) / h;
+  return n;
+}
 
 /// Position, tangent r' and r'' of the centreline at xi.
 struct CentrelinePoint {

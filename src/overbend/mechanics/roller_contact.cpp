@@ -1,6 +1,7 @@
 #include "mechanics/roller_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace overbend {
@@ -29,18 +30,25 @@ CubicVector distance_vector(const Projection& projection, const ElementVector& q
   return {r1, t1, 3.0 * chord - 2.0 * t1 - t2, t1 + t2 - 2.0 * chord};
 }
 
+/// P(r - C) . r' of a distance vector as powers of xi, from f[0] on.
+std::array<double, 6> along_powers(const CubicVector& c) {
+  return {c.c0.dot(c.c1),
+          c.c1.squaredNorm() + 2.0 * c.c0.dot(c.c2),
+          3.0 * (c.c0.dot(c.c3) + c.c1.dot(c.c2)),
+          4.0 * c.c1.dot(c.c3) + 2.0 * c.c2.squaredNorm(),
+          5.0 * c.c2.dot(c.c3),
+          3.0 * c.c3.squaredNorm()};
+}
+
 /// Solves P(r - C) . r' = 0 in [0, 1], safeguarded Newton from `xi`; the function changes sign over the element.
 double stationary_xi(const Projection& projection, const ElementVector& q, double h, double xi = 0.5) {
-  constexpr double kClose = 1e-8;  // Newton squares what is left
-  const CubicVector c = distance_vector(projection, q, h);
+  constexpr double kClose = 1e-4;  // Newton squares what is left
+  const std::array<double, 6> f = along_powers(distance_vector(projection, q, h));
   double low = 0.0, high = 1.0;
   for (int iteration = 0; iteration < 60; ++iteration) {
-    const Vec3 e = c.c0 + xi * (c.c1 + xi * (c.c2 + xi * c.c3));
-    const Vec3 first = c.c1 + xi * (2.0 * c.c2 + 3.0 * xi * c.c3);
-    const Vec3 second = 2.0 * c.c2 + 6.0 * xi * c.c3;
-    const double value = e.dot(first);
+    const double value = f[0] + xi * (f[1] + xi * (f[2] + xi * (f[3] + xi * (f[4] + xi * f[5]))));
     (value > 0.0 ? high : low) = xi;
-    const double slope = first.squaredNorm() + e.dot(second);
+    const double slope = f[1] + xi * (2.0 * f[2] + xi * (3.0 * f[3] + xi * (4.0 * f[4] + 5.0 * xi * f[5])));
     double next = slope > 0.0 ? xi - value / slope : -1.0;
     if (!(next >= low && next <= high)) {
       next = 0.5 * (low + high);
@@ -59,6 +67,17 @@ ElementVector dofs_of(const double* q, int element) {
   return ElementVector(Eigen::Map<const ElementVector>(q + 6 * element));
 }
 
+Vec3 place_at(const ElementVector& q, double xi, double h) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 4>>(q.data()) * hermite(xi, h).value;
+}
+
+void find_place(ClosestPoint& at, const double* q, const double* length) {
+  const HermiteValues n = hermite(at.xi, length[at.element]);
+  const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q + 6 * at.element);
+  at.place = nodes * n.value;
+  at.tangent = nodes * n.first;
+}
+
 /// Among the elements over which the distance has a minimum, the one where it is smallest.
 ClosestPoint search(const Projection& projection, const double* q, const double* length, int first, int last) {
   ClosestPoint best;
@@ -72,7 +91,7 @@ ClosestPoint search(const Projection& projection, const double* q, const double*
     if (before < 0.0 && after >= 0.0) {
       const ElementVector dofs = dofs_of(q, e);
       const double xi = stationary_xi(projection, dofs, length[e]);
-      const double distance = projection.apply(centreline(dofs, xi, length[e]).r - projection.reference).norm();
+      const double distance = projection.apply(place_at(dofs, xi, length[e]) - projection.reference).norm();
       if (!best.found || distance < best_distance) {
         best.found = true;
         best.element = e;
@@ -120,8 +139,8 @@ ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* 
   if (!at.found) {
     return at;
   }
-  const Vec3 r = centreline(dofs_of(q, at.element), at.xi, length[at.element]).r;
-  const double eta = (r - roller.center).dot(roller.axis);
+  find_place(at, q, length);
+  const double eta = (at.place - roller.center).dot(roller.axis);
   if (std::abs(eta) <= roller.half_face) {
     return at;
   }
@@ -129,6 +148,7 @@ ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* 
   ClosestPoint beyond = find(Projection{end, roller.axis, true});
   beyond.beyond_face = true;
   beyond.off_end = std::abs(eta) - roller.half_face;
+  if (beyond.found) find_place(beyond, q, length);
   return beyond;
 }
 
@@ -149,11 +169,10 @@ ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, con
   });
 }
 
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q, double h) {
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at) {
   const Projection projection{at.reference, roller.axis, at.beyond_face};
-  const CentrelinePoint point = centreline(q, at.xi, h);
-  const Vec3 e = projection.apply(point.r - at.reference);
-  const Vec3 across = at.beyond_face ? e : Vec3(roller.axis.cross(point.a));
+  const Vec3 e = projection.apply(at.place - at.reference);
+  const Vec3 across = at.beyond_face ? e : Vec3(roller.axis.cross(at.tangent));
   const double side = at.beyond_face || across.dot(roller.normal) >= 0.0 ? 1.0 : -1.0;
   RollerDistance d;
   d.direction = side * across.normalized();

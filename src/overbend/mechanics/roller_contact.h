@@ -31,6 +31,8 @@ struct ClosestPoint {
   bool found = false;  ///< False when the pipe does not pass the roller.
   int element = -1;
   double xi = 0.0;
+  Vec3 place = Vec3::Zero();      ///< Of the centreline there [m].
+  Vec3 tangent = Vec3::Zero();    ///< Of the centreline there, its derivative by the unstressed length.
   Vec3 reference = Vec3::Zero();  ///< Point of the axis that distance and projection refer to.
   bool beyond_face = false;
   double off_end = 0.0;  ///< How far beyond the face, else 0 [m].
@@ -56,8 +58,7 @@ struct RollerDistance {
   double value = 0.0;             ///< Signed: negative on the wrong side [m].
   Vec3 direction = Vec3::Zero();  ///< Unit vector in which the roller pushes the pipe.
 };
-RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at, const ElementVector& q,
-                               double length);
+RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at);
 
 /// Gradient and Hessian of the distance in the element's unknowns with the closest point eliminated:
 /// with f = |P(r - C)|^2 / 2, H(f) = N_i N_j P - f_xi,q f_xi,q' / f_xi,xi and H(d) = (H(f) - grad d grad d') / d.

@@ -79,10 +79,6 @@ struct Nearest {
   double gap = 0.0;         ///< Clear distance, negative for penetration [m].
 };
 
-ElementVector dofs_of(const LineState& state, int element) {
-  return ElementVector(Eigen::Map<const ElementVector>(state.q.data() + 6 * element));
-}
-
 /// A pipe that does not pass the roller is nearest with one of its ends.
 Nearest nearest_end(const StaticSystem& system, const LineState& state, const PlacedRoller& placed) {
   Nearest nearest;
@@ -107,9 +103,8 @@ Nearest nearest_to(const StaticSystem& system, const LineState& state, const Pla
       met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
   if (!at.found) return nearest_end(system, state, placed);
   const std::size_t e = static_cast<std::size_t>(at.element);
-  const ElementVector q = dofs_of(state, at.element);
-  const double distance = roller_distance(placed, at, q, mesh.length[e]).value;
-  return {centreline(q, at.xi, mesh.length[e]).r, distance - placed.radius - system.elements().radius[e]};
+  const double distance = roller_distance(placed, at).value;
+  return {at.place, distance - placed.radius - system.elements().radius[e]};
 }
 
 struct RowTotals {

@@ -184,8 +184,7 @@ std::optional<StaticPair> EquilibriumTangent::push(int roller, double force) {
   if (!regular_ || !contact.at.found) return std::nullopt;
   const std::size_t first = 6 * static_cast<std::size_t>(contact.at.element);
   const double length = solution_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  const ElementVector q(Eigen::Map<const ElementVector>(solution_->state.q.data() + first));
-  const RollerDistance distance = roller_distance(system_.rollers().placed(roller), contact.at, q, length);
+  const RollerDistance distance = roller_distance(system_.rollers().placed(roller), contact.at);
   const HermiteValues shape = hermite(contact.at.xi, length);
   Imbalance out{std::vector<double>(solution_->state.q.size(), 0.0), 0.0};
   for (std::size_t k = 0; k < 4; ++k) {

@@ -109,7 +109,7 @@ std::vector<std::vector<PointForce>> pipe_on_sections(const StaticSystem& system
     const RollerContact& contact = system.contacts()[i];
     const int section = supports.boxes[static_cast<std::size_t>(supports.rollers[i].box)].section;
     if (section < 0 || !(contact.normal > 0.0)) continue;
-    forces[static_cast<std::size_t>(section)].push_back({-contact.force(), contact.point});
+    forces[static_cast<std::size_t>(section)].push_back({-contact.force(), contact.at.place});
   }
   return forces;
 }

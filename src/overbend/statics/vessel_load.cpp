@@ -12,7 +12,7 @@ Vec6 load_on_vessel(StaticSystem& system, const LineState& state) {
   const Vec3& origin = system.pose().p_WV;
   for (const RollerContact& contact : system.contacts()) {
     if (contact.normal > 0.0) {
-      add(-contact.force(), contact.point - origin);
+      add(-contact.force(), contact.at.place - origin);
     }
   }
   const int top = system.mesh().nodes() - 1;

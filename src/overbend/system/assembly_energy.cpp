@@ -116,7 +116,7 @@ void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) con
       const RollerContact& contact = rollers.contacts()[static_cast<std::size_t>(i)];
       if (border_.number_of(rollers.body_of(i)) >= 0 && contact.penetration > 0.0) {
         const RigidMotion& body = surroundings_.bodies[static_cast<std::size_t>(rollers.body_of(i))];
-        now.roller_power -= contact.force().dot(carried_at(body, contact.point));
+        now.roller_power -= contact.force().dot(carried_at(body, contact.at.place));
       }
     }
   }

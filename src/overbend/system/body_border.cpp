@@ -120,12 +120,12 @@ void BodyBorder::add_contact_forces(const LineAssembly& line) {
     if (number >= 0 && contacts.carries(i)) {
       const RollerContact& contact = contacts.contacts()[to_size(i)];
       if (hinged_.has(number)) {
-        hinged_.add_roller(number, contact.point, contact.force(), residual_);
+        hinged_.add_roller(number, contact.at.place, contact.force(), residual_);
         continue;
       }
       const BodyPose& pose = bodies_[to_size(number)].pose;
       Eigen::Map<Vec6>(residual_.data() + 6 * number) +=
-          generalised_force(pose, contact.point - pose.place, contact.force());
+          generalised_force(pose, contact.at.place - pose.place, contact.force());
     }
   }
 }

@@ -75,11 +75,13 @@ RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies
 
 void RollerContacts::place(const std::vector<RigidMotion>& bodies, const double* q, double reach) {
   move(bodies);
+  if (moved_since_search_ <= 0.5 * reach && reach > 0.0) return;
   for (std::size_t b = 0; b < ranges_.size(); ++b) {
     if (!(*bodies_)[b].rollers.empty()) {
-      search(b, q, reach);
+      search(b, q, 1.5 * reach);
     }
   }
+  moved_since_search_ = reach > 0.0 ? 0.0 : kFar;
 }
 
 void RollerContacts::move(const std::vector<RigidMotion>& bodies) {
@@ -96,6 +98,17 @@ void RollerContacts::move(const std::vector<RigidMotion>& bodies) {
                   roller.radius,
                   roller.law.stiffness};
   }
+  rollers_moved_ = reference_.known ? rollers_moved() : 0.0;
+}
+
+/// Most of any end of a roller since the reference [m].
+double RollerContacts::rollers_moved() const {
+  double most = 0.0;
+  for (std::size_t i = 0; i < placed_.size(); ++i) {
+    const PlacedRoller &now = placed_[i], &then = reference_.placed[i];
+    most = std::max(most, (now.center - then.center).norm() + now.half_face * (now.axis - then.axis).norm());
+  }
+  return most;
 }
 
 void RollerContacts::search(std::size_t body, const double* q, double reach) {
@@ -123,11 +136,10 @@ void RollerContacts::end_iteration(const std::vector<ContactMemory>& now) {
 }
 
 /// Distance, direction and penetration at the closest point found.
-RollerDistance RollerContacts::measure(std::size_t index, const double* q, bool on_meant_side) {
+RollerDistance RollerContacts::measure(std::size_t index, bool on_meant_side) {
   RollerContact& contact = contacts_[index];
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
-  RollerDistance distance =
-      roller_distance(placed_[index], contact.at, dofs_of(q, contact.at.element), line_->mesh.length[e]);
+  RollerDistance distance = roller_distance(placed_[index], contact.at);
   if (!on_meant_side && distance.value < 0.0) {
     turn_to_actual_side(distance);
   }
@@ -137,14 +149,13 @@ RollerDistance RollerContacts::measure(std::size_t index, const double* q, bool 
 }
 
 /// Full friction of a line at rest.
-void RollerContacts::rub(std::size_t index, const RollerDistance& distance, const CentrelinePoint& point,
-                         const NormalForce& normal) {
+void RollerContacts::rub(std::size_t index, const RollerDistance& distance, const NormalForce& normal) {
   const BodyRoller& roller = *rollers_[index].roller;
   RollerContact& contact = contacts_[index];
   const double across = roller.position == RollerPosition::bottom ? easing_.rub.across : 0.0;
   const RubForce force{easing_.rub.along * roller.law.friction_axial, across * roller.law.friction_lateral,
                        normal.force, normal.by_penetration};
-  contact.axial_direction = point.a.normalized();  // square to the distance at the closest point
+  contact.axial_direction = contact.at.tangent.normalized();  // square to the distance at the closest point
   contact.lateral_direction = distance.direction.cross(contact.axial_direction);
   contact.axial = force.along * normal.force;
   contact.lateral = force.across * normal.force;
@@ -182,7 +193,7 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (!contact.at.found) {
     return;
   }
-  const RollerDistance distance = measure(index, q, true);
+  const RollerDistance distance = measure(index, true);
   ContactLaw law = roller.law;
   law.stiffness = std::min(law.stiffness, easing_.most_stiffness);
   const NormalForce normal = normal_force(law, contact.penetration, 0.0);
@@ -190,14 +201,11 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (normal.force <= 0.0) {
     return;
   }
-  const HermiteValues n = hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]);
-  contact.point = at_point(n, dofs_of(q, contact.at.element));
   carrying_[index] = {true, distance, normal, {}, {}};
   if (easing_.rub.any()) {
-    const double h = length[static_cast<std::size_t>(contact.at.element)];
-    rub(index, distance, centreline(dofs_of(q, contact.at.element), contact.at.xi, h), normal);
+    rub(index, distance, normal);
   }
-  push(index, n, target);
+  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]), target);
 }
 
 void RollerContacts::evaluate(const double* q, const double* v, const Weights& weights,
@@ -205,9 +213,9 @@ void RollerContacts::evaluate(const double* q, const double* v, const Weights& w
                               ContactMode mode, const ContactTarget& target) {
   signature_ = 0xcbf29ce484222325ull;
   settled_ = mode == ContactMode::free;
-  const double moved = reference_.known ? moved_since_reference(q) : 0.0;
+  moved_ = reference_.known ? moved_since_reference(q) : kFar;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    passed_over_[i] = reference_.known && !before[i].carries && moved < reference_.gap[i];
+    passed_over_[i] = reference_.known && !before[i].carries && moved_ < reference_.gap[i];
     if (passed_over_[i]) {
       carrying_[i].carries = false;
       after[i] = apart(after[i]);
@@ -224,6 +232,8 @@ void RollerContacts::complete(const double* q, const double* v, std::vector<Cont
       passed_over_[i] = false;
     }
   }
+  moved_since_search_ += moved_;
+  rollers_moved_ = 0.0;
   reference_.known = !rollers_.empty();
   std::copy_n(q, reference_.q.size(), reference_.q.begin());
   reference_.placed = placed_;
@@ -236,7 +246,7 @@ void RollerContacts::complete(const double* q, const double* v, std::vector<Cont
 /// there [m].
 double RollerContacts::moved_since_reference(const double* q) const {
   constexpr double kSure = 2.0;
-  double place = 0.0, tangent = 0.0, roller = 0.0;
+  double place = 0.0, tangent = 0.0;
   for (int node = 0; node < line_->mesh.nodes(); ++node) {
     const double *now = q + 6 * node, *then = reference_.q.data() + 6 * node;
     const double dx = now[0] - then[0], dy = now[1] - then[1], dz = now[2] - then[2];
@@ -244,13 +254,9 @@ double RollerContacts::moved_since_reference(const double* q) const {
     place = std::max(place, dx * dx + dy * dy + dz * dz);
     tangent = std::max(tangent, tx * tx + ty * ty + tz * tz);
   }
-  for (std::size_t i = 0; i < placed_.size(); ++i) {
-    const PlacedRoller &now = placed_[i], &then = reference_.placed[i];
-    roller = std::max(roller, (now.center - then.center).norm() + now.half_face * (now.axis - then.axis).norm());
-  }
   // The Bezier points of an element, whose hull holds it, move with its nodes and a third of its length with its
   // tangents.
-  return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + roller);
+  return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + rollers_moved_);
 }
 
 /// Where the pipe meets a roller and how fast; nothing where it does not pass it or is out of reach, when the
@@ -272,18 +278,17 @@ std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, c
   after.element = contact.at.element;
   after.xi = contact.at.xi;
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
-  const RollerDistance distance = measure(index, q, false);
+  const RollerDistance distance = measure(index, false);
   const HermiteValues n = hermite(contact.at.xi, length[e]);
   const RigidMotion& body = motions_[rollers_[index].body];
-  contact.point = at_point(n, dofs_of(q, contact.at.element));
-  const Vec3 arm = contact.point - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
+  const Vec3 arm = contact.at.place - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
   contact.roller_velocity = body.velocity + body.omega.cross(arm);
   const Vec3 slip_rate = at_point(n, dofs_of(v, contact.at.element)) - contact.roller_velocity;
   contact.rate = -slip_rate.dot(distance.direction);
   if (!in_reach) {
     return std::nullopt;
   }
-  return Meeting{distance, slip_rate};
+  return Meeting{distance, slip_rate, n};
 }
 
 void RollerContacts::evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
@@ -303,9 +308,8 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
     return;
   }
   const Vec3& away = meeting->distance.direction;
-  const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  const CentrelinePoint point = centreline(dofs_of(q, contact.at.element), contact.at.xi, h);
-  contact.axial_direction = (point.a - point.a.dot(away) * away).normalized();
+  const Vec3& along = contact.at.tangent;
+  contact.axial_direction = (along - along.dot(away) * away).normalized();
   contact.lateral_direction = away.cross(contact.axial_direction);
   contact.slip_rate_axial = meeting->slip_rate.dot(contact.axial_direction);
   contact.slip_rate_lateral = meeting->slip_rate.dot(contact.lateral_direction);
@@ -333,7 +337,7 @@ void RollerContacts::evaluate_one(std::size_t index, const double* q, const doub
   after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
-  push(index, hermite(contact.at.xi, h), target);
+  push(index, meeting->shape, target);
   carrying_[index] = {true, meeting->distance, normal, axial, lateral};
 }
 

@@ -32,7 +32,6 @@ struct RollerContact {
   double rate = 0.0;                                ///< Of penetration [m/s].
   double normal = 0.0, axial = 0.0, lateral = 0.0;  ///< Forces on the pipe along the directions below [N].
   Vec3 normal_direction = Vec3::Zero(), axial_direction = Vec3::Zero(), lateral_direction = Vec3::Zero();
-  Vec3 point = Vec3::Zero();                              ///< Of the centreline, where the forces act [m].
   Vec3 roller_velocity = Vec3::Zero();                    ///< Of the roller where the pipe touches it [m/s].
   double slip_rate_axial = 0.0, slip_rate_lateral = 0.0;  ///< [m/s]
 
@@ -69,7 +68,8 @@ class RollerContacts {
   const std::vector<RollerContact>& contacts() const { return contacts_; }
 
   /// Moves the rollers with their bodies and looks, by the cells, which elements may meet which box. Elements are taken
-  /// where `q` has them, grown by `reach` for what they may still move [m].
+  /// where `q` has them, grown by `reach` for what they may still move [m]. With a reach, what was found serves on
+  /// until line and bodies have moved by half of it.
   void place(const std::vector<RigidMotion>& bodies, const double* q, double reach);
 
   /// Moves the rollers with their bodies by less than the `reach` they were placed with: what they may meet stays.
@@ -90,7 +90,10 @@ class RollerContacts {
   /// Looks at what the last evaluation passed over, of the same state.
   void complete(const double* q, const double* v, std::vector<ContactMemory>& after);
   /// Nothing is passed over before complete() is called again.
-  void forget() { reference_.known = false; }
+  void forget() {
+    reference_.known = false;
+    moved_since_search_ = kFar;
+  }
 
   /// Adds how the forces of the last evaluation change with the unknowns `q` that it was given.
   void add_tangent(const double* q, const Weights& weights, BlockTridiagonal& tangent) const;
@@ -122,6 +125,8 @@ class RollerContacts {
   bool settled() const { return settled_; }
 
  private:
+  static constexpr double kFar = 1e300;
+
   struct Member {
     const BodyRoller* roller = nullptr;
     std::size_t body = 0;
@@ -149,20 +154,22 @@ class RollerContacts {
   struct Meeting {
     RollerDistance distance;
     Vec3 slip_rate;
+    HermiteValues shape;  ///< Of the element at the point.
   };
 
   ElementRange within_reach(const Member& member) const {
     return ranges_[member.body][static_cast<std::size_t>(member.roller->box)];
   }
   void search(std::size_t body, const double* q, double reach);
-  RollerDistance measure(std::size_t index, const double* q, bool on_meant_side);
-  void rub(std::size_t index, const RollerDistance& distance, const CentrelinePoint& point, const NormalForce& normal);
+  RollerDistance measure(std::size_t index, bool on_meant_side);
+  void rub(std::size_t index, const RollerDistance& distance, const NormalForce& normal);
   void push(std::size_t index, const HermiteValues& n, const ContactTarget& target);
   void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
   void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
                     const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
   std::optional<Meeting> meet(std::size_t index, const double* q, const double* v, ContactMemory& after);
   double moved_since_reference(const double* q) const;
+  double rollers_moved() const;
 
   const Line* line_;
   const std::vector<Body>* bodies_;
@@ -176,8 +183,11 @@ class RollerContacts {
   std::vector<SlipStates> iterate_;
   std::vector<RigidMotion> motions_;
   Reference reference_;
-  double longest_ = 0.0;           ///< Element [m].
-  std::vector<char> passed_over_;  ///< By the last evaluation.
+  double rollers_moved_ = 0.0;        ///< Most of any roller since the reference [m].
+  double moved_ = 0.0;                ///< As moved_since_reference() had it last [m].
+  double moved_since_search_ = kFar;  ///< Sum from step to step [m].
+  double longest_ = 0.0;              ///< Element [m].
+  std::vector<char> passed_over_;     ///< By the last evaluation.
   std::uint64_t signature_ = 0;
   bool settled_ = true;
 };
