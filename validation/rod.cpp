@@ -124,7 +124,7 @@ void Rod::add_rollers(bool with_tangent) {
     const int node = contact.at.element;
     const double h = lengths_[static_cast<std::size_t>(node)];
     const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * node));
-    const RollerDistance distance = roller_distance(rollers[i], contact.at, q, h);
+    const RollerDistance distance = roller_distance(rollers[i], contact.at);
     contact.normal_direction = distance.direction;
     contact.penetration = pipe_.radius + rollers[i].radius - distance.value;
     if (contact.penetration <= 0.0) {

@@ -8,6 +8,7 @@
 #include "base/simd.h"
 #include "hull/hull_waves_kernel.h"
 #include "mechanics/line_kernel.h"
+#include "mechanics/roller_kernel.h"
 #include "mechanics/wave_kernel.h"
 #include "numerics/block_tridiagonal_kernel.h"
 #include "numerics/line_border_kernel.h"
@@ -284,6 +285,57 @@ void waves(Numbers& numbers) {
   std::printf("wave_elevation %.17g\n", wave_elevation(sea, 812.3, 15.0, -4.0));
 }
 
+void responses(Numbers& numbers) {
+  constexpr int kAhead = 27;
+  Arrays a(numbers, kWaves - 3, kWaves);
+  ResponseView vessel{kWaves, a.of(0.4, 1.6), {}};
+  for (const double*& part : vessel.parts) {
+    part = a.of(-0.3, 0.3);
+  }
+  Batch out(18);
+  sum_responses(vessel, {812.3, 40.0, 0.4, 0.01, a.of(-0.2, 0.2), kAhead}, out.data());
+  out.print("sum_responses");
+}
+
+/// Rollers under a line, some of them passed beyond their ends.
+void rollers(Numbers& numbers) {
+  constexpr int kRollers = 19;
+  const Batch q = hanging(numbers, 4.07);
+  Batch v(kNodes * kNodeDofs), length(kElements), places(9 * kRollers);
+  v.fill(numbers, -1.0, 1.0);
+  length.fill(numbers, 1.4, 1.5);
+  RollerLook looks[kRollers];
+  for (int i = 0; i < kRollers; ++i) {
+    double* at = places.data() + 9 * i;
+    const double along = i + 0.2, lean = numbers.between(-0.1, 0.1);
+    const double placed[] = {1.2 * along,
+                             numbers.between(-0.5, 0.5),
+                             3.8 - 0.8 * along,
+                             0.0,
+                             __builtin_sqrt(1.0 - lean * lean),
+                             lean,
+                             0.0,
+                             -lean,
+                             __builtin_sqrt(1.0 - lean * lean)};
+    for (int k = 0; k < 9; ++k) {
+      at[k] = placed[k];
+    }
+    looks[i] = {at, at + 3, at + 6, 0.3, 0.5, i};
+  }
+  RollerMeeting meetings[kRollers];
+  meet_rollers({q.data(), v.data(), length.data()}, looks, kRollers, meetings);
+  for (const RollerMeeting& met : meetings) {
+    std::printf("roller_found %d\nroller_beyond %d\n", met.found, met.beyond_face);
+    for (const double value : {met.xi, met.off_end, met.distance}) {
+      std::printf("roller %.17g\n", met.found ? value : 0.0);
+    }
+    for (int k = 0; k < 3; ++k) {
+      std::printf("roller_place %.17g\nroller_velocity %.17g\nroller_direction %.17g\n", met.found ? met.place[k] : 0.0,
+                  met.found ? met.velocity[k] : 0.0, met.found ? met.direction[k] : 0.0);
+    }
+  }
+}
+
 void hull(Numbers& numbers) {
   constexpr int kHeadings = 5;
   Arrays a(numbers, kWaves, kWaves);
@@ -316,5 +368,7 @@ int main() {
   }
   overbend::held_sections(numbers);
   overbend::waves(numbers);
+  overbend::responses(numbers);
+  overbend::rollers(numbers);
   overbend::hull(numbers);
 }

@@ -212,8 +212,8 @@ TEST(vessel_motion, standard_deviations_in_the_beam_sea_are_those_of_the_data) {
   // The same from the motion in time: the terms' sum, and a record of eight hours.
   const VesselMotionModel motion = make_vessel_motion(build_model(with_raos()), make_sea(waves, 89.0, 28800.0, 3));
   std::array<double, 6> of_terms{}, of_record{};
-  for (const MotionTerm& term : motion.terms) {
-    for (std::size_t k = 0; k < 6; ++k) of_terms[k] += 0.5 * std::norm(term.amplitude[k]);
+  for (std::size_t i = 0; i < motion.terms.size(); ++i) {
+    for (std::size_t k = 0; k < 6; ++k) of_terms[k] += 0.5 * std::norm(motion.terms[i].amplitude[k]);
   }
   const int samples = 28800;
   for (int i = 0; i < samples; ++i) {

@@ -5,14 +5,9 @@
 /// elements of a batch; force and tangent are scaled back at the end.
 #pragma once
 
-#if defined(__SSE2__)
-#include <immintrin.h>
-#endif
-
 #include <utility>
 
-#include "base/lane_transpose.h"
-#include "base/simd.h"
+#include "mechanics/lane_vectors.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/quadrature.h"
 
@@ -25,10 +20,6 @@ inline constexpr int kRowWidth = 8;  ///< Of a row of a block, see LineTarget.
 inline constexpr int kBlockSize = kNodeDofs * kRowWidth;
 inline constexpr double kPi = 3.14159265358979323846;
 
-struct Vec {
-  Lanes x, y, z;
-};
-
 struct Sym {  ///< Symmetric 3x3.
   Lanes xx, xy, xz, yy, yz, zz;
 };
@@ -36,58 +27,6 @@ struct Sym {  ///< Symmetric 3x3.
 struct Mat {
   Lanes m[3][3];
 };
-
-inline Lanes all(double value) {
-  return Lanes{} + value;
-}
-inline Vec operator+(const Vec& a, const Vec& b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec operator-(const Vec& a, const Vec& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec operator*(const Lanes& s, const Vec& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline Vec operator*(double s, const Vec& a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline Lanes dot(const Vec& a, const Vec& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/// Whether any lane is above zero.
-inline bool any(const Lanes& x) {
-#if defined(__AVX512F__)
-  return _mm512_cmp_pd_mask(x, _mm512_setzero_pd(), _CMP_GT_OQ) != 0;
-#elif defined(__AVX__)
-  return _mm256_movemask_pd(_mm256_cmp_pd(x, _mm256_setzero_pd(), _CMP_GT_OQ)) != 0;
-#elif defined(__SSE2__)
-  return _mm_movemask_pd(_mm_cmpgt_pd(x, _mm_setzero_pd())) != 0;
-#else
-  bool found = false;
-  for (int l = 0; l < kWidth; ++l) {
-    found = found || x[l] > 0.0;
-  }
-  return found;
-#endif
-}
-
-inline Lanes root(const Lanes& a) {
-#if defined(__AVX512F__)
-  return _mm512_maskz_sqrt_pd(0xff, a);  // g++ 12 warns of the plain one
-#elif defined(__AVX__)
-  return _mm256_sqrt_pd(a);
-#elif defined(__SSE2__)
-  return _mm_sqrt_pd(a);
-#else
-  Lanes r;
-  for (int l = 0; l < kWidth; ++l) {
-    r[l] = __builtin_sqrt(a[l]);
-  }
-  return r;
-#endif
-}
 
 /// A cubic about the middle of the elements: c0 + c1 y + c2 y^2 + c3 y^3 with y = xi - 1/2, so that a point costs a
 /// constant for each power.
@@ -172,8 +111,6 @@ struct BatchTangent {
   Mat in_r[kGaussPoints], in_a[kGaussPoints];  ///< Of loads, in place and slope, times the point's weight.
   Lanes k[kDofs][kDofs];                       ///< All together.
 };
-
-using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
 
 inline Lanes load_lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);

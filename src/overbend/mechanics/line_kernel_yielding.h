@@ -7,10 +7,6 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-inline Vec cross(const Vec& a, const Vec& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 /// u v' + v u'
 inline void add_both_dyads(Mat& m, const Vec& u, const Vec& v) {
   const Lanes uc[3] = {u.x, u.y, u.z}, vc[3] = {v.x, v.y, v.z};

@@ -169,6 +169,17 @@ ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, con
   });
 }
 
+void meet_rollers(const RolledLine& line, std::span<const RollerLook> looks, std::span<RollerMeeting> meetings,
+                  Isa isa) {
+  const int count = static_cast<int>(looks.size());
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) return isa_avx512::meet_rollers(line, looks.data(), count, meetings.data());
+  if (isa == Isa::avx2) return isa_avx2::meet_rollers(line, looks.data(), count, meetings.data());
+#endif
+  (void)isa;
+  isa_baseline::meet_rollers(line, looks.data(), count, meetings.data());
+}
+
 RollerDistance roller_distance(const PlacedRoller& roller, const ClosestPoint& at) {
   const Projection projection{at.reference, roller.axis, at.beyond_face};
   const Vec3 e = projection.apply(at.place - at.reference);

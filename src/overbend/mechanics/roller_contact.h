@@ -13,7 +13,11 @@
 /// so that the pipe runs off over a rounded end.
 #pragma once
 
+#include <span>
+
+#include "base/simd.h"
 #include "mechanics/rod_element.h"
+#include "mechanics/roller_kernel.h"
 #include "model/supports.h"
 
 namespace overbend {
@@ -52,6 +56,11 @@ ClosestPoint closest_point(const PlacedRoller& roller, const double* q, const do
 /// The same, begun at the element and xi where the point was before: the element is looked for from there outwards.
 ClosestPoint closest_point_near(const PlacedRoller& roller, const double* q, const double* length, int first, int last,
                                 int element, double xi);
+
+/// Closest points, distances and velocities for many rollers at once, each in the element of its look alone. `meetings`
+/// has one for every look at least.
+void meet_rollers(const RolledLine& line, std::span<const RollerLook> looks, std::span<RollerMeeting> meetings,
+                  Isa isa);
 
 /// Distance of centreline to axis at the closest point.
 struct RollerDistance {

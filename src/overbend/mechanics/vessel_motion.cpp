@@ -38,7 +38,7 @@ void follow_raos(VesselMotionModel& motion, const RaoTable& raos, const Sea& sea
   const Vec3 wave_origin_W = motion.mean.p_WV + motion.mean.R_WV * raos.wave_origin_V;
   double variance = 0.0, below = 0.0, above = 0.0;
   for (const WaveComponent& wave : sea.components) {
-    motion.terms.push_back(respond(raos, wave, heading_W, wave_origin_W));
+    motion.terms.add(respond(raos, wave, heading_W, wave_origin_W));
     const double share = wave.amplitude * wave.amplitude;
     variance += share;
     if (wave.omega < raos.omegas.front()) below += share;
@@ -59,7 +59,7 @@ void follow_harmonic(VesselMotionModel& motion, const VesselDescription& vessel)
     MotionTerm term;
     term.omega = 2.0 * std::numbers::pi / harmonic.period;
     term.amplitude[k] = std::polar(harmonic.amplitude, harmonic.phase - 0.5 * std::numbers::pi);  // sine, not cosine
-    motion.terms.push_back(term);
+    motion.terms.add(term);
   }
 }
 
@@ -94,21 +94,29 @@ void follow_history(VesselMotionModel& motion, const VesselDescription& vessel) 
 
 // Evaluation ------------------------------------------------------------------------------------------------------
 
-void add_terms(const std::vector<MotionTerm>& terms, const MoveAhead& move, double t, Freedoms& f) {
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    const MotionTerm& term = terms[i];
-    const double wave_number = i < move.wave_numbers.size() ? move.wave_numbers[i] : 0.0;
-    const double phase = term.omega * t - wave_number * move.at.way;
-    const double rate = term.omega - wave_number * move.at.speed;
-    const double bend = wave_number * move.at.acceleration;
-    const double c = std::cos(phase), s = std::sin(phase);
-    for (std::size_t k = 0; k < 6; ++k) {
-      const double re = term.amplitude[k].real(), im = term.amplitude[k].imag();
-      const double value = re * c - im * s;
-      f.value[k] += value;
-      f.rate[k] -= rate * (re * s + im * c);
-      f.acceleration[k] -= rate * rate * value - bend * (re * s + im * c);
-    }
+ResponseSums responses_of(Isa isa) {
+#if defined(OVERBEND_X86_KERNELS)
+  if (isa == Isa::avx512) return isa_avx512::sum_responses;
+  if (isa == Isa::avx2) return isa_avx2::sum_responses;
+#endif
+  (void)isa;
+  return isa_baseline::sum_responses;
+}
+
+void add_terms(const MotionTerms& terms, const MoveAhead& move, double t, Freedoms& f) {
+  static const ResponseSums kSums = responses_of(best_isa());
+  const ResponseInstant at{t,
+                           move.at.way,
+                           move.at.speed,
+                           move.at.acceleration,
+                           move.wave_numbers.data(),
+                           static_cast<int>(std::min(move.wave_numbers.size(), terms.size()))};
+  std::array<double, 18> sums{};
+  kSums(terms.view(), at, sums.data());
+  for (std::size_t k = 0; k < 6; ++k) {
+    f.value[k] += sums[3 * k];
+    f.rate[k] += sums[3 * k + 1];
+    f.acceleration[k] += sums[3 * k + 2];
   }
 }
 
@@ -159,6 +167,32 @@ Vec3 translation(const Six& v) {
 }
 
 }  // namespace
+
+MotionTerm MotionTerms::operator[](std::size_t i) const {
+  MotionTerm term;
+  term.omega = omega_[i];
+  for (std::size_t k = 0; k < 6; ++k) term.amplitude[k] = {parts_[2 * k][i], parts_[2 * k + 1][i]};
+  return term;
+}
+
+void MotionTerms::add(const MotionTerm& term) {
+  if (count_ == omega_.size()) {
+    omega_.resize(count_ + kLanes, 0.0);
+    for (AlignedDoubles& part : parts_) part.resize(count_ + kLanes, 0.0);
+  }
+  omega_[count_] = term.omega;
+  for (std::size_t k = 0; k < 6; ++k) {
+    parts_[2 * k][count_] = term.amplitude[k].real();
+    parts_[2 * k + 1][count_] = term.amplitude[k].imag();
+  }
+  ++count_;
+}
+
+ResponseView MotionTerms::view() const {
+  ResponseView view{static_cast<int>(omega_.size()), omega_.data(), {}};
+  std::transform(parts_.begin(), parts_.end(), view.parts, [](const AlignedDoubles& part) { return part.data(); });
+  return view;
+}
 
 VesselMotionModel make_vessel_motion(const Model& model, const Sea& sea) {
   const VesselDescription& vessel = model.description.vessel;

@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "base/aligned.h"
 #include "base/vec.h"
 #include "mechanics/build_up.h"
 #include "mechanics/sea.h"
+#include "mechanics/wave_kernel.h"
 #include "model/model.h"
 
 namespace overbend {
@@ -31,6 +33,21 @@ struct MotionTerm {
   std::array<std::complex<double>, 6> amplitude = {};  ///< [m], [rad]
 };
 
+/// Terms, one array per quantity, as the kernel reads them: each is filled up to whole batches of eight.
+class MotionTerms {
+ public:
+  std::size_t size() const { return count_; }
+  bool empty() const { return count_ == 0; }
+  MotionTerm operator[](std::size_t i) const;
+  void add(const MotionTerm& term);
+  ResponseView view() const;
+
+ private:
+  std::size_t count_ = 0;
+  AlignedDoubles omega_;
+  std::array<AlignedDoubles, 12> parts_;  ///< Real and imaginary parts of the amplitudes, in turn.
+};
+
 /// Natural cubic spline through the points of a recorded motion.
 struct MotionSpline {
   std::vector<double> time;                         ///< [s]
@@ -41,7 +58,7 @@ struct MotionSpline {
 struct VesselMotionModel {
   VesselPose mean;
   Vec3 reference_V = Vec3::Zero();  ///< Point that the translations are of [m].
-  std::vector<MotionTerm> terms;
+  MotionTerms terms;
   MotionSpline spline;
   /// Times covered by the description; there are no data beyond `last` [s].
   double first = -std::numeric_limits<double>::infinity(), last = std::numeric_limits<double>::infinity();

@@ -108,6 +108,13 @@ double stretched(double z, double elevation, double depth) {
   return height > 0.0 ? 0.0 : height < -depth ? -depth : height;
 }
 
+/// Wave numbers of responses from number i on.
+Lanes wave_numbers(const ResponseInstant& at, int i) {
+  Lanes numbers{};
+  for (int l = 0; l < kWidth && i + l < at.waves; ++l) numbers[l] = at.wave_number[i + l];
+  return numbers;
+}
+
 }  // namespace
 
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out) {
@@ -124,6 +131,24 @@ void sum_waves(const WaveView& waves, const WaveInstant& at, const double* point
     out[6] = elevation;
     out[7] *= at.factor;
   }
+}
+
+void sum_responses(const ResponseView& responses, const ResponseInstant& at, double* out) {
+  Lanes sums[18] = {};
+  for (int i = 0; i < responses.count; i += kWidth) {
+    const Lanes ahead = wave_numbers(at, i), omega = lanes(responses.omega, i);
+    const Lanes rate = omega - ahead * at.speed, bend = ahead * at.acceleration;
+    Lanes sine, cosine;
+    sine_cosine(omega * at.t - ahead * at.way, sine, cosine);
+    for (int k = 0; k < 6; ++k) {
+      const Lanes re = lanes(responses.parts[2 * k], i), im = lanes(responses.parts[2 * k + 1], i);
+      const Lanes value = re * cosine - im * sine, turned = re * sine + im * cosine;
+      sums[3 * k] += value;
+      sums[3 * k + 1] -= rate * turned;
+      sums[3 * k + 2] -= rate * rate * value - bend * turned;
+    }
+  }
+  for (int k = 0; k < 18; ++k) out[k] = total(sums[k]);
 }
 
 double wave_elevation(const WaveView& waves, double t, double x, double y) {

@@ -16,6 +16,24 @@ struct WaveView {
   const double* head;     ///< Phase speed over gravity: head of the dynamic pressure per horizontal velocity [s].
 };
 
+/// Responses to the components of a sea in six freedoms, one array per quantity, filled up to whole batches of eight
+/// with responses of nothing.
+struct ResponseView {
+  int count = 0;  ///< With what it is filled up with.
+  const double* omega = nullptr;
+  const double* parts[12];  ///< Real and imaginary part of the amplitude, freedom by freedom.
+};
+
+/// Time, and how far, how fast and with what acceleration the vessel has moved ahead.
+struct ResponseInstant {
+  double t = 0.0, way = 0.0, speed = 0.0, acceleration = 0.0;
+  const double* wave_number = nullptr;  ///< Ahead, of the first `waves` responses [1/m]; the others are of no wave.
+  int waves = 0;
+};
+
+/// `out` gets value, rate and acceleration of each of the six freedoms.
+using ResponseSums = void (*)(const ResponseView& responses, const ResponseInstant& at, double* out);
+
 /// Time and build-up.
 struct WaveInstant {
   double t = 0.0, factor = 1.0, factor_rate = 0.0;
@@ -33,14 +51,17 @@ using WaveElevation = double (*)(const WaveView& waves, double t, double x, doub
 namespace isa_baseline {
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
 double wave_elevation(const WaveView& waves, double t, double x, double y);
+void sum_responses(const ResponseView& responses, const ResponseInstant& at, double* out);
 }  // namespace isa_baseline
 namespace isa_avx2 {
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
 double wave_elevation(const WaveView& waves, double t, double x, double y);
+void sum_responses(const ResponseView& responses, const ResponseInstant& at, double* out);
 }  // namespace isa_avx2
 namespace isa_avx512 {
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out);
 double wave_elevation(const WaveView& waves, double t, double x, double y);
+void sum_responses(const ResponseView& responses, const ResponseInstant& at, double* out);
 }  // namespace isa_avx512
 
 }  // namespace overbend

@@ -57,7 +57,7 @@ ElementVector RollerContacts::residual_of(int roller) const {
   const RollerContact& contact = contacts_[static_cast<std::size_t>(roller)];
   ElementVector residual = ElementVector::Zero();
   const double h = line_->mesh.length[static_cast<std::size_t>(contact.at.element)];
-  add_point_force(residual.data(), hermite(contact.at.xi, h), 0, 4, contact.force());
+  add_point_force(residual.data(), hermite(contact.at.xi, h).value, 0, 4, contact.force());
   return residual;
 }
 

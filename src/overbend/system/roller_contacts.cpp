@@ -67,6 +67,9 @@ RollerContacts::RollerContacts(const Line& line, const std::vector<Body>& bodies
   carrying_.resize(rollers_.size());
   iterate_.resize(rollers_.size());
   passed_over_.resize(rollers_.size());
+  looked_at_.reserve(rollers_.size());
+  looks_.reserve(rollers_.size());
+  meetings_.resize(rollers_.size());
   reference_.q.resize(rollers_.empty() ? 0 : 6 * static_cast<std::size_t>(line.mesh.nodes()));
   reference_.placed.resize(rollers_.size());
   reference_.gap.resize(rollers_.size());
@@ -135,17 +138,15 @@ void RollerContacts::end_iteration(const std::vector<ContactMemory>& now) {
   }
 }
 
-/// Distance, direction and penetration at the closest point found.
-RollerDistance RollerContacts::measure(std::size_t index, bool on_meant_side) {
+/// Penetration and direction at the closest point found.
+void RollerContacts::measure(std::size_t index, RollerDistance& distance, bool on_meant_side) {
   RollerContact& contact = contacts_[index];
   const std::size_t e = static_cast<std::size_t>(contact.at.element);
-  RollerDistance distance = roller_distance(placed_[index], contact.at);
   if (!on_meant_side && distance.value < 0.0) {
     turn_to_actual_side(distance);
   }
   contact.penetration = contact_radius(*line_, e, contact.at.xi) + rollers_[index].roller->radius - distance.value;
   contact.normal_direction = distance.direction;
-  return distance;
 }
 
 /// Full friction of a line at rest.
@@ -162,13 +163,13 @@ void RollerContacts::rub(std::size_t index, const RollerDistance& distance, cons
   carrying_[index].rub = force;
 }
 
-void RollerContacts::push(std::size_t index, const HermiteValues& n, const ContactTarget& target) {
+void RollerContacts::push(std::size_t index, const Eigen::Vector4d& shape, const ContactTarget& target) {
   const RollerContact& contact = contacts_[index];
   const Vec3 force = contact.force();
-  add_point_force(target.residual.data() + 6 * contact.at.element, n, 0, 4, force);
-  add_point_force(target.cuts.data() + 6 * contact.at.element, n, 2, 4, force);
+  add_point_force(target.residual.data() + 6 * contact.at.element, shape, 0, 4, force);
+  add_point_force(target.cuts.data() + 6 * contact.at.element, shape, 2, 4, force);
   if (contact.at.element == 0) {  // the cut at the first node is minus what the first element adds
-    add_point_force(target.cuts.data(), n, 0, 2, -force);
+    add_point_force(target.cuts.data(), shape, 0, 2, -force);
   }
 }
 
@@ -193,7 +194,8 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (!contact.at.found) {
     return;
   }
-  const RollerDistance distance = measure(index, true);
+  RollerDistance distance = roller_distance(placed_[index], contact.at);
+  measure(index, distance, true);
   ContactLaw law = roller.law;
   law.stiffness = std::min(law.stiffness, easing_.most_stiffness);
   const NormalForce normal = normal_force(law, contact.penetration, 0.0);
@@ -205,7 +207,7 @@ void RollerContacts::evaluate_one_at_rest(std::size_t index, const double* q, co
   if (easing_.rub.any()) {
     rub(index, distance, normal);
   }
-  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]), target);
+  push(index, hermite(contact.at.xi, length[static_cast<std::size_t>(contact.at.element)]).value, target);
 }
 
 void RollerContacts::evaluate(const double* q, const double* v, const Weights& weights,
@@ -214,23 +216,32 @@ void RollerContacts::evaluate(const double* q, const double* v, const Weights& w
   signature_ = 0xcbf29ce484222325ull;
   settled_ = mode == ContactMode::free;
   moved_ = reference_.known ? moved_since_reference(q) : kFar;
+  looked_at_.clear();
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
     passed_over_[i] = reference_.known && !before[i].carries && moved_ < reference_.gap[i];
     if (passed_over_[i]) {
       carrying_[i].carries = false;
       after[i] = apart(after[i]);
     } else {
-      evaluate_one(i, q, v, weights, before[i], after[i], mode, target);
+      looked_at_.push_back(i);
     }
+  }
+  look(q, v, after);
+  for (std::size_t k = 0; k < looked_at_.size(); ++k) {
+    const std::size_t i = looked_at_[k];
+    evaluate_one(i, meet(i, meetings_[k], q, v, after[i]), weights, before[i], after[i], mode, target);
   }
 }
 
 void RollerContacts::complete(const double* q, const double* v, std::vector<ContactMemory>& after) {
+  looked_at_.clear();
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
-    if (passed_over_[i]) {
-      meet(i, q, v, after[i]);
-      passed_over_[i] = false;
-    }
+    if (passed_over_[i]) looked_at_.push_back(i);
+    passed_over_[i] = false;
+  }
+  look(q, v, after);
+  for (std::size_t k = 0; k < looked_at_.size(); ++k) {
+    meet(looked_at_[k], meetings_[k], q, v, after[looked_at_[k]]);
   }
   moved_since_search_ += moved_;
   rollers_moved_ = 0.0;
@@ -259,44 +270,78 @@ double RollerContacts::moved_since_reference(const double* q) const {
   return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + rollers_moved_);
 }
 
+/// Sees where the line is closest to the rollers that are looked at, if that is in the element where it was.
+void RollerContacts::look(const double* q, const double* v, const std::vector<ContactMemory>& memory) {
+  looks_.clear();
+  for (const std::size_t i : looked_at_) {
+    const PlacedRoller& at = placed_[i];
+    looks_.push_back(
+        {at.center.data(), at.axis.data(), at.normal.data(), at.half_face, memory[i].xi, memory[i].element});
+  }
+  meet_rollers({q, v, line_->mesh.length.data()}, looks_, meetings_, best_isa());
+}
+
+/// Where the line is closest to a roller, as it was seen or, failing that, by looking along the line; contact.at tells
+/// whether it passes the roller at all.
+RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeeting& seen, const double* q,
+                                             const double* v, const ContactMemory& memory) {
+  using Map = Eigen::Map<const Vec3>;
+  ClosestPoint& at = contacts_[index].at;
+  const std::vector<double>& length = line_->mesh.length;
+  const ElementRange reachable = within_reach(rollers_[index]);
+  const ElementRange range =
+      reachable.first < reachable.last ? reachable : ElementRange{0, static_cast<int>(length.size())};
+  if (seen.found && range.first <= seen.element && seen.element < range.last) {
+    at = {true,        seen.element, seen.xi, Map(seen.place), Map(seen.tangent), Map(seen.reference), seen.beyond_face,
+          seen.off_end};
+    return {{seen.distance, Map(seen.direction)},
+            Map(seen.velocity),
+            Vec3::Zero(),
+            Eigen::Map<const Eigen::Vector4d>(seen.shape)};
+  }
+  at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, memory.element, memory.xi);
+  Meeting meeting;
+  if (at.found) {
+    meeting.distance = roller_distance(placed_[index], at);
+    meeting.shape = hermite(at.xi, length[static_cast<std::size_t>(at.element)]).value;
+    meeting.velocity = at_point(meeting.shape, dofs_of(v, at.element));
+  }
+  return meeting;
+}
+
 /// Where the pipe meets a roller and how fast; nothing where it does not pass it or is out of reach, when the
 /// separation alone is of interest.
-std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, const double* q, const double* v,
-                                                            ContactMemory& after) {
+std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, const RollerMeeting& seen,
+                                                            const double* q, const double* v, ContactMemory& after) {
   RollerContact& contact = contacts_[index];
   contact = RollerContact{};
   carrying_[index].carries = false;
-  const std::vector<double>& length = line_->mesh.length;
-  const ElementRange reachable = within_reach(rollers_[index]);
-  const bool in_reach = reachable.first < reachable.last;
-  const ElementRange range = in_reach ? reachable : ElementRange{0, static_cast<int>(length.size())};
-  contact.at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, after.element, after.xi);
+  Meeting meeting = find(index, seen, q, v, after);
   after = apart(after);
   if (!contact.at.found) {
     return std::nullopt;
   }
   after.element = contact.at.element;
   after.xi = contact.at.xi;
-  const std::size_t e = static_cast<std::size_t>(contact.at.element);
-  const RollerDistance distance = measure(index, false);
-  const HermiteValues n = hermite(contact.at.xi, length[e]);
+  measure(index, meeting.distance, false);
   const RigidMotion& body = motions_[rollers_[index].body];
-  const Vec3 arm = contact.at.place - line_->elements.radius[e] * distance.direction - body.pose.p_WV;
+  const double radius = line_->elements.radius[static_cast<std::size_t>(contact.at.element)];
+  const Vec3 arm = contact.at.place - radius * meeting.distance.direction - body.pose.p_WV;
   contact.roller_velocity = body.velocity + body.omega.cross(arm);
-  const Vec3 slip_rate = at_point(n, dofs_of(v, contact.at.element)) - contact.roller_velocity;
-  contact.rate = -slip_rate.dot(distance.direction);
-  if (!in_reach) {
+  meeting.slip_rate = meeting.velocity - contact.roller_velocity;
+  contact.rate = -meeting.slip_rate.dot(meeting.distance.direction);
+  const ElementRange reachable = within_reach(rollers_[index]);
+  if (reachable.first >= reachable.last) {
     return std::nullopt;
   }
-  return Meeting{distance, slip_rate, n};
+  return meeting;
 }
 
-void RollerContacts::evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
+void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting>& meeting, const Weights& weights,
                                   const ContactMemory& before, ContactMemory& after, ContactMode mode,
                                   const ContactTarget& target) {
   const BodyRoller& roller = *rollers_[index].roller;
   RollerContact& contact = contacts_[index];
-  const std::optional<Meeting> meeting = meet(index, q, v, after);
   const bool kept = mode == ContactMode::kept;
   if (!meeting || (kept && !before.carries)) {
     return;

@@ -153,21 +153,26 @@ class RollerContacts {
   /// Of a pipe that passes a roller: what its forces are made from.
   struct Meeting {
     RollerDistance distance;
-    Vec3 slip_rate;
-    HermiteValues shape;  ///< Of the element at the point.
+    Vec3 velocity = Vec3::Zero();                     ///< Of the centreline at the point [m/s].
+    Vec3 slip_rate = Vec3::Zero();                    ///< Against the roller [m/s].
+    Eigen::Vector4d shape = Eigen::Vector4d::Zero();  ///< Values of the element's functions at the point.
   };
 
   ElementRange within_reach(const Member& member) const {
     return ranges_[member.body][static_cast<std::size_t>(member.roller->box)];
   }
   void search(std::size_t body, const double* q, double reach);
-  RollerDistance measure(std::size_t index, bool on_meant_side);
+  void measure(std::size_t index, RollerDistance& distance, bool on_meant_side);
   void rub(std::size_t index, const RollerDistance& distance, const NormalForce& normal);
-  void push(std::size_t index, const HermiteValues& n, const ContactTarget& target);
+  void push(std::size_t index, const Eigen::Vector4d& shape, const ContactTarget& target);
   void evaluate_one_at_rest(std::size_t index, const double* q, const ContactTarget& target);
-  void evaluate_one(std::size_t index, const double* q, const double* v, const Weights& weights,
+  void look(const double* q, const double* v, const std::vector<ContactMemory>& memory);
+  Meeting find(std::size_t index, const RollerMeeting& seen, const double* q, const double* v,
+               const ContactMemory& memory);
+  std::optional<Meeting> meet(std::size_t index, const RollerMeeting& seen, const double* q, const double* v,
+                              ContactMemory& after);
+  void evaluate_one(std::size_t index, const std::optional<Meeting>& meeting, const Weights& weights,
                     const ContactMemory& before, ContactMemory& after, ContactMode mode, const ContactTarget& target);
-  std::optional<Meeting> meet(std::size_t index, const double* q, const double* v, ContactMemory& after);
   double moved_since_reference(const double* q) const;
   double rollers_moved() const;
 
@@ -183,11 +188,14 @@ class RollerContacts {
   std::vector<SlipStates> iterate_;
   std::vector<RigidMotion> motions_;
   Reference reference_;
-  double rollers_moved_ = 0.0;        ///< Most of any roller since the reference [m].
-  double moved_ = 0.0;                ///< As moved_since_reference() had it last [m].
-  double moved_since_search_ = kFar;  ///< Sum from step to step [m].
-  double longest_ = 0.0;              ///< Element [m].
-  std::vector<char> passed_over_;     ///< By the last evaluation.
+  double rollers_moved_ = 0.0;           ///< Most of any roller since the reference [m].
+  double moved_ = 0.0;                   ///< As moved_since_reference() had it last [m].
+  double moved_since_search_ = kFar;     ///< Sum from step to step [m].
+  double longest_ = 0.0;                 ///< Element [m].
+  std::vector<char> passed_over_;        ///< By the last evaluation.
+  std::vector<std::size_t> looked_at_;   ///< Rollers, with
+  std::vector<RollerLook> looks_;        ///< where each is looked for and
+  std::vector<RollerMeeting> meetings_;  ///< what was seen there.
   std::uint64_t signature_ = 0;
   bool settled_ = true;
 };

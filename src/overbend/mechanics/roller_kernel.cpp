@@ -1,0 +1,207 @@
+#include "mechanics/roller_kernel.h"
+
+#include "mechanics/lane_vectors.h"
+
+namespace overbend::OVERBEND_ISA_NAMESPACE {
+namespace {
+
+constexpr int kDofs = 12;  ///< Of an element: r1, t1, r2, t2.
+
+/// Lane by lane true (all bits) or false.
+using Truth = decltype(Lanes{} < Lanes{});
+
+/// Rollers with the elements that they are looked for in.
+struct Batch {
+  Vec center, axis, normal;
+  Lanes half_face, xi, h;
+  Vec q[4], v[4];
+};
+
+/// What distance is measured from, see Projection of roller_contact.cpp: `across` is 1 where the part along the axis
+/// does not count, else 0.
+struct Projection {
+  Vec reference, axis;
+  Lanes across;
+
+  Vec apply(const Vec& v) const { return v - (across * dot(v, axis)) * axis; }
+};
+
+struct Point {
+  Truth found;
+  Lanes xi;
+};
+
+inline bool any(const Truth& truth) {
+  long long found = 0;
+  for (int l = 0; l < kWidth; ++l) {
+    found |= truth[l];
+  }
+  return found != 0;
+}
+
+inline Lanes magnitude(const Lanes& x) {
+  return x < 0.0 ? -x : x;
+}
+
+inline Vec chosen(const Truth& first, const Vec& a, const Vec& b) {
+  return {first ? a.x : b.x, first ? a.y : b.y, first ? a.z : b.z};
+}
+
+/// The values of the elements' nodes, lane by lane.
+void gather(const double* values, const RollerLook* const (&looks)[kWidth], Vec (&out)[4]) {
+  Lanes parts[kDofs];
+  for (int from = 0; from < kDofs; from += kWidth) {
+    const int start = from + kWidth <= kDofs ? from : kDofs - kWidth;  // the last ends with the element
+    Lanes rows[kWidth];
+    for (int l = 0; l < kWidth; ++l) {
+      rows[l] = *reinterpret_cast<const LooseLanes*>(values + 6 * looks[l]->element + start);
+    }
+    transpose(rows);
+    for (int j = 0; j < kWidth; ++j) {
+      parts[start + j] = rows[j];
+    }
+  }
+  for (int node = 0; node < 4; ++node) {
+    out[node] = {parts[3 * node], parts[3 * node + 1], parts[3 * node + 2]};
+  }
+}
+
+void put_vector(Vec& out, int lane, const double* from) {
+  out.x[lane] = from[0];
+  out.y[lane] = from[1];
+  out.z[lane] = from[2];
+}
+
+void gather(const RolledLine& line, const RollerLook* const (&looks)[kWidth], Batch& batch) {
+  for (int l = 0; l < kWidth; ++l) {
+    const RollerLook& look = *looks[l];
+    put_vector(batch.center, l, look.center);
+    put_vector(batch.axis, l, look.axis);
+    put_vector(batch.normal, l, look.normal);
+    batch.half_face[l] = look.half_face;
+    batch.xi[l] = look.xi;
+    batch.h[l] = line.length[look.element];
+  }
+  gather(line.q, looks, batch.q);
+  gather(line.v, looks, batch.v);
+}
+
+/// Where P(r - C) . r' = 0: safeguarded Newton, as in roller_contact.cpp.
+Lanes stationary_xi(const Lanes (&f)[6], Lanes xi, Truth open) {
+  constexpr double kClose = 1e-4;
+  Lanes low{}, high = all(1.0);
+  for (int iteration = 0; iteration < 60 && any(open); ++iteration) {
+    const Lanes value = f[0] + xi * (f[1] + xi * (f[2] + xi * (f[3] + xi * (f[4] + xi * f[5]))));
+    const Lanes slope = f[1] + xi * (2.0 * f[2] + xi * (3.0 * f[3] + xi * (4.0 * f[4] + 5.0 * xi * f[5])));
+    const Truth above = value > 0.0;
+    high = above ? xi : high;
+    low = above ? low : xi;
+    const Lanes by_slope = xi - value / slope;
+    const Truth good = (slope > 0.0) & (by_slope >= low) & (by_slope <= high);
+    const Lanes next = good ? by_slope : 0.5 * (low + high);
+    const Truth close = (good & (magnitude(next - xi) < kClose)) | (high - low < 1e-15);
+    xi = open ? next : xi;
+    open &= ~close;
+  }
+  return xi;
+}
+
+Point closest(const Batch& at, const Projection& projection) {
+  const Vec from1 = projection.apply(at.q[0] - projection.reference);
+  const Vec from2 = projection.apply(at.q[2] - projection.reference);
+  const Truth found = (dot(from1, at.q[1]) < 0.0) & (dot(from2, at.q[3]) >= 0.0);
+  // The distance as powers of xi, and half of what its square changes by.
+  const Vec& c0 = from1;
+  const Vec c1 = at.h * projection.apply(at.q[1]), last = at.h * projection.apply(at.q[3]);
+  const Vec chord = from2 - from1;
+  const Vec c2 = 3.0 * chord - 2.0 * c1 - last, c3 = c1 + last - 2.0 * chord;
+  const Lanes f[6] = {dot(c0, c1),
+                      dot(c1, c1) + 2.0 * dot(c0, c2),
+                      3.0 * (dot(c0, c3) + dot(c1, c2)),
+                      4.0 * dot(c1, c3) + 2.0 * dot(c2, c2),
+                      5.0 * dot(c2, c3),
+                      3.0 * dot(c3, c3)};
+  return {found, stationary_xi(f, at.xi, found)};
+}
+
+/// The element's functions at xi, or their derivatives by the length.
+struct Shape {
+  Lanes n[4];
+
+  Vec of(const Vec (&nodes)[4]) const { return n[0] * nodes[0] + n[1] * nodes[1] + n[2] * nodes[2] + n[3] * nodes[3]; }
+};
+
+Shape values_at(const Lanes& x, const Lanes& h) {
+  const Lanes x2 = x * x, x3 = x2 * x;
+  return {{1.0 - 3.0 * x2 + 2.0 * x3, h * (x - 2.0 * x2 + x3), 3.0 * x2 - 2.0 * x3, h * (x3 - x2)}};
+}
+
+Shape slopes_at(const Lanes& x, const Lanes& h) {
+  const Lanes x2 = x * x, up = (6.0 * x - 6.0 * x2) / h;
+  return {{-up, 1.0 - 4.0 * x + 3.0 * x2, up, 3.0 * x2 - 2.0 * x}};
+}
+
+void take_vector(const Vec& from, int lane, double* out) {
+  out[0] = from.x[lane];
+  out[1] = from.y[lane];
+  out[2] = from.z[lane];
+}
+
+void meet(const Batch& at, const RollerLook* const (&looks)[kWidth], RollerMeeting* meetings, int count) {
+  Projection projection{at.center, at.axis, all(1.0)};
+  Point point = closest(at, projection);
+  Shape shape = values_at(point.xi, at.h);
+  Vec place = shape.of(at.q);
+  const Lanes eta = dot(place - at.center, at.axis);
+  const Lanes off_end = magnitude(eta) - at.half_face;
+  const Truth beyond = off_end > 0.0;
+  if (any(beyond & point.found)) {  // over to the end of the roller
+    const Vec end = at.center + (eta < 0.0 ? -at.half_face : at.half_face) * at.axis;
+    projection = {chosen(beyond, end, at.center), at.axis, beyond ? Lanes{} : all(1.0)};
+    const Point there = closest(at, projection);
+    point.found &= there.found | ~beyond;
+    point.xi = beyond ? there.xi : point.xi;
+    shape = values_at(point.xi, at.h);
+    place = shape.of(at.q);
+  }
+  const Vec tangent = slopes_at(point.xi, at.h).of(at.q), velocity = shape.of(at.v);
+  const Vec distance = projection.apply(place - projection.reference);
+  const Vec across = chosen(beyond, distance, cross(at.axis, tangent));
+  const Truth on_side = beyond | (dot(across, at.normal) >= 0.0);
+  const Vec direction = ((on_side ? all(1.0) : all(-1.0)) / root(dot(across, across))) * across;
+  const Lanes value = dot(distance, direction);
+  for (int l = 0; l < count; ++l) {
+    RollerMeeting& out = meetings[l];
+    out.found = point.found[l] != 0;
+    out.beyond_face = beyond[l] != 0;
+    out.element = looks[l]->element;
+    out.xi = point.xi[l];
+    out.off_end = out.beyond_face ? off_end[l] : 0.0;
+    out.distance = value[l];
+    take_vector(place, l, out.place);
+    take_vector(tangent, l, out.tangent);
+    take_vector(velocity, l, out.velocity);
+    take_vector(projection.reference, l, out.reference);
+    take_vector(direction, l, out.direction);
+    for (int j = 0; j < 4; ++j) {
+      out.shape[j] = shape.n[j][l];
+    }
+  }
+}
+
+}  // namespace
+
+void meet_rollers(const RolledLine& line, const RollerLook* looks, int count, RollerMeeting* meetings) {
+  for (int first = 0; first < count; first += kWidth) {
+    const RollerLook* batch_looks[kWidth];
+    for (int l = 0; l < kWidth; ++l) {
+      batch_looks[l] = looks + (first + l < count ? first + l : count - 1);
+    }
+    Batch batch;
+    gather(line, batch_looks, batch);
+    const int left = count - first;
+    meet(batch, batch_looks, meetings + first, left < kWidth ? left : kWidth);
+  }
+}
+
+}  // namespace overbend::OVERBEND_ISA_NAMESPACE
