@@ -93,14 +93,17 @@ struct Spring {
     const double before = excess(law, machine, machine.tension, travel.v);
     TensionerMachine next;
     MotionValues u = attempt(step, next);
+    EventTry tried{0.0, before};
     for (double shorter = 0.0;; step = shorter) {
       u = attempt(step, next);
-      shorter = step_to_event(law, before, excess(law, next, tension(time + step, u), u.v), step, kShortest);
+      const EventTry now{step, excess(law, next, tension(time + step, u), u.v)};
+      shorter = step_to_event(law, tried, now, kShortest);
+      tried = now;
       if (shorter == step) break;
     }
     time += step;
     const double t = tension(time, u);
-    if (out_of_range(law, t)) out += step;
+    if (out_of_range(law, 0.5 * (machine.tension + t))) out += step;
     if (machine.state == TensionerState::delay) waited += step;
     const TensionerState was = machine.state;
     const Travel now = observe(law, t, step, {u.q, u.v, u.acc}, next);

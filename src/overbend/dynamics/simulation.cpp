@@ -255,15 +255,18 @@ double Simulation::to_timed_event() const {
   return std::min(to_parting, std::max(time_to_move(law, tensioner(state_).machine), kShortestToEvent));
 }
 
-/// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s].
-double Simulation::step_to_tensioner(double h) const {
+/// How long the step just tried may be to meet the instant at which its tension makes the tensioner change [s]; `tried`
+/// is the try before, and becomes this one.
+double Simulation::step_to_tensioner(double h, EventTry& tried) const {
   const TensionerLaw& law = tensioner_of(setup_.system);
   if (law.mode != TensionerMode::controlled || options_.fixed_step) {
     return h;
   }
   const AttachmentState &now = tensioner(state_), &next = tensioner(next_);
-  return step_to_event(law, excess(law, now.machine, now.machine.tension, now.travel.v),
-                       excess(law, next.machine, assembly_->machine_tension(), next.travel.v), h, kShortestToEvent);
+  const EventTry before =
+      tried.h > 0.0 ? tried : EventTry{0.0, excess(law, now.machine, now.machine.tension, now.travel.v)};
+  tried = {h, excess(law, next.machine, assembly_->machine_tension(), next.travel.v)};
+  return step_to_event(law, before, tried, kShortestToEvent);
 }
 
 bool Simulation::reject(double wanted) {
@@ -272,8 +275,9 @@ bool Simulation::reject(double wanted) {
   return false;
 }
 
-/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try.
-bool Simulation::attempt(double h, double target, double& to_event) {
+/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try, `tried`
+/// what this one did.
+bool Simulation::attempt(double h, double target, double& to_event, EventTry& tried) {
   const StepReport step = stepper_->step(state_, h, next_);
   report_.newton_iterations += step.iterations;
   report_.factorisations += step.factorisations;
@@ -284,7 +288,7 @@ bool Simulation::attempt(double h, double target, double& to_event) {
   }
   const ImpactLimit impact = tracker_->check(contacts(), h);
   if (impact.reject && !options_.fixed_step) return reject(impact.step);
-  to_event = step_to_tensioner(h);
+  to_event = step_to_tensioner(h, tried);
   if (to_event < h) return reject(chooser_.wanted);
   failure_ = hull_failure(setup_.system, next_);
   if (failure_) return false;
@@ -331,11 +335,12 @@ bool Simulation::step() {
   ask_controllers();
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   double to_event = kUnlimited, h = 0.0;
+  EventTry tried;
   do {
     if (failure_) return false;
     const double longest = options_.fixed_step ? kUnlimited : tracker_->step_limit();
     h = std::min(chooser_.choose(target - state_.time, longest), std::min(to_event, to_timed_event()));
-  } while (!attempt(h, target, to_event));
+  } while (!attempt(h, target, to_event, tried));
   if (state_.time >= target) reach_tick();
   convey();
   return true;

@@ -93,7 +93,7 @@ class Simulation {
   void rest_moorings();
   bool part_lines();
   void ask_controllers();
-  bool attempt(double h, double target, double& to_event);
+  bool attempt(double h, double target, double& to_event, EventTry& tried);
   bool reject(double wanted);
   void accept(double h);
   void reach_tick();
@@ -105,7 +105,7 @@ class Simulation {
   void observe_tension(SystemState& state, double h);
   void find_elevation();
   double to_timed_event() const;
-  double step_to_tensioner(double h) const;
+  double step_to_tensioner(double h, EventTry& tried) const;
 
   DynamicOptions options_;
   RunSetup setup_;

@@ -29,13 +29,15 @@ std::vector<double> lumped_mass(const Line& line) {
   return mass;
 }
 
-/// How much of a node's error counts: what it does to the forces of a line is that it turns the elements beside it, and
-/// the longer they are the less. Up to 5 m all of it counts.
-std::vector<double> error_weights(const LineMesh& mesh) {
+/// How much of a node's error counts. Of pipe all, but for what was added to it as laid behind the far end of statics.
+/// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the longer
+/// they are the less; up to 5 m all of it counts. (Lines that may meet rollers are pipe.)
+std::vector<double> error_weights(const Line& line) {
   constexpr double kShort = 5.0;  // m
   std::vector<double> weights;
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    weights.push_back(std::min(1.0, kShort / mesh.shortest_beside(node)));
+  for (int node = 0; node < line.mesh.nodes(); ++node) {
+    const bool pipe = line.on_rollers && line.mesh.s[static_cast<std::size_t>(node)] >= 0.0;
+    weights.push_back(pipe ? 1.0 : std::min(1.0, kShort / line.mesh.shortest_beside(node)));
   }
   return weights;
 }
@@ -137,7 +139,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       dq_(assembly.increments()) {
   for (const Line& line : assembly.system().lines) {
     lumped_mass_.push_back(lumped_mass(line));
-    error_weights_.push_back(error_weights(line.mesh));
+    error_weights_.push_back(error_weights(line));
   }
 }
 

@@ -34,7 +34,7 @@ class TimeStepper {
   /// Estimate of the error that the last step made in the place of any node or body (turned on its arm) [m]: the change
   /// of acceleration over the step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far
   /// faster than the step, which the scheme damps, do not count (after Shampine 1984). Beside elements longer than 5 m
-  /// errors count less in proportion.
+  /// errors of moorings and of laid pipe that was added behind the static line count less in proportion.
   double local_error(const SystemState& now, const SystemState& next);
 
   /// What comes next depends on the state alone: for checkpoints.

@@ -263,12 +263,16 @@ Travel observe(const TensionerLaw& law, double tension, double h, const Travel& 
   return now;
 }
 
-double step_to_event(const TensionerLaw& law, double before, double after, double h, double shortest) {
-  if (after <= law.resolution || h <= shortest || !std::isfinite(before)) {
-    return h;
+double step_to_event(const TensionerLaw& law, const EventTry& before, const EventTry& now, double shortest) {
+  if (now.excess <= law.resolution || now.h <= shortest || !std::isfinite(before.excess)) {
+    return now.h;
   }
-  const double share = before < 0.0 ? before / (before - after) : 0.0;
-  return std::clamp(share * h, std::min(shortest, 0.5 * h), 0.95 * h);
+  const double slope = (now.excess - before.excess) / (now.h - before.h);
+  const double late = slope > 0.0 ? now.excess / slope : now.h;
+  if (before.h > 0.0 && late <= shortest) {
+    return now.h;
+  }
+  return std::clamp(now.h - late + 0.5 * shortest, std::min(shortest, 0.5 * now.h), 0.95 * now.h);
 }
 
 }  // namespace overbend

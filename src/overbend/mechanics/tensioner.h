@@ -100,9 +100,15 @@ inline bool out_of_range(const TensionerLaw& law, double tension) {
   return tension > law.high || tension < law.low;
 }
 
-/// How long a step of `h`, over which the excess went from `before` to `after`, may be to meet the change of state: up
-/// to the root of the straight line between the two. `h` where it met it within the resolution, or is not longer than
-/// `shortest`.
-double step_to_event(const TensionerLaw& law, double before, double after, double h, double shortest);
+/// The excess after a step of `h`: 0 is the state that it began from.
+struct EventTry {
+  double h = 0.0, excess = 0.0;
+};
+
+/// How long a step that was tried as `now` may be to meet the change of state, by the straight line through `now` and
+/// the try before it (the state at first): a little beyond its root. `now.h` where it met it within the resolution, by
+/// the line of two tries no more than `shortest` too late, or is no longer than that. A tension that jumps at the
+/// beginning of the step misleads the first line alone.
+double step_to_event(const TensionerLaw& law, const EventTry& before, const EventTry& now, double shortest);
 
 }  // namespace overbend

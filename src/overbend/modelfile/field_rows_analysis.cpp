@@ -226,7 +226,7 @@ std::vector<Field> analysis() {
        .member = defaults(&DynamicSettings::step_error),
        .kind = FieldKind::quantity,
        .text = "Position error of a node per step, which controls the adaptive step size; "
-               "beside elements longer than 5 m more in proportion.",
+               "more in proportion beside elements of moorings longer than 5 m.",
        .unit = "m",
        .show = "mm",
        .range = {.low = 0.0, .high = 1.0, .low_open = true}},
