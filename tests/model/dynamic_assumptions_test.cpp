@@ -124,6 +124,9 @@ TEST(dynamic_assumptions, tell_what_the_tensioner_does) {
   EXPECT_EQ(mentions(d, "waits 2 s when the tension has left its range of 240 to 260 kN, then moves at up to 0.25 m/s"),
             1);
   EXPECT_EQ(mentions(d, "no acceleration is given: it reaches that speed in 0.5 s"), 1);
+  EXPECT_EQ(mentions(d, "damps vibrations along the pipe that its steps do not follow"), 1);
+  d.dynamics->max_step = 0.02;
+  EXPECT_EQ(mentions(d, "damps vibrations along the pipe that its steps do not follow"), 0);
   EXPECT_EQ(mentions(d, "its travel is not limited"), 1);
   d.tensioner.acceleration = 0.1;
   d.tensioner.travel = 2.5;

@@ -275,8 +275,8 @@ bool Simulation::reject(double wanted) {
   return false;
 }
 
-/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try, `tried`
-/// what this one did.
+/// Tries a step of `h` towards the tick at `target`. `to_event` receives what the tensioner allows the next try,
+/// `tried` what this one did.
 bool Simulation::attempt(double h, double target, double& to_event, EventTry& tried) {
   const StepReport step = stepper_->step(state_, h, next_);
   report_.newton_iterations += step.iterations;

@@ -30,8 +30,8 @@ std::vector<double> lumped_mass(const Line& line) {
 }
 
 /// How much of a node's error counts. Of pipe all, but for what was added to it as laid behind the far end of statics.
-/// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the longer
-/// they are the less; up to 5 m all of it counts. (Lines that may meet rollers are pipe.)
+/// There and in moorings, what an error does to the forces is that it turns the elements beside the node, and the
+/// longer they are the less; up to 5 m all of it counts. (Lines that may meet rollers are pipe.)
 std::vector<double> error_weights(const Line& line) {
   constexpr double kShort = 5.0;  // m
   std::vector<double> weights;
