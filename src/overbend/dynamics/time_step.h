@@ -2,6 +2,8 @@
 #pragma once
 
 #include "dynamics/giving_ends.h"
+#include "dynamics/step_error.h"
+#include "dynamics/step_prediction.h"
 #include "system/assembly.h"
 
 namespace overbend {
@@ -31,11 +33,8 @@ class TimeStepper {
   /// From `now` over `h` to `next`; the system is left evaluated at `next`. On failure `next` is of no use.
   StepReport step(const SystemState& now, double h, SystemState& next);
 
-  /// Estimate of the error that the last step made in the place of any node or body (turned on its arm) [m]: the change
-  /// of acceleration over the step times h^2 |1/6 - beta|, filtered by the factored system so that vibrations far
-  /// faster than the step, which the scheme damps, do not count (after Shampine 1984). Beside elements longer than 5 m
-  /// errors of moorings and of laid pipe that was added behind the static line count less in proportion.
-  double local_error(const SystemState& now, const SystemState& next);
+  /// Estimate of the error that the last step made, see StepError [m].
+  double local_error(const SystemState& now, const SystemState& next) { return error_(*assembly_, now, next, dq_); }
 
   /// What comes next depends on the state alone: for checkpoints.
   void forget() {
@@ -44,15 +43,8 @@ class TimeStepper {
   }
 
  private:
-  void predict(const SystemState& now, double h, TensionerDrive drive, const SpeedBounds& bounds,
-               SystemState& next) const;
-  void end_accelerations(const SystemState& now, double ratio, SystemState& next) const;
-  void predict_travel(const AttachmentState& now, double h, double ratio, const SpeedBounds& bounds,
-                      AttachmentState& next) const;
-  StepReport step_with(TensionerDrive drive, const SpeedBounds& bounds, const SystemState& now, double h,
-                       SystemState& next);
+  StepReport step_with(const MachineStep& machine, const SystemState& now, double h, SystemState& next);
   void correct(SystemState& next, double h) const;
-  double body_error() const;
   bool must_factor(double h) const;
   bool factors_serve(const StepReport& report, double residual_before, const SystemState& next, const Weights& weights);
 
@@ -66,8 +58,7 @@ class TimeStepper {
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;
   Increments dq_;
-  std::vector<std::vector<double>> lumped_mass_;    ///< Line by line.
-  std::vector<std::vector<double>> error_weights_;  ///< Line by line, of its nodes.
+  StepError error_;
 };
 
 }  // namespace overbend
