@@ -71,6 +71,42 @@ TEST(impact_tracker, rejects_a_step_too_long_for_the_impact_it_runs_into) {
   EXPECT_FALSE(tracker.check({struck(speed, -0.5 * gap / speed)}, h).reject);
 }
 
+/// Apart from the roller, the gap `gap` closing at `rate`.
+RollerContact apart(double gap, double rate) {
+  RollerContact contact;
+  contact.at.found = true;
+  contact.penetration = -gap;
+  contact.rate = rate;
+  return contact;
+}
+
+/// The longest step after one in which the pipe came nearer at a speed that fell evenly from 0.5 m/s to 0.4 m/s.
+double foreseen(double gap, const ImpactSettings& settings = {}) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  ImpactTracker tracker(rollers, settings);
+  std::vector<EndedImpact> ended;
+  constexpr double kStep = 0.05;
+  for (int i = 0; i < 2; ++i) tracker.accept({apart(gap + 0.45 * kStep, 0.5)}, 0.0, kStep, ended);
+  tracker.accept({apart(gap, 0.4)}, kStep, kStep, ended);
+  return tracker.step_limit();
+}
+
+// 0.4 t - t^2 = gap, from where the pipe is on: it turns round after 0.2 s and 40 mm.
+TEST(impact_tracker, foresees_the_touch_of_a_pipe_that_slows_down) {
+  EXPECT_NEAR(foreseen(0.03), 0.2 - std::sqrt(0.2 * 0.2 - 0.03), 1e-12);
+  EXPECT_GT(foreseen(0.041), 1e100);
+}
+
+TEST(impact_tracker, foresees_no_touch_too_soft_to_matter_and_none_that_is_to_be_captured) {
+  ImpactSettings settings;
+  settings.least_force = 0.3 * std::sqrt(kStiffness * kMass);  // touches at 0.4 and 0.2 m/s
+  EXPECT_LT(foreseen(0.001, settings), 0.01);
+  EXPECT_GT(foreseen(0.03, settings), 1e100);
+  ImpactSettings captured;
+  captured.captured = true;
+  EXPECT_GT(foreseen(0.03, captured), 1e100);
+}
+
 ImpactSettings captured() {
   ImpactSettings settings;
   settings.captured = true;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "modelfile/yaml_reader.h"
 #include "numerics/running_quantiles.h"
@@ -180,6 +181,25 @@ TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
               0.02 * fine.sagbend.von_mises.over_time.max);
 }
 
+// Not foreseen, one in seven would be met by a step that is too long, which ends when the roller has stopped the pipe.
+TEST(impacts_in_time, are_as_many_and_as_hard_as_with_steps_that_are_short_throughout) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-workable-sea.yaml").description.value();
+  d.dynamics->duration = 120.0;
+  const Case chosen(d);
+  d.dynamics->max_step = 0.01;
+  const Case short_steps(d);
+  const auto sum = [](const MemorySink& sink) {
+    return std::accumulate(sink.impacts.begin(), sink.impacts.end(), 0.0,
+                           [](double so_far, const Impact& impact) { return so_far + impact.peak_force; });
+  };
+  MemorySink got, expected;
+  chosen.results(got);
+  short_steps.results(expected);
+  EXPECT_GT(expected.impacts.size(), 15U);
+  EXPECT_NEAR(static_cast<double>(got.impacts.size()), static_cast<double>(expected.impacts.size()), 1.0);
+  EXPECT_NEAR(sum(got), sum(expected), 0.1 * sum(expected));
+}
+
 /// Head waves that move the barge to and fro, rollers that carry and do not strike.
 Description hauling(TensionerMode mode) {
   Description d = workable();
@@ -242,6 +262,7 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   Description d = hauling(TensionerMode::controlled);
   d.tensioner.travel = 0.05;
   d.tensioner.delay = 0.5;
+  d.dynamics->max_step = 0.02;  // follows the vibrations along the pipe that make the machine act
   const Case c(d);
   MemorySink sink;
   const DynamicResults r = c.results(sink);

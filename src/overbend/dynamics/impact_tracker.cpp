@@ -10,6 +10,8 @@ namespace {
 constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
 constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
 constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
+constexpr double kNever = 1e300;        ///< [s]
+constexpr double kNotFound = -1.0;      ///< Penetration where the pipe does not pass the roller [m].
 constexpr int kSaved = 10;              ///< Numbers per roller.
 
 }  // namespace
@@ -62,6 +64,20 @@ double ImpactTracker::bears(std::size_t roller, const std::vector<RollerContact>
   return sum;
 }
 
+/// Until a roller that the pipe is apart from is struck, if the gap goes on to close as it did over the last step of
+/// `h` [s]. A longer step would end after the pipe has been stopped: too slow for an impact.
+double ImpactTracker::time_to_touch(std::size_t roller, const RollerContact& contact, double h) const {
+  const Track& before = tracks_[roller];
+  if (!contact.at.found || contact.penetration >= 0.0 || before.penetration >= 0.0 || before.penetration == kNotFound) {
+    return kNever;
+  }
+  const double gap = -contact.penetration, acceleration = (contact.rate - before.rate) / h;
+  const double squared = contact.rate * contact.rate + 2.0 * acceleration * gap;
+  if (!(squared > 0.0)) return kNever;
+  const double velocity = std::sqrt(squared);  // at the touch
+  return contact.rate + velocity > 0.0 && hard(roller, velocity) ? 2.0 * gap / (contact.rate + velocity) : kNever;
+}
+
 ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, double h) const {
   ImpactLimit limit;
   if (settings_.captured) return limit;
@@ -83,11 +99,15 @@ ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, dou
 
 void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double time, double h,
                            std::vector<EndedImpact>& ended) {
-  step_limit_ = 1e300;
+  step_limit_ = kNever;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     Track& track = tracks_[i];
     track.begun = false;
-    const double penetration = contacts[i].at.found ? contacts[i].penetration : -1.0;
+    if (!settings_.captured) {
+      step_limit_ =
+          std::min(step_limit_, std::max(time_to_touch(i, contacts[i], h), contact_time(i) / settings_.steps));
+    }
+    const double penetration = contacts[i].at.found ? contacts[i].penetration : kNotFound;
     if (!track.open && track.penetration < 0.0 && penetration > 0.0) {
       const Impact impact = touched(i, contacts[i], time, h);
       if (hard(i, impact.approach_velocity)) {
@@ -115,7 +135,7 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
         step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
       }
     }
-    track.penetration = contact.at.found ? contact.penetration : -1.0;
+    track.penetration = contact.at.found ? contact.penetration : kNotFound;
     track.force = contact.normal;
     track.rate = contact.rate;
   }

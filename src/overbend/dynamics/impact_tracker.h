@@ -34,7 +34,7 @@ class ImpactTracker {
   ImpactLimit check(const std::vector<RollerContact>& contacts, double h) const;
   /// Takes an accepted step; impacts that end with it are appended to `ended` (which has room for all rollers).
   void accept(const std::vector<RollerContact>& contacts, double time, double h, std::vector<EndedImpact>& ended);
-  /// Longest step while impacts go on [s].
+  /// Longest step while impacts go on, and to the next touch as it is foreseen [s].
   double step_limit() const { return step_limit_; }
 
   std::vector<double> save() const;
@@ -55,6 +55,7 @@ class ImpactTracker {
   double undamped_force(std::size_t roller, double velocity) const;
   bool hard(std::size_t roller, double velocity) const;
   Impact touched(std::size_t roller, const RollerContact& contact, double time, double h) const;
+  double time_to_touch(std::size_t roller, const RollerContact& contact, double h) const;
   double bears(std::size_t roller, const std::vector<RollerContact>& contacts) const;
 
   const std::vector<BodyRoller>* rollers_;

@@ -158,6 +158,7 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
         earlier += report.iterations;
         report.iterations = 0;
         before = std::numeric_limits<double>::infinity();
+        to_and_fro = {};  // what an end gives way by may put the same out of balance again
         assembly_->impose_ends(next);
         continue;
       }
