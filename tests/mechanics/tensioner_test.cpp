@@ -202,6 +202,49 @@ TEST(tensioner, never_moves_when_the_delay_outlasts_every_excursion) {
   EXPECT_NEAR(s.change(TensionerState::hold).time, 5.0, 1e-6);
 }
 
+/// How many tries meet the event of a tension `after(h)` beyond its bound, `before` at the start of the step.
+int tries_to_meet(double before, const std::function<double(double)>& after, double& met) {
+  TensionerLaw law = law_of(2.0, 0.25);
+  law.resolution = 2.5;
+  EventTry last{0.0, before};
+  double h = 0.1;
+  for (int tries = 1;; ++tries) {
+    const EventTry now{h, after(h)};
+    const double next = step_to_event(law, last, now, 1e-3);
+    if (next == h || tries == 50) {
+      met = h;
+      return tries;
+    }
+    last = now;
+    h = next;
+  }
+}
+
+// A tension that rises by 100 kN/s passes its bound at 30 ms. That of the state may stand apart from where the step
+// begins, and the step may begin beyond the bound.
+TEST(tensioner, meets_an_event_in_few_tries_also_where_the_tension_jumps) {
+  double met = 0.0;
+  const auto rising = [](double h) { return 100e3 * (h - 0.03); };
+  EXPECT_LE(tries_to_meet(-3e3, rising, met), 3);
+  EXPECT_NEAR(met, 0.03, 1e-3);
+  EXPECT_LE(tries_to_meet(-7e3, rising, met), 3);
+  EXPECT_NEAR(met, 0.03, 1e-3);
+  EXPECT_LE(tries_to_meet(
+                -1.5e3, [&](double h) { return rising(h) + 5.6e3; }, met),
+            3);
+  EXPECT_LE(met, 1e-3);
+}
+
+// Short of it is met again by the step after; late, it would be missed.
+TEST(tensioner, is_never_more_than_a_millisecond_late_where_the_tension_bends) {
+  for (const double bend : {-400e3, 400e3}) {
+    const auto rising = [&](double h) { return 100e3 * (h - 0.03) + bend * (h * h - 0.03 * 0.03); };
+    double met = 0.0;
+    EXPECT_LE(tries_to_meet(rising(0.0), rising, met), 4);
+    EXPECT_LE(met, 0.031);
+  }
+}
+
 /// The rules written once more, in plain explicit steps: the second method for what has no closed form.
 struct PlainMachine {
   double delay, velocity, acceleration, travel = 0.0, speed = 0.0, out = 0.0, back = 0.0, first_start = -1.0;

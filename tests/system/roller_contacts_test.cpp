@@ -313,10 +313,10 @@ TEST(roller_contacts, no_roller_that_the_line_has_come_near_since_is_passed_over
       q = moved(deck.q_V, lag, offset);
       std::fill(forces.begin(), forces.end(), 0.0);
       std::fill(forces_of_all.begin(), forces_of_all.end(), 0.0);
-      watched.place({vessel}, q.data(), 0.0);
+      watched.place({vessel}, q.data(), 0.5);  // keeps what it found until all has moved by 0.25 m
       watched.evaluate(q.data(), v.data(), {}, memory, after, ContactMode::free, {forces, cuts});
-      all.place({vessel}, q.data(), 0.0);
       all.forget();
+      all.place({vessel}, q.data(), 0.5);
       all.evaluate(q.data(), v.data(), {}, memory, after_all, ContactMode::free, {forces_of_all, cuts});
       for (std::size_t i = 0; i < forces.size(); ++i) {
         ASSERT_NEAR(forces[i], forces_of_all[i], 1e-3) << "step " << step << " number " << i;  // of about 1e5 N
@@ -330,7 +330,8 @@ TEST(roller_contacts, no_roller_that_the_line_has_come_near_since_is_passed_over
     }
     watched.complete(q.data(), v.data(), after);
     for (std::size_t i = 0; i < deck.rollers.size(); ++i) {
-      ASSERT_NEAR(watched.contacts()[i].penetration, all.contacts()[i].penetration, 1e-9);
+      const double far = -0.5;  // beyond the reach it may be found or not
+      ASSERT_NEAR(std::max(watched.contacts()[i].penetration, far), std::max(all.contacts()[i].penetration, far), 1e-9);
       ASSERT_EQ(after[i].carries, after_all[i].carries);
     }
     memory = after;
