@@ -310,7 +310,8 @@ TEST(roller_contacts, no_roller_that_the_line_has_come_near_since_is_passed_over
       vessel.pose.p_WV = heave;
       const Mat3 lag =
           (Eigen::AngleAxisd(turn.y(), Vec3::UnitY()) * Eigen::AngleAxisd(turn.z(), Vec3::UnitZ())).toRotationMatrix();
-      q = moved(deck.q_V, lag, offset);
+      const Vec3 slid(3.0 * std::sin(0.02 * step), 0.0, 0.0);  // over elements that no roller met at first
+      q = moved(deck.q_V, lag, offset + slid);
       std::fill(forces.begin(), forces.end(), 0.0);
       std::fill(forces_of_all.begin(), forces_of_all.end(), 0.0);
       watched.place({vessel}, q.data(), 0.5);  // keeps what it found until all has moved by 0.25 m
