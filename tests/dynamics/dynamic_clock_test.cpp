@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace overbend {
 namespace {
@@ -41,6 +42,48 @@ TEST(step_chooser, meets_the_tick_in_equal_steps_no_longer_than_wanted) {
     ++steps;
   }
   EXPECT_EQ(steps, 4);
+}
+
+/// The steps of a chooser that finds no error, after one of `first`.
+std::vector<double> steps_without_error(double first, int count, double longest) {
+  StepChooser chooser;
+  std::vector<double> steps = {first};
+  for (int i = 0; i < count; ++i) {
+    chooser.took(steps.back());
+    chooser.adapt(0.0, 1e-3, longest);
+    steps.push_back(chooser.wanted);
+  }
+  return steps;
+}
+
+TEST(step_chooser, makes_every_length_serve_twice_before_it_grows) {
+  const std::vector<double> steps = steps_without_error(1e-3, 6, 1.0);
+  for (std::size_t i = 0; i + 2 < steps.size(); i += 2) {
+    EXPECT_EQ(steps[i + 1], steps[i]);
+    EXPECT_NEAR(steps[i + 2] / steps[i + 1], 2.25, 1e-12);
+  }
+  EXPECT_EQ(steps_without_error(1e-3, 6, 2e-3).back(), 2e-3);
+}
+
+TEST(step_chooser, shrinks_at_once_where_the_error_is_too_large) {
+  StepChooser chooser;
+  chooser.took(0.1);
+  chooser.adapt(8e-3, 1e-3, 1.0);
+  EXPECT_NEAR(chooser.wanted, 0.1 * 0.9 / 2.0, 1e-12);  // the error goes with the cube of the step
+  chooser.took(0.1);
+  chooser.adapt(1.0, 1e-6, 1.0);
+  EXPECT_NEAR(chooser.wanted, 0.03, 1e-12);
+}
+
+TEST(step_chooser, goes_on_from_what_it_saved) {
+  StepChooser chooser, other;
+  chooser.wanted = 0.04;
+  chooser.choose(0.1, 1e300);
+  for (int i = 0; i < 2; ++i) chooser.took(chooser.last);
+  other.restore(chooser.save());
+  EXPECT_EQ(other.choose(0.07, 1e300), chooser.choose(0.07, 1e300));
+  for (StepChooser* one : {&chooser, &other}) one->adapt(0.0, 1e-3, 1.0);
+  EXPECT_EQ(other.wanted, chooser.wanted);
 }
 
 TEST(tension_watch, follows_a_swing_by_about_sixty_steps_a_period) {

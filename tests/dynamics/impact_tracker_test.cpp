@@ -107,6 +107,24 @@ TEST(impact_tracker, foresees_no_touch_too_soft_to_matter_and_none_that_is_to_be
   EXPECT_GT(foreseen(0.03, captured), 1e100);
 }
 
+/// The longest step at `t` while an impact goes on, in parts of the contact time; followed in steps of a hundredth.
+double limit_at(double t) {
+  const std::vector<BodyRoller> rollers = one_roller();
+  const double contact_time = std::numbers::pi * std::sqrt(kMass / kStiffness), h = 0.01 * contact_time;
+  ImpactTracker tracker(rollers, {});
+  std::vector<EndedImpact> ended;
+  for (double now = -1.5 * h; now < t * contact_time; now += h) tracker.accept({struck(0.5, now)}, now, h, ended);
+  return tracker.step_limit() / contact_time;
+}
+
+TEST(impact_tracker, takes_longer_steps_past_the_peak) {
+  EXPECT_NEAR(limit_at(0.1), 1.0 / 16.0, 1e-12);
+  EXPECT_NEAR(limit_at(0.47), 1.0 / 16.0, 1e-12);
+  EXPECT_NEAR(limit_at(0.53), 1.0 / 8.0, 1e-12);
+  EXPECT_NEAR(limit_at(0.95), 1.0 / 8.0, 1e-12);
+  EXPECT_GT(limit_at(1.05), 1e100);  // it has left
+}
+
 ImpactSettings captured() {
   ImpactSettings settings;
   settings.captured = true;

@@ -12,6 +12,8 @@ constexpr double kBendOfRange = 5e-3;
 constexpr double kBendOfTension = 1e-4;       ///< Where hardly anything swings.
 constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tension is not followed further [s].
 constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
+constexpr double kMostGrowth = 2.25;          ///< Of the step, where it may grow at all.
+constexpr int kTimesToGrow = 2;               ///< Steps of one length before a longer one: factors serve both.
 
 }  // namespace
 
@@ -39,6 +41,17 @@ double TensionWatch::longest_step(double tension, double h) {
   slope = now;
   const double allowed = std::max(kBendOfRange * (most - least), kBendOfTension * std::abs(tension));
   return std::max(h * std::sqrt(allowed / std::max(bend, 1e-9 * allowed)), kShortestForTension);
+}
+
+void StepChooser::took(double h) {
+  times = h == taken ? times + 1 : 1;
+  taken = h;
+}
+
+void StepChooser::adapt(double error, double tolerance, double longest) {
+  const double most = times < kTimesToGrow ? 1.0 : kMostGrowth;
+  const double growth = std::clamp(0.9 * std::cbrt(tolerance / std::max(error, 1e-12)), 0.3, most);
+  wanted = std::clamp(taken * growth, kSmallestStep, longest);
 }
 
 double StepChooser::choose(double remaining, double longest) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "dynamics/dynamics.h"
 
@@ -33,11 +34,24 @@ struct TensionWatch {
   double longest_step(double tension, double h);
 };
 
+inline constexpr double kSmallestStep = 1e-7;  ///< [s]
+
 /// Chooses steps between ticks.
 struct StepChooser {
   double wanted = 0.02;  ///< By error and impacts [s].
-  double last = 0.0;     ///< Step taken last [s].
+  double last = 0.0;     ///< Step chosen last [s].
+  double taken = 0.0;    ///< Step taken last: a chosen one may have been cut [s].
+  int times = 0;         ///< Steps of that length, one after the other.
 
+  std::vector<double> save() const { return {wanted, last, taken, static_cast<double>(times)}; }
+  void restore(const std::vector<double>& saved) {
+    *this = {saved.at(0), saved.at(1), saved.at(2), static_cast<int>(saved.at(3))};
+  }
+  /// After a step of `h`.
+  void took(double h);
+  /// Wants the step after the one taken, which made an error of `error`, for an error of `tolerance`; `longest` at most
+  /// [s].
+  void adapt(double error, double tolerance, double longest);
   /// A step that leads to the next tick in equal parts; that of before where it does so too, so that factors serve on.
   double choose(double remaining, double longest);
 };

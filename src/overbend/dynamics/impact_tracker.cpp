@@ -8,6 +8,7 @@ namespace overbend {
 namespace {
 
 constexpr double kResolvedTimes = 2.0;  ///< Contact times for which steps stay short after a touch.
+constexpr double kSparser = 2.0;        ///< Longer steps where an impact is past its peak, and where it is slow.
 constexpr double kLongestTimes = 2.0;   ///< Contact times after which a pipe that stays is carried, not struck.
 constexpr double kAtRest = 0.05;        ///< Share of the approach velocity below which the pipe rests.
 constexpr double kNever = 1e300;        ///< [s]
@@ -97,6 +98,14 @@ ImpactLimit ImpactTracker::check(const std::vector<RollerContact>& contacts, dou
   return limit;
 }
 
+/// Longest step while an impact goes on [s], `force` bearing on the roller now. The peak has been recorded once the
+/// force is below it, and a contact that lasts longer than its time moves more than its mass, more slowly.
+double ImpactTracker::longest_in(const Impact& impact, double force) const {
+  const double time = contact_time(static_cast<std::size_t>(impact.roller));
+  const bool sparser = force < impact.peak_force || impact.duration > time;
+  return (sparser ? kSparser : 1.0) * time / settings_.steps;
+}
+
 void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double time, double h,
                            std::vector<EndedImpact>& ended) {
   step_limit_ = kNever;
@@ -132,7 +141,7 @@ void ImpactTracker::accept(const std::vector<RollerContact>& contacts, double ti
         track.open = false;
         ended.push_back({impact, track.box_force});
       } else if (!settings_.captured && contact_times < kResolvedTimes) {
-        step_limit_ = std::min(step_limit_, contact_time(i) / settings_.steps);
+        step_limit_ = std::min(step_limit_, longest_in(impact, contact.normal));
       }
     }
     track.penetration = contact.at.found ? contact.penetration : kNotFound;

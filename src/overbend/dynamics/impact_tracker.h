@@ -56,6 +56,7 @@ class ImpactTracker {
   bool hard(std::size_t roller, double velocity) const;
   Impact touched(std::size_t roller, const RollerContact& contact, double time, double h) const;
   double time_to_touch(std::size_t roller, const RollerContact& contact, double h) const;
+  double longest_in(const Impact& impact, double force) const;
   double bears(std::size_t roller, const std::vector<RollerContact>& contacts) const;
 
   const std::vector<BodyRoller>* rollers_;

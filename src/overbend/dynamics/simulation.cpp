@@ -222,13 +222,14 @@ void Simulation::ask_controllers() {
 }
 
 void Simulation::adapt(double h) {
+  chooser_.took(h);
   if (options_.fixed_step) {
     chooser_.wanted = *options_.fixed_step;
     return;
   }
   const double error = stepper_->local_error(state_, next_);
   const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
-  chooser_.wanted = step_by_error(h, error, options_.error_tolerance, longest);
+  chooser_.adapt(error, options_.error_tolerance, longest);
 }
 
 /// The tensioner takes the tension at the end of a step of `h`, and stops or starts.

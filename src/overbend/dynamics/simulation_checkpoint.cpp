@@ -19,9 +19,9 @@ DynamicCheckpoint Simulation::checkpoint() const {
   }
   c.arrays.push_back({"impacts", tracker_->save()});
   c.arrays.push_back({"energy", energy_.save()});
-  c.arrays.push_back({"control",
-                      {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick), watch_.last, watch_.slope,
-                       watch_.least, watch_.most}});
+  c.arrays.push_back({"steps", chooser_.save()});
+  c.arrays.push_back(
+      {"control", {static_cast<double>(clock_.tick), watch_.last, watch_.slope, watch_.least, watch_.most}});
   controllers_.save(setup_.system, c);
   save_report(c, report_);
   for (const SimulationObserver* observer : observers_) observer->save(c);
@@ -35,9 +35,9 @@ void Simulation::restore(const DynamicCheckpoint& checkpoint) {
   tracker_->restore(checkpoint_array(checkpoint, "impacts"));
   energy_.restore(checkpoint_array(checkpoint, "energy"));
   const std::vector<double>& control = checkpoint_array(checkpoint, "control");
-  chooser_ = {control.at(0), control.at(1)};
-  watch_ = {control.at(3), control.at(4), control.at(5), control.at(6)};
-  clock_.tick = std::llround(control.at(2));
+  watch_ = {control.at(1), control.at(2), control.at(3), control.at(4)};
+  clock_.tick = std::llround(control.at(0));
+  chooser_.restore(checkpoint_array(checkpoint, "steps"));
   controllers_.restore(checkpoint, setup_.system);
   restore_report(checkpoint, report_);
   part_as_in(state_, setup_.system);

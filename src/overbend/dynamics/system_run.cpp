@@ -66,6 +66,7 @@ Vec3 SystemRun::end_force(std::size_t line, LineEnd end) const {
 }
 
 void SystemRun::adapt(double h) {
+  chooser_.took(h);
   if (options_.fixed_step) {
     chooser_.wanted = *options_.fixed_step;
     return;
@@ -76,7 +77,7 @@ void SystemRun::adapt(double h) {
     longest = std::min(longest, watches_[2 * i].longest_step(end_force(i, LineEnd::first).norm(), h));
     longest = std::min(longest, watches_[2 * i + 1].longest_step(end_force(i, LineEnd::last).norm(), h));
   }
-  chooser_.wanted = step_by_error(h, error, options_.error_tolerance, longest);
+  chooser_.adapt(error, options_.error_tolerance, longest);
 }
 
 /// Lines whose time has come hang free from here on, with the accelerations that they then have.

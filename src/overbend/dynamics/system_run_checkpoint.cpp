@@ -18,8 +18,8 @@ DynamicCheckpoint SystemRun::checkpoint() const {
   save_state(c, state_);
   save_water(c, water_memory_);
   c.arrays.push_back({"energy", energy_.save()});
-  c.arrays.push_back(
-      {"control", {chooser_.wanted, chooser_.last, static_cast<double>(clock_.tick), static_cast<double>(steps_)}});
+  c.arrays.push_back({"steps", chooser_.save()});
+  c.arrays.push_back({"control", {static_cast<double>(clock_.tick), static_cast<double>(steps_)}});
   std::vector<double> watches;
   for (const TensionWatch& watch : watches_) {
     watches.insert(watches.end(), {watch.last, watch.slope, watch.least, watch.most});
@@ -34,9 +34,9 @@ void SystemRun::restore(const DynamicCheckpoint& checkpoint) {
   restore_water(checkpoint, water_memory_);
   energy_.restore(checkpoint_array(checkpoint, "energy"));
   const std::vector<double>& control = checkpoint_array(checkpoint, "control");
-  chooser_ = {control.at(0), control.at(1)};
-  clock_.tick = std::llround(control.at(2));
-  steps_ = static_cast<int>(std::llround(control.at(3)));
+  clock_.tick = std::llround(control.at(0));
+  steps_ = static_cast<int>(std::llround(control.at(1)));
+  chooser_.restore(checkpoint_array(checkpoint, "steps"));
   const std::vector<double>& watches = checkpoint_array(checkpoint, "watches");
   for (std::size_t i = 0; i < watches_.size(); ++i) {
     const double* at = &watches.at(kWatchNumbers * i);
