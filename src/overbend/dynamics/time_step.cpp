@@ -8,10 +8,11 @@
 namespace overbend {
 namespace {
 
-constexpr double kPoorContraction = 0.3;  ///< Old factors that leave more of the residual than this are renewed.
-constexpr int kOldestFactors = 20;        ///< Steps that factors may serve.
-constexpr int kSlowStep = 5;              ///< Iterations after which old factors no longer serve.
-constexpr int kMostRounds = 30;           ///< In which ends that give way find by how much.
+constexpr double kMostFurther = 4.0;  ///< Iterations that cost less than new factors within a step.
+constexpr int kMostOnOldFactors = 7;  ///< Iterations of a step, all in all.
+constexpr int kOldestFactors = 20;    ///< Steps that factors may serve.
+constexpr int kSlowStep = 3;          ///< Iterations, beyond which the next step begins with new factors.
+constexpr int kMostRounds = 30;       ///< In which ends that give way find by how much.
 
 /// Sees iterations that go to and fro between two states: a contact that opens in one and closes in the other, of a
 /// force that jumps, has no balance within this step, and more of them find none.
@@ -84,16 +85,19 @@ bool TimeStepper::must_factor(double h) const {
   return !factored_ || factored_step_ != h || factors_age_ >= kOldestFactors;
 }
 
-/// Whether another correction may be made with the factors there are, brought up to the contacts.
+/// Whether another correction may be made with the factors there are, brought up to the contacts. They are kept where
+/// the rate at which they bring the residual down leads to the tolerance soon enough: new ones cost less at the start
+/// of the next step, which is evaluated there anyway.
 bool TimeStepper::factors_serve(const StepReport& report, double residual_before, const SystemState& next,
                                 const Weights& weights) {
-  if (report.iterations >= kSlowStep) {
+  if (report.iterations >= kMostOnOldFactors) {
     return false;
   }
   if (assembly_->contact_signature() != factored_contacts_) {
     return assembly_->renew_contacts(next, weights);
   }
-  return report.residual <= kPoorContraction * residual_before;
+  const double rate = report.residual / residual_before;
+  return std::log(settings_.tolerance / report.residual) >= kMostFurther * std::log(rate);
 }
 
 StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
