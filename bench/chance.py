@@ -9,6 +9,7 @@ tell. Prints every value's smallest and largest, and their distance over the mea
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -41,7 +42,7 @@ def run(options, tolerance, directory):
     text, count = re.subn(r"dynamic: \{.*\}", settings, text)
     if count != 1:
         raise SystemExit(f"{options.model}: 'dynamic: {{...}}' expected in one line")
-    model = options.model.parent / f".chance-{tolerance:.3e}.yaml"  # beside the RAO file it names
+    model = options.model.parent / f".chance-{os.getpid()}-{tolerance:.3e}.yaml"  # beside the RAO file it names
     model.write_text(text)
     try:
         subprocess.run([options.program, "dynamic", model, "-o", directory], check=True, capture_output=True)

@@ -207,7 +207,8 @@ std::vector<Field> analysis() {
       {.path = d + ".impact_steps",
        .member = defaults(&DynamicSettings::impact_steps),
        .kind = FieldKind::number,
-       .text = "Time steps in the undamped contact time of an impact on a roller.",
+       .text =
+           "Time steps in the undamped contact time of an impact on a roller, up to its peak; half as many after it.",
        .range = {.low = 2.0, .high = 1000.0}},
       {.path = d + ".impact_force",
        .member = defaults(&DynamicSettings::impact_force),
