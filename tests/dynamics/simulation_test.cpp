@@ -61,6 +61,20 @@ class Counter : public SimulationObserver {
   }
 };
 
+// New factors in every step of one length would cost more than what they spare in iterations, and none at all would
+// leave twice as many.
+TEST(simulation, factors_serve_several_steps_of_a_heaving_pipe_with_few_iterations_each) {
+  Description heaving = read_model(OVERBEND_SOURCE_DIR "/bench/sagbend.yaml").description.value();
+  heaving.dynamics->duration = 24.0;  // three periods
+  const Case sagbend(heaving);
+  Simulated run(sagbend);
+  EXPECT_TRUE(run.advance(1e9));
+  const DynamicRunReport& report = run.report();
+  EXPECT_EQ(report.steps, 400);
+  EXPECT_LT(100 * report.factorisations, 45 * report.steps) << report.factorisations;
+  EXPECT_LT(report.newton_iterations, 3 * report.steps) << report.newton_iterations;
+}
+
 TEST(simulation, steps_taken_one_by_one_are_those_of_the_whole_run) {
   Simulated whole(brief_case()), single(brief_case()), looked_at(brief_case());
   EXPECT_TRUE(whole.advance(1e9));
