@@ -200,7 +200,7 @@ TEST(examples, tensioner_page_holds) {
   EXPECT_NEAR(1e-3 * off.tensioner.tension.std, 29.8, kTension);
   EXPECT_NEAR(1e-3 * off.tensioner.tension.min, 208.0, kTension);
   EXPECT_NEAR(1e-3 * off.tensioner.tension.max, 294.0, kTension);
-  EXPECT_NEAR(off.tensioner.time_out_of_range, 52.9, kTime);
+  EXPECT_NEAR(off.tensioner.time_out_of_range, 52.9, kTime);  // 52.6 with steps of 20 ms, 52.7 of 5 ms
   EXPECT_NEAR(1e-3 * on.tensioner.tension.std, 20.3, kTension);
   EXPECT_NEAR(1e-3 * on.tensioner.tension.min, 195.0, kTension);
   EXPECT_NEAR(1e-3 * on.tensioner.tension.max, 289.0, kTension);
