@@ -5,7 +5,12 @@
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
-using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
+/// Six numbers fill three quarters of two registers of four, and of one of eight: the shorter ones need one stage less
+/// to be summed, and three ports take them for two.
+inline constexpr int kNodeWidth = kWidth < 4 ? kWidth : 4;
+inline constexpr int kNodeParts = (kNodeDofs + kNodeWidth - 1) / kNodeWidth;
+using NodeLanes = double __attribute__((vector_size(8 * kNodeWidth), may_alias));
+using LooseNodeLanes = double __attribute__((vector_size(8 * kNodeWidth), may_alias, aligned(8)));
 
 /// Both right-hand sides of a row.
 using Sides = double __attribute__((vector_size(16), may_alias));
@@ -24,45 +29,34 @@ inline void substitute_back(Row* d, const Row* u, Row* d_next) {
   }
 }
 
-/// Six numbers of a node in the lanes of a row, the last two zero.
+/// Six numbers of a node, and two of nothing where they do not fill the last register.
 struct NodeVector {
-  Lanes part[kParts];
+  NodeLanes part[kNodeParts];
 };
 
 inline NodeVector load_node(const double* x) {
-  NodeVector v;
-#if OVERBEND_ISA_WIDTH == 8
-  v.part[0] = _mm512_maskz_loadu_pd((1 << kNodeDofs) - 1, x);
-#elif OVERBEND_ISA_WIDTH == 4
-  v.part[0] = *reinterpret_cast<const LooseLanes*>(x);
-  v.part[1] = Lanes{x[4], x[5], 0.0, 0.0};
+#if OVERBEND_ISA_WIDTH >= 4
+  return {{*reinterpret_cast<const LooseNodeLanes*>(x), NodeLanes{x[4], x[5], 0.0, 0.0}}};
 #else
-  for (int i = 0; i < 3; ++i) {
-    v.part[i] = Lanes{x[2 * i], x[2 * i + 1]};
-  }
-  v.part[3] = Lanes{};
+  return {{NodeLanes{x[0], x[1]}, NodeLanes{x[2], x[3]}, NodeLanes{x[4], x[5]}}};
 #endif
-  return v;
 }
 
 inline void store_node(double* x, const NodeVector& v) {
-#if OVERBEND_ISA_WIDTH == 8
-  _mm512_mask_storeu_pd(x, (1 << kNodeDofs) - 1, v.part[0]);
-#elif OVERBEND_ISA_WIDTH == 4
-  *reinterpret_cast<LooseLanes*>(x) = v.part[0];
+#if OVERBEND_ISA_WIDTH >= 4
+  *reinterpret_cast<LooseNodeLanes*>(x) = v.part[0];
   x[4] = v.part[1][0];
   x[5] = v.part[1][1];
 #else
-  for (int i = 0; i < 3; ++i) {
-    x[2 * i] = v.part[i][0];
-    x[2 * i + 1] = v.part[i][1];
+  for (int i = 0; i < kNodeDofs; ++i) {
+    x[i] = v.part[i / 2][i % 2];
   }
 #endif
 }
 
 inline NodeVector operator-(const NodeVector& a, const NodeVector& b) {
   NodeVector v;
-  for (int i = 0; i < kParts; ++i) {
+  for (int i = 0; i < kNodeParts; ++i) {
     v.part[i] = a.part[i] - b.part[i];
   }
   return v;
@@ -70,44 +64,33 @@ inline NodeVector operator-(const NodeVector& a, const NodeVector& b) {
 
 /// Sums of neighbouring lanes of two registers, by turns.
 template <int... L>
-inline Lanes pairwise(const Lanes& a, const Lanes& b, std::integer_sequence<int, L...> /*all*/) {
-  return __builtin_shufflevector(a, b, (L % 2 == 0 ? L : kWidth + L - 1)...) +
-         __builtin_shufflevector(a, b, (L % 2 == 0 ? L + 1 : kWidth + L)...);
+inline NodeLanes pairwise(const NodeLanes& a, const NodeLanes& b, std::integer_sequence<int, L...> /*all*/) {
+  return __builtin_shufflevector(a, b, (L % 2 == 0 ? L : kNodeWidth + L - 1)...) +
+         __builtin_shufflevector(a, b, (L % 2 == 0 ? L + 1 : kNodeWidth + L)...);
 }
 
-inline Lanes pairwise(const Lanes& a, const Lanes& b) {
-  return pairwise(a, b, std::make_integer_sequence<int, kWidth>());
+inline NodeLanes pairwise(const NodeLanes& a, const NodeLanes& b) {
+  return pairwise(a, b, std::make_integer_sequence<int, kNodeWidth>());
 }
 
 /// A x for the first six columns of a block.
 inline NodeVector product(const double* a, const NodeVector& x) {
-  const Row* row = reinterpret_cast<const Row*>(a);
-  Lanes sum[kNodeDofs];
+  NodeLanes sum[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
-    sum[i] = row[i].part[0] * x.part[0];
-    for (int p = 1; p * kWidth < kNodeDofs; ++p) {
-      sum[i] += row[i].part[p] * x.part[p];
+    const NodeLanes* row = reinterpret_cast<const NodeLanes*>(a + i * kRowWidth);
+    sum[i] = row[0] * x.part[0];
+    for (int p = 1; p < kNodeParts; ++p) {
+      sum[i] += row[p] * x.part[p];
     }
   }
-  NodeVector y;
-  const Lanes y01 = pairwise(sum[0], sum[1]), y23 = pairwise(sum[2], sum[3]), y45 = pairwise(sum[4], sum[5]);
-#if OVERBEND_ISA_WIDTH == 8
-  const Lanes y0123 = __builtin_shufflevector(y01, y23, 0, 1, 8, 9, 4, 5, 12, 13) +
-                      __builtin_shufflevector(y01, y23, 2, 3, 10, 11, 6, 7, 14, 15);
-  const Lanes last = __builtin_shufflevector(y45, Lanes{}, 0, 1, 8, 9, 4, 5, 12, 13) +
-                     __builtin_shufflevector(y45, Lanes{}, 2, 3, 10, 11, 6, 7, 14, 15);
-  y.part[0] = __builtin_shufflevector(y0123, last, 0, 1, 2, 3, 8, 9, 10, 11) +
-              __builtin_shufflevector(y0123, last, 4, 5, 6, 7, 12, 13, 14, 15);
-#elif OVERBEND_ISA_WIDTH == 4
-  y.part[0] = __builtin_shufflevector(y01, y23, 0, 1, 6, 7) + __builtin_shufflevector(y01, y23, 2, 3, 4, 5);
-  y.part[1] = __builtin_shufflevector(y45, Lanes{}, 0, 1, 4, 5) + __builtin_shufflevector(y45, Lanes{}, 2, 3, 6, 7);
+  const NodeLanes y01 = pairwise(sum[0], sum[1]), y23 = pairwise(sum[2], sum[3]), y45 = pairwise(sum[4], sum[5]);
+#if OVERBEND_ISA_WIDTH >= 4
+  return {
+      {__builtin_shufflevector(y01, y23, 0, 1, 6, 7) + __builtin_shufflevector(y01, y23, 2, 3, 4, 5),
+       __builtin_shufflevector(y45, NodeLanes{}, 0, 1, 4, 5) + __builtin_shufflevector(y45, NodeLanes{}, 2, 3, 6, 7)}};
 #else
-  y.part[0] = y01;
-  y.part[1] = y23;
-  y.part[2] = y45;
-  y.part[3] = Lanes{};
+  return {{y01, y23, y45}};
 #endif
-  return y;
 }
 
 inline Row* rows(double* blocks, int node) {
