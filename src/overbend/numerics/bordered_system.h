@@ -84,7 +84,8 @@ class BorderedSystem {
 
   /// Replaces right-hand sides by the solution: `x` of each line, six per node, and `y`, one per shared unknown.
   void solve(std::span<double* const> x, double* y);
-  /// `factor` and `solve` in one, which is less work; bits may differ. Where it fails, x and y are spoilt.
+  /// `factor` and `solve` in one: the right-hand sides of the lines go through the elimination with the blocks, which
+  /// keeps digits that inverses lose where a line hardly stretches. Where it fails, x and y are spoilt.
   BorderedReport factor_and_solve(std::span<double* const> x, double* y);
 
  private:

@@ -99,7 +99,9 @@ void Assembly::take_residual(Increments& dq) {
 
 bool Assembly::solve_factored(Increments& dq) {
   take_residual(dq);
-  return solver_.factor_and_solve(solution_, border_of(dq)).solved();
+  if (!solver_.factor().solved()) return false;
+  solver_.solve(solution_, border_of(dq));
+  return true;
 }
 
 void Assembly::solve_again(Increments& dq) {

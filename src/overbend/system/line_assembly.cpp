@@ -17,7 +17,12 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       moving_yielding_(line.yielding, line.mesh),
       residual_(6 * static_cast<std::size_t>(line.mesh.nodes())),
       cuts_(residual_.size()),
-      tangent_(&tangent) {}
+      tangent_(&tangent) {
+  for (int node = 0; node < line.mesh.nodes(); ++node) {
+    const double h = line.mesh.shortest_beside(node);
+    by_moments_.push_back(1.0 / (h * h));
+  }
+}
 
 void LineAssembly::ease(const Easing& easing) {
   easing_ = easing;
@@ -173,18 +178,17 @@ Unbalance LineAssembly::unbalance() const {
   Unbalance largest;
   double worst = 0.0;
   for (int node = 0; node < line_->mesh.nodes(); ++node) {
-    const double h = line_->mesh.shortest_beside(node);
     const double* r = residual_.data() + 6 * node;
     const double force = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
-    const double moment = (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]) / (h * h);
-    const double size = std::max(force, moment);
-    if (!(size < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
+    const double moment = by_moments_[static_cast<std::size_t>(node)] * (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
+    if (force <= worst && moment <= worst) {
+      continue;
+    }
+    worst = std::max(force, moment);
+    if (!(force + moment < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
       return {std::numeric_limits<double>::infinity(), node};
     }
-    if (size > worst) {
-      worst = size;
-      largest.node = node;
-    }
+    largest.node = node;
   }
   largest.force = std::sqrt(worst);
   return largest;

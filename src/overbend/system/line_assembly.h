@@ -112,6 +112,7 @@ class LineAssembly {
   MovingYielding moving_yielding_;
   bool begins_ = true;  ///< A step is, whose start has not been looked at.
   std::vector<double> residual_, cuts_;
+  std::vector<double> by_moments_;  ///< Squared moments over the shortest element at a node become forces [1/m2].
   std::array<double, 6> first_{}, last_{};
   std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.
   BlockTridiagonal* tangent_;
