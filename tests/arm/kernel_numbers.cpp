@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/simd.h"
+#include "dynamics/motion_kernel.h"
 #include "hull/hull_waves_kernel.h"
 #include "mechanics/line_kernel.h"
 #include "mechanics/roller_kernel.h"
@@ -355,6 +356,22 @@ void hull(Numbers& numbers) {
   across.print("strip_across");
 }
 
+void freedoms(Numbers& numbers) {
+  constexpr int kFreedoms = kNodes * kNodeDofs;
+  Arrays a(numbers, kFreedoms, kFreedoms);
+  const FreedomsBefore now{a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(-1.0, 1.0)};
+  Batch q(kFreedoms), v(kFreedoms), acc(kFreedoms), alg(kFreedoms);
+  const FreedomsView next{kFreedoms, q.data(), v.data(), acc.data()};
+  predict_freedoms({0.1, 0.004, 0.001, 0.07, 0.03, 1.5, -0.5}, now, next);
+  correct_freedoms({30.0, 400.0}, a.of(-1e-3, 1e-3), next);
+  const ChangeSums sums = end_freedoms({0.8, 0.4, -0.2}, now, kFreedoms, acc.data(), alg.data());
+  q.print("freedoms_q");
+  v.print("freedoms_v");
+  acc.print("freedoms_acc");
+  alg.print("freedoms_alg");
+  std::printf("freedoms_change %.17g\nfreedoms_change %.17g\n", sums.product, sums.square);
+}
+
 }  // namespace
 }  // namespace overbend
 
@@ -371,4 +388,5 @@ int main() {
   overbend::responses(numbers);
   overbend::rollers(numbers);
   overbend::hull(numbers);
+  overbend::freedoms(numbers);
 }

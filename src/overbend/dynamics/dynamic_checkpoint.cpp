@@ -64,6 +64,7 @@ void save_line(DynamicCheckpoint& checkpoint, const std::string& name, const Lin
   put(checkpoint, name + "v", line.v);
   put(checkpoint, name + "acc", line.acc);
   put(checkpoint, name + "alg", line.alg);
+  put(checkpoint, name + "foresight", {line.foresight});
   put(checkpoint, name + "bed_slip", {line.bed_slip.begin(), line.bed_slip.end()});
   std::vector<double> contacts;
   for (const ContactMemory& c : line.contacts) {
@@ -82,6 +83,7 @@ void restore_line(const DynamicCheckpoint& checkpoint, const std::string& name, 
   line.v = checkpoint_array(checkpoint, name + "v");
   line.acc = checkpoint_array(checkpoint, name + "acc");
   line.alg = checkpoint_array(checkpoint, name + "alg");
+  line.foresight = checkpoint_array(checkpoint, name + "foresight").at(0);
   const std::vector<double>& slip = checkpoint_array(checkpoint, name + "bed_slip");
   line.bed_slip.assign(slip.begin(), slip.end());
   const std::vector<double>& contacts = checkpoint_array(checkpoint, name + "contacts");

@@ -1,5 +1,7 @@
-/// How a step begins, before its forces are known, and what its accelerations are when they are.
+/// How a step begins, before its forces are known, what corrections change, and what its accelerations are at last.
 #pragma once
+
+#include <vector>
 
 #include "mechanics/tensioner.h"
 #include "numerics/generalized_alpha.h"
@@ -14,12 +16,17 @@ struct MachineStep {
   SpeedBounds bounds;
 };
 
-/// The state `next` after `h` as the state before foresees it, see GeneralizedAlpha::foreseen(); the travel of the
-/// machine as it is driven. Allocates where `next` has other sizes than `now`.
+/// The state `next` after `h` as the state before foresees it, see GeneralizedAlpha::foreseen(), a line by as much of
+/// what stands between its accelerations as would have served the step before best; the travel of the machine as it is
+/// driven. Allocates where `next` has other sizes than `now`.
 void predict(const GeneralizedAlpha& scheme, const System& system, const SystemState& now, double h,
              const MachineStep& machine, SystemState& next);
 
-/// Algorithmic accelerations at the end of a step, of what has moved as it was led too.
+/// Adds a correction to the places of a line at the end of a step of `h`, and what follows to rates and accelerations.
+void correct(const GeneralizedAlpha& scheme, double h, const std::vector<double>& dq, LineState& next);
+
+/// Algorithmic accelerations at the end of a step, of what has moved as it was led too, and what should have been
+/// foreseen.
 void end_accelerations(const GeneralizedAlpha& scheme, const SystemState& now, SystemState& next);
 
 }  // namespace overbend

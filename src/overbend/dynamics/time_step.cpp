@@ -46,13 +46,7 @@ void TimeStepper::correct(SystemState& next, double h) const {
   const double velocity = scheme_.velocity_share(h), acceleration = scheme_.acceleration_share(h);
   const double algorithmic = 1.0 / (h * h * scheme_.beta);
   for (std::size_t line = 0; line < next.lines.size(); ++line) {
-    LineState& at = next.lines[line];
-    const std::vector<double>& dq = dq_[line];
-    for (std::size_t i = 0; i < at.q.size(); ++i) {
-      at.q[i] += dq[i];
-      at.v[i] += velocity * dq[i];
-      at.acc[i] += acceleration * dq[i];
-    }
+    overbend::correct(scheme_, h, dq_[line], next.lines[line]);
   }
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {
     HullState& at = next.bodies[i];

@@ -18,6 +18,7 @@ struct LineState {
   double far_force = 0.0;      ///< H, at an end that may slide along the bed, away from the barge, at rest alone [N].
   std::vector<double> v, acc;  ///< Rates of `q`.
   std::vector<double> alg;     ///< Algorithmic accelerations, see GeneralizedAlpha.
+  double foresight = 0.0;      ///< What the last step should have foreseen of `acc` less `alg`, see step_prediction.h.
   AlignedDoubles bed_slip;     ///< See LineMotion.
   std::vector<ContactMemory> contacts;  ///< In the order of RollerContacts.
   BendingMemories bending;              ///< Empty where no steel yields.
