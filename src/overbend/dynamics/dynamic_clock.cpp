@@ -14,6 +14,8 @@ constexpr double kShortestForTension = 0.02;  ///< What impacts put on the tensi
 constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not worth new factors.
 constexpr double kMostGrowth = 2.25;          ///< Of the step, where it may grow at all.
 constexpr int kTimesToGrow = 2;               ///< Steps of one length before a longer one: factors serve both.
+constexpr double kNextToNothing = 0.01;       ///< Of the tolerance: steps that grow by kMostGrowth leave it far away.
+constexpr int kMostUnseen = 4;                ///< Steps in succession without an estimate of their error.
 
 }  // namespace
 
@@ -46,6 +48,15 @@ double TensionWatch::longest_step(double tension, double h) {
 void StepChooser::took(double h) {
   times = h == taken ? times + 1 : 1;
   taken = h;
+}
+
+double StepChooser::expected_error() const {
+  const double ratio = estimated_step > 0.0 ? taken / estimated_step : 0.0;
+  return estimated * ratio * ratio * ratio;
+}
+
+bool StepChooser::may_go_unseen(double expected, double tolerance) const {
+  return estimated_step > 0.0 && unseen < kMostUnseen && expected < kNextToNothing * tolerance;
 }
 
 void StepChooser::adapt(double error, double tolerance, double longest) {

@@ -38,22 +38,50 @@ inline constexpr double kSmallestStep = 1e-7;  ///< [s]
 
 /// Chooses steps between ticks.
 struct StepChooser {
-  double wanted = 0.02;  ///< By error and impacts [s].
-  double last = 0.0;     ///< Step chosen last [s].
-  double taken = 0.0;    ///< Step taken last: a chosen one may have been cut [s].
-  int times = 0;         ///< Steps of that length, one after the other.
+  double wanted = 0.02;                          ///< By error and impacts [s].
+  double last = 0.0;                             ///< Step chosen last [s].
+  double taken = 0.0;                            ///< Step taken last: a chosen one may have been cut [s].
+  int times = 0;                                 ///< Steps of that length, one after the other.
+  double estimated = 0.0, estimated_step = 0.0;  ///< Error estimated last [m], and the step it is of [s].
+  int unseen = 0;                                ///< Steps since.
 
-  std::vector<double> save() const { return {wanted, last, taken, static_cast<double>(times)}; }
+  std::vector<double> save() const {
+    return {wanted, last, taken, static_cast<double>(times), estimated, estimated_step, static_cast<double>(unseen)};
+  }
   void restore(const std::vector<double>& saved) {
-    *this = {saved.at(0), saved.at(1), saved.at(2), static_cast<int>(saved.at(3))};
+    *this = {saved.at(0),
+             saved.at(1),
+             saved.at(2),
+             static_cast<int>(saved.at(3)),
+             saved.at(4),
+             saved.at(5),
+             static_cast<int>(saved.at(6))};
   }
   /// After a step of `h`.
   void took(double h);
+  /// Error of the step taken, from `estimate()`; where that of a few steps before leads to next to nothing, as with the
+  /// short steps of impacts, by the cube of the step.
+  template <class Estimate>
+  double error(double tolerance, Estimate estimate) {
+    const double expected = expected_error();
+    if (may_go_unseen(expected, tolerance)) {
+      ++unseen;
+      return expected;
+    }
+    estimated = estimate();
+    estimated_step = taken;
+    unseen = 0;
+    return estimated;
+  }
   /// Wants the step after the one taken, which made an error of `error`, for an error of `tolerance`; `longest` at most
   /// [s].
   void adapt(double error, double tolerance, double longest);
   /// A step that leads to the next tick in equal parts; that of before where it does so too, so that factors serve on.
   double choose(double remaining, double longest);
+
+ private:
+  double expected_error() const;
+  bool may_go_unseen(double expected, double tolerance) const;
 };
 
 }  // namespace overbend

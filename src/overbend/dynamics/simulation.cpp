@@ -227,7 +227,7 @@ void Simulation::adapt(double h) {
     chooser_.wanted = *options_.fixed_step;
     return;
   }
-  const double error = stepper_->local_error(state_, next_);
+  const double error = chooser_.error(options_.error_tolerance, [&] { return stepper_->local_error(state_, next_); });
   const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
   chooser_.adapt(error, options_.error_tolerance, longest);
 }

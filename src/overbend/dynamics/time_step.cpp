@@ -79,6 +79,16 @@ bool TimeStepper::must_factor(double h) const {
   return !factored_ || factored_step_ != h || factors_age_ >= kOldestFactors;
 }
 
+/// Factors the tangent made last, of a step of `h`; false where it is singular.
+bool TimeStepper::make_factors(double h, StepReport& report) {
+  ++report.factorisations;
+  factored_ = assembly_->factor();
+  factored_contacts_ = assembly_->contact_signature();
+  factored_step_ = h;
+  factors_age_ = 0;
+  return factored_;
+}
+
 /// Whether another correction may be made with the factors there are, brought up to the contacts. They are kept where
 /// the rate at which they bring the residual down leads to the tolerance soon enough: new ones cost less at the start
 /// of the next step, which is evaluated there anyway.
@@ -88,6 +98,7 @@ bool TimeStepper::factors_serve(const StepReport& report, double residual_before
     return false;
   }
   if (assembly_->contact_signature() != factored_contacts_) {
+    factored_contacts_ = assembly_->contact_signature();
     return assembly_->renew_contacts(next, weights);
   }
   const double rate = report.residual / residual_before;
@@ -172,20 +183,12 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
     if (to_and_fro.seen(report.residual)) break;
     ++report.iterations;
     before = report.residual;
-    if (factor) {
-      ++report.factorisations;
-      if (!assembly_->solve_factored(dq_)) {
-        report.end = StepEnd::singular;
-        break;
-      }
-      factors_age_ = 0;
-    } else {
-      assembly_->solve_again(dq_);
+    if (factor && !make_factors(h, report)) {
+      report.end = StepEnd::singular;
+      break;
     }
-    factored_ = true;
-    factored_contacts_ = assembly_->contact_signature();
-    factored_step_ = h;
     factor = false;
+    assembly_->solve_again(dq_);
     assembly_->end_iteration(next);
     correct(next, h);
     assembly_->impose_ends(next);

@@ -46,6 +46,7 @@ class TimeStepper {
   StepReport step_with(const MachineStep& machine, const SystemState& now, double h, SystemState& next);
   void correct(SystemState& next, double h) const;
   bool must_factor(double h) const;
+  bool make_factors(double h, StepReport& report);
   bool factors_serve(const StepReport& report, double residual_before, const SystemState& next, const Weights& weights);
 
   Assembly* assembly_;

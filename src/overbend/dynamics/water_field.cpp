@@ -5,8 +5,6 @@
 #include <numbers>
 #include <utility>
 
-#include "mechanics/line_kernel.h"
-
 namespace overbend {
 namespace {
 
@@ -112,24 +110,17 @@ void WaterField::nodes_at(const WaterMemory& memory, double time, std::vector<do
   const double x = (time - memory.time) / interval_;
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     const WaterState &a = memory.first[i], &b = memory.second[i];
-    now_[i].velocity = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
-    now_[i].acceleration = (1.0 - x) * a.acceleration + x * b.acceleration;
-    now_[i].elevation = (1.0 - x) * a.elevation + x * b.elevation;
-    now_[i].pressure_head = (1.0 - x) * a.pressure_head + x * b.pressure_head;
+    WaterValues& now = now_[i];
+    now.head<3>() = between(a.velocity, a.acceleration, b.velocity, b.acceleration, x, interval_);
+    now.segment<3>(3) = (1.0 - x) * a.acceleration + x * b.acceleration;
+    now(6) = (1.0 - x) * a.elevation + x * b.elevation;
+    now(7) = (1.0 - x) * a.pressure_head + x * b.pressure_head;
   }
+  double* out = water.data();
   for (std::size_t node = 0; node < share_.size(); ++node) {
     const std::size_t below = static_cast<std::size_t>(station_below_[node]);
-    const WaterState &a = now_[below], &b = now_[below + 1];
     const double f = share_[node];
-    const Vec3 velocity = (1.0 - f) * a.velocity + f * b.velocity;
-    const Vec3 acceleration = (1.0 - f) * a.acceleration + f * b.acceleration;
-    double* out = water.data() + static_cast<std::size_t>(kWaterValues) * node;
-    for (int i = 0; i < 3; ++i) {
-      out[i] = velocity(i);
-      out[3 + i] = acceleration(i);
-    }
-    out[6] = (1.0 - f) * a.elevation + f * b.elevation;
-    out[7] = (1.0 - f) * a.pressure_head + f * b.pressure_head;
+    Eigen::Map<WaterValues>(out + kWaterValues * node) = (1.0 - f) * now_[below] + f * now_[below + 1];
   }
 }
 

@@ -12,6 +12,7 @@
 
 #include <vector>
 
+#include "mechanics/line_kernel.h"
 #include "mechanics/sea.h"
 #include "system/line_mesh.h"
 
@@ -22,6 +23,9 @@ struct WaterMemory {
   double time = 0.0;  ///< Of the first [s].
   std::vector<WaterState> first, second;
 };
+
+/// Waves at a point: velocity, acceleration, elevation and pressure head, as LineMotion has them.
+using WaterValues = Eigen::Matrix<double, kWaterValues, 1>;
 
 class WaterField {
  public:
@@ -56,7 +60,7 @@ class WaterField {
   std::vector<int> station_below_;  ///< Of every node: the station at or before it.
   std::vector<double> share_;       ///< Of every node: how far it is on to the next station [-].
   std::vector<Vec3> points_;
-  std::vector<WaterState> now_;
+  std::vector<WaterValues> now_;  ///< At the stations.
 };
 
 /// Time between moments that serves a sea: an eighth of its shortest period, but a whole part of `output_step`.

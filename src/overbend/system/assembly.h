@@ -74,9 +74,12 @@ class Assembly {
   /// Where it was found: line and node; kBodyPlace and the number among free bodies.
   std::pair<int, int> worst_place() const { return worst_; }
 
-  /// Factors the blocks and solves for the increments of the unknowns; false where they are singular.
+  /// Factors the blocks and solves for the increments of the unknowns; false where they are singular. For statics: with
+  /// masses `factor` and `solve_again` are less work, see BorderedSystem::factor_and_solve().
   bool solve_factored(Increments& dq);
-  /// The same with the factors of the last `solve_factored`.
+  /// Factors the blocks; false where they are singular.
+  bool factor();
+  /// Solves for the increments with the factors of the last `factor` or `solve_factored`.
   void solve_again(Increments& dq);
   /// Replaces forces on the unknowns by the increments that they make, with the same factors.
   void apply_factors(Increments& dq);

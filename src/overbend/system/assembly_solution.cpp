@@ -99,9 +99,11 @@ void Assembly::take_residual(Increments& dq) {
 
 bool Assembly::solve_factored(Increments& dq) {
   take_residual(dq);
-  if (!solver_.factor().solved()) return false;
-  solver_.solve(solution_, border_of(dq));
-  return true;
+  return solver_.factor_and_solve(solution_, border_of(dq)).solved();
+}
+
+bool Assembly::factor() {
+  return solver_.factor().solved();
 }
 
 void Assembly::solve_again(Increments& dq) {
