@@ -38,10 +38,13 @@ struct Current {
   Vec velocity, slope;  ///< Slope: derivative in z.
 };
 
-/// Linear between the rows of the table, constant beyond: the first row and what every interval adds.
+/// Linear between the rows of the table, constant beyond: a row below all points and what the intervals over it add, as
+/// far as they reach any.
 inline Current current_at(const LineEnvironment& env, const Lanes& z) {
-  Current now{{all(env.current_vx[0]), all(env.current_vy[0]), Lanes{}}, {}};
-  for (int i = 0; i + 1 < env.current_rows; ++i) {
+  int i = 0;
+  while (i + 2 < env.current_rows && !any(env.current_z[i + 1] - z)) ++i;
+  Current now{{all(env.current_vx[i]), all(env.current_vy[i]), Lanes{}}, {}};
+  for (; i + 1 < env.current_rows && any(z - env.current_z[i]); ++i) {
     const double below = env.current_z[i], above = env.current_z[i + 1], by_dz = 1.0 / (above - below);
     const double slope_x = (env.current_vx[i + 1] - env.current_vx[i]) * by_dz;
     const double slope_y = (env.current_vy[i + 1] - env.current_vy[i]) * by_dz;
