@@ -30,8 +30,9 @@ struct Line {
       for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < 6; ++j) {
           blocks.diag(n)[i * kRowWidth + j] = normal(generator) + (i == j ? 20.0 : 0.0);
-          blocks.upper(n)[i * kRowWidth + j] = normal(generator);
-          blocks.lower(n)[i * kRowWidth + j] = normal(generator);
+          // strong enough that nothing dies away along the line to numbers so small that they are slow
+          blocks.upper(n)[i * kRowWidth + j] = 3.0 * normal(generator);
+          blocks.lower(n)[i * kRowWidth + j] = 3.0 * normal(generator);
         }
         for (int j = 0; j < width && n >= kNodes - 40; ++j) {
           system.columns(0, n)[i * system.stride(0) + j] = normal(generator);

@@ -34,5 +34,27 @@ inline void transpose(Lanes (&rows)[kWidth]) {
   }
 }
 
+/// Neighbouring blocks of kStep lanes added up, those of `a` in the lower places of each pair of blocks, those of `b`
+/// in the upper ones. L runs over the lanes.
+template <int kStep, int... L>
+inline Lanes added_blocks(const Lanes& a, const Lanes& b, std::integer_sequence<int, L...> /*all*/) {
+  return __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L : kWidth + L - kStep)...) +
+         __builtin_shufflevector(a, b, ((L & kStep) == 0 ? L + kStep : kWidth + L)...);
+}
+
+/// Lane l receives the sum over the lanes of row l.
+template <int kStep = 1>
+inline Lanes row_sums(const Lanes (&rows)[kWidth / kStep]) {
+  if constexpr (kStep == kWidth) {
+    return rows[0];
+  } else {
+    Lanes halves[kWidth / (2 * kStep)];
+    for (int i = 0; i < kWidth / (2 * kStep); ++i) {
+      halves[i] = added_blocks<kStep>(rows[2 * i], rows[2 * i + 1], std::make_integer_sequence<int, kWidth>());
+    }
+    return row_sums<2 * kStep>(halves);
+  }
+}
+
 }  // namespace
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

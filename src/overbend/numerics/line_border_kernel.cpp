@@ -63,15 +63,26 @@ inline Lanes row_product(const double* row, const double* y, int stride) {
   return sum;
 }
 
-inline Lanes total(const Lanes (&parts)[kWidth]) {
-  Lanes sum = parts[0];
-  for (int i = 1; i < kWidth; ++i) sum += parts[i];
-  return sum;
-}
-
 inline const double* panel_at(const SparsePanelView& panel, int node) {
   const int slot = node < panel.first || node > panel.last ? -1 : panel.slot[node];
   return slot < 0 ? nullptr : panel.values + slot * kNodeDofs * panel.stride;
+}
+
+/// As subtract_columns(), of one batch of columns or any number.
+template <bool kOneBatch>
+inline void subtract(int nodes, int any_stride, const double* w, const double* y, double* x) {
+  const int rows = nodes * kNodeDofs, stride = kOneBatch ? kLanes : any_stride;
+  int first = 0;
+  for (; first + kWidth <= rows; first += kWidth) {
+    Lanes sums[kWidth];
+    for (int row = 0; row < kWidth; ++row) sums[row] = row_product(w + (first + row) * stride, y, stride);
+    LooseLanes& to = *reinterpret_cast<LooseLanes*>(x + first);
+    to -= row_sums(sums);
+  }
+  for (; first < rows; ++first) {
+    const Lanes sum = row_product(w + first * stride, y, stride);
+    for (int lane = 0; lane < kWidth; ++lane) x[first] -= sum[lane];
+  }
 }
 
 /// Solves for the columns from `column` on, as many as a register holds: from both ends to the middle and back, as
@@ -173,19 +184,7 @@ void panel_times_vector(const SparsePanelView& c, const double* x, double* out) 
 }
 
 void subtract_columns(int nodes, int stride, const double* w, const double* y, double* x) {
-  const int rows = nodes * kNodeDofs;
-  int first = 0;
-  for (; first + kWidth <= rows; first += kWidth) {
-    Lanes sums[kWidth] = {};
-    for (int row = 0; row < kWidth; ++row) sums[row] = row_product(w + (first + row) * stride, y, stride);
-    transpose(sums);
-    LooseLanes& to = *reinterpret_cast<LooseLanes*>(x + first);
-    to -= total(sums);
-  }
-  for (; first < rows; ++first) {
-    const Lanes sum = row_product(w + first * stride, y, stride);
-    for (int lane = 0; lane < kWidth; ++lane) x[first] -= sum[lane];
-  }
+  stride == kLanes ? subtract<true>(nodes, stride, w, y, x) : subtract<false>(nodes, stride, w, y, x);
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE
