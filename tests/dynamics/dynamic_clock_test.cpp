@@ -75,20 +75,25 @@ TEST(step_chooser, shrinks_at_once_where_the_error_is_too_large) {
   EXPECT_NEAR(chooser.wanted, 0.03, 1e-12);
 }
 
-/// How many of `count` steps of 1 ms have their error estimated, each as `error`.
-int estimates(double error, int count) {
+/// How many of 20 steps of 1 ms have their error estimated, each as `error`.
+int estimates(double error, double longest) {
   StepChooser chooser;
   int estimated = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < 20; ++i) {
     chooser.took(1e-3);
-    EXPECT_EQ(chooser.error(1e-3, [&] { return ++estimated, error; }), error);
+    EXPECT_EQ(chooser.error(1e-3, longest, [&] { return ++estimated, error; }), error);
   }
   return estimated;
 }
 
 TEST(step_chooser, estimates_one_error_in_five_where_they_are_next_to_nothing) {
-  EXPECT_EQ(estimates(5e-6, 20), 4);
-  EXPECT_EQ(estimates(5e-5, 20), 20);
+  EXPECT_EQ(estimates(5e-6, 0.1), 4);
+  EXPECT_EQ(estimates(5e-5, 0.1), 20);
+}
+
+TEST(step_chooser, leaves_no_error_unseen_for_longer_than_a_tenth_of_the_longest_step) {
+  EXPECT_EQ(estimates(5e-6, 0.025), 7);  // two go unseen
+  EXPECT_EQ(estimates(5e-6, 1e-3), 20);
 }
 
 TEST(step_chooser, estimates_the_error_of_a_step_that_its_length_makes_large) {
@@ -96,7 +101,7 @@ TEST(step_chooser, estimates_the_error_of_a_step_that_its_length_makes_large) {
   int estimated = 0;
   for (const double h : {1e-3, 2e-3, 4e-3}) {  // by the cube: 1e-6, 8e-6, 64e-6, of which a hundredth of 1e-3 is 1e-5
     chooser.took(h);
-    chooser.error(1e-3, [&] { return ++estimated, 1e-6; });
+    chooser.error(1e-3, 1.0, [&] { return ++estimated, 1e-6; });
   }
   EXPECT_EQ(estimated, 2);
 }
@@ -106,12 +111,12 @@ TEST(step_chooser, goes_on_from_what_it_saved) {
   chooser.wanted = 0.04;
   chooser.choose(0.1, 1e300);
   for (int i = 0; i < 2; ++i) chooser.took(chooser.last);
-  chooser.error(1e-3, [] { return 1e-6; });
+  chooser.error(1e-3, 1.0, [] { return 1e-6; });
   other.restore(chooser.save());
   EXPECT_EQ(other.choose(0.07, 1e300), chooser.choose(0.07, 1e300));
   for (StepChooser* one : {&chooser, &other}) one->adapt(0.0, 1e-3, 1.0);
   EXPECT_EQ(other.wanted, chooser.wanted);
-  EXPECT_EQ(other.error(1e-3, [] { return 1.0; }), 1e-6);
+  EXPECT_EQ(other.error(1e-3, 1.0, [] { return 1.0; }), 1e-6);
 }
 
 TEST(tension_watch, follows_a_swing_by_about_sixty_steps_a_period) {

@@ -15,7 +15,8 @@ constexpr double kLeastGrowth = 1.15;         ///< Of the step: less is not wort
 constexpr double kMostGrowth = 2.25;          ///< Of the step, where it may grow at all.
 constexpr int kTimesToGrow = 2;               ///< Steps of one length before a longer one: factors serve both.
 constexpr double kNextToNothing = 0.01;       ///< Of the tolerance: steps that grow by kMostGrowth leave it far away.
-constexpr int kMostUnseen = 4;                ///< Steps in succession without an estimate of their error.
+constexpr int kMostUnseen = 4;                ///< Steps in succession without an estimate of their error,
+constexpr double kUnseenTime = 0.1;           ///< and how long they may be together, of the longest step.
 
 }  // namespace
 
@@ -55,8 +56,9 @@ double StepChooser::expected_error() const {
   return estimated * ratio * ratio * ratio;
 }
 
-bool StepChooser::may_go_unseen(double expected, double tolerance) const {
-  return estimated_step > 0.0 && unseen < kMostUnseen && expected < kNextToNothing * tolerance;
+bool StepChooser::may_go_unseen(double expected, double tolerance, double longest) const {
+  return estimated_step > 0.0 && unseen < kMostUnseen && (unseen + 1) * taken < kUnseenTime * longest &&
+         expected < kNextToNothing * tolerance;
 }
 
 void StepChooser::adapt(double error, double tolerance, double longest) {

@@ -59,12 +59,12 @@ struct StepChooser {
   }
   /// After a step of `h`.
   void took(double h);
-  /// Error of the step taken, from `estimate()`; where that of a few steps before leads to next to nothing, as with the
-  /// short steps of impacts, by the cube of the step.
+  /// Error of the step taken, from `estimate()`; where that of a few steps before leads to next to nothing, and
+  /// `longest` is far longer than they were, as with the short steps of impacts, by the cube of the step.
   template <class Estimate>
-  double error(double tolerance, Estimate estimate) {
+  double error(double tolerance, double longest, Estimate estimate) {
     const double expected = expected_error();
-    if (may_go_unseen(expected, tolerance)) {
+    if (may_go_unseen(expected, tolerance, longest)) {
       ++unseen;
       return expected;
     }
@@ -81,7 +81,7 @@ struct StepChooser {
 
  private:
   double expected_error() const;
-  bool may_go_unseen(double expected, double tolerance) const;
+  bool may_go_unseen(double expected, double tolerance, double longest) const;
 };
 
 }  // namespace overbend

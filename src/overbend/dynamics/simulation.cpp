@@ -227,7 +227,8 @@ void Simulation::adapt(double h) {
     chooser_.wanted = *options_.fixed_step;
     return;
   }
-  const double error = chooser_.error(options_.error_tolerance, [&] { return stepper_->local_error(state_, next_); });
+  const double error =
+      chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
   const double longest = std::min(options_.max_step, watch_.longest_step(assembly_->machine_tension(), h));
   chooser_.adapt(error, options_.error_tolerance, longest);
 }

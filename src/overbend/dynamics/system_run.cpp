@@ -71,7 +71,8 @@ void SystemRun::adapt(double h) {
     chooser_.wanted = *options_.fixed_step;
     return;
   }
-  const double error = chooser_.error(options_.error_tolerance, [&] { return stepper_->local_error(state_, next_); });
+  const double error =
+      chooser_.error(options_.error_tolerance, options_.max_step, [&] { return stepper_->local_error(state_, next_); });
   double longest = options_.max_step;
   for (std::size_t i = 0; i < system_.lines.size(); ++i) {
     longest = std::min(longest, watches_[2 * i].longest_step(end_force(i, LineEnd::first).norm(), h));

@@ -6,7 +6,7 @@ namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
 
 /// Six numbers fill three quarters of two registers of four, and of one of eight: the shorter ones need one stage less
-/// to be summed, and three ports take them for two.
+/// to be summed, and their sums leave a port to the shuffles.
 inline constexpr int kNodeWidth = kWidth < 4 ? kWidth : 4;
 inline constexpr int kNodeParts = (kNodeDofs + kNodeWidth - 1) / kNodeWidth;
 using NodeLanes = double __attribute__((vector_size(8 * kNodeWidth), may_alias));
