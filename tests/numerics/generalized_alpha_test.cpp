@@ -86,9 +86,11 @@ TEST_P(any_radius, a_steady_change_of_acceleration_is_foreseen_by_half_at_most) 
   constexpr double kStep = 0.1, kChange = 3.0;
   MotionValues state{0.0, 0.0, 2.0, 2.0};
   for (int i = 0; i < 500; ++i) state = advance(g, state, kStep, state.acc + kChange * kStep);
-  const double half = 0.5 * kChange * kStep, foreseen = g.foreseen(state.acc, state.alg) - state.acc;
+  const double half = 0.5 * kChange * kStep, foreseen = g.foreseen(state.acc, state.alg, g.half_foresight) - state.acc;
   EXPECT_LE(foreseen, half + 1e-9);
   EXPECT_GE(foreseen, std::min(half, 2.0 * (g.alpha_f - g.alpha_m) * kChange * kStep) - 1e-9);
+  EXPECT_NEAR(g.foreseen(state.acc, state.alg, g.whole_foresight) - state.acc,
+              std::min(1.0, 20.0 * (g.alpha_f - g.alpha_m)) * kChange * kStep, 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(generalized_alpha, any_radius, ::testing::Values(0.0, 0.5, 0.8, 0.95, 1.0));

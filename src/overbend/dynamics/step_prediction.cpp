@@ -49,7 +49,7 @@ MotionValues corrected_for_step(MotionValues guide, double ratio) {
 /// length, impacts in most cases, is not foreseen.
 MotionValues foreseen(const GeneralizedAlpha& scheme, MotionValues now, double h, double ratio, double foresight) {
   now = corrected_for_step(now, ratio);
-  return advance(scheme, now, h, ratio == 1.0 ? now.acc + foresight * (now.acc - now.alg) : now.acc);
+  return advance(scheme, now, h, ratio == 1.0 ? GeneralizedAlpha::foreseen(now.acc, now.alg, foresight) : now.acc);
 }
 
 MotionValues foreseen(const GeneralizedAlpha& scheme, const MotionValues& now, double h, double ratio) {

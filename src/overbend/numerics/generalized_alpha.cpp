@@ -11,6 +11,6 @@ GeneralizedAlpha::GeneralizedAlpha(double spectral_radius)
       beta(0.25 * (1.0 - alpha_m + alpha_f) * (1.0 - alpha_m + alpha_f)),
       gamma(0.5 - alpha_m + alpha_f),
       half_foresight(std::min(2.0, 0.5 / std::abs(alpha_m - alpha_f))),
-      whole_foresight(2.0 * half_foresight) {}
+      whole_foresight(std::min(20.0, 1.0 / std::abs(alpha_m - alpha_f))) {}
 
 }  // namespace overbend

@@ -12,16 +12,16 @@ namespace overbend {
 /// forces with memory (contact, friction) are evaluated at real states alone. Second order.
 struct GeneralizedAlpha {
   double alpha_m = 0.0, alpha_f = 0.0, beta = 0.25, gamma = 0.5;
-  double half_foresight = 0.0;   ///< Of what stands between the two accelerations, see foreseen().
-  double whole_foresight = 0.0;  ///< The most of it that tells anything.
+  double half_foresight = 0.0;   ///< That foresees half of a steady change, and less where accelerations hardly differ.
+  double whole_foresight = 0.0;  ///< That foresees the whole, and less only where they as good as agree.
 
   /// From the spectral radius at infinite frequency, 0 (all damped in one step) to 1 (nothing damped).
   explicit GeneralizedAlpha(double spectral_radius);
 
   /// True acceleration after one more step of the same length, to begin iterations with. The two accelerations stand
-  /// apart by (alpha_f - alpha_m) h q''', which tells how the true one changes; half of that is taken, and less where
-  /// they hardly stand apart: the whole would take vibrations that the step does not resolve for much larger ones.
-  double foreseen(double acc, double alg) const { return acc + half_foresight * (acc - alg); }
+  /// apart by (alpha_f - alpha_m) h q''', which tells how the true one changes; `foresight` times that is taken: the
+  /// whole takes vibrations that the step does not resolve for much larger ones.
+  static double foreseen(double acc, double alg, double foresight) { return acc + foresight * (acc - alg); }
 
   /// Changes of velocity and true acceleration with the unknown, for a step h [1/s], [1/s2].
   double velocity_share(double h) const { return gamma / (h * beta); }

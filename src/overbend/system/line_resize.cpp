@@ -370,11 +370,4 @@ void drop_element(Line& line, LineState& state, LineEnd end) {
   }
 }
 
-void set_element_length(Line& line, int element, double length) {
-  const std::size_t e = static_cast<std::size_t>(element);
-  const double change = length - line.mesh.length[e];
-  line.mesh.length[e] = line.elements.length[e] = length;
-  for (std::size_t node = e + 1; node < line.mesh.s.size(); ++node) line.mesh.s[node] += change;
-}
-
 }  // namespace overbend

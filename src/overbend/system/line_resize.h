@@ -57,7 +57,4 @@ void append_element(Line& line, LineState& state, const NodeMotion& node, double
 /// Takes out the element at an end with the node that was the end. Contacts that it had are forgotten.
 void drop_element(Line& line, LineState& state, LineEnd end);
 
-/// Changes the unstressed length of an element [m]; nodes above it move on in arc length.
-void set_element_length(Line& line, int element, double length);
-
 }  // namespace overbend
