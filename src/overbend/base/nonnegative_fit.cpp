@@ -1,8 +1,9 @@
 #include "base/nonnegative_fit.h"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <vector>
+
+#include "base/dense_algebra.h"
 
 namespace overbend {
 namespace {
@@ -14,7 +15,7 @@ Eigen::VectorXd fit_columns(const Eigen::MatrixXd& A, const Eigen::VectorXd& b,
                             const std::vector<Eigen::Index>& columns) {
   Eigen::MatrixXd part(A.rows(), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t j = 0; j < columns.size(); ++j) part.col(static_cast<Eigen::Index>(j)) = A.col(columns[j]);
-  return part.colPivHouseholderQr().solve(b);
+  return least_squares(part, b);
 }
 
 /// Fits the columns in use; those that would become negative are removed, one after another.

@@ -1,8 +1,9 @@
 #include "hull/damping_interpolation.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_algebra.h"
 
 namespace overbend {
 namespace {
@@ -75,10 +76,9 @@ std::vector<Mat6> passive_damping(const HydrodynamicData& data, double& largest_
   for (const RadiationPoint& point : data.radiation) {
     const Mat6 scaled = unit.cwiseInverse().asDiagonal() * (0.5 * (point.damping + point.damping.transpose())) *
                         unit.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
-    largest_negative = std::max(largest_negative, -solver.eigenvalues()(0));
-    const Mat6 positive =
-        solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() * solver.eigenvectors().transpose();
+    const SymmetricModes modes = symmetric_modes(scaled);
+    largest_negative = std::max(largest_negative, -modes.values(0));
+    const Mat6 positive = modes.vectors * modes.values.cwiseMax(0.0).asDiagonal() * modes.vectors.transpose();
     passive.emplace_back(unit.asDiagonal() * positive * unit.asDiagonal());
   }
   return passive;

@@ -1,10 +1,9 @@
 #include "hull/radiation_fit.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_algebra.h"
 #include "hull/radiation_poles.h"
 #include "numerics/constrained_least_squares.h"
 
@@ -139,9 +138,9 @@ class ResidueProblem {
     std::vector<VectorXd> direction(omega.size());
     for (std::size_t k = 0; k < omega.size(); ++k) {
       const MatrixXd damping = scale.asDiagonal() * transform_of(fit, omega[k]).real() * scale.asDiagonal();
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(damping);
-      least[k] = solver.eigenvalues()(0);
-      direction[k] = scale.cwiseProduct(solver.eigenvectors().col(0));
+      const SymmetricModes modes = symmetric_modes(damping);
+      least[k] = modes.values(0);
+      direction[k] = scale.cwiseProduct(modes.vectors.col(0));
     }
     const std::size_t worst = static_cast<std::size_t>(std::min_element(least.begin(), least.end()) - least.begin());
     fit.least_damping = least[worst];
@@ -160,11 +159,7 @@ class ResidueProblem {
   Index at(std::size_t e) const { return static_cast<Index>(e) * free_.cols(); }
 
   /// Coefficients = free_ * unknowns spans all with no damping at zero frequency.
-  void find_free_directions() {
-    const VectorXd at_zero = damping_row(poles_, 0.0).transpose();
-    const MatrixXd q = Eigen::HouseholderQR<MatrixXd>(at_zero).householderQ();
-    free_ = q.rightCols(q.cols() - 1);
-  }
+  void find_free_directions() { free_ = directions_across(damping_row(poles_, 0.0).transpose()); }
 
   void set_rows() {
     const auto frequencies = static_cast<Index>(target_.omega.size()),
@@ -193,7 +188,7 @@ class ResidueProblem {
       const double wanted = target_.kernel[static_cast<std::size_t>(k)](pair.i, pair.j);
       rows.row(frequencies + k) << kKernelWeight * kernel_rows_.row(k), kKernelWeight * wanted;
     }
-    const MatrixXd triangle = Eigen::HouseholderQR<MatrixXd>(rows).matrixQR().triangularView<Eigen::Upper>();
+    const MatrixXd triangle = triangle_of(rows);
     triangles_.push_back(triangle.topLeftCorner(free_.cols(), free_.cols()));
     reduced_.push_back(triangle.topRightCorner(free_.cols(), 1));
   }

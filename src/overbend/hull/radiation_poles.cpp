@@ -1,10 +1,10 @@
 #include "hull/radiation_poles.h"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "base/dense_algebra.h"
 
 namespace overbend {
 namespace {
@@ -71,7 +71,7 @@ Eigen::VectorXcd zeros(const std::vector<Complex>& poles, const VectorXd& coeffi
       b(k++) = 1.0;
     }
   }
-  return (a - b * coefficients.transpose()).eval().eigenvalues();
+  return eigenvalues_of(a - b * coefficients.transpose());
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ Eigen::VectorXcd zeros(const std::vector<Complex>& poles, const VectorXd& coeffi
 HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel, double interval, int most)
     : interval_(interval) {
   const auto blocks = static_cast<Eigen::Index>((kernel.size() - 1) / 2);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(block_hankel(kernel, blocks, 0));
-  const Eigen::VectorXd& values = solver.eigenvalues();
+  const SymmetricModes modes = symmetric_modes(block_hankel(kernel, blocks, 0));
+  const Eigen::VectorXd& values = modes.values;
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
   for (std::size_t i = 0; i < order.size(); ++i) {
     order[i] = static_cast<Eigen::Index>(i);
@@ -95,7 +95,7 @@ HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel,
     const Eigen::Index at = order[static_cast<std::size_t>(k)];
     const double root = std::sqrt(std::abs(values(at)));
     const double inverse = root > 1e-12 * std::sqrt(std::abs(values(order[0]))) ? 1.0 / root : 0.0;
-    left.col(k) = inverse * solver.eigenvectors().col(at);
+    left.col(k) = inverse * modes.vectors.col(at);
     right.col(k) = std::copysign(1.0, values(at)) * left.col(k);
   }
   transition_ = left.transpose() * block_hankel(kernel, blocks, 1) * right;
@@ -103,11 +103,11 @@ HankelRealization::HankelRealization(const std::vector<Eigen::MatrixXd>& kernel,
 
 std::vector<std::complex<double>> HankelRealization::poles(int order, double slowest) const {
   const Eigen::Index n = std::min<Eigen::Index>(order, transition_.rows());
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(transition_.topLeftCorner(n, n), false);
+  const Eigen::VectorXcd values = eigenvalues_of(transition_.topLeftCorner(n, n));
   const double nyquist = std::numbers::pi / interval_;
   std::vector<std::complex<double>> poles;
   for (Eigen::Index k = 0; k < n; ++k) {
-    const std::complex<double> discrete = solver.eigenvalues()(k);
+    const std::complex<double> discrete = values(k);
     if (discrete.imag() < 0.0 || std::abs(discrete) < 1e-6) {
       continue;
     }
@@ -129,7 +129,7 @@ std::vector<Complex> relocate_poles(const FrequencyResponse& response, const std
     const auto weight = response.weights.col(e).asDiagonal();
     Eigen::MatrixXcd block(base.rows(), 2 * n + 1);
     block << weight * base, -(weight * (response.values.col(e).asDiagonal() * base)), weight * response.values.col(e);
-    const MatrixXd triangle = Eigen::HouseholderQR<MatrixXd>(stacked(block)).matrixQR();
+    const MatrixXd triangle = triangle_of(stacked(block));
     for (Index k = 0; k < n; ++k) {
       rows.row(e * n + k).setZero();
       rows.row(e * n + k).tail(n - k) = triangle.row(n + k).segment(n + k, n - k);
@@ -137,8 +137,7 @@ std::vector<Complex> relocate_poles(const FrequencyResponse& response, const std
     }
   }
   const VectorXd scale = rows.colwise().norm().cwiseMax(1e-300).cwiseInverse().transpose();
-  const VectorXd coefficients =
-      scale.cwiseProduct((rows * scale.asDiagonal()).eval().colPivHouseholderQr().solve(wanted));
+  const VectorXd coefficients = scale.cwiseProduct(least_squares(rows * scale.asDiagonal(), wanted));
   std::vector<Complex> moved;
   for (const Complex& zero : zeros(poles, coefficients)) {
     if (zero.imag() >= 0.0) {

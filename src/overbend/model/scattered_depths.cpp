@@ -1,11 +1,10 @@
 #include "model/scattered_depths.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "base/dense_algebra.h"
 #include "base/vec.h"
 
 namespace overbend {
@@ -87,7 +86,7 @@ double depth_at(const Bathymetry& points, const std::vector<std::size_t>& neares
     most = std::max(most, points.depth[i]);
   }
   // Points on one line leave the plane's fall across it open: the smallest that fits.
-  const Vec3 plane = sum.completeOrthogonalDecomposition().solve(right);
+  const Vec3 plane = shortest_least_squares(sum, right);
   return std::clamp(plane.x(), least, most);
 }
 

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "base/dense_algebra.h"
 
 namespace overbend {
 namespace {
@@ -122,11 +123,11 @@ Vec6 step_of(const HullAtRest& hull, const RestOutcome& at, const FreeModes& fre
     slope.row(i).setZero();
     slope.col(i).setZero();
   }
-  const Eigen::SelfAdjointEigenSolver<Mat6> modes(0.5 * (slope + slope.transpose()));
-  const Vec6 sizes = modes.eigenvalues().cwiseAbs();
+  const SymmetricModes modes = symmetric_modes(0.5 * (slope + slope.transpose()));
+  const Vec6 sizes = modes.values.cwiseAbs();
   const Vec6 floored = sizes.cwiseMax(kLeastStiffness * sizes.maxCoeff());
   const Vec6 work = working_forces(hull, at.offset, at.forces.total, free, arm);
-  Vec6 step = modes.eigenvectors() * (modes.eigenvectors().transpose() * work).cwiseQuotient(floored);
+  Vec6 step = modes.vectors * (modes.vectors.transpose() * work).cwiseQuotient(floored);
   step.tail<3>() /= arm;
   if (!step.allFinite()) return Vec6::Zero();
   const double excess =

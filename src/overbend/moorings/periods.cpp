@@ -1,12 +1,13 @@
 #include "moorings/periods.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "base/dense_algebra.h"
 #include "hull/damping_ratios.h"
+
 namespace overbend {
 namespace {
 
@@ -23,17 +24,16 @@ struct Mode {
   double square = 0.0;  ///< omega^2 [1/s2].
   Vec6 shape = Vec6::Zero();
 };
-using Pencil = Eigen::GeneralizedSelfAdjointEigenSolver<Mat6>;
 
-Mode mode_of(const Pencil& pencil, Eigen::Index i) {
-  return {pencil.eigenvalues()[i], pencil.eigenvectors().col(i)};
+Mode mode_of(const SymmetricModes& modes, Eigen::Index i) {
+  return {modes.values[i], modes.vectors.col(i)};
 }
 
-Mode like(const Pencil& pencil, const Mat6& mass, const Vec6& shape) {
-  const Vec6 shares = (pencil.eigenvectors().transpose() * (mass * shape)).cwiseAbs();
+Mode like(const SymmetricModes& modes, const Mat6& mass, const Vec6& shape) {
+  const Vec6 shares = (modes.vectors.transpose() * (mass * shape)).cwiseAbs();
   Eigen::Index best = 0;
   shares.maxCoeff(&best);
-  return mode_of(pencil, best);
+  return mode_of(modes, best);
 }
 
 const char* name_of(const Mode& mode, const Mat6& mass) {
@@ -55,13 +55,13 @@ std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, c
   };
   const double least = 1e-8 * even.diagonal().head<3>().cwiseAbs().maxCoeff() / std::max(hull.mass, 1.0);
   std::vector<NaturalPeriod> periods;
-  const Pencil first(even, mass_at(0.0));
+  const SymmetricModes first = symmetric_modes(even, mass_at(0.0));
   for (Eigen::Index i = 0; i < 6; ++i) {
     Mode mode = mode_of(first, i);
     Mat6 mass = mass_at(0.0);
     for (int round = 0; round < kRounds && mode.square > least; ++round) {
       mass = mass_at(std::sqrt(mode.square));
-      mode = like(Pencil(even, mass), mass, mode.shape);
+      mode = like(symmetric_modes(even, mass), mass, mode.shape);
     }
     if (mode.square > least) {
       periods.push_back({name_of(mode, mass), 2.0 * std::numbers::pi / std::sqrt(mode.square)});

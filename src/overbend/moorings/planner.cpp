@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+
+#include "base/dense_algebra.h"
 
 namespace overbend {
 namespace {
@@ -33,8 +33,7 @@ FreePulls least_change(const Eigen::Matrix3Xd& arms, const Vec3& load, const Eig
     if (how == Held::free) normal += arms.col(i) * arms.col(i).transpose();
   }
   const Vec3 open = arms * result.pulls + load;
-  const Eigen::ColPivHouseholderQR<Mat3> solver(normal);
-  result.multipliers = solver.solve(open);
+  result.multipliers = least_squares(normal, open);
   for (Eigen::Index i = 0; i < wished.size(); ++i) {
     if (held[static_cast<std::size_t>(i)] == Held::free) result.pulls[i] -= arms.col(i).dot(result.multipliers);
   }

@@ -1,10 +1,9 @@
 #include "numerics/bounded_search.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "base/dense_algebra.h"
 #include "numerics/constrained_least_squares.h"
 
 namespace overbend {
@@ -118,7 +117,7 @@ class Search {
       if (now_.least(k) > kActive) active.col(slopes.equal.rows() + k).setZero();
     }
     if (active.cols() == 0) return VectorXd::Zero(0);
-    return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(active).solve(slopes.aim.row(0).transpose());
+    return shortest_least_squares(active, slopes.aim.row(0).transpose());
   }
 
   static VectorXd lagrangian(const SearchSlopes& slopes, const VectorXd& multipliers) {
@@ -152,9 +151,8 @@ class Search {
       rows = MatrixXd::Identity(n_, n_);
       wanted = VectorXd::Zero(n_);
     } else if (problem_.linear_aim) {
-      const Eigen::LLT<MatrixXd> root(curvature_);
-      rows = root.matrixU();
-      wanted = -root.matrixL().solve(VectorXd(slopes.aim.row(0).transpose()));
+      rows = upper_root(curvature_);
+      wanted = -rows.transpose().triangularView<Eigen::Lower>().solve(VectorXd(slopes.aim.row(0).transpose()));
     } else {
       rows.resize(slopes.aim.rows() + n_, n_);
       rows << slopes.aim, kDamping * slopes.aim.norm() * MatrixXd::Identity(n_, n_);
@@ -169,13 +167,11 @@ class Search {
     VectorXd wanted;
     aim_rows(slopes, aim, wanted);
     const double weight = kEqualWeight * std::max(aim.norm(), 1e-12) / std::max(slopes.equal.norm(), 1e-12);
-    MatrixXd rows(aim.rows() + slopes.equal.rows(), n_);
-    rows << aim, weight * slopes.equal;
-    VectorXd right(rows.rows());
-    right << wanted, -weight * at.equal;
-    const Eigen::HouseholderQR<MatrixXd> qr(rows);
-    const MatrixXd r = qr.matrixQR().topRows(n_).triangularView<Eigen::Upper>();
-    const VectorXd b = VectorXd(qr.householderQ().adjoint() * right).head(n_);
+    MatrixXd rows(aim.rows() + slopes.equal.rows(), n_ + 1);
+    rows << aim, wanted, weight * slopes.equal, -weight * at.equal;
+    const MatrixXd reduced = triangle_of(rows).topRows(n_);
+    const MatrixXd r = reduced.leftCols(n_);
+    const VectorXd b = reduced.col(n_);
     MatrixXd c(2 * n_ + slopes.least.rows(), n_);
     c << MatrixXd::Identity(n_, n_), -MatrixXd::Identity(n_, n_), slopes.least;
     VectorXd d(c.rows());

@@ -1,11 +1,10 @@
 #include "statics/newton.h"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "base/dense_algebra.h"
 #include "statics/step_search.h"
 
 namespace overbend {
@@ -32,7 +31,7 @@ class StepMixing {
     if (changes_.empty()) return;
     Eigen::MatrixXd change(now.size(), static_cast<Eigen::Index>(changes_.size()));
     for (std::size_t i = 0; i < changes_.size(); ++i) change.col(static_cast<Eigen::Index>(i)) = changes_[i].asked;
-    const Eigen::VectorXd share = change.colPivHouseholderQr().solve(now);
+    const Eigen::VectorXd share = least_squares(change, now);
     if ((now - change * share).norm() > kWorthwhile * now.norm()) return;
     for (std::size_t i = 0; i < changes_.size(); ++i) {
       now -= share(static_cast<Eigen::Index>(i)) * (changes_[i].asked + changes_[i].taken);
