@@ -40,6 +40,11 @@ def words(path):
 
 
 @functools.cache
+def all_words(path):
+    return frozenset(re.findall(r"(?<![\w.:>])[A-Za-z_]\w*", code(path)))
+
+
+@functools.cache
 def hidden(path):
     """Names that the source keeps to itself."""
     text = code(path)
@@ -80,6 +85,8 @@ def apart(a, b):
     own = hidden(a) - same
     if own & (words(b) | hidden(b)):
         return True
+    if own & borrowed(a).keys() & all_words(b):  # a type, say, that a parameter of that name would hide
+        return True
     return any(own & words(header) for header in headers(b) - headers(a))
 
 
@@ -96,15 +103,26 @@ def units(sources, largest):
     return made
 
 
+def named_units(sources, largest):
+    """Units with names, of one folder each: a change there compiles little of the others. What is left over in small
+    units is put together from all folders, since every unit costs the headers that nearly all read."""
+    left_over = []
+    for folder, inside in itertools.groupby(sources, lambda source: source.parent):
+        for number, unit in enumerate(units(inside, largest)):
+            if 4 * len(unit) < 3 * largest:
+                left_over += unit
+            else:
+                yield "_".join(folder.parts[-2:]) + f"_{number}", unit
+    for number, unit in enumerate(units(left_over, largest)):
+        yield f"left_over_{number}", unit
+
+
 def main():
     largest = int(sys.argv[1])
     sources = [pathlib.Path(name).resolve() for name in sys.argv[2:]]
-    # Of one folder each: a change there compiles little of the others.
-    for folder, inside in itertools.groupby(sources, lambda source: source.parent):
-        name = "_".join(folder.parts[-2:])
-        for number, unit in enumerate(units(inside, largest)):
-            for source in unit:
-                print(f"{name}_{number} {source}")
+    for name, unit in named_units(sources, largest):
+        for source in unit:
+            print(f"{name} {source}")
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
-from units import units  # noqa: E402
+from units import named_units, units  # noqa: E402
 
 
 def hiding(text):
@@ -53,6 +53,9 @@ class Units(unittest.TestCase):
         self.assertTrue(self.together(hiding("using Row = std::map<A, B>;"), hiding("using Row = std::map<A, B>;")))
         self.assertFalse(self.together(hiding("using Row = std::map<A, B>;"), hiding("using Row = std::map<A, C>;")))
 
+    def test_no_parameter_hides_what_the_other_borrows(self):
+        self.assertFalse(self.together(hiding("using library::json;"), "int f(int json) { return json; }"))
+
     def test_members_and_comments_are_no_names(self):
         self.assertTrue(self.together(hiding("int least(int) {"), "int f() { return x.least(1); }  // least(2)"))
 
@@ -62,6 +65,16 @@ class Units(unittest.TestCase):
             for path in paths:
                 path.write_text("")
             self.assertEqual([len(unit) for unit in units(paths, 2)], [2, 2, 1])
+
+    def test_what_folders_leave_over_shares_a_unit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = [pathlib.Path(folder) / place / f"{i}.cpp" for place in ("few", "many") for i in range(5)]
+            paths = [path for path in paths if path.parent.name == "many" or path.stem in "01"]
+            for path in paths:
+                path.parent.mkdir(exist_ok=True)
+                path.write_text("")
+            made = {name: [path.parent.name for path in unit] for name, unit in named_units(paths, 4)}
+            self.assertEqual(sorted(made.values()), [["few", "few", "many"], ["many"] * 4])
 
 
 unittest.main()
