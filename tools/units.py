@@ -91,11 +91,17 @@ def apart(a, b):
 
 
 def units(sources, largest):
-    """Lists of sources, as few as the names allow."""
+    """Lists of sources, few as the names allow: those that most others must stay apart from choose first."""
+    sources = list(sources)
+    others = {source: set() for source in sources}
+    for one, other in itertools.combinations(sources, 2):
+        if apart(one, other) or apart(other, one):
+            others[one].add(other)
+            others[other].add(one)
     made = []
-    for source in sources:
+    for source in sorted(sources, key=lambda source: -len(others[source])):
         for unit in made:
-            if len(unit) < largest and not any(apart(source, other) or apart(other, source) for other in unit):
+            if len(unit) < largest and others[source].isdisjoint(unit):
                 unit.append(source)
                 break
         else:

@@ -50,9 +50,9 @@ std::vector<Isa> available_isas() {
   return isas;
 }
 
-class block_tridiagonal_of_any_kind : public testing::TestWithParam<Heavy> {};
+class block_tridiagonal_of_any_kind : public ::testing::TestWithParam<Heavy> {};
 INSTANTIATE_TEST_SUITE_P(block_tridiagonal, block_tridiagonal_of_any_kind,
-                         testing::Values(Heavy::on_the_diagonal, Heavy::across_it), [](const auto& heavy) {
+                         ::testing::Values(Heavy::on_the_diagonal, Heavy::across_it), [](const auto& heavy) {
                            return heavy.param == Heavy::across_it ? "heavy_across_the_diagonal"
                                                                   : "heavy_on_the_diagonal";
                          });

@@ -50,7 +50,7 @@ TEST(slurm, a_task_runs_its_cases_of_the_study) {
   // The script is run with echo in the place of the program.
   const Scratch scratch;
   const std::string script = scratch.write("job.sh", slurm_script({"/bin/echo", "/home/o'neil/a study.yaml", "/d $x"}));
-  const auto told = run_program({"env", "SLURM_ARRAY_TASK_ID=3", "sh", script, "8", "--retry-failed"});
+  const auto told = overbend::run_program({"env", "SLURM_ARRAY_TASK_ID=3", "sh", script, "8", "--retry-failed"});
   ASSERT_TRUE(told);
   EXPECT_EQ(told->out, "study /home/o'neil/a study.yaml -o /d $x --threads 1 --tasks 3/8 --retry-failed\n");
 }
@@ -128,15 +128,15 @@ TEST(slurm, queue_tells_the_states_of_tasks_that_are_there) {
 }
 
 TEST(run_program, tells_code_output_and_complaints_of_a_program_and_that_there_is_none) {
-  const auto told = run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
+  const auto told = overbend::run_program({"sh", "-c", "echo out; echo err >&2; exit 7"});
   ASSERT_TRUE(told);
   EXPECT_EQ(told->code, 7);
   EXPECT_EQ(told->out, "out\n");
   EXPECT_EQ(told->err, "err\n");
-  EXPECT_EQ(run_program({"sh", "-c", "kill -9 $$"})->code, 128 + 9);
-  EXPECT_FALSE(run_program({"no-such-program-of-ours"}));
+  EXPECT_EQ(overbend::run_program({"sh", "-c", "kill -9 $$"})->code, 128 + 9);
+  EXPECT_FALSE(overbend::run_program({"no-such-program-of-ours"}));
   // More than a pipe holds on both.
-  const auto much = run_program({"sh", "-c", "head -c 300000 /dev/zero >&2; head -c 300000 /dev/zero"});
+  const auto much = overbend::run_program({"sh", "-c", "head -c 300000 /dev/zero >&2; head -c 300000 /dev/zero"});
   EXPECT_EQ(much->out.size(), 300000U);
   EXPECT_EQ(much->err.size(), 300000U);
 }

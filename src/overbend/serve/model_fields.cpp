@@ -17,7 +17,7 @@ Json text_or_null(const std::string& text) {
 }
 
 /// The value in SI, where it is a number that reads.
-Json si_value(const YamlNode& node, const Field& row) {
+Json value_in_si(const YamlNode& node, const Field& row) {
   const ScalarReading reading = read_scalar(node, row);
   if (!reading.value) return nullptr;
   if (reading.value->kind == FieldValue::Kind::integer) return reading.value->integer;
@@ -84,7 +84,7 @@ class Lister {
     Json item = {{"path", path},
                  {"kind", word_of(row.kind)},
                  {"value", scalar ? Json(node->text) : Json(nullptr)},
-                 {"si", scalar ? si_value(*node, row) : Json(nullptr)},
+                 {"si", scalar ? value_in_si(*node, row) : Json(nullptr)},
                  {"unit", text_or_null(row.show)},
                  {"default", text_or_null(row.fallback)},
                  {"given", node != nullptr},
