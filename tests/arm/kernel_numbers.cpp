@@ -321,7 +321,7 @@ void rollers(Numbers& numbers) {
     for (int k = 0; k < 9; ++k) {
       at[k] = placed[k];
     }
-    looks[i] = {at, at + 3, at + 6, 0.3, 0.5, i};
+    looks[i] = {at, at + 3, at + 6, 0.3, 0.5, i, i};
   }
   RollerMeeting meetings[kRollers];
   meet_rollers({q.data(), v.data(), length.data()}, looks, kRollers, meetings);

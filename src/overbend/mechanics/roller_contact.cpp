@@ -139,6 +139,7 @@ ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* 
   if (!at.found) {
     return at;
   }
+  at.passing = at.element;
   find_place(at, q, length);
   const double eta = (at.place - roller.center).dot(roller.axis);
   if (std::abs(eta) <= roller.half_face) {
@@ -147,6 +148,7 @@ ClosestPoint closest(const PlacedRoller& roller, const double* q, const double* 
   const Vec3 end = roller.center + std::copysign(roller.half_face, eta) * roller.axis;
   ClosestPoint beyond = find(Projection{end, roller.axis, true});
   beyond.beyond_face = true;
+  beyond.passing = at.passing;
   beyond.off_end = std::abs(eta) - roller.half_face;
   if (beyond.found) find_place(beyond, q, length);
   return beyond;

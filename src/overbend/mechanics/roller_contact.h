@@ -34,6 +34,7 @@ struct PlacedRoller {
 struct ClosestPoint {
   bool found = false;  ///< False when the pipe does not pass the roller.
   int element = -1;
+  int passing = -1;  ///< Where the line passes the roller's axis: another element at times, beyond the face.
   double xi = 0.0;
   Vec3 place = Vec3::Zero();      ///< Of the centreline there [m].
   Vec3 tangent = Vec3::Zero();    ///< Of the centreline there, its derivative by the unstressed length.

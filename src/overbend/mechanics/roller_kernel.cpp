@@ -12,6 +12,8 @@ using Truth = decltype(Lanes{} < Lanes{});
 
 /// Rollers with the elements that they are looked for in.
 struct Batch {
+  const RollerLook* looks[kWidth];
+  int element[kWidth];
   Vec center, axis, normal;
   Lanes half_face, xi, h;
   Vec q[4], v[4];
@@ -48,13 +50,13 @@ inline Vec chosen(const Truth& first, const Vec& a, const Vec& b) {
 }
 
 /// The values of the elements' nodes, lane by lane.
-void gather(const double* values, const RollerLook* const (&looks)[kWidth], Vec (&out)[4]) {
+void gather(const double* values, const int (&element)[kWidth], Vec (&out)[4]) {
   Lanes parts[kDofs];
   for (int from = 0; from < kDofs; from += kWidth) {
     const int start = from + kWidth <= kDofs ? from : kDofs - kWidth;  // the last ends with the element
     Lanes rows[kWidth];
     for (int l = 0; l < kWidth; ++l) {
-      rows[l] = *reinterpret_cast<const LooseLanes*>(values + 6 * looks[l]->element + start);
+      rows[l] = *reinterpret_cast<const LooseLanes*>(values + 6 * element[l] + start);
     }
     transpose(rows);
     for (int j = 0; j < kWidth; ++j) {
@@ -72,18 +74,38 @@ void put_vector(Vec& out, int lane, const double* from) {
   out.z[lane] = from[2];
 }
 
-void gather(const RolledLine& line, const RollerLook* const (&looks)[kWidth], Batch& batch) {
+/// The elements of the batch as they are named in it.
+void gather_elements(const RolledLine& line, Batch& batch) {
   for (int l = 0; l < kWidth; ++l) {
-    const RollerLook& look = *looks[l];
+    batch.h[l] = line.length[batch.element[l]];
+  }
+  gather(line.q, batch.element, batch.q);
+  gather(line.v, batch.element, batch.v);
+}
+
+/// Rollers `first` and those after it, with the elements that pass them; the last fills up what is left of a register.
+void gather(const RolledLine& line, const RollerLook* looks, int first, int count, Batch& batch) {
+  for (int l = 0; l < kWidth; ++l) {
+    const RollerLook& look = looks[first + l < count ? first + l : count - 1];
+    batch.looks[l] = &look;
+    batch.element[l] = look.passing;
     put_vector(batch.center, l, look.center);
     put_vector(batch.axis, l, look.axis);
     put_vector(batch.normal, l, look.normal);
     batch.half_face[l] = look.half_face;
-    batch.xi[l] = look.xi;
-    batch.h[l] = line.length[look.element];
+    batch.xi[l] = look.passing == look.element ? look.xi : 0.5;
   }
-  gather(line.q, looks, batch.q);
-  gather(line.v, looks, batch.v);
+  gather_elements(line, batch);
+}
+
+/// Rollers whose ends the line is to be closest to, with the elements where it was.
+void gather_ends(const RolledLine& line, const Truth& ends, Batch& batch) {
+  for (int l = 0; l < kWidth; ++l) {
+    if (!ends[l]) continue;
+    batch.element[l] = batch.looks[l]->element;
+    batch.xi[l] = batch.looks[l]->xi;
+  }
+  gather_elements(line, batch);
 }
 
 /// Where P(r - C) . r' = 0: safeguarded Newton, as in roller_contact.cpp.
@@ -147,7 +169,7 @@ void take_vector(const Vec& from, int lane, double* out) {
   out[2] = from.z[lane];
 }
 
-void meet(const Batch& at, const RollerLook* const (&looks)[kWidth], RollerMeeting* meetings, int count) {
+void meet(const RolledLine& line, Batch& at, RollerMeeting* meetings, int count) {
   Projection projection{at.center, at.axis, all(1.0)};
   Point point = closest(at, projection);
   Shape shape = values_at(point.xi, at.h);
@@ -158,6 +180,7 @@ void meet(const Batch& at, const RollerLook* const (&looks)[kWidth], RollerMeeti
   if (any(beyond & point.found)) {  // over to the end of the roller
     const Vec end = at.center + (eta < 0.0 ? -at.half_face : at.half_face) * at.axis;
     projection = {chosen(beyond, end, at.center), at.axis, beyond ? Lanes{} : all(1.0)};
+    gather_ends(line, beyond, at);
     const Point there = closest(at, projection);
     point.found &= there.found | ~beyond;
     point.xi = beyond ? there.xi : point.xi;
@@ -174,7 +197,8 @@ void meet(const Batch& at, const RollerLook* const (&looks)[kWidth], RollerMeeti
     RollerMeeting& out = meetings[l];
     out.found = point.found[l] != 0;
     out.beyond_face = beyond[l] != 0;
-    out.element = looks[l]->element;
+    out.element = at.element[l];
+    out.passing = at.looks[l]->passing;
     out.xi = point.xi[l];
     out.off_end = out.beyond_face ? off_end[l] : 0.0;
     out.distance = value[l];
@@ -193,14 +217,10 @@ void meet(const Batch& at, const RollerLook* const (&looks)[kWidth], RollerMeeti
 
 void meet_rollers(const RolledLine& line, const RollerLook* looks, int count, RollerMeeting* meetings) {
   for (int first = 0; first < count; first += kWidth) {
-    const RollerLook* batch_looks[kWidth];
-    for (int l = 0; l < kWidth; ++l) {
-      batch_looks[l] = looks + (first + l < count ? first + l : count - 1);
-    }
     Batch batch;
-    gather(line, batch_looks, batch);
+    gather(line, looks, first, count, batch);
     const int left = count - first;
-    meet(batch, batch_looks, meetings + first, left < kWidth ? left : kWidth);
+    meet(line, batch, meetings + first, left < kWidth ? left : kWidth);
   }
 }
 

@@ -14,14 +14,15 @@ struct RolledLine {
 struct RollerLook {
   const double *center, *axis, *normal;  ///< Three each, see PlacedRoller.
   double half_face = 0.0, xi = 0.5;
-  int element = 0;
+  int element = 0;  ///< Of the closest point to the end of the roller, where the line lies beyond the face.
+  int passing = 0;  ///< Where it passes the roller's axis; within the face the closest point is there.
 };
 
 /// Where the line meets a roller, see ClosestPoint and RollerDistance.
 struct RollerMeeting {
-  bool found;  ///< False where the closest point is not in that element.
+  bool found;  ///< False where the closest point is not in the element that it is looked for in.
   bool beyond_face;
-  int element;
+  int element, passing;
   double xi, off_end, distance;
   double place[3], tangent[3];  ///< Of the centreline.
   double velocity[3];           ///< Of the centreline [m/s].

@@ -45,7 +45,7 @@ double contact_radius(const Line& line, std::size_t element, double xi) {
 
 /// The memory of a contact that does not carry; it keeps where the closest point was.
 ContactMemory apart(const ContactMemory& memory) {
-  return {0.0, 0.0, false, Slip::stick, Slip::stick, memory.element, memory.xi};
+  return {0.0, 0.0, false, Slip::stick, Slip::stick, memory.element, memory.xi, memory.passing};
 }
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {  // FNV-1a step
@@ -224,8 +224,10 @@ void RollerContacts::look(const double* q, const double* v, const std::vector<Co
   looks_.clear();
   for (const std::size_t i : looked_at_) {
     const PlacedRoller& at = placed_[i];
+    const int element = memory[i].element;
+    const int passing = std::clamp(element + memory[i].passing, 0, line_->elements.count - 1);
     looks_.push_back(
-        {at.center.data(), at.axis.data(), at.normal.data(), at.half_face, memory[i].xi, memory[i].element});
+        {at.center.data(), at.axis.data(), at.normal.data(), at.half_face, memory[i].xi, element, passing});
   }
   meet_rollers({q, v, line_->mesh.length.data()}, looks_, meetings_, best_isa());
 }
@@ -240,8 +242,16 @@ RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeet
   const ElementRange reachable = within_reach(rollers_[index]);
   const ElementRange range =
       reachable.first < reachable.last ? reachable : ElementRange{0, static_cast<int>(length.size())};
-  if (seen.found && range.first <= seen.element && seen.element < range.last) {
-    at = {true,        seen.element, seen.xi, Map(seen.place), Map(seen.tangent), Map(seen.reference), seen.beyond_face,
+  const auto within = [&](int element) { return range.first <= element && element < range.last; };
+  if (seen.found && within(seen.element) && within(seen.passing)) {
+    at = {true,
+          seen.element,
+          seen.passing,
+          seen.xi,
+          Map(seen.place),
+          Map(seen.tangent),
+          Map(seen.reference),
+          seen.beyond_face,
           seen.off_end};
     return {{seen.distance, Map(seen.direction)},
             Map(seen.velocity),
@@ -272,6 +282,7 @@ std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, c
   }
   after.element = contact.at.element;
   after.xi = contact.at.xi;
+  after.passing = contact.at.passing - contact.at.element;
   measure(index, meeting.distance, false);
   const RigidMotion& body = motions_[rollers_[index].body];
   const double radius = line_->elements.radius[static_cast<std::size_t>(contact.at.element)];
@@ -328,7 +339,7 @@ void RollerContacts::evaluate_one(std::size_t index, const std::optional<Meeting
                                          before.lateral, iterate_[index].lateral);
   contact.axial = axial.force;
   contact.lateral = lateral.force;
-  after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi};
+  after = {axial.slip, lateral.slip, true, axial.state, lateral.state, after.element, after.xi, after.passing};
   signature_ =
       mixed(signature_, 16 * index + (axial.state == Slip::stick ? 0u : 1u) + (lateral.state == Slip::stick ? 0u : 2u));
   push(index, meeting->shape, target);

@@ -23,6 +23,7 @@ struct ContactMemory {
   Slip axial = Slip::stick, lateral = Slip::stick;
   int element = 0;  ///< Where the closest point was: the search begins here.
   double xi = 0.5;
+  int passing = 0;  ///< How many elements further on the line passed the roller's axis, see ClosestPoint.
 };
 
 /// One roller as the line meets it at one instant.
