@@ -41,25 +41,31 @@ inline void sine_cosine(const Lanes& x, Lanes& sine, Lanes& cosine) {
   cosine = (Lanes)(((c_bits & ~swap) | (s_bits & swap)) ^ (((quarter + 1) & 2) << 62));
 }
 
-/// For x from -700 to 700.
-inline Lanes exponential(const Lanes& x) {
+/// exp(x), as waves decay downwards, and exp(-x).
+struct Exponentials {
+  Lanes down, up;
+};
+
+/// For x from -700 to 700. Both are sums of the even and the odd part of the series.
+inline Exponentials exponentials(const Lanes& x) {
   const Lanes shifted = x * 0x1.71547652b82fep+0 + kRounder;
   const Lanes doublings = shifted - kRounder;
   const Lanes r = (x - doublings * 0x1.62e42feep-1) - doublings * 0x1.a39ef35793c76p-33;
-  Lanes e = r * (1.0 / 6227020800.0) + 1.0 / 479001600.0;
-  e = e * r + 1.0 / 39916800.0;
-  e = e * r + 1.0 / 3628800.0;
-  e = e * r + 1.0 / 362880.0;
-  e = e * r + 1.0 / 40320.0;
-  e = e * r + 1.0 / 5040.0;
-  e = e * r + 1.0 / 720.0;
-  e = e * r + 1.0 / 120.0;
-  e = e * r + 1.0 / 24.0;
-  e = e * r + 1.0 / 6.0;
-  e = e * r + 0.5;
-  e = e * r + 1.0;
-  e = e * r + 1.0;
-  return (Lanes)((Bits)e + ((Bits)shifted << 52));
+  const Lanes q = r * r;
+  Lanes even = q * (1.0 / 479001600.0) + 1.0 / 3628800.0;
+  even = even * q + 1.0 / 40320.0;
+  even = even * q + 1.0 / 720.0;
+  even = even * q + 1.0 / 24.0;
+  even = even * q + 0.5;
+  even = even * q + 1.0;
+  Lanes odd = q * (1.0 / 6227020800.0) + 1.0 / 39916800.0;
+  odd = odd * q + 1.0 / 362880.0;
+  odd = odd * q + 1.0 / 5040.0;
+  odd = odd * q + 1.0 / 120.0;
+  odd = odd * q + 1.0 / 6.0;
+  odd = odd * q + 1.0;
+  const Bits exponent = (Bits)shifted << 52;
+  return {(Lanes)((Bits)(even + r * odd) + exponent), (Lanes)((Bits)(even - r * odd) - exponent)};
 }
 
 }  // namespace overbend::OVERBEND_ISA_NAMESPACE

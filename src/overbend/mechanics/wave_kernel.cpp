@@ -1,5 +1,7 @@
 #include "mechanics/wave_kernel.h"
 
+#include "base/lane_transpose.h"
+#include "mechanics/lane_vectors.h"
 #include "mechanics/wave_functions.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
@@ -7,6 +9,8 @@ namespace {
 
 /// Components whose sine and cosine are kept from the surface to the kinematics; with more they are found twice.
 constexpr int kKept = 1024;
+
+constexpr int kPointValues = 8;  ///< What waves are at a point, see WaveSums.
 
 struct Phases {
   alignas(64) double sine[kKept], cosine[kKept];
@@ -65,9 +69,11 @@ int reaching(const WaveView& waves, double z) {
   return whole < waves.count ? whole : waves.count;
 }
 
-/// Velocity, acceleration and pressure head at the height z of the linear theory: -depth to 0.
+/// Velocity, acceleration, a place for the elevation and pressure head at the height z of the linear theory: -depth to
+/// 0.
 void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases, double* out) {
-  Lanes u{}, v{}, w{}, u_t{}, v_t{}, w_t{}, head{};
+  Lanes sums[kPointValues] = {};
+  Lanes &u = sums[0], &v = sums[1], &w = sums[2], &u_t = sums[3], &v_t = sums[4], &w_t = sums[5], &head = sums[7];
   const int count = reaching(waves, at.z);
   for (int i = 0; i < count; i += kWidth) {
     Lanes sine, cosine;
@@ -79,7 +85,8 @@ void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases
     }
     Lanes depth = lanes(waves.wave_number, i) * at.z;
     depth = depth < -30.0 ? Lanes{} - 30.0 : depth;  // the last register may hold components that do not reach
-    const Lanes down = exponential(depth), echo = lanes(waves.echo, i) / down;
+    const Exponentials grown = exponentials(depth);
+    const Lanes down = grown.down, echo = lanes(waves.echo, i) * grown.up;
     const Lanes speed = lanes(waves.speed, i), omega = lanes(waves.omega, i);
     const Lanes across = speed * (down + echo), up = speed * (down - echo);
     const Lanes forward = across * cosine, forward_rate = across * sine * omega;
@@ -91,13 +98,11 @@ void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases
     w_t -= up * cosine * omega;
     head += lanes(waves.head, i) * forward;
   }
-  out[0] = total(u);
-  out[1] = total(v);
-  out[2] = total(w);
-  out[3] = total(u_t);
-  out[4] = total(v_t);
-  out[5] = total(w_t);
-  out[7] = total(head);
+  for (int first = 0; first < kPointValues; first += kWidth) {
+    Lanes rows[kWidth];
+    for (int i = 0; i < kWidth; ++i) rows[i] = sums[first + i];
+    *reinterpret_cast<LooseLanes*>(out + first) = row_sums(rows);
+  }
 }
 
 /// Wheeler's stretching: what linear theory has between bed and still water is spread between bed and surface.
@@ -119,7 +124,7 @@ Lanes wave_numbers(const ResponseInstant& at, int i) {
 
 void sum_waves(const WaveView& waves, const WaveInstant& at, const double* points, int count, double* out) {
   Phases phases;
-  for (int point = 0; point < count; ++point, points += 3, out += 8) {
+  for (int point = 0; point < count; ++point, points += 3, out += kPointValues) {
     Place place{at.t, points[0], points[1], 0.0};
     const double elevation = at.factor * surface(waves, place, phases);
     place.z = stretched(points[2], elevation, waves.depth);
