@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "model/section.h"
 
@@ -41,27 +40,33 @@ struct SectionStress {
 /// moment stands.
 SectionStress section_stress(const Section& section, const SectionLoads& loads);
 
-/// What of a section its stresses follow from: made once for many places.
+/// What of a section its stresses follow from: made once for many places, with quotients taken, since a division costs
+/// as much as the rest of the formula's terms.
 struct SectionWall {
   explicit SectionWall(const Section& section)
       : outer(0.5 * section.steel_diameter),
         inner(outer - section.wall_thickness),
-        ring(outer * outer - inner * inner),
-        bore(inner > 0.0 ? inner * inner : std::numeric_limits<double>::infinity()),
+        outer_share(outer * outer / (outer * outer - inner * inner)),
+        inner_share(inner * inner / (outer * outer - inner * inner)),
+        bore_share(inner > 0.0 ? outer_share : 0.0),
         pressure_area(section.pressure_area),
         internal_area(section.internal_area),
-        steel_area(section.steel_area),
-        youngs_modulus(section.youngs_modulus),
-        EI(section.EI),
-        EA(section.EA),
+        per_area(1.0 / section.steel_area),
+        per_moment(section.youngs_modulus / section.EI * outer),
+        inner_to_outer(inner / outer),
+        per_EA(1.0 / section.EA),
         poisson(1.0 - 2.0 * section.poissons_ratio) {}
 
   double outer, inner;  ///< Radii of the steel [m].
-  double ring;          ///< r_o^2 - r_i^2 [m2]
-  double bore;          ///< r_i^2 [m2]; infinite for a solid bar, which is under the same pressure all over.
-  double pressure_area, internal_area, steel_area;  ///< As in Section [m2].
-  double youngs_modulus, EI, EA;                    ///< [Pa], [N m2], [N]
-  double poisson;                                   ///< 1 - 2 nu [-]
+  /// r_o^2 and r_i^2 over r_o^2 - r_i^2; the first once more for the inner wall, of which a solid bar has none: it is
+  /// under the same pressure all over.
+  double outer_share, inner_share, bore_share;
+  double pressure_area, internal_area;  ///< As in Section [m2].
+  double per_area;                      ///< 1 / steel area [1/m2]
+  double per_moment;                    ///< Stress at the outer fibre per moment, E r_o / EI [1/m3].
+  double inner_to_outer;                ///< r_i / r_o
+  double per_EA;                        ///< [1/N]
+  double poisson;                       ///< 1 - 2 nu [-]
 };
 
 /// The formula of section_stress(). `moved_axis`: strain of the axis beyond the elastic one. `limited(stress, strain)`:
@@ -73,32 +78,32 @@ inline SectionStress stress_of_wall(const SectionWall& wall, const SectionLoads&
   const double outer = wall.outer, inner = wall.inner;
   const double po = loads.external_pressure, pi = loads.internal_pressure;
   // Lame: mean -+ difference r_i^2 r_o^2 / r^2
-  const double mean = (pi * inner * inner - po * outer * outer) / wall.ring;
-  const double difference = (pi - po) * inner * inner * outer * outer / wall.ring;
-  const double at_outer = difference / (outer * outer), at_inner = difference / wall.bore;
+  const double mean = pi * wall.inner_share - po * wall.outer_share;
+  const double at_outer = (pi - po) * wall.inner_share, at_inner = (pi - po) * wall.bore_share;
 
   SectionStress stress;
   stress.wall_tension = loads.effective_tension - po * wall.pressure_area + pi * wall.internal_area;
-  stress.axial = stress.wall_tension / wall.steel_area;
-  const double nominal = loads.bending_moment * wall.youngs_modulus / wall.EI * outer;  // the stress in the steel
+  stress.axial = stress.wall_tension * wall.per_area;
+  const double nominal = loads.bending_moment * wall.per_moment;  // the stress in the steel
   const double largest = std::max(loads.curvature, loads.largest_curvature);
   stress.bending = limited(nominal, largest * outer);
   stress.hoop = mean + at_inner;
   // The rod's law N = EA eps + (1 - 2 nu)(p_e A_e - p_i A_i), solved for the strain.
   const double axial_strain =
-      (loads.effective_tension - wall.poisson * (po * wall.pressure_area - pi * wall.internal_area)) / wall.EA +
+      (loads.effective_tension - wall.poisson * (po * wall.pressure_area - pi * wall.internal_area)) * wall.per_EA +
       moved_axis;
   stress.strain =
       std::max(std::abs(axial_strain + loads.curvature * outer), std::abs(axial_strain - loads.curvature * outer));
-  const auto squared = [&](double radius, double pressed, double side) {
+  const double nominal_inside = nominal * wall.inner_to_outer;
+  const auto squared = [&](double radius, double pressed, double bending) {
     const double hoop = mean + pressed, radial = mean - pressed;
-    const double longitudinal =
-        limited(stress.axial + side * nominal * radius / outer, std::abs(axial_strain) + largest * radius);
+    const double longitudinal = limited(stress.axial + bending, std::abs(axial_strain) + largest * radius);
     const double a = longitudinal - hoop, b = hoop - radial, c = radial - longitudinal;
     return 0.5 * (a * a + b * b + c * c);
   };
-  stress.von_mises = std::sqrt(std::max(std::max(squared(outer, at_outer, -1.0), squared(outer, at_outer, 1.0)),
-                                        std::max(squared(inner, at_inner, -1.0), squared(inner, at_inner, 1.0))));
+  stress.von_mises = std::sqrt(
+      std::max(std::max(squared(outer, at_outer, -nominal), squared(outer, at_outer, nominal)),
+               std::max(squared(inner, at_inner, -nominal_inside), squared(inner, at_inner, nominal_inside))));
   return stress;
 }
 

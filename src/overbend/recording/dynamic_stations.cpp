@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mechanics/stress.h"
 #include "system/cut_forces.h"
@@ -122,28 +121,28 @@ void NodeRecovery::cut_moments(NodeValues& values) {
 #pragma GCC ivdep
   for (std::size_t node = 0; node < nodes; ++node) {
     const Parts a = direction.at(node), m = moment.at(node);
-    const Parts t = a / length(a);
+    const Parts t = (1.0 / length(a)) * a;
     // The moment in the cut, its part about the pipe's axis taken off, and turned to point to the centre of the curve.
     const Parts all = cross(a, m);
     const Parts b = cross(all - dot(all, t) * t, t);
-    // Upwards across the pipe; no such direction where it stands upright.
-    const Parts up = Parts{0.0, 0.0, 1.0} - t.z * t;
-    const double level = length(up);
+    // Along the unit vector that points upwards across the pipe, (0, 0, 1) - t.z t over its length; there is none where
+    // the pipe stands upright. `b` is across the pipe itself.
+    const double level = std::sqrt(t.x * t.x + t.y * t.y);
     tangent.put(node, t);
     bend.put(node, b);
     tension[node] = dot(force.at(node), t);
     size[node] = length(b);
-    vertical[node] = dot(b, up / (level > 1e-9 ? level : std::numeric_limits<double>::infinity()));
+    vertical[node] = level > 1e-9 ? b.z / level : 0.0;
   }
 }
 
 /// Of linear steel.
 void NodeRecovery::linear_curvatures(const SectionRun& run, NodeValues& values) const {
-  const double EI = model_->sections[run.section].EI;
+  const double per_EI = 1.0 / model_->sections[run.section].EI;
   const double* moment = values.bending_moment.data();
   double* curvature = values.curvature.data();
 #pragma GCC ivdep
-  for (std::size_t node = run.first; node < run.last; ++node) curvature[node] = moment[node] / EI;
+  for (std::size_t node = run.first; node < run.last; ++node) curvature[node] = moment[node] * per_EI;
 }
 
 /// EI times the curvature at a node is the mean of those of the cubics on both sides, with the fixed-end moments of the

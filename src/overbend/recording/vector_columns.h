@@ -41,9 +41,6 @@ inline Parts operator-(const Parts& a, const Parts& b) {
 inline Parts operator*(double s, const Parts& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
-inline Parts operator/(const Parts& a, double s) {
-  return {a.x / s, a.y / s, a.z / s};
-}
 inline double dot(const Parts& a, const Parts& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
