@@ -13,6 +13,7 @@
 #include "mechanics/wave_kernel.h"
 #include "numerics/block_tridiagonal_kernel.h"
 #include "numerics/line_border_kernel.h"
+#include "numerics/running_statistics_kernel.h"
 
 namespace overbend {
 namespace {
@@ -372,6 +373,30 @@ void freedoms(Numbers& numbers) {
   std::printf("freedoms_change %.17g\nfreedoms_change %.17g\n", sums.product, sums.square);
 }
 
+/// An odd number of quantities, of which the last is absent at times.
+void statistics(Numbers& numbers) {
+  constexpr int kQuantities = 7, kSamples = 50;
+  Batch low(kQuantities), high(kQuantities), mean(kQuantities), squares(kQuantities), weights(kQuantities),
+      sample(kQuantities);
+  const StatisticsView view{low.data(), high.data(), mean.data(), squares.data()};
+  const auto present = [&](int i, int k) { return i % 3 != 0 || k + 1 < kQuantities; };
+  for (int i = 0; i < kSamples; ++i) {
+    sample.fill(numbers, -1.0, 2.0);
+    for (int k = 0; k < kQuantities; ++k) {
+      if (!present(i, k)) sample.data()[k] = __builtin_nan("");
+    }
+    if (all_finite(sample.data(), kQuantities) != present(i, kQuantities - 1)) std::printf("statistics_finite 1e300\n");
+    add_samples(sample.data(), kQuantities - 1, {0.1, 1.0 / (1.0 + i)}, view);
+    const int last = kQuantities - 1;
+    add_present_samples(sample.data() + last, 1, 0.1, weights.data() + last,
+                        {view.low + last, view.high + last, view.mean + last, view.squares + last});
+  }
+  low.print("statistics_low");
+  high.print("statistics_high");
+  mean.print("statistics_mean");
+  squares.print("statistics_squares");
+}
+
 }  // namespace
 }  // namespace overbend
 
@@ -389,4 +414,5 @@ int main() {
   overbend::rollers(numbers);
   overbend::hull(numbers);
   overbend::freedoms(numbers);
+  overbend::statistics(numbers);
 }

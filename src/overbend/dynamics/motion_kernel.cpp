@@ -1,6 +1,6 @@
 #include "dynamics/motion_kernel.h"
 
-#include "mechanics/lane_vectors.h"
+#include "base/loose_lanes.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 
@@ -28,7 +28,6 @@ void correct_freedoms(const CorrectionShares& shares, const double* dq, const Fr
 
 ChangeSums end_freedoms(const EndShares& shares, const FreedomsBefore& now, int count, const double* acc, double* alg) {
   const EndShares by = shares;
-  const auto loose = [](const double* from) -> const LooseLanes& { return *reinterpret_cast<const LooseLanes*>(from); };
   Lanes product{}, square{};
   int i = 0;
   for (; i + kWidth <= count; i += kWidth) {
@@ -36,7 +35,7 @@ ChangeSums end_freedoms(const EndShares& shares, const FreedomsBefore& now, int 
     const Lanes apart = before - algorithmic;
     product += (after - before) * apart;
     square += apart * apart;
-    *reinterpret_cast<LooseLanes*>(alg + i) = by.next_acc * after + by.acc * before + by.alg * algorithmic;
+    loose(alg + i) = by.next_acc * after + by.acc * before + by.alg * algorithmic;
   }
   ChangeSums sums;
   for (int l = 0; l < kWidth; ++l) {

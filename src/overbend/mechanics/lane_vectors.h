@@ -7,13 +7,11 @@
 #endif
 
 #include "base/lane_transpose.h"
+#include "base/loose_lanes.h"
 #include "base/simd.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
-
-/// Registers that are loaded from any place.
-using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
 
 struct Vec {
   Lanes x, y, z;

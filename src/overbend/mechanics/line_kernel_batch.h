@@ -128,7 +128,7 @@ inline void load_part(Lanes (&out)[kRow], const double* rows) {
   constexpr int kStart = kPartStart<kRow, kPart>;
   Lanes columns[kWidth];
   for (int l = 0; l < kWidth; ++l) {
-    columns[l] = *reinterpret_cast<const LooseLanes*>(rows + kRow * l + kStart);
+    columns[l] = loose(rows + kRow * l + kStart);
   }
   transpose(columns);
   for (int j = 0; j < kWidth && kStart + j < kRow; ++j) {
@@ -183,7 +183,7 @@ inline Lanes packed_register(const NodeRows& rows, std::integer_sequence<int, I.
 template <int... O>
 inline void store_registers(double* to, const NodeRows& rows, std::integer_sequence<int, O...> /*registers*/) {
   constexpr auto lanes = std::make_integer_sequence<int, kWidth>();
-  ((*reinterpret_cast<LooseLanes*>(to + kWidth * O) = packed_register<O>(rows, lanes)), ...);
+  ((loose(to + kWidth * O) = packed_register<O>(rows, lanes)), ...);
 }
 
 template <int... P>

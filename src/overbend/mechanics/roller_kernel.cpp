@@ -56,7 +56,7 @@ void gather(const double* values, const int (&element)[kWidth], Vec (&out)[4]) {
     const int start = from + kWidth <= kDofs ? from : kDofs - kWidth;  // the last ends with the element
     Lanes rows[kWidth];
     for (int l = 0; l < kWidth; ++l) {
-      rows[l] = *reinterpret_cast<const LooseLanes*>(values + 6 * element[l] + start);
+      rows[l] = loose(values + 6 * element[l] + start);
     }
     transpose(rows);
     for (int j = 0; j < kWidth; ++j) {

@@ -101,7 +101,7 @@ void sum_kinematics(const WaveView& waves, const Place& at, const Phases& phases
   for (int first = 0; first < kPointValues; first += kWidth) {
     Lanes rows[kWidth];
     for (int i = 0; i < kWidth; ++i) rows[i] = sums[first + i];
-    *reinterpret_cast<LooseLanes*>(out + first) = row_sums(rows);
+    loose(out + first) = row_sums(rows);
   }
 }
 

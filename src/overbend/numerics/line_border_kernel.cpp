@@ -1,12 +1,11 @@
 #include "numerics/line_border_kernel.h"
 
 #include "base/lane_transpose.h"
+#include "base/loose_lanes.h"
 #include "base/simd.h"
 
 namespace overbend::OVERBEND_ISA_NAMESPACE {
 namespace {
-
-using LooseLanes = double __attribute__((vector_size(8 * kWidth), may_alias, aligned(8)));
 
 inline const Lanes& lanes(const double* p) {
   return *reinterpret_cast<const Lanes*>(p);
@@ -76,7 +75,7 @@ inline void subtract(int nodes, int any_stride, const double* w, const double* y
   for (; first + kWidth <= rows; first += kWidth) {
     Lanes sums[kWidth];
     for (int row = 0; row < kWidth; ++row) sums[row] = row_product(w + (first + row) * stride, y, stride);
-    LooseLanes& to = *reinterpret_cast<LooseLanes*>(x + first);
+    LooseLanes& to = loose(x + first);
     to -= row_sums(sums);
   }
   for (; first < rows; ++first) {

@@ -1,26 +1,35 @@
 #include "numerics/running_statistics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/require.h"
+#include "base/simd.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Whether no value is absent; also false of infinite values. In four sums, so that the compiler makes vectors of it.
+struct StatisticsKernels {
+  bool (*all_finite)(const double* values, int count);
+  void (*add)(const double* values, int count, const SampleWeight& by, const StatisticsView& to);
+  void (*add_present)(const double* values, int count, double weight, double* weights, const StatisticsView& to);
+};
+
+StatisticsKernels kernels() {
+#if defined(OVERBEND_X86_KERNELS)
+  if (best_isa() == Isa::avx512)
+    return {isa_avx512::all_finite, isa_avx512::add_samples, isa_avx512::add_present_samples};
+  if (best_isa() == Isa::avx2) return {isa_avx2::all_finite, isa_avx2::add_samples, isa_avx2::add_present_samples};
+#endif
+  return {isa_baseline::all_finite, isa_baseline::add_samples, isa_baseline::add_present_samples};
+}
+
+/// Whether no value is absent; also false of infinite values.
 bool whole(std::span<const double> values) {
-  std::array<double, 4> nothing{};
-  std::size_t i = 0;
-  for (; i + 4 <= values.size(); i += 4) {
-    for (std::size_t lane = 0; lane < 4; ++lane) nothing[lane] += 0.0 * values[i + lane];
-  }
-  for (; i < values.size(); ++i) nothing[0] += 0.0 * values[i];
-  return (nothing[0] + nothing[1]) + (nothing[2] + nothing[3]) == 0.0;
+  return kernels().all_finite(values.data(), static_cast<int>(values.size()));
 }
 
 }  // namespace
@@ -53,46 +62,17 @@ void RunningStatistics::add_parts(std::initializer_list<std::span<const double>>
   }
 }
 
-// Arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of both loops.
+StatisticsView RunningStatistics::view(std::size_t first) {
+  return {min_.data() + first, max_.data() + first, mean_.data() + first, squares_.data() + first};
+}
 
 void RunningStatistics::add_whole(std::span<const double> values, std::size_t first, double weight) {
-  const std::size_t n = values.size();
-  const double* v = values.data();
-  double* low = min_.data() + first;
-  double* high = max_.data() + first;
-  double* mean = mean_.data() + first;
-  double* squares = squares_.data() + first;
   const double share = weight_ > 0.0 ? weight / weight_ : 0.0;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
-    low[i] = v[i] < low[i] ? v[i] : low[i];
-    high[i] = v[i] > high[i] ? v[i] : high[i];
-    const double from_old = v[i] - mean[i];
-    mean[i] += share * from_old;
-    squares[i] += weight * from_old * (v[i] - mean[i]);
-  }
+  kernels().add(values.data(), static_cast<int>(values.size()), {weight, share}, view(first));
 }
 
 void RunningStatistics::add_there(std::span<const double> values, std::size_t first, double weight) {
-  const std::size_t n = values.size();
-  const double* v = values.data();
-  double* low = min_.data() + first;
-  double* high = max_.data() + first;
-  double* mean = mean_.data() + first;
-  double* squares = squares_.data() + first;
-  double* weights = weights_.data() + first;
-#pragma GCC ivdep
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool there = v[i] == v[i];
-    const double value = there ? v[i] : mean[i];
-    low[i] = v[i] < low[i] ? v[i] : low[i];
-    high[i] = v[i] > high[i] ? v[i] : high[i];
-    weights[i] += there ? weight : 0.0;
-    const double share = weights[i] > 0.0 ? weight / weights[i] : 0.0;
-    const double from_old = value - mean[i];
-    mean[i] += share * from_old;
-    squares[i] += weight * from_old * (value - mean[i]);
-  }
+  kernels().add_present(values.data(), static_cast<int>(values.size()), weight, weights_.data() + first, view(first));
 }
 
 std::vector<double> RunningStatistics::standard_deviation() const {

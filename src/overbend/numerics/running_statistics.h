@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "numerics/running_statistics_kernel.h"
+
 namespace overbend {
 
 /// Statistics of `size` quantities that are sampled together, each sample weighted by the time it represents. Welford's
@@ -37,6 +39,7 @@ class RunningStatistics {
 
  private:
   // Of the quantities from `first` on.
+  StatisticsView view(std::size_t first);
   void add_whole(std::span<const double> values, std::size_t first, double weight);
   void add_there(std::span<const double> values, std::size_t first, double weight);
 
