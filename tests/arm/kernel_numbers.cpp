@@ -14,6 +14,7 @@
 #include "numerics/block_tridiagonal_kernel.h"
 #include "numerics/line_border_kernel.h"
 #include "numerics/running_statistics_kernel.h"
+#include "recording/design_screen_kernel.h"
 
 namespace overbend {
 namespace {
@@ -397,6 +398,40 @@ void statistics(Numbers& numbers) {
   squares.print("statistics_squares");
 }
 
+/// Load effects of a run of nodes, an odd number of them.
+void screen(Numbers& numbers) {
+  constexpr int kRun = 21;
+  Arrays a(numbers, kRun, kRun);
+  const auto vectors = [&] { return VectorsView{a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(0.5, 1.0)}; };
+  const EffectView effect{vectors(), vectors(), vectors(), vectors()};
+  const LoadFactors factors[] = {{}, {1.2, 1.0, 0.7, 0.0}};
+  const CombinationsView combinations{factors, 2};
+  Batch functional(kRun), environmental(kRun), both(kRun), size(kRun), force(kRun), x(kRun), y(kRun), z(kRun),
+      load(kRun), strain(kRun);
+  const EffectParts parts{functional.data(), environmental.data(), both.data()};
+  const ScreenKernels kernels = screen_kernels();
+  kernels.split(effect, kRun, parts);
+  kernels.sizes(combinations, parts, kRun, size.data());
+  const double *still = a.of(-1.0, 1.0), *now = a.of(-1.0, 1.0), *strains = a.of(0.1, 0.2);
+  kernels.forces(combinations, still, now, kRun, force.data());
+  kernels.strain_vectors(effect.now, strains, kRun, x.data(), y.data(), z.data());
+  const double* pressure = a.of(-0.5, 1.0);
+  for (const bool first : {true, false}) {
+    kernels.load_excess({0.8, 0.4, 0.3, a.of(0.0, 0.5)}, size.data(), force.data(), pressure, kRun, first, load.data());
+    kernels.strain_excess({0.7, 0.9, 0.3, a.of(0.0, 0.5), a.of(0.0, 0.5)}, size.data(), pressure, kRun, first,
+                          strain.data());
+  }
+  functional.print("screen_functional");
+  environmental.print("screen_environmental");
+  both.print("screen_both");
+  size.print("screen_size");
+  force.print("screen_force");
+  x.print("screen_strain_x");
+  z.print("screen_strain_z");
+  load.print("screen_load_excess");
+  strain.print("screen_strain_excess");
+}
+
 }  // namespace
 }  // namespace overbend
 
@@ -415,4 +450,5 @@ int main() {
   overbend::hull(numbers);
   overbend::freedoms(numbers);
   overbend::statistics(numbers);
+  overbend::screen(numbers);
 }

@@ -7,15 +7,9 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "checks/load_factors.h"
 
 namespace overbend {
-
-/// gamma_F gamma_C and gamma_E, each with the value for a load effect that acts unfavourably and the one for a
-/// favourable load effect.
-struct LoadFactors {
-  double functional = 1.1, functional_favourable = 1.0 / 1.1;
-  double environmental = 1.3, environmental_favourable = 1.0 / 1.3;
-};
 
 /// Combination b, the local check, always: 1.1 and 1.3. gamma_C is the condition factor.
 inline LoadFactors local_check_factors(double condition) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-// In the loops below arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of them.
+#include "base/simd.h"
 
 namespace overbend {
 namespace {
@@ -12,17 +12,27 @@ namespace {
 /// What rounding may do to a bound, relative. Far more than it does.
 constexpr double kRoundingMargin = 1e-12;
 
-/// As carried() of checks/load_effects.h.
-inline Parts carried_along(const Parts& v, const Parts& from, const Parts& to) {
-  const double opposite = 1.0 + dot(from, to);
-  const double along = dot(v, to) / opposite;
-  return v - (opposite > 1e-6 ? along : 0.0) * (from + to);
+ScreenKernels kernels() {
+#if defined(OVERBEND_X86_KERNELS)
+  if (best_isa() == Isa::avx512) return isa_avx512::screen_kernels();
+  if (best_isa() == Isa::avx2) return isa_avx2::screen_kernels();
+#endif
+  return isa_baseline::screen_kernels();
+}
+
+/// From node `first` on.
+VectorsView view_of(const VectorColumns& columns, std::size_t first) {
+  return {columns.x.data() + first, columns.y.data() + first, columns.z.data() + first};
+}
+
+int count_of(const SectionRun& run) {
+  return static_cast<int>(run.last - run.first);
 }
 
 }  // namespace
 
 DesignScreen::DesignScreen(std::size_t nodes, std::vector<LoadFactors> combinations)
-    : combinations_(std::move(combinations)) {
+    : kernels_(kernels()), combinations_(std::move(combinations)) {
   for (Limits& limits : limits_) {
     limits.load.assign(nodes, 0.0);
     limits.slope.assign(nodes, 0.0);
@@ -55,82 +65,19 @@ void DesignScreen::keep_strain(std::size_t of_class, std::size_t node, double ut
   limits.strain[node] = utilisation - 0.2 * power - kRoundingMargin * (utilisation + power);
 }
 
-/// The largest fibre strain as a vector along the bending moment, as strain_vector() has it.
-void DesignScreen::put_strain_vectors(const SectionRun& run, const PresentEffects& now) {
-  const ConstColumns moment(now.moments);
-  const PlainColumns vector(strain_);
-  const double* strain = now.strain.data();
-#pragma GCC ivdep
-  for (std::size_t i = run.first; i < run.last; ++i) {
-    const Parts m = moment.at(i);
-    const double size = length(m);
-    const Parts along = (strain[i] / size) * m;
-    vector.put(i, {size > 0.0 ? along.x : 0.0, size > 0.0 ? along.y : 0.0, size > 0.0 ? along.z : strain[i]});
-  }
+/// Squares and product of the carried functional parts and of what is added to them, and the design sizes.
+void DesignScreen::find_sizes(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
+                              const VectorColumns& present, const VectorColumns& tangents) {
+  const std::size_t first = run.first;
+  const EffectParts parts{functional_.data() + first, environmental_.data() + first, both_.data() + first};
+  const EffectView effect{view_of(functional, first), view_of(present, first), view_of(still.tangent, first),
+                          view_of(tangents, first)};
+  kernels_.split(effect, count_of(run), parts);
+  kernels_.sizes(combinations(), parts, count_of(run), size_.data() + first);
 }
 
-/// As design_size() of checks/load_effects.h, the largest over all combinations.
-void DesignScreen::find_sizes(const SectionRun& run) {
-  const double* a = functional_.data();
-  const double* b = environmental_.data();
-  const double* ab = both_.data();
-  double* size = size_.data();
-  std::fill(size_.begin() + static_cast<std::ptrdiff_t>(run.first),
-            size_.begin() + static_cast<std::ptrdiff_t>(run.last), 0.0);
-  for (const LoadFactors& f : combinations_) {
-    const double F = f.functional, f_favourable = f.functional_favourable;
-    const double E = f.environmental, e_favourable = f.environmental_favourable;
-#pragma GCC ivdep
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const auto squared = [a = a[i], b = b[i], ab = ab[i]](double of_a, double of_b) {
-        return of_a * of_a * a + 2.0 * of_a * of_b * ab + of_b * of_b * b;
-      };
-      const double one = std::max(squared(F, E), squared(F, e_favourable));
-      const double two = std::max(squared(f_favourable, E), squared(f_favourable, e_favourable));
-      size[i] = std::max(size[i], std::max(one, two));
-    }
-  }
-#pragma GCC ivdep
-  for (std::size_t i = run.first; i < run.last; ++i) size[i] = std::sqrt(size[i]);
-}
-
-/// Squares and product of what is added to the carried functional parts of the nodes of `run`.
-void DesignScreen::part(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
-                        const VectorColumns& present, const VectorColumns& tangents) {
-  const ConstColumns before(functional), from(still.tangent), now(present), to(tangents);
-  double* a = functional_.data();
-  double* b = environmental_.data();
-  double* ab = both_.data();
-#pragma GCC ivdep
-  for (std::size_t i = run.first; i < run.last; ++i) {
-    const Parts carried = carried_along(before.at(i), from.at(i), to.at(i));
-    const Parts added = now.at(i) - carried;
-    a[i] = dot(carried, carried);
-    b[i] = dot(added, added);
-    ab[i] = dot(carried, added);
-  }
-}
-
-/// As design_value() of checks/load_effects.h, its magnitude, the largest over all combinations.
-void DesignScreen::find_forces(const SectionRun& run, const std::vector<double>& still,
-                               const std::vector<double>& present) {
-  const double* before = still.data();
-  const double* now = present.data();
-  double* force = force_.data();
-  std::fill(force_.begin() + static_cast<std::ptrdiff_t>(run.first),
-            force_.begin() + static_cast<std::ptrdiff_t>(run.last), 0.0);
-  for (const LoadFactors& f : combinations_) {
-    const double F = f.functional, f_favourable = f.functional_favourable;
-    const double E = f.environmental, e_favourable = f.environmental_favourable;
-#pragma GCC ivdep
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const double added = now[i] - before[i];
-      const double one = std::max(std::abs(F * before[i] + E * added), std::abs(F * before[i] + e_favourable * added));
-      const double two = std::max(std::abs(f_favourable * before[i] + E * added),
-                                  std::abs(f_favourable * before[i] + e_favourable * added));
-      force[i] = std::max(force[i], std::max(one, two));
-    }
-  }
+CombinationsView DesignScreen::combinations() const {
+  return {combinations_.data(), static_cast<int>(combinations_.size())};
 }
 
 void DesignScreen::raise_forces(const SectionRun& run, std::vector<double>& largest) const {
@@ -142,24 +89,18 @@ void DesignScreen::raise_forces(const SectionRun& run, std::vector<double>& larg
 
 void DesignScreen::find_loads(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
                               const PresentEffects& now, const std::vector<double>& overpressure) {
-  part(run, still.moment, still, now.moments, now.tangents);
-  find_sizes(run);
-  find_forces(run, still.force, now.force);
-  const double* moment = size_.data();
-  const double* force = force_.data();
+  find_sizes(run, still.moment, still, now.moments, now.tangents);
+  const std::size_t first = run.first;
+  kernels_.forces(combinations(), still.force.data() + first, now.force.data() + first, count_of(run),
+                  force_.data() + first);
   const double* pressure = overpressure.data();
   double* excess = load_excess_.data();
   for (std::size_t of_class = 0; of_class < kSafetyClasses; ++of_class) {
-    const LoadCapacity capacity = sections[of_class]->load;
-    const double* limit = limits_[of_class].load.data();
-#pragma GCC ivdep
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const double axial = capacity.tension_factor * force[i];
-      const double bracket = capacity.moment_factor * moment[i] + axial * axial;
-      const double pressed = capacity.collapse_factor * pressure[i];
-      const double above = bracket * bracket + pressed * pressed - limit[i];
-      excess[i] = of_class == 0 ? above : std::max(excess[i], above);
-    }
+    const LoadCapacity& capacity = sections[of_class]->load;
+    const LoadBound bound{capacity.moment_factor, capacity.tension_factor, capacity.collapse_factor,
+                          limits_[of_class].load.data() + first};
+    kernels_.load_excess(bound, size_.data() + first, force_.data() + first, pressure + first, count_of(run),
+                         of_class == 0, excess + first);
   }
   // Internal overpressure has another formula, for a closer look.
 #pragma GCC ivdep
@@ -168,24 +109,17 @@ void DesignScreen::find_loads(const SectionRun& run, const SectionOfClasses& sec
 
 void DesignScreen::find_strains(const SectionRun& run, const SectionOfClasses& sections, const FunctionalEffects& still,
                                 const PresentEffects& now, const std::vector<double>& overpressure) {
-  put_strain_vectors(run, now);
-  part(run, still.strain, still, strain_, now.tangents);
-  find_sizes(run);
-  const double* size = size_.data();
-  const double* pressure = overpressure.data();
-  double* excess = strain_excess_.data();
+  const std::size_t first = run.first;
+  kernels_.strain_vectors(view_of(now.moments, first), now.strain.data() + first, count_of(run),
+                          strain_.x.data() + first, strain_.y.data() + first, strain_.z.data() + first);
+  find_sizes(run, still.strain, still, strain_, now.tangents);
   for (std::size_t of_class = 0; of_class < kSafetyClasses; ++of_class) {
-    const StrainCapacity capacity = sections[of_class]->strain;
-    const double factor = sections[of_class]->strain_factor;
-    const double* slope = limits_[of_class].slope.data();
-    const double* limit = limits_[of_class].strain.data();
-#pragma GCC ivdep
-    for (std::size_t i = run.first; i < run.last; ++i) {
-      const double strain = factor * size[i];
-      const double below = slope[i] * strain + capacity.collapse_factor * std::max(pressure[i], 0.0) - limit[i];
-      const double above = std::max(below, capacity.strain_factor * strain - 1.0);
-      excess[i] = of_class == 0 ? above : std::max(excess[i], above);
-    }
+    const StrainCapacity& capacity = sections[of_class]->strain;
+    const Limits& limits = limits_[of_class];
+    const StrainBound bound{sections[of_class]->strain_factor, capacity.strain_factor, capacity.collapse_factor,
+                            limits.slope.data() + first, limits.strain.data() + first};
+    kernels_.strain_excess(bound, size_.data() + first, overpressure.data() + first, count_of(run), of_class == 0,
+                           strain_excess_.data() + first);
   }
 }
 

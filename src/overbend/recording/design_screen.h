@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "checks/check_section.h"
+#include "recording/design_screen_kernel.h"
 #include "recording/dynamic_stations.h"
 #include "results/dynamic_results.h"
 
@@ -55,12 +56,11 @@ class DesignScreen {
                    const StrainCapacity& capacity);
 
  private:
-  void part(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
-            const VectorColumns& present, const VectorColumns& tangents);
-  void put_strain_vectors(const SectionRun& run, const PresentEffects& now);
-  void find_sizes(const SectionRun& run);
-  void find_forces(const SectionRun& run, const std::vector<double>& still, const std::vector<double>& present);
+  void find_sizes(const SectionRun& run, const VectorColumns& functional, const FunctionalEffects& still,
+                  const VectorColumns& present, const VectorColumns& tangents);
+  CombinationsView combinations() const;
 
+  ScreenKernels kernels_;
   std::vector<LoadFactors> combinations_;
   /// What is not above these needs no closer look: of the load criterion the utilisation; of the strain criterion
   /// slope times design strain plus the pressure part.
