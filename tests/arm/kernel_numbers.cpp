@@ -15,6 +15,7 @@
 #include "numerics/line_border_kernel.h"
 #include "numerics/running_statistics_kernel.h"
 #include "recording/design_screen_kernel.h"
+#include "recording/node_recovery_kernel.h"
 
 namespace overbend {
 namespace {
@@ -432,6 +433,30 @@ void screen(Numbers& numbers) {
   strain.print("screen_strain_excess");
 }
 
+/// Nodes of a line, an odd number of them, and what the cuts tell.
+void recovery(Numbers& numbers) {
+  constexpr int kCount = kNodes;
+  Arrays a(numbers, kCount * kNodeDofs, kCount * kNodeDofs);
+  const NodeRows rows{a.of(0.1, 1.0), a.of(-1.0, 1.0)};
+  Batch x(kCount), y(kCount), z(kCount), tx(kCount), ty(kCount), tz(kCount), bx(kCount), by(kCount), bz(kCount),
+      tension(kCount), moment(kCount), vertical(kCount);
+  recover_nodes(rows, kCount,
+                {x.data(),
+                 y.data(),
+                 z.data(),
+                 {tx.data(), ty.data(), tz.data()},
+                 {bx.data(), by.data(), bz.data()},
+                 tension.data(),
+                 moment.data(),
+                 vertical.data()});
+  x.print("recovery_place_x");
+  tz.print("recovery_tangent_z");
+  by.print("recovery_bend_y");
+  tension.print("recovery_tension");
+  moment.print("recovery_moment");
+  vertical.print("recovery_vertical");
+}
+
 }  // namespace
 }  // namespace overbend
 
@@ -451,4 +476,5 @@ int main() {
   overbend::freedoms(numbers);
   overbend::statistics(numbers);
   overbend::screen(numbers);
+  overbend::recovery(numbers);
 }

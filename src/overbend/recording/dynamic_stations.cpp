@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd.h"
 #include "mechanics/stress.h"
 #include "system/cut_forces.h"
 
@@ -64,6 +65,14 @@ Vec3 tangent_of(const LineState& state, std::size_t node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3));
 }
 
+RecoverKernel recover_kernel() {
+#if defined(OVERBEND_X86_KERNELS)
+  if (best_isa() == Isa::avx512) return isa_avx512::recover_nodes;
+  if (best_isa() == Isa::avx2) return isa_avx2::recover_nodes;
+#endif
+  return isa_baseline::recover_nodes;
+}
+
 }  // namespace
 
 void NodeValues::resize(std::size_t nodes) {
@@ -73,30 +82,31 @@ void NodeValues::resize(std::size_t nodes) {
   }
 }
 
-NodeRecovery::NodeRecovery(const Model& model, const Line& line) : model_(&model), line_(&line) {
+NodeRecovery::NodeRecovery(const Model& model, const Line& line)
+    : model_(&model), line_(&line), recover_(recover_kernel()) {
   const std::size_t nodes = static_cast<std::size_t>(line.mesh.nodes());
   for (std::size_t node = 0; node < nodes; ++node) {
     section_.push_back(section_at(model, line.mesh, node));
   }
   find_section_runs(section_, runs_);
-  for (VectorColumns* columns : {&direction_, &cut_force_, &cut_moment_, &bend_, &tangent_}) columns->resize(nodes);
+  for (VectorColumns* columns : {&bend_, &tangent_}) columns->resize(nodes);
   carrying_.reserve(model.supports.rollers.size());
 }
 
-/// Places and cuts, which have the nodes one after the other, as columns.
-void NodeRecovery::take_columns(const LineState& state, const std::vector<double>& cuts, NodeValues& values) {
-  const PlainColumns direction(direction_), force(cut_force_), moment(cut_moment_);
-  double *x = values.x.data(), *y = values.y.data(), *z = values.z.data();
-  const double *q = state.q.data(), *cut = cuts.data();
-  for (std::size_t node = 0; node < section_.size(); ++node, q += 6, cut += 6) {
-    x[node] = q[0];
-    y[node] = q[1];
-    z[node] = q[2];
-    direction.put(node, {q[3], q[4], q[5]});
-    force.put(node, {cut[0], cut[1], cut[2]});
-    moment.put(node, {cut[3], cut[4], cut[5]});
-  }
+/// Places, tangents and what the cuts tell.
+void NodeRecovery::take_cuts(const LineState& state, const std::vector<double>& cuts, NodeValues& values) {
+  const RecoveredNodes out{values.x.data(),
+                           values.y.data(),
+                           values.z.data(),
+                           {tangent_.x.data(), tangent_.y.data(), tangent_.z.data()},
+                           {bend_.x.data(), bend_.y.data(), bend_.z.data()},
+                           values.effective_tension.data(),
+                           values.bending_moment.data(),
+                           values.vertical_moment.data()};
+  recover_(NodeRows{state.q.data(), cuts.data()}, static_cast<int>(section_.size()), out);
 }
+
+// In the loops arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of them.
 
 void NodeRecovery::find_pressures(const std::vector<double>& water, NodeValues& values) const {
   const double* z = values.z.data();
@@ -108,31 +118,6 @@ void NodeRecovery::find_pressures(const std::vector<double>& water, NodeValues& 
   for (std::size_t node = 0; node < nodes; ++node) {
     const double surface = head != nullptr ? head[static_cast<std::size_t>(kWaterValues) * node] : 0.0;
     pressure[node] = density * std::max(surface - z[node], 0.0);
-  }
-}
-
-/// Arrays do not overlap, as the compiler is told, and nothing branches: it makes vectors of the loop.
-void NodeRecovery::cut_moments(NodeValues& values) {
-  const ConstColumns direction(direction_), force(cut_force_), moment(cut_moment_);
-  const PlainColumns tangent(tangent_), bend(bend_);
-  double *tension = values.effective_tension.data(), *size = values.bending_moment.data();
-  double* vertical = values.vertical_moment.data();
-  const std::size_t nodes = section_.size();
-#pragma GCC ivdep
-  for (std::size_t node = 0; node < nodes; ++node) {
-    const Parts a = direction.at(node), m = moment.at(node);
-    const Parts t = (1.0 / length(a)) * a;
-    // The moment in the cut, its part about the pipe's axis taken off, and turned to point to the centre of the curve.
-    const Parts all = cross(a, m);
-    const Parts b = cross(all - dot(all, t) * t, t);
-    // Along the unit vector that points upwards across the pipe, (0, 0, 1) - t.z t over its length; there is none where
-    // the pipe stands upright. `b` is across the pipe itself.
-    const double level = std::sqrt(t.x * t.x + t.y * t.y);
-    tangent.put(node, t);
-    bend.put(node, b);
-    tension[node] = dot(force.at(node), t);
-    size[node] = length(b);
-    vertical[node] = level > 1e-9 ? b.z / level : 0.0;
   }
 }
 
@@ -277,9 +262,8 @@ void NodeRecovery::recover(const LineState& state, const LineAssembly& line, con
   for (const RollerContact& contact : line.contacts().contacts()) {
     if (contact.normal > 0.0) carrying_.push_back(&contact);
   }
-  take_columns(state, line.cuts(), values);
+  take_cuts(state, line.cuts(), values);
   find_pressures(water, values);
-  cut_moments(values);
   for (const SectionRun& run : runs_) linear_curvatures(run, values);
   if (line_->yielding.any) shape_curvatures(state, values);
   moments_under_rollers(state, line, values);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "recording/node_recovery_kernel.h"
 #include "recording/section_runs.h"
 #include "recording/vector_columns.h"
 #include "system/assembly.h"
@@ -40,9 +41,8 @@ class NodeRecovery {
   const std::vector<int>& sections() const { return section_; }
 
  private:
-  void take_columns(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
+  void take_cuts(const LineState& state, const std::vector<double>& cuts, NodeValues& values);
   void find_pressures(const std::vector<double>& water, NodeValues& values) const;
-  void cut_moments(NodeValues& values);
   void linear_curvatures(const SectionRun& run, NodeValues& values) const;
   void shape_curvatures(const LineState& state, NodeValues& values);
   void moments_under_rollers(const LineState& state, const LineAssembly& line, NodeValues& values);
@@ -54,10 +54,9 @@ class NodeRecovery {
 
   const Model* model_;
   const Line* line_;
+  RecoverKernel recover_;
   std::vector<int> section_;  ///< Of every node.
   std::vector<SectionRun> runs_;
-  VectorColumns direction_;               ///< The tangents as the unknowns have them.
-  VectorColumns cut_force_, cut_moment_;  ///< As LineAssembly::cuts().
   VectorColumns bend_, tangent_;
   std::vector<const RollerContact*> carrying_;
 };
