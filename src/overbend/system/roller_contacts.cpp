@@ -222,10 +222,11 @@ double RollerContacts::moved_since_reference(const double* q) const {
 /// Sees where the line is closest to the rollers that are looked at, if that is in the element where it was.
 void RollerContacts::look(const double* q, const double* v, const std::vector<ContactMemory>& memory) {
   looks_.clear();
+  const int last = line_->mesh.elements() - 1;
   for (const std::size_t i : looked_at_) {
     const PlacedRoller& at = placed_[i];
     const int element = memory[i].element;
-    const int passing = std::clamp(element + memory[i].passing, 0, line_->elements.count - 1);
+    const int passing = std::clamp(element + memory[i].passing, 0, last);
     looks_.push_back(
         {at.center.data(), at.axis.data(), at.normal.data(), at.half_face, memory[i].xi, element, passing});
   }
