@@ -1,11 +1,10 @@
 /// Prints what every kernel makes of made-up input, a name and a number a line: tools/arm_check.sh compares what two
 /// machines print.
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
-#include <vector>
+#include "numbers.h"
 
-#include "base/simd.h"
+#include <cmath>
+#include <cstdio>
+
 #include "dynamics/motion_kernel.h"
 #include "hull/hull_waves_kernel.h"
 #include "mechanics/line_kernel.h"
@@ -13,9 +12,6 @@
 #include "mechanics/wave_kernel.h"
 #include "numerics/block_tridiagonal_kernel.h"
 #include "numerics/line_border_kernel.h"
-#include "numerics/running_statistics_kernel.h"
-#include "recording/design_screen_kernel.h"
-#include "recording/node_recovery_kernel.h"
 
 namespace overbend {
 namespace {
@@ -24,71 +20,6 @@ using namespace isa_baseline;
 
 constexpr int kNodes = 21;  // elements fill two batches and a half
 constexpr int kElements = kNodes - 1, kPadded = 24, kWaves = 32;
-
-/// The same numbers on every machine: a linear congruence, of which 53 bits are exact in a double.
-class Numbers {
- public:
-  double between(double low, double high) {
-    state_ = state_ * 6364136223846793005U + 1442695040888963407U;
-    return low + (high - low) * static_cast<double>(state_ >> 11) / 9007199254740992.0;
-  }
-
- private:
-  std::uint64_t state_ = 20;
-};
-
-/// Doubles at a place that any register may be loaded from.
-class Batch {
- public:
-  explicit Batch(int count) : held_(static_cast<std::size_t>(count + kLanes)) {
-    const auto address = reinterpret_cast<std::uintptr_t>(held_.data());
-    at_ = held_.data() + (64 - address % 64) % 64 / sizeof(double);
-    count_ = count;
-  }
-  Batch(const Batch& other) : Batch(other.count_) {
-    for (int i = 0; i < count_; ++i) {
-      at_[i] = other.at_[i];
-    }
-  }
-  Batch& operator=(const Batch&) = delete;
-  Batch& fill(Numbers& numbers, double low, double high, int used = -1) {
-    for (int i = 0; i < (used < 0 ? count_ : used); ++i) {
-      at_[i] = numbers.between(low, high);
-    }
-    return *this;
-  }
-  double* data() const { return at_; }
-  void print(const char* name) const {
-    for (int i = 0; i < count_; ++i) {
-      std::printf("%s %.17g\n", name, at_[i]);
-    }
-  }
-
- private:
-  std::vector<double> held_;
-  double* at_;
-  int count_;
-};
-
-/// Arrays of `padded` numbers, of which `used` are not nothing, that stay where they are.
-class Arrays {
- public:
-  Arrays(Numbers& numbers, int used, int padded) : numbers_(numbers), used_(used), padded_(padded) {
-    kept_.reserve(32);
-  }
-  const double* of(double low, double high, double beyond = 0.0) {
-    Batch& made = kept_.emplace_back(padded_);
-    for (int i = used_; i < padded_; ++i) {
-      made.data()[i] = beyond;
-    }
-    return made.fill(numbers_, low, high, used_).data();
-  }
-
- private:
-  Numbers& numbers_;
-  int used_, padded_;
-  std::vector<Batch> kept_;
-};
 
 struct Blocks {
   Batch diag{kNodes * kBlockSize}, upper{kNodes * kBlockSize}, lower{kNodes * kBlockSize};
@@ -375,88 +306,6 @@ void freedoms(Numbers& numbers) {
   std::printf("freedoms_change %.17g\nfreedoms_change %.17g\n", sums.product, sums.square);
 }
 
-/// An odd number of quantities, of which the last is absent at times.
-void statistics(Numbers& numbers) {
-  constexpr int kQuantities = 7, kSamples = 50;
-  Batch low(kQuantities), high(kQuantities), mean(kQuantities), squares(kQuantities), weights(kQuantities),
-      sample(kQuantities);
-  const StatisticsView view{low.data(), high.data(), mean.data(), squares.data()};
-  const auto present = [&](int i, int k) { return i % 3 != 0 || k + 1 < kQuantities; };
-  for (int i = 0; i < kSamples; ++i) {
-    sample.fill(numbers, -1.0, 2.0);
-    for (int k = 0; k < kQuantities; ++k) {
-      if (!present(i, k)) sample.data()[k] = __builtin_nan("");
-    }
-    if (all_finite(sample.data(), kQuantities) != present(i, kQuantities - 1)) std::printf("statistics_finite 1e300\n");
-    add_samples(sample.data(), kQuantities - 1, {0.1, 1.0 / (1.0 + i)}, view);
-    const int last = kQuantities - 1;
-    add_present_samples(sample.data() + last, 1, 0.1, weights.data() + last,
-                        {view.low + last, view.high + last, view.mean + last, view.squares + last});
-  }
-  low.print("statistics_low");
-  high.print("statistics_high");
-  mean.print("statistics_mean");
-  squares.print("statistics_squares");
-}
-
-/// Load effects of a run of nodes, an odd number of them.
-void screen(Numbers& numbers) {
-  constexpr int kRun = 21;
-  Arrays a(numbers, kRun, kRun);
-  const auto vectors = [&] { return VectorsView{a.of(-1.0, 1.0), a.of(-1.0, 1.0), a.of(0.5, 1.0)}; };
-  const EffectView effect{vectors(), vectors(), vectors(), vectors()};
-  const LoadFactors factors[] = {{}, {1.2, 1.0, 0.7, 0.0}};
-  const CombinationsView combinations{factors, 2};
-  Batch functional(kRun), environmental(kRun), both(kRun), size(kRun), force(kRun), x(kRun), y(kRun), z(kRun),
-      load(kRun), strain(kRun);
-  const EffectParts parts{functional.data(), environmental.data(), both.data()};
-  const ScreenKernels kernels = screen_kernels();
-  kernels.split(effect, kRun, parts);
-  kernels.sizes(combinations, parts, kRun, size.data());
-  const double *still = a.of(-1.0, 1.0), *now = a.of(-1.0, 1.0), *strains = a.of(0.1, 0.2);
-  kernels.forces(combinations, still, now, kRun, force.data());
-  kernels.strain_vectors(effect.now, strains, kRun, x.data(), y.data(), z.data());
-  const double* pressure = a.of(-0.5, 1.0);
-  for (const bool first : {true, false}) {
-    kernels.load_excess({0.8, 0.4, 0.3, a.of(0.0, 0.5)}, size.data(), force.data(), pressure, kRun, first, load.data());
-    kernels.strain_excess({0.7, 0.9, 0.3, a.of(0.0, 0.5), a.of(0.0, 0.5)}, size.data(), pressure, kRun, first,
-                          strain.data());
-  }
-  functional.print("screen_functional");
-  environmental.print("screen_environmental");
-  both.print("screen_both");
-  size.print("screen_size");
-  force.print("screen_force");
-  x.print("screen_strain_x");
-  z.print("screen_strain_z");
-  load.print("screen_load_excess");
-  strain.print("screen_strain_excess");
-}
-
-/// Nodes of a line, an odd number of them, and what the cuts tell.
-void recovery(Numbers& numbers) {
-  constexpr int kCount = kNodes;
-  Arrays a(numbers, kCount * kNodeDofs, kCount * kNodeDofs);
-  const NodeRows rows{a.of(0.1, 1.0), a.of(-1.0, 1.0)};
-  Batch x(kCount), y(kCount), z(kCount), tx(kCount), ty(kCount), tz(kCount), bx(kCount), by(kCount), bz(kCount),
-      tension(kCount), moment(kCount), vertical(kCount);
-  recover_nodes(rows, kCount,
-                {x.data(),
-                 y.data(),
-                 z.data(),
-                 {tx.data(), ty.data(), tz.data()},
-                 {bx.data(), by.data(), bz.data()},
-                 tension.data(),
-                 moment.data(),
-                 vertical.data()});
-  x.print("recovery_place_x");
-  tz.print("recovery_tangent_z");
-  by.print("recovery_bend_y");
-  tension.print("recovery_tension");
-  moment.print("recovery_moment");
-  vertical.print("recovery_vertical");
-}
-
 }  // namespace
 }  // namespace overbend
 
@@ -474,7 +323,5 @@ int main() {
   overbend::rollers(numbers);
   overbend::hull(numbers);
   overbend::freedoms(numbers);
-  overbend::statistics(numbers);
-  overbend::screen(numbers);
-  overbend::recovery(numbers);
+  overbend::print_recording(numbers);
 }
