@@ -20,9 +20,12 @@ struct StatisticsKernels {
 
 StatisticsKernels kernels() {
 #if defined(OVERBEND_X86_KERNELS)
-  if (best_isa() == Isa::avx512)
+  if (best_isa() == Isa::avx512) {
     return {isa_avx512::all_finite, isa_avx512::add_samples, isa_avx512::add_present_samples};
-  if (best_isa() == Isa::avx2) return {isa_avx2::all_finite, isa_avx2::add_samples, isa_avx2::add_present_samples};
+  }
+  if (best_isa() == Isa::avx2) {
+    return {isa_avx2::all_finite, isa_avx2::add_samples, isa_avx2::add_present_samples};
+  }
 #endif
   return {isa_baseline::all_finite, isa_baseline::add_samples, isa_baseline::add_present_samples};
 }
