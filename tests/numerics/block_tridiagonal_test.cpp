@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <random>
 
+#include "support/isas.h"
+
 namespace overbend {
 namespace {
 
@@ -38,16 +40,6 @@ DenseTwin random_system(int nodes, unsigned seed, Heavy heavy = Heavy::across_it
     }
   }
   return twin;
-}
-
-std::vector<Isa> available_isas() {
-  std::vector<Isa> isas;
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-    if (isa <= best_isa()) {
-      isas.push_back(isa);
-    }
-  }
-  return isas;
 }
 
 class block_tridiagonal_of_any_kind : public ::testing::TestWithParam<Heavy> {};

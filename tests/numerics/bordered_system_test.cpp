@@ -6,19 +6,10 @@
 #include <random>
 
 #include "support/allocation_count.h"
+#include "support/isas.h"
 
 namespace overbend {
 namespace {
-
-std::vector<Isa> available_isas() {
-  std::vector<Isa> isas;
-  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
-    if (isa <= best_isa()) {
-      isas.push_back(isa);
-    }
-  }
-  return isas;
-}
 
 /// A bordered system, the same as a dense matrix, and right-hand sides in the order lines, border.
 struct Twin {

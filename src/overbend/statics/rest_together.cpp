@@ -50,8 +50,9 @@ class Rest {
     assembly_.impose_ends(at);
     assembly_.evaluate(at, before_, {1.0 / kLongTime, 0.0, kLongTime}, tangent);
     assembly_.hold(tangent);
+    const double residual = assembly_.relative_residual();
     report_.worst_place = assembly_.worst_place();
-    return assembly_.relative_residual();
+    return residual;
   }
 
   /// Share of the correction that keeps bodies within their bounds.
