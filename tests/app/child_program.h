@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "runstore/run_store.h"
+#include "support/program_path.h"
 
 namespace overbend::testing {
 
@@ -21,7 +22,8 @@ class ChildProgram {
  public:
   /// Starts `overbend WORDS...` in `folder`, its output thrown away.
   ChildProgram(const std::filesystem::path& folder, const std::vector<std::string>& words) {
-    std::vector<char*> arguments{const_cast<char*>(OVERBEND_PROGRAM)};
+    const std::string program = program_path();
+    std::vector<char*> arguments{const_cast<char*>(program.c_str())};
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     id_ = fork();
@@ -30,7 +32,7 @@ class ChildProgram {
       const int nowhere = open("/dev/null", O_RDWR);
       for (const int stream : {0, 1, 2}) dup2(nowhere, stream);
       if (chdir(folder.c_str()) != 0) _exit(127);
-      execv(OVERBEND_PROGRAM, arguments.data());
+      execv(program.c_str(), arguments.data());
       _exit(127);
     }
   }

@@ -7,6 +7,7 @@
 #include "app/child_program.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "support/program_path.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -215,7 +216,7 @@ TEST(dynamic_command, with_all_streams_closed_no_text_lands_in_results) {
   const TemporaryFolder open, closed;
   ASSERT_EQ(run_dynamic_model(open, kSmallLay).code, 0);
   testing::write_file(closed / "lay.yaml", kSmallLay);
-  const std::string command = std::string(OVERBEND_PROGRAM) + " dynamic " + (closed / "lay.yaml").string() + " -o " +
+  const std::string command = testing::program_path() + " dynamic " + (closed / "lay.yaml").string() + " -o " +
                               (closed / "out").string() + " <&- >&- 2>&-";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(differences(open / "out", closed / "out"), "");

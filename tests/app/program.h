@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/program_path.h"
+
 namespace overbend::testing {
 
 struct ProgramRun {
@@ -48,8 +50,8 @@ class Scratch {
 /// Runs `overbend ARGUMENTS` (shell words) without a terminal, after the shell's `before` ("ulimit -f 1 && ").
 inline ProgramRun run_program(const std::string& arguments, const std::string& before = "") {
   const Scratch scratch;
-  const std::string command = before + std::string(OVERBEND_PROGRAM) + " " + arguments + " </dev/null >" +
-                              scratch.file("out") + " 2>" + scratch.file("err");
+  const std::string command =
+      before + program_path() + " " + arguments + " </dev/null >" + scratch.file("out") + " 2>" + scratch.file("err");
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, scratch.read("out"), scratch.read("err")};
 }

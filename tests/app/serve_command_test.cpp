@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/program.h"
+#include "support/program_path.h"
 
 namespace overbend {
 namespace {
@@ -17,8 +18,8 @@ TEST(serve_command, the_command_line_of_the_browser_does_not_hold_the_token) {
       folder.write("xdg-open", "#!/bin/sh\necho \"$@\" > \"$0.new\"; mv \"$0.new\" \"$0.asked\"\n");
   ASSERT_EQ(::chmod(browser.c_str(), 0700), 0);
   const std::string home = std::filesystem::path(browser).parent_path().string();
-  const std::string command = "cd " + home + " && DISPLAY=:9 PATH=\"" + home + ":$PATH\" exec " + OVERBEND_PROGRAM +
-                              " serve >out 2>err </dev/null & echo $! >" + home + "/id";
+  const std::string command = "cd " + home + " && DISPLAY=:9 PATH=\"" + home + ":$PATH\" exec " +
+                              testing::program_path() + " serve >out 2>err </dev/null & echo $! >" + home + "/id";
   ASSERT_EQ(std::system(command.c_str()), 0);
   for (int i = 0; i < 3000 && folder.read("xdg-open.asked").empty(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

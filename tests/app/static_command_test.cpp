@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "support/program_path.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -21,7 +22,7 @@ struct Ended {
 /// Runs the program with `words` in `folder`; its output goes to files elsewhere.
 Ended run(const fs::path& folder, const std::string& words) {
   const TemporaryFolder told;
-  const std::string command = "cd '" + folder.string() + "' && '" OVERBEND_PROGRAM "' " + words + " > '" +
+  const std::string command = "cd '" + folder.string() + "' && '" + testing::program_path() + "' " + words + " > '" +
                               (told / "out").string() + "' 2> '" + (told / "err").string() + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(told / "out"), file_text(told / "err")};
