@@ -3,8 +3,9 @@
 
     tools/tidy_units.py COMPILE_COMMANDS DIRECTORY [EXPRESSION ...]
 
-Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources.
-Kernels, which are compiled once per instruction set, are looked at once each. With expressions, only sources whose path
+Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources,
+of the engine, of what stands around it and of the Python package alike. Kernels, which are compiled once per
+instruction set, are looked at once each. With expressions, only sources whose path
 matches one.
 """
 
@@ -33,20 +34,26 @@ def sources(commands, expressions):
     return chosen
 
 
+def options(command):
+    """Definitions and places of headers that a command has, an option each."""
+    return re.findall(r"-D\S+|-I\S+|-isystem \S+", command["command"])
+
+
 def groups(chosen):
-    """Sources that may share a unit: compiled with the same options, but for how well, with names that get along."""
-    together = {}
-    for path, command in sorted(chosen.items()):
-        options = re.sub(r"\S+\.(cpp|o)\b|-O\d", "", command["command"])
-        together.setdefault(options, []).append(path)
-    for paths in together.values():
-        yield from units(paths, LARGEST_UNIT)
+    """Sources that may share a unit, with names that get along: kernels, and all others. Those differ in definitions
+    and headers that the others do not know of."""
+    kernels = {path for path in chosen if path.stem.endswith("_kernel")}
+    for paths in kernels, chosen.keys() - kernels:
+        yield from units(sorted(paths), LARGEST_UNIT)
 
 
 def unit_command(paths, chosen, directory):
-    """The command for a file that includes `paths`, which it writes; for one source the command it has."""
+    """The command for a file that includes `paths`, which it writes: that of the first with the options of all."""
     command = dict(chosen[paths[0]])
-    command["command"] = re.sub(ONLY_OF_GCC, "", command["command"])
+    missing = {option: None for path in paths for option in options(chosen[path])}  # in their order
+    for option in options(command):
+        missing.pop(option, None)
+    command["command"] = " ".join([re.sub(ONLY_OF_GCC, "", command["command"]), *missing])
     if len(paths) > 1:
         unit = directory / f"{paths[0].parent.name}_{paths[0].stem}_and_{len(paths) - 1}_more.cpp"
         lines = [f'#include "{path}"  // NOLINT(bugprone-suspicious-include)\n' for path in paths]
