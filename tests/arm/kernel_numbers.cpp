@@ -12,7 +12,6 @@
 #include "mechanics/wave_kernel.h"
 #include "numerics/block_tridiagonal_kernel.h"
 #include "numerics/line_border_kernel.h"
-#include "system/node_extremes_kernel.h"
 
 namespace overbend {
 namespace {
@@ -307,17 +306,6 @@ void freedoms(Numbers& numbers) {
   std::printf("freedoms_change %.17g\nfreedoms_change %.17g\n", sums.product, sums.square);
 }
 
-void extremes(Numbers& numbers) {
-  constexpr int kFreedoms = kNodes * kNodeDofs;
-  Arrays a(numbers, kFreedoms, kFreedoms);
-  const double *now = a.of(-1.0, 1.0), *then = a.of(-1.0, 1.0);
-  Batch shares(kFreedoms);
-  for (int i = 0; i < kFreedoms; i += 3) shares.data()[i] = numbers.between(0.5, 2.0);
-  std::printf("largest_triple %.17g\n", largest_triple(now, shares.data(), kFreedoms));
-  for (const double square : largest_changes(now, then, kFreedoms).squares)
-    std::printf("largest_changes %.17g\n", square);
-}
-
 }  // namespace
 }  // namespace overbend
 
@@ -335,6 +323,5 @@ int main() {
   overbend::rollers(numbers);
   overbend::hull(numbers);
   overbend::freedoms(numbers);
-  overbend::extremes(numbers);
   overbend::print_recording(numbers);
 }

@@ -156,6 +156,7 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
     assembly_->evaluate(next, now, weights, factor, contacts);
     assembly_->hold(factor);
     report.residual = assembly_->relative_residual();
+    report.worst_place = assembly_->worst_place();
     if (!(report.residual < 1e6)) {
       report.end = StepEnd::lost;
       break;
@@ -193,9 +194,6 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
     assembly_->impose_ends(next);
   }
   ++factors_age_;
-  if (!report.converged()) {
-    report.worst_place = assembly_->worst_place();
-  }
   if (!report.converged() || report.iterations > kSlowStep) {
     factored_ = false;
   }

@@ -74,7 +74,7 @@ NewtonReport come_to_rest(RestingLine resting, LineState& state, const LineRestS
   const double move = largest_move(line.line().mesh);
   for (; report.iterations <= settings.max_iterations; ++report.iterations) {
     resting.evaluate(state, true);
-    report.residual = line.unbalance() / line.line().force_scale;
+    report.residual = line.unbalance().force / line.line().force_scale;
     const double rounding = kRounding * stiffest / line.line().force_scale;
     if (!std::isfinite(report.residual)) {
       report.end = NewtonEnd::lost;

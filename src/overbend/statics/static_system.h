@@ -76,7 +76,7 @@ class StaticSystem {
 
   /// Largest unbalanced force over the total weight; moments count over the length of the shortest element beside the
   /// node.
-  double relative_residual() const { return assembly_.unbalance() / total_weight(); }
+  double relative_residual() const { return assembly_.unbalance().force / total_weight(); }
   /// What the extra equation lacks: value minus target, and its gradient, which acts on one node only.
   double target_error(const LineState& state, const LineTargetValue& target) const;
 

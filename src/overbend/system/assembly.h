@@ -72,7 +72,7 @@ class Assembly {
   /// Largest unbalanced force of a line or a free body over its force scale.
   double relative_residual();
   /// Where it was found: line and node; kBodyPlace and the number among free bodies.
-  std::pair<int, int> worst_place() const;
+  std::pair<int, int> worst_place() const { return worst_; }
 
   /// Factors the blocks and solves for the increments of the unknowns; false where they are singular. For statics: with
   /// masses `factor` and `solve_again` are less work, see BorderedSystem::factor_and_solve().
@@ -125,7 +125,7 @@ class Assembly {
   std::vector<HeldDirections> held_;  ///< By the attachments.
   TensionerDrive drive_ = TensionerDrive::brake;
   Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its tensioner, at the state evaluated last.
-  std::pair<int, int> worst_{0, 0};    ///< As worst_place(), but for the node of a line.
+  std::pair<int, int> worst_{0, 0};
 };
 
 /// A system at rest with its lines in the given shapes, memories empty, at `time`.

@@ -61,10 +61,11 @@ void Assembly::hold(bool with_tangent) {
 double Assembly::relative_residual() {
   double worst = 0.0;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const double relative = lines_[i].unbalance() / lines_[i].line().force_scale;
+    const Unbalance one = lines_[i].unbalance();
+    const double relative = one.force / lines_[i].line().force_scale;
     if (i == 0 || relative > worst) {
       worst = relative;
-      worst_ = {static_cast<int>(i), 0};
+      worst_ = {static_cast<int>(i), one.node};
     }
   }
   for (std::size_t i = 0; i < border_.count(); ++i) {
@@ -75,12 +76,6 @@ double Assembly::relative_residual() {
     }
   }
   return worst;
-}
-
-std::pair<int, int> Assembly::worst_place() const {
-  const bool of_line = worst_.first != kBodyPlace;
-  return {worst_.first,
-          of_line ? lines_[static_cast<std::size_t>(worst_.first)].most_unbalanced_node() : worst_.second};
 }
 
 void Assembly::point_solution_at(Increments& dq) {

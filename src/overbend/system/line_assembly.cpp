@@ -6,7 +6,6 @@
 
 #include "base/simd.h"
 #include "mechanics/quadrature.h"
-#include "system/node_extremes.h"
 
 namespace overbend {
 
@@ -21,7 +20,7 @@ LineAssembly::LineAssembly(const Line& line, const std::vector<Body>& bodies, Bl
       tangent_(&tangent) {
   for (int node = 0; node < line.mesh.nodes(); ++node) {
     const double h = line.mesh.shortest_beside(node);
-    shares_.insert(shares_.end(), {1.0, 0.0, 0.0, 1.0 / (h * h), 0.0, 0.0});
+    by_moments_.push_back(1.0 / (h * h));
   }
 }
 
@@ -175,25 +174,24 @@ void LineAssembly::hold(int node, const HeldDirections& held, bool blocks) {
   hold_node(node, held, residual_, blocks ? tangent_ : nullptr);
 }
 
-double LineAssembly::unbalance() const {
-  return std::sqrt(largest_triple(residual_, shares_));
-}
-
-int LineAssembly::most_unbalanced_node() const {
-  int node = 0;
+Unbalance LineAssembly::unbalance() const {
+  Unbalance largest;
   double worst = 0.0;
-  for (std::size_t i = 0; i < residual_.size(); i += 3) {
-    const std::span<const double, 3> at(residual_.data() + i, 3);
-    const double size = shares_[i] * (at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
-    if (!(size < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
-      return static_cast<int>(i / 6);
+  for (int node = 0; node < line_->mesh.nodes(); ++node) {
+    const double* r = residual_.data() + 6 * node;
+    const double force = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+    const double moment = by_moments_[static_cast<std::size_t>(node)] * (r[3] * r[3] + r[4] * r[4] + r[5] * r[5]);
+    if (force <= worst && moment <= worst) {
+      continue;
     }
-    if (size > worst) {
-      worst = size;
-      node = static_cast<int>(i / 6);
+    worst = std::max(force, moment);
+    if (!(force + moment < std::numeric_limits<double>::infinity())) {  // a maximum would pass over NaN
+      return {std::numeric_limits<double>::infinity(), node};
     }
+    largest.node = node;
   }
-  return node;
+  largest.force = std::sqrt(worst);
+  return largest;
 }
 
 }  // namespace overbend

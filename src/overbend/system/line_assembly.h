@@ -21,6 +21,12 @@ struct Easing {
   double yielding = 1.0;              ///< Factor on the plastic moments: 0 is linear steel.
 };
 
+/// Of the largest unbalanced force.
+struct Unbalance {
+  double force = 0.0;  ///< [N]; moments count over the length of the shortest element beside the node.
+  int node = 0;
+};
+
 class LineAssembly {
  public:
   /// `line`, `bodies` and the blocks of `tangent` must outlive this.
@@ -83,10 +89,7 @@ class LineAssembly {
 
   /// Removes the held directions of a node from the residual and, where asked, from the blocks.
   void hold(int node, const HeldDirections& held, bool blocks);
-  /// The largest unbalanced force, infinite where one is not finite [N]; moments count over the length of the shortest
-  /// element beside the node.
-  double unbalance() const;
-  int most_unbalanced_node() const;
+  Unbalance unbalance() const;
   int end_node(LineEnd end) const { return end == LineEnd::first ? 0 : line_->mesh.nodes() - 1; }
   /// Force on an end by what holds it, with its moment, before hold().
   const std::array<double, 6>& end_force(LineEnd end) const { return end == LineEnd::first ? first_ : last_; }
@@ -109,7 +112,7 @@ class LineAssembly {
   MovingYielding moving_yielding_;
   bool begins_ = true;  ///< A step is, whose start has not been looked at.
   std::vector<double> residual_, cuts_;
-  std::vector<double> shares_;  ///< In unbalance(): moments over the shortest element at a node become forces [1/m2].
+  std::vector<double> by_moments_;  ///< Squared moments over the shortest element at a node become forces [1/m2].
   std::array<double, 6> first_{}, last_{};
   std::optional<LineEnergy> energy_;  ///< Of the last evaluation, where it was made there.
   BlockTridiagonal* tangent_;

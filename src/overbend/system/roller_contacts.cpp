@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "system/contact_point.h"
-#include "system/node_extremes.h"
 
 namespace overbend {
 namespace {
@@ -207,8 +206,14 @@ void RollerContacts::complete(const double* q, const double* v, std::vector<Cont
 /// there [m].
 double RollerContacts::moved_since_reference(const double* q) const {
   constexpr double kSure = 2.0;
-  const auto& [x, y, z, tx, ty, tz] = largest_changes({q, reference_.q.size()}, reference_.q).squares;
-  const double place = x + y + z, tangent = tx + ty + tz;  // no node moved or turned more than all in all
+  double place = 0.0, tangent = 0.0;
+  for (int node = 0; node < line_->mesh.nodes(); ++node) {
+    const double *now = q + 6 * node, *then = reference_.q.data() + 6 * node;
+    const double dx = now[0] - then[0], dy = now[1] - then[1], dz = now[2] - then[2];
+    const double tx = now[3] - then[3], ty = now[4] - then[4], tz = now[5] - then[5];
+    place = std::max(place, dx * dx + dy * dy + dz * dz);
+    tangent = std::max(tangent, tx * tx + ty * ty + tz * tz);
+  }
   // The Bezier points of an element, whose hull holds it, move with its nodes and a third of its length with its
   // tangents.
   return kSure * (std::sqrt(place) + longest_ / 3.0 * std::sqrt(tangent) + rollers_moved_);
