@@ -30,7 +30,7 @@ step "Linter"
 bash tools/tidy.sh
 
 step "Sanitizer build"
-build_preset sanitize -DOVERBEND_TEST_CASES="$PWD/build/release/tests/liboverbend_test_cases.a"
+build_preset sanitize -DOVERBEND_TESTS_OF="$PWD/build/release"
 
 step "Sanitizer tests"
 ctest --preset sanitize --parallel "$jobs"
