@@ -5,8 +5,7 @@
 
 Nearly all of the linter's time goes into the headers of libraries; a unit goes through them once for all its sources,
 of the engine, of what stands around it and of the Python package alike. Kernels, which are compiled once per
-instruction set, are looked at once each. With expressions, only sources whose path
-matches one.
+instruction set, are looked at once each. With expressions, only sources whose path matches one.
 """
 
 import json
