@@ -53,4 +53,48 @@ inline SurroundingsAt still(const System& system) {
   return [&system](double, Surroundings& now) { lead_attachments(system, now); };
 }
 
+/// A body on springs with a heavy cable from the ground, and a rod clamped in it that lies on a roller of the body.
+inline System body_with_lines(const SpringBody& springs, double friction = 0.3) {
+  System system = rod_system({2e4, 1.0, 3.0, 3.0 * kGravity}, 10.0, 16);
+  system.lines.push_back(rod_system({4000.0, 60.0, 1.2, 1.2 * kGravity}, 4.0, 8).lines[0]);
+  system.lines[0].on_rollers = false;
+  system.lines[0].force_scale = system.lines[1].force_scale = 300.0;
+  system.attachments.push_back(system.attachments[1]);
+  Attachment &ground = system.attachments[0], &cable = system.attachments[1], &rod = system.attachments[2];
+  hold(ground, true, false);
+  hold_on_body(cable, Vec3(9.9, 0.0, 0.0));
+  hold_on_body(rod, Vec3(14.0, 3.0, 0.5));
+  rod.line = 1;
+  hold(rod, true, true);
+  ContactLaw law;
+  law.stiffness = 2e4;
+  law.friction_axial = law.friction_lateral = friction;
+  law.tangential_stiffness = 2e3;
+  BodyRoller roller = roller_under(11.0, 0.01, law);
+  roller.center_V += Vec3(0.0, 3.0, 0.5);
+  system.bodies[0].rollers = {roller};
+  system.bodies[0].cells = endless_cells();
+  system.bodies[0].free = free_body(springs, Vec3(12.0, 1.5, 0.0));
+  system.machine = -1;
+  return system;
+}
+
+/// Springs for it that let it float.
+inline SpringBody floating() {
+  SpringBody springs;
+  springs.stiffness << 100.0, 100.0, 4000.0, 9000.0, 9000.0, 5000.0;
+  springs.drawn << 12.0, 1.5, 0.0, 0.0, 0.0, 0.0;
+  springs.pull << 250.0, 60.0, 0.0, 0.0, 0.0, 0.0;
+  return springs;
+}
+
+/// Its lines straight, the body drawn out of its rest.
+inline SystemState drawn_out(const System& system) {
+  std::vector<double> rod;
+  for (const double s : system.lines[1].mesh.s) rod.insert(rod.end(), {10.1 + s, 3.0, 0.5, 1.0, 0.0, 0.0});
+  SystemState state = state_at_rest(system, {straight(system, Vec3::Zero(), Vec3::UnitX(), 0.01), rod}, 0.0);
+  state.bodies[0].h.head<3>() = Vec3(12.1, 1.5, 0.0);
+  return state;
+}
+
 }  // namespace overbend::testing

@@ -38,6 +38,9 @@ class Rest {
         all_together();
       }
     }
+    if (!report_.converged) {
+      report_.residual = residual_of(now_, false);  // the last evaluation may have been of a try that was given up
+    }
     result = now_;
     at_rest(result);
     return report_;

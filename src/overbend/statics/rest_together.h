@@ -16,9 +16,9 @@ struct RestSettings {
 struct RestReport {
   bool converged = false;
   int iterations = 0;
-  int rounds = 0;         ///< Of the fallback; 0 where Newton's method went through.
-  double residual = 0.0;  ///< Largest unbalanced force over the force scale.
-  std::pair<int, int> worst_place{0, 0};
+  int rounds = 0;                         ///< Of the fallback; 0 where Newton's method went through.
+  double residual = 0.0;                  ///< Largest unbalanced force over the force scale, of the state returned.
+  std::pair<int, int> worst_place{0, 0};  ///< Where it is, as Assembly::worst_place() has it.
 };
 
 /// Brings lines and free bodies of `state` to rest together, with the surroundings as they are at its time: first the
