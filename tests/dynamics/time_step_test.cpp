@@ -55,5 +55,58 @@ TEST(time_step, of_another_length_makes_factors_of_its_own) {
   EXPECT_EQ(rod.step(0.02).factorisations, 1);
 }
 
+/// A long rod at rest, and beside it a short string between two points.
+System rod_and_string() {
+  System system = testing::rod_system({1e6, 1e3, 10.0}, 32.0, 32);
+  system.lines.push_back(testing::rod_system({1e6, 1.0, 1.0}, 4.0, 4).lines.front());
+  for (const LineEnd end : {LineEnd::first, LineEnd::last}) {
+    Attachment held;
+    held.line = 1;
+    held.end = end;
+    held.hold_place = true;
+    system.attachments.push_back(held);
+  }
+  system.machine = -1;
+  for (Line& line : system.lines) line.force_scale = 100.0;
+  system.surroundings = [](double, Surroundings& now) {
+    now.ends[2].place = Vec3::Zero();
+    now.ends[3].place = Vec3(4.004, 0.0, 0.0);
+  };
+  return system;
+}
+
+SystemState rod_and_string_at_rest(const System& system) {
+  std::vector<double> string;
+  for (const double s : system.lines[1].mesh.s) string.insert(string.end(), {1.001 * s, 0.0, 0.0, 1.001, 0.0, 0.0});
+  return state_at_rest(system, {testing::straight(system, Vec3(0.0, 5.0, 0.0), Vec3::UnitX()), string}, 0.0);
+}
+
+// The string stiffens as it is struck: old factors lead to its balance slowly, and the rod's are of no concern to it.
+TEST(time_step, makes_factors_anew_for_the_one_line_that_needs_them) {
+  const System system = rod_and_string();
+  const StepSettings settings{0.8, 1e-8, 20};
+  const auto struck = [&](bool anew) {
+    Assembly assembly(system);
+    TimeStepper stepper(assembly, settings);
+    SystemState now = rod_and_string_at_rest(system), next = now;
+    EXPECT_TRUE(stepper.step(now, 0.01, next).converged());
+    std::swap(now, next);
+    if (anew) stepper.forget();
+    for (std::size_t node = 1; node < 4; ++node) now.lines[1].v[6 * node + 2] += 4.0;
+    const StepReport report = stepper.step(now, 0.01, next);
+    EXPECT_TRUE(report.converged());
+    return std::pair{report, next};
+  };
+  const auto [report, state] = struck(false);
+  const auto [reference, same] = struck(true);
+  EXPECT_GT(state.lines[1].q[6 * 2 + 2], 0.01);
+  EXPECT_EQ(report.factorisations, 0);
+  EXPECT_GT(reference.factorisations, 0);
+  EXPECT_LE(report.iterations, 7);
+  for (std::size_t i = 0; i < state.lines[1].q.size(); ++i) {
+    EXPECT_NEAR(state.lines[1].q[i], same.lines[1].q[i], 1e-7) << i;
+  }
+}
+
 }  // namespace
 }  // namespace overbend

@@ -8,7 +8,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kMostFurther = 4.0;  ///< Iterations that cost less than new factors within a step.
+constexpr double kMostFurther = 4.0;  ///< Iterations that cost less than new factors of all lines within a step.
 constexpr int kMostOnOldFactors = 7;  ///< Iterations of a step, all in all.
 constexpr int kOldestFactors = 20;    ///< Steps that factors may serve.
 constexpr int kSlowStep = 3;          ///< Iterations, beyond which the next step begins with new factors.
@@ -39,6 +39,7 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       settings_(settings),
       scheme_(settings.spectral_radius),
       giving_(assembly.system()),
+      slow_lines_(assembly.system().lines.size()),
       dq_(assembly.increments()),
       error_(assembly.system(), scheme_) {}
 
@@ -89,20 +90,48 @@ bool TimeStepper::make_factors(double h, StepReport& report) {
   return factored_;
 }
 
-/// Whether another correction may be made with the factors there are, brought up to the contacts. They are kept where
-/// the rate at which they bring the residual down leads to the tolerance soon enough: new ones cost less at the start
-/// of the next step, which is evaluated there anyway.
-bool TimeStepper::factors_serve(const StepReport& report, double residual_before, const SystemState& next,
+/// Whether the rate at which the factors bring a part's residual down leads to the tolerance too late: a line's, or at
+/// the end the bodies'.
+bool TimeStepper::slow(std::size_t part, double most_further) const {
+  const double residual = assembly_->residuals()[part];
+  return !(residual < settings_.tolerance) &&
+         !(std::log(settings_.tolerance / residual) >= most_further * std::log(residual / before_[part]));
+}
+
+/// Lines that need new factors, each by what these cost over an iteration of all; one more iteration is needed anyway.
+/// Lines with contacts wait for another look where those have just been renewed. False where it is all lines or the
+/// bodies.
+bool TimeStepper::find_slow_lines(bool contacts_renewed) {
+  const std::size_t lines = slow_lines_.size();
+  int nodes = 0;
+  for (std::size_t i = 0; i < lines; ++i) {
+    nodes += assembly_->line(i).line().mesh.nodes();
+  }
+  bool all = lines > 0;
+  for (std::size_t i = 0; i < lines; ++i) {
+    const LineAssembly& line = assembly_->line(i);
+    const double share = static_cast<double>(line.line().mesh.nodes()) / nodes;
+    const bool renewed = contacts_renewed && line.contacts().count() > 0;
+    slow_lines_[i] = !renewed && slow(i, std::max(kMostFurther * share, 1.0)) ? 1 : 0;
+    all = all && slow_lines_[i] != 0;
+  }
+  return !all && (contacts_renewed || before_.size() == lines || !slow(lines, kMostFurther));
+}
+
+/// Whether another correction may be made with the factors there are, brought up to the contacts and, of lines where
+/// they are slow, made anew. They are kept where the rate at which they bring the residual down leads to the tolerance
+/// soon enough: new ones cost less at the start of the next step, which is evaluated there anyway.
+bool TimeStepper::factors_serve(const StepReport& report, const SystemState& now, SystemState& next,
                                 const Weights& weights) {
   if (report.iterations >= kMostOnOldFactors) {
     return false;
   }
-  if (assembly_->contact_signature() != factored_contacts_) {
+  const bool contacts_changed = assembly_->contact_signature() != factored_contacts_;
+  if (contacts_changed) {
     factored_contacts_ = assembly_->contact_signature();
-    return assembly_->renew_contacts(next, weights);
+    if (!assembly_->renew_contacts(next, weights)) return false;
   }
-  const double rate = report.residual / residual_before;
-  return std::log(settings_.tolerance / report.residual) >= kMostFurther * std::log(rate);
+  return find_slow_lines(contacts_changed) && assembly_->renew_lines(next, now, weights, slow_lines_);
 }
 
 StepReport TimeStepper::step(const SystemState& now, double h, SystemState& next) {
@@ -149,7 +178,7 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
   assembly_->impose_ends(next);
   const Weights weights{scheme_.velocity_share(h), scheme_.acceleration_share(h), h};
   bool factor = must_factor(h);
-  double before = std::numeric_limits<double>::infinity();
+  before_.assign(slow_lines_.size() + (assembly_->free_bodies() > 0 ? 1 : 0), std::numeric_limits<double>::infinity());
   ToAndFro to_and_fro;
   while (report.iterations <= settings_.max_iterations) {
     const ContactMode contacts = report.iterations == 0 ? ContactMode::kept : ContactMode::free;
@@ -166,7 +195,7 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
         ++rounds;
         earlier += report.iterations;
         report.iterations = 0;
-        before = std::numeric_limits<double>::infinity();
+        std::fill(before_.begin(), before_.end(), std::numeric_limits<double>::infinity());
         to_and_fro = {};  // what an end gives way by may put the same out of balance again
         assembly_->impose_ends(next);
         continue;
@@ -176,13 +205,13 @@ StepReport TimeStepper::step_with(const MachineStep& machine, const SystemState&
       assembly_->finish_step(now, h, next);
       break;
     }
-    if (!factor && !factors_serve(report, before, next, weights)) {
+    if (!factor && !factors_serve(report, now, next, weights)) {
       factor = true;
       continue;
     }
     if (to_and_fro.seen(report.residual)) break;
     ++report.iterations;
-    before = report.residual;
+    before_ = assembly_->residuals();
     if (factor && !make_factors(h, report)) {
       report.end = StepEnd::singular;
       break;

@@ -47,7 +47,9 @@ class TimeStepper {
   void correct(SystemState& next, double h) const;
   bool must_factor(double h) const;
   bool make_factors(double h, StepReport& report);
-  bool factors_serve(const StepReport& report, double residual_before, const SystemState& next, const Weights& weights);
+  bool factors_serve(const StepReport& report, const SystemState& now, SystemState& next, const Weights& weights);
+  bool slow(std::size_t part, double most_further) const;
+  bool find_slow_lines(bool contacts_renewed);
 
   Assembly* assembly_;
   StepSettings settings_;
@@ -58,6 +60,8 @@ class TimeStepper {
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;
+  std::vector<double> before_;    ///< Assembly::residuals() before the last correction.
+  std::vector<char> slow_lines_;  ///< Those that need new factors within a step.
   Increments dq_;
   StepError error_;
 };

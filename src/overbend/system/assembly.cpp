@@ -50,7 +50,9 @@ Assembly::Assembly(const System& system)
       border_(system),
       solver_(border_.lines(), border_.unknowns()),
       solution_(system.lines.size()),
-      held_(system.attachments.size()) {
+      held_(system.attachments.size()),
+      residuals_(system.lines.size() + (border_.empty() ? 0 : 1)),
+      fresh_from_(system.lines.size()) {
   lines_.reserve(system.lines.size());
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
     lines_.emplace_back(system.lines[i], system.bodies, solver_.line(static_cast<int>(i)));
@@ -86,6 +88,12 @@ bool Assembly::contacts_settled() const {
 bool Assembly::governed(std::size_t attachment) const {
   return static_cast<int>(attachment) == system_->machine && drive_ == TensionerDrive::governor &&
          system_->attachments[attachment].hold_place;
+}
+
+/// The line whose end goes with the tensioner's speed; -1 where none does.
+int Assembly::governed_line() const {
+  const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
+  return system_->machine >= 0 && governed(machine) ? system_->attachments[machine].line : -1;
 }
 
 void Assembly::find_held() {
@@ -204,7 +212,7 @@ void Assembly::evaluate(SystemState& state, const SystemState& before, const Wei
     }
   }
   find_machine_axis(state);
-  if (system_->machine >= 0 && governed(static_cast<std::size_t>(system_->machine))) {
+  if (governed_line() >= 0) {
     add_governor(state);
     if (with_tangent) {
       add_governor_tangent(state, weights);

@@ -65,12 +65,18 @@ class Assembly {
   /// Brings the factors up to the contacts of the last evaluation, which had no tangent: the lines' part is that of the
   /// last factors, and those before the first roller stand. False where a full tangent is needed.
   bool renew_contacts(const SystemState& state, const Weights& weights);
+  /// Factors some lines (not zero in `which`) anew, with their full tangent at the state evaluated last. False where
+  /// one is singular.
+  bool renew_lines(SystemState& state, const SystemState& before, const Weights& weights,
+                   const std::vector<char>& which);
   /// Before a correction that the last evaluation led to; see RollerContacts.
   void end_iteration(const SystemState& state);
   /// Removes held directions from residual and, where asked, blocks.
   void hold(bool with_tangent);
   /// Largest unbalanced force of a line or a free body over its force scale.
   double relative_residual();
+  /// The same, of each line, and at the end of the free bodies where there are any: as relative_residual() found them.
+  const std::vector<double>& residuals() const { return residuals_; }
   /// Where it was found: line and node; kBodyPlace and the number among free bodies.
   std::pair<int, int> worst_place() const { return worst_; }
 
@@ -102,6 +108,8 @@ class Assembly {
 
  private:
   bool governed(std::size_t attachment) const;
+  int governed_line() const;
+  bool factor_fresh(const SystemState& state, const Weights& weights);
   void take_residual(Increments& dq);
   void point_solution_at(Increments& dq);
   double* border_of(Increments& dq) const { return border_.empty() ? nullptr : dq.back().data(); }
@@ -125,6 +133,8 @@ class Assembly {
   std::vector<HeldDirections> held_;  ///< By the attachments.
   TensionerDrive drive_ = TensionerDrive::brake;
   Vec3 machine_axis_ = Vec3::UnitX();  ///< Of the pipe at its tensioner, at the state evaluated last.
+  std::vector<double> residuals_;
+  std::vector<int> fresh_from_;  ///< By lines: the first node whose blocks were put in afresh.
   std::pair<int, int> worst_{0, 0};
 };
 

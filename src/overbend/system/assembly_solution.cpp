@@ -2,8 +2,14 @@
 #include "system/assembly.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace overbend {
+namespace {
+
+constexpr int kNotFresh = std::numeric_limits<int>::max();
+
+}  // namespace
 
 Increments Assembly::increments() const {
   Increments dq;
@@ -17,36 +23,53 @@ Increments Assembly::increments() const {
 }
 
 bool Assembly::renew_contacts(const SystemState& state, const Weights& weights) {
-  const std::size_t machine = static_cast<std::size_t>(std::max(system_->machine, 0));
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (lines_[i].contacts().count() > 0 &&
-        (border_.holds_first_end(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights))) {
+    fresh_from_[i] = kNotFresh;
+    if (lines_[i].contacts().count() == 0) continue;
+    if (border_.holds_first_end(static_cast<int>(i)) || !lines_[i].renew_contact_tangents(state.lines[i], weights)) {
       return false;
     }
+    fresh_from_[i] = lines_[i].kept_from();
   }
-  for (std::size_t i = 0; i < (border_.empty() ? 0 : lines_.size()); ++i) {
-    if (lines_[i].contacts().count() > 0) {
-      border_.put_line(static_cast<int>(i), lines_[i], state, weights, held_, solver_);
+  return factor_fresh(state, weights);
+}
+
+bool Assembly::renew_lines(SystemState& state, const SystemState& before, const Weights& weights,
+                           const std::vector<char>& which) {
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    fresh_from_[i] = which[i] != 0 ? 0 : kNotFresh;
+    if (which[i] == 0) continue;
+    lines_[i].evaluate(state.lines[i], before.lines[i], weights, surroundings_.water[i], true, ContactMode::free);
+    if (governed_line() == static_cast<int>(i)) add_governor(state);
+  }
+  return factor_fresh(state, weights);
+}
+
+/// Border, governor, held ends and factors of lines whose blocks have been put in afresh.
+bool Assembly::factor_fresh(const SystemState& state, const Weights& weights) {
+  const auto fresh = [&](int line) { return fresh_from_[static_cast<std::size_t>(line)] != kNotFresh; };
+  const int lines = static_cast<int>(lines_.size());
+  bool any = false;
+  for (int i = 0; i < lines; ++i) {
+    any = any || fresh(i);
+    if (fresh(i) && !border_.empty()) {
+      border_.put_line(i, line(static_cast<std::size_t>(i)), state, weights, held_, solver_);
     }
   }
+  if (!any) return true;
   if (!border_.empty()) {
     border_.put_corner(solver_);
   }
-  if (system_->machine >= 0 && governed(machine)) {
+  if (governed_line() >= 0 && fresh(governed_line())) {
     add_governor_tangent(state, weights);
   }
   for (std::size_t i = 0; i < held_.size(); ++i) {
-    LineAssembly& line = lines_[static_cast<std::size_t>(system_->attachments[i].line)];
-    const int node = line.end_node(system_->attachments[i].end);
-    if (line.contacts().count() > 0 && node >= line.kept_from()) {
-      line.hold(node, held_[i], true);
-    }
+    const std::size_t of = static_cast<std::size_t>(system_->attachments[i].line);
+    const int node = lines_[of].end_node(system_->attachments[i].end);
+    if (node >= fresh_from_[of]) lines_[of].hold(node, held_[i], true);
   }
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const LineAssembly& line = lines_[i];
-    if (line.contacts().count() > 0 && !solver_.factor_line(static_cast<int>(i), line.kept_from()).solved()) {
-      return false;
-    }
+  for (int i = 0; i < lines; ++i) {
+    if (fresh(i) && !solver_.factor_line(i, fresh_from_[static_cast<std::size_t>(i)]).solved()) return false;
   }
   return solver_.close() < 0;
 }
@@ -63,6 +86,7 @@ double Assembly::relative_residual() {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     const Unbalance one = lines_[i].unbalance();
     const double relative = one.force / lines_[i].line().force_scale;
+    residuals_[i] = relative;
     if (i == 0 || relative > worst) {
       worst = relative;
       worst_ = {static_cast<int>(i), one.node};
@@ -70,6 +94,7 @@ double Assembly::relative_residual() {
   }
   for (std::size_t i = 0; i < border_.count(); ++i) {
     const double relative = border_.relative_residual(i);
+    residuals_.back() = i == 0 ? relative : std::max(residuals_.back(), relative);
     if (!(relative <= worst)) {  // NaN too
       worst = relative;
       worst_ = {kBodyPlace, static_cast<int>(i)};

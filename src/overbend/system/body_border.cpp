@@ -132,14 +132,12 @@ void BodyBorder::add_contact_forces(const LineAssembly& line) {
 
 void BodyBorder::add_end_force(const Attachment& held, const LineAssembly& line, const LineState& state) {
   const int number = number_of(held.body);
-  const HeldEnd end = held_end(held, line, state, bodies_[to_size(number)].pose);
-  Eigen::Map<Vec6>(residual_.data() + 6 * number) += end.motion.transpose() * end.force;
+  Eigen::Map<Vec6>(residual_.data() + 6 * number) += held_end_force(held, line, state, bodies_[to_size(number)].pose);
 }
 
 double BodyBorder::power_of_end(const Attachment& held, const LineAssembly& line, const SystemState& state) const {
   const std::size_t number = to_size(number_of(held.body));
-  const HeldEnd end = held_end(held, line, state.lines[to_size(held.line)], bodies_[number].pose);
-  return (end.motion.transpose() * end.force).dot(state.bodies[number].v);
+  return held_end_force(held, line, state.lines[to_size(held.line)], bodies_[number].pose).dot(state.bodies[number].v);
 }
 
 void BodyBorder::evaluate(SystemState& state, const SystemState& before, const Weights& weights,
@@ -266,10 +264,11 @@ void BodyBorder::put_end(const Attachment& held, const LineAssembly& line, const
   const Place place = place_of(index, number_of(held.body));
   const HeldEnd end = held_end(held, line, state, *place.pose);
   const EndBlocks blocks = end_blocks(line, held.end);
+  const bool met = solver.bordered(index, end.node);  // by contacts, or at the line's other end
   double* const columns = solver.columns(index, end.node);
   double* const rows = solver.rows(index, end.node);
   LinePart& part = lines_[to_size(index)];
-  for (int j = 0; j < part.unknowns(); ++j) {
+  for (int j = 0; j < (met ? part.unknowns() : 0); ++j) {
     for (int i = 0; i < 6; ++i) {
       for (int dof = 0; dof < 6; ++dof) {
         const double moved = end.motion(dof, i);

@@ -15,6 +15,20 @@ Mat6 block(const double* rows) {
 
 }  // namespace
 
+Vec6 held_end_force(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
+  const double* q = state.q.data() + 6 * line.end_node(held.end);
+  const Vec3 r = Eigen::Map<const Vec3>(q), t = Eigen::Map<const Vec3>(q + 3);
+  const std::array<double, 6>& all = line.end_force(held.end);
+  Vec6 sum = Vec6::Zero();
+  if (held.hold_place) {
+    sum += point_rows(pose, r).transpose() * Eigen::Map<const Vec3>(all.data());
+  }
+  if (held.hold_direction) {
+    sum += vector_rows(pose, t).transpose() * Eigen::Map<const Vec3>(all.data() + 3);
+  }
+  return sum;
+}
+
 HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose) {
   HeldEnd end;
   end.node = line.end_node(held.end);
@@ -26,7 +40,6 @@ HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineSta
     const Vec3 force = all.segment<3>(first);
     const Mat3 across = cross_matrix(force);
     end.motion.middleRows<3>(first) = rows;
-    end.force.segment<3>(first) = force;
     end.turned_force.block<3, 3>(first, 3) = across * e;
     end.turning += generalised_force_slope(pose, arm, force);
   };
@@ -63,11 +76,12 @@ ContactBorder contact_border(const BodyPose& pose, const ElementVector& q, const
     moment -= (place ? Vec3(at - pose.place) : at).cross(part);
   }
   ContactBorder border;
-  border.columns = -tangent * motion;
+  // Entry by entry: packed for the general product, matrices of this size take longer.
+  border.columns = -tangent.lazyProduct(motion);
   border.columns.rightCols<3>() += (turning - turned) * e;
-  border.rows = -tangent.transpose() * motion;
+  border.rows = -tangent.transpose().lazyProduct(motion);
   border.rows.rightCols<3>() -= turned * e;
-  border.corner = -motion.transpose() * border.columns;
+  border.corner = -motion.transpose().lazyProduct(border.columns);
   border.corner.block<3, 3>(3, 0) += e.transpose() * cross_matrix(force);
   border.corner += generalised_moment_slope(pose, moment);
   return border;

@@ -12,12 +12,14 @@ namespace overbend {
 struct HeldEnd {
   int node = 0;
   Mat6 motion = Mat6::Zero();        ///< E. Rows of unknowns that are not held by the body are zero.
-  Vec6 force = Vec6::Zero();         ///< Residual of the held unknowns: what they exert on the body, with minus.
   Mat6 turning = Mat6::Zero();       ///< How E^T force changes with the body where the force stays.
   Mat6 turned_force = Mat6::Zero();  ///< (dE/dq)^T force: by unknowns of the node (rows) and the body (columns).
 };
 
 HeldEnd held_end(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose);
+
+/// E^T force, force the residual of the held unknowns: what they exert on the body, with minus.
+Vec6 held_end_force(const Attachment& held, const LineAssembly& line, const LineState& state, const BodyPose& pose);
 
 /// Blocks beside an end of a line, as they stand in the tangent.
 struct EndBlocks {
