@@ -47,9 +47,14 @@ inline constexpr double kPivotFloor = 1e-14;
 inline constexpr double kPivotShare = 0.02;
 inline constexpr double kPivotLoss = 1e-10;
 
-/// A block with its right-hand sides and what couples it to the node that is next.
+/// Whether the registers hold a block and what couples it to the node that is next at the same time.
+inline constexpr bool kBothInRegisters = kParts == 1;
+
+/// A block with its right-hand sides and, if there is room, what couples it to the node that is next.
 struct BlockRows {
   Row d[kNodeDofs], u[kNodeDofs];
+  /// By pivot and row: what was taken of the pivot row; of the pivot row itself, what it was scaled by.
+  double factor[kNodeDofs][kNodeDofs];
   bool negative = false;  ///< The determinant so far.
   bool good = true;
 };
@@ -91,6 +96,7 @@ inline __attribute__((always_inline)) void take_out(BlockRows& rows, double& lar
     if constexpr (I > K) {
       largest = magnitude(factor[0]) > largest ? magnitude(factor[0]) : largest;
     }
+    if constexpr (!kBothInRegisters) rows.factor[K][I] = factor[0];
     row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{});
     for (int i = 0; i < kParts; ++i) {
       row.part[i] -= factor * rows.d[K].part[i];
@@ -108,6 +114,7 @@ inline __attribute__((always_inline)) void eliminate_row(BlockRows& rows, const 
   row.part[kPart] = exchanged_lane<kLane>(row.part[kPart], Lanes{} + 1.0);
   const double inverse = 1.0 / pivot;
   row.scale(inverse);
+  if constexpr (!kBothInRegisters) rows.factor[K][K] = inverse;
   if constexpr (kCoupled) rows.u[K].scale(inverse);
   double largest = 0.0;
   (take_out<kCoupled, K, I>(rows, largest), ...);
@@ -123,24 +130,50 @@ inline __attribute__((always_inline)) void eliminate_rows(BlockRows& rows, const
   (eliminate_row<kCoupled, K>(rows, at_first, all), ...);
 }
 
+/// Two registers of every row of u go through an elimination that was made before, step by step.
+inline __attribute__((always_inline)) void repeat(const double (&factor)[kNodeDofs][kNodeDofs], Row* u, int first) {
+  constexpr int kTogether = 2;
+  Lanes part[kNodeDofs][kTogether];
+#pragma GCC unroll 6
+  for (int i = 0; i < kNodeDofs; ++i) {
+    for (int p = 0; p < kTogether; ++p) part[i][p] = u[i].part[first + p];
+  }
+#pragma GCC unroll 6
+  for (int k = 0; k < kNodeDofs; ++k) {
+    for (int p = 0; p < kTogether; ++p) part[k][p] *= factor[k][k];
+#pragma GCC unroll 6
+    for (int i = 0; i < kNodeDofs; ++i) {
+      for (int p = 0; p < (i == k ? 0 : kTogether); ++p) part[i][p] -= factor[k][i] * part[k][p];
+    }
+  }
+#pragma GCC unroll 6
+  for (int i = 0; i < kNodeDofs; ++i) {
+    for (int p = 0; p < kTogether; ++p) u[i].part[first + p] = part[i][p];
+  }
+}
+
 /// What `eliminate` does, without exchanging rows: most blocks need none, and then nothing has to wait for memory.
 /// Returns 0 and leaves everything as it was where some row should be exchanged.
 template <bool kCoupled>
 inline int eliminate_in_place(Row* d, Row* u) {
+  constexpr bool kTogether = kCoupled && kBothInRegisters;
   BlockRows rows;
   double at_first[kNodeDofs];
   for (int i = 0; i < kNodeDofs; ++i) {
     rows.d[i] = d[i];
-    if constexpr (kCoupled) rows.u[i] = u[i];
+    if constexpr (kTogether) rows.u[i] = u[i];
     at_first[i] = d[i][i];
   }
-  eliminate_rows<kCoupled>(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
+  eliminate_rows<kTogether>(rows, at_first, std::make_integer_sequence<int, kNodeDofs>());
   if (!rows.good) {
     return 0;
   }
   for (int i = 0; i < kNodeDofs; ++i) {
     d[i] = rows.d[i];
-    if constexpr (kCoupled) u[i] = rows.u[i];
+    if constexpr (kTogether) u[i] = rows.u[i];
+  }
+  if constexpr (kCoupled && !kBothInRegisters) {
+    for (int first = 0; first < kParts; first += 2) repeat(rows.factor, u, first);
   }
   return rows.negative ? -1 : 1;
 }
