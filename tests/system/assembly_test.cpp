@@ -5,6 +5,7 @@
 #include "dynamics/run_setup.h"
 #include "support/bgl1_in_time.h"
 #include "support/fixtures.h"
+#include "support/free_body.h"
 #include "support/moving_rod.h"
 
 namespace overbend {
@@ -32,8 +33,8 @@ class StandingPipe {
   RunSetup setup_;
 };
 
-Eigen::VectorXd vector_of(const Increments& dq) {
-  return Eigen::Map<const Eigen::VectorXd>(dq[0].data(), static_cast<Eigen::Index>(dq[0].size()));
+Eigen::VectorXd vector_of(const Increments& dq, std::size_t part = 0) {
+  return Eigen::Map<const Eigen::VectorXd>(dq[part].data(), static_cast<Eigen::Index>(dq[part].size()));
 }
 
 TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_from_the_pipe) {
@@ -66,6 +67,44 @@ TEST(renewed_contacts, give_the_step_of_a_full_tangent_where_rollers_sink_away_f
   const Eigen::VectorXd full = step(true, [&] { ASSERT_TRUE(assembly.solve_factored(dq)); });
   EXPECT_GT((old - full).norm(), 0.3 * full.norm());
   EXPECT_LT((renewed - full).norm(), 1e-9 * full.norm());  // rounding: the line itself has not moved
+}
+
+// The cable has been stretched and turned since: what else there is stands, so that a full tangent changes nothing
+// more.
+TEST(renewed_line, gives_the_step_of_a_full_tangent) {
+  System system = testing::body_with_lines(testing::floating());
+  system.surroundings = testing::still(system);
+  Assembly assembly(system);
+  SystemState state = testing::drawn_out(system);
+  const SystemState before = state;
+  const Weights weights{60.0, 3600.0, 0.02};
+  assembly.set_time(0.0, state);
+  const auto solved = [&](bool with_tangent, const auto& solve) {
+    assembly.impose_ends(state);
+    assembly.evaluate(state, before, weights, with_tangent);
+    assembly.hold(with_tangent);
+    Increments dq = assembly.increments();
+    EXPECT_TRUE(solve(dq));
+    return dq;
+  };
+  const auto fully = [&](Increments& dq) { return assembly.solve_factored(dq); };
+  solved(true, fully);
+  for (std::size_t i = 2; i + 6 < state.lines[0].q.size(); i += 6) state.lines[0].q[i] += i % 4 == 0 ? 0.2 : -0.2;
+  const Increments old = solved(false, [&](Increments& dq) {
+    assembly.solve_again(dq);
+    return true;
+  });
+  const Increments renewed = solved(false, [&](Increments& dq) {
+    const bool regular = assembly.renew_lines(state, before, weights, {1, 0});
+    assembly.solve_again(dq);
+    return regular;
+  });
+  const Increments full = solved(true, fully);
+  for (std::size_t part = 0; part < full.size(); ++part) {  // the cable's, the rod's, the body's
+    const double size = vector_of(full, part).norm();
+    EXPECT_GT((vector_of(old, part) - vector_of(full, part)).norm(), 1e-3 * size) << part;
+    EXPECT_LT((vector_of(renewed, part) - vector_of(full, part)).norm(), 1e-8 * size) << part;
+  }
 }
 
 /// A soft rod that swings from one end.

@@ -388,47 +388,6 @@ TEST(body_border, with_renewed_contacts_gives_the_step_of_a_full_tangent) {
   }
 }
 
-// The cable has been stretched and turned since: what else there is stands, so that a full tangent changes nothing
-// more.
-TEST(body_border, with_one_line_renewed_gives_the_step_of_a_full_tangent) {
-  System system = body_with_lines(floating());
-  system.surroundings = still(system);
-  Assembly assembly(system);
-  SystemState state = drawn_out(system);
-  const SystemState before = state;
-  const Weights weights{60.0, 3600.0, 0.02};
-  assembly.set_time(0.0, state);
-  const auto solved = [&](bool with_tangent, const auto& solve) {
-    assembly.impose_ends(state);
-    assembly.evaluate(state, before, weights, with_tangent);
-    assembly.hold(with_tangent);
-    Increments dq = assembly.increments();
-    EXPECT_TRUE(solve(dq));
-    return dq;
-  };
-  const auto fully = [&](Increments& dq) { return assembly.solve_factored(dq); };
-  solved(true, fully);
-  for (std::size_t i = 2; i + 6 < state.lines[0].q.size(); i += 6) state.lines[0].q[i] += i % 4 == 0 ? 0.2 : -0.2;
-  const Increments old = solved(false, [&](Increments& dq) {
-    assembly.solve_again(dq);
-    return true;
-  });
-  const Increments renewed = solved(false, [&](Increments& dq) {
-    const bool regular = assembly.renew_lines(state, before, weights, {1, 0});
-    assembly.solve_again(dq);
-    return regular;
-  });
-  const Increments full = solved(true, fully);
-  const auto vector = [](const std::vector<double>& values) {
-    return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
-  };
-  for (std::size_t part = 0; part < full.size(); ++part) {  // the cable's, the rod's, the body's
-    const double size = vector(full[part]).norm();
-    EXPECT_GT((vector(old[part]) - vector(full[part])).norm(), 1e-3 * size) << part;
-    EXPECT_LT((vector(renewed[part]) - vector(full[part])).norm(), 1e-8 * size) << part;
-  }
-}
-
 TEST(body_border, leaves_no_force_and_no_moment_over_between_lines_and_bodies) {
   System system = rod_on_rollers(rubbing(0.3));
   system.bodies[0].free->balance = [](const HullState&, const HullState&, const Weights&, double, HullBalance& out) {
