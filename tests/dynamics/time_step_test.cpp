@@ -103,8 +103,8 @@ TEST(time_step, makes_factors_anew_for_the_one_line_that_needs_them) {
   EXPECT_EQ(report.factorisations, 0);
   EXPECT_GT(reference.factorisations, 0);
   EXPECT_LE(report.iterations, 7);
-  for (std::size_t i = 0; i < state.lines[1].q.size(); ++i) {
-    EXPECT_NEAR(state.lines[1].q[i], same.lines[1].q[i], 1e-7) << i;
+  for (std::size_t i = 0; i < state.lines[1].q.size(); ++i) {  // 1e-6 N are left, over a mass of about 1e4 N/m
+    EXPECT_NEAR(state.lines[1].q[i], same.lines[1].q[i], 1e-9) << i;
   }
 }
 

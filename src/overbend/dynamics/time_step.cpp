@@ -14,6 +14,17 @@ constexpr int kOldestFactors = 20;    ///< Steps that factors may serve.
 constexpr int kSlowStep = 3;          ///< Iterations, beyond which the next step begins with new factors.
 constexpr int kMostRounds = 30;       ///< In which ends that give way find by how much.
 
+/// What factors of a line cost, by its share of the nodes, in iterations of all lines; one more is needed anyway.
+std::vector<double> iterations_for_factors(const System& system) {
+  int nodes = 0;
+  for (const Line& line : system.lines) nodes += line.mesh.nodes();
+  std::vector<double> iterations;
+  for (const Line& line : system.lines) {
+    iterations.push_back(std::max(kMostFurther * line.mesh.nodes() / nodes, 1.0));
+  }
+  return iterations;
+}
+
 /// Sees iterations that go to and fro between two states: a contact that opens in one and closes in the other, of a
 /// force that jumps, has no balance within this step, and more of them find none.
 class ToAndFro {
@@ -39,7 +50,8 @@ TimeStepper::TimeStepper(Assembly& assembly, const StepSettings& settings)
       settings_(settings),
       scheme_(settings.spectral_radius),
       giving_(assembly.system()),
-      slow_lines_(assembly.system().lines.size()),
+      most_further_(iterations_for_factors(assembly.system())),
+      slow_lines_(most_further_.size()),
       dq_(assembly.increments()),
       error_(assembly.system(), scheme_) {}
 
@@ -98,23 +110,15 @@ bool TimeStepper::slow(std::size_t part, double most_further) const {
          !(std::log(settings_.tolerance / residual) >= most_further * std::log(residual / before_[part]));
 }
 
-/// Lines that need new factors, each by what these cost over an iteration of all; one more iteration is needed anyway.
-/// Lines with contacts wait for another look where those have just been renewed. False where it is all lines or the
-/// bodies.
+/// Lines that need new factors. Those with contacts wait for another look where these have just been renewed. False
+/// where it is all lines or the bodies.
 bool TimeStepper::find_slow_lines(bool contacts_renewed) {
   const std::size_t lines = slow_lines_.size();
-  int nodes = 0;
   for (std::size_t i = 0; i < lines; ++i) {
-    nodes += assembly_->line(i).line().mesh.nodes();
+    const bool renewed = contacts_renewed && assembly_->line(i).contacts().count() > 0;
+    slow_lines_[i] = !renewed && slow(i, most_further_[i]) ? 1 : 0;
   }
-  bool all = lines > 0;
-  for (std::size_t i = 0; i < lines; ++i) {
-    const LineAssembly& line = assembly_->line(i);
-    const double share = static_cast<double>(line.line().mesh.nodes()) / nodes;
-    const bool renewed = contacts_renewed && line.contacts().count() > 0;
-    slow_lines_[i] = !renewed && slow(i, std::max(kMostFurther * share, 1.0)) ? 1 : 0;
-    all = all && slow_lines_[i] != 0;
-  }
+  const bool all = lines > 0 && std::find(slow_lines_.begin(), slow_lines_.end(), 0) == slow_lines_.end();
   return !all && (contacts_renewed || before_.size() == lines || !slow(lines, kMostFurther));
 }
 

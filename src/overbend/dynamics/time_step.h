@@ -60,8 +60,9 @@ class TimeStepper {
   double factored_step_ = 0.0;
   std::uint64_t factored_contacts_ = 0;
   int factors_age_ = 0;
-  std::vector<double> before_;    ///< Assembly::residuals() before the last correction.
-  std::vector<char> slow_lines_;  ///< Those that need new factors within a step.
+  std::vector<double> most_further_;  ///< By lines: iterations that cost less than new factors within a step,
+  std::vector<char> slow_lines_;      ///< and whether these are needed.
+  std::vector<double> before_;        ///< Assembly::residuals() before the last correction.
   Increments dq_;
   StepError error_;
 };

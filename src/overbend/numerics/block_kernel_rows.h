@@ -133,6 +133,7 @@ inline __attribute__((always_inline)) void eliminate_rows(BlockRows& rows, const
 /// Two registers of every row of u go through an elimination that was made before, step by step.
 inline __attribute__((always_inline)) void repeat(const double (&factor)[kNodeDofs][kNodeDofs], Row* u, int first) {
   constexpr int kTogether = 2;
+  static_assert(kBothInRegisters || kParts % kTogether == 0);
   Lanes part[kNodeDofs][kTogether];
 #pragma GCC unroll 6
   for (int i = 0; i < kNodeDofs; ++i) {
