@@ -29,7 +29,7 @@ inline FreeBody free_body(const SpringBody& springs, const Vec3& reference_V = V
     out.tangent = inertia.by_h + weights.velocity * inertia.by_v + weights.acceleration * inertia.by_a;
     out.tangent.diagonal() += springs.stiffness + weights.velocity * springs.damping;
   };
-  free.energy = [springs](const HullState& at, double /*time*/) {
+  free.energy = [springs](const HullState& at, double /*time*/, const HullBalance& /*step*/) {
     const Vec6 away = at.h - springs.drawn;
     BodyEnergy energy;
     energy.kinetic = kinetic_energy(springs.body, at.h, at.v);

@@ -22,10 +22,6 @@ Vec6 rates_in_h(const SlowMotion& slow, const Vec6& v) {
   return in_h;
 }
 
-double built_up(const Hull& hull, double time) {
-  return time == kBeforeWaves ? 0.0 : half_cosine(time, hull.build_up).value;
-}
-
 /// Of a turning rate about z, on both halves of a six-vector.
 Mat6 rate_matrix(double r) {
   Mat6 Z = Mat6::Zero();
@@ -44,13 +40,6 @@ Mat6 turning_of(const Mat6& A, double r) {
 }
 
 // What acts at the slow place and heading, in H ----------------------------------------------------------------------
-
-struct Surroundings {
-  Vec6 waves = Vec6::Zero(), drift = Vec6::Zero(), wind = Vec6::Zero(), station = Vec6::Zero();
-  CurrentForce current;
-
-  Vec6 sum() const { return waves + drift + wind + station + current.force; }
-};
 
 Vec6 station_force(const StationKeeping& keeping, const SlowMotion& slow) {
   const Mat3 to_h = turned_about_z(-slow.value.z());
@@ -78,34 +67,68 @@ StripWater water_at_strips(const Hull& hull, const SlowMotion& slow, double time
   return water;
 }
 
-Surroundings surroundings(const Hull& hull, const SlowMotion& slow, const Vec6& v, double time) {
-  Surroundings s;
-  const double share = built_up(hull, time);
-  if (!hull.waves.empty() && (share > 0.0 || hull.mean_drift_from_start)) {
-    const WaveForce f = wave_force(hull.waves, share > 0.0 ? time : 0.0, slow.value);
-    s.waves = share * f.first_order;
-    s.drift =
-        hull.mean_drift_from_start ? Vec6(f.mean_drift + share * (f.drift - f.mean_drift)) : Vec6(share * f.drift);
-    s.drift -= share * (hull.drift_damping * v);
+HullSurroundings surroundings_at(const Hull& hull, const SlowMotion& slow, double time) {
+  HullSurroundings s;
+  s.time = time;
+  s.slow = slow;
+  s.built_up = time == kBeforeWaves ? 0.0 : half_cosine(time, hull.build_up).value;
+  if (!hull.waves.empty() && (s.built_up > 0.0 || hull.mean_drift_from_start)) {
+    const WaveForce f = wave_force(hull.waves, s.built_up > 0.0 ? time : 0.0, slow.value);
+    s.waves = s.built_up * f.first_order;
+    s.drift = hull.mean_drift_from_start ? Vec6(f.mean_drift + s.built_up * (f.drift - f.mean_drift))
+                                         : Vec6(s.built_up * f.drift);
   }
-  s.current = current_force(hull.current, slow.value.z(), v, water_at_strips(hull, slow, time, share));
-  s.current.force(5) += munk_moment(hull, slow);
+  s.water = water_at_strips(hull, slow, time, s.built_up);
+  s.munk = munk_moment(hull, slow);
   s.wind = wind_force(hull.wind, slow.value.z());
   if (hull.station_keeping) s.station = station_force(*hull.station_keeping, slow);
   return s;
 }
 
+/// Surroundings at the end of a step, in which the hull goes on as it began.
+HullSurroundings surroundings_after(const Hull& hull, const HullState& before, double step, double time) {
+  const Vec6 there = before.h + step * before.v;
+  HullSurroundings s =
+      surroundings_at(hull, slow_motion_after(before.slow, before.h, there, step, hull.slow_period), time);
+  const Vec6 v = rates_in_h(before.slow, before.v);
+  if (step > 0.0) {
+    s.memory = radiation_step(hull.radiation, before.radiation, v, step);
+  } else {
+    s.memory.force_at_rest_end = radiation_force(hull.radiation, before.radiation, v);
+  }
+  return s;
+}
+
+/// Forces of the surroundings on a hull that moves with `v`, in H.
+struct OutsideForce {
+  Vec6 drift = Vec6::Zero();
+  CurrentForce current;
+  Vec6 sum = Vec6::Zero();   ///< Those that do not hang on `v` included.
+  Mat6 by_v = Mat6::Zero();  ///< Of the sum.
+};
+
+OutsideForce outside_force(const Hull& hull, const HullSurroundings& around, const Vec6& v) {
+  OutsideForce f;
+  f.drift = around.drift - around.built_up * (hull.drift_damping * v);
+  f.current = current_force(hull.current, around.slow.value.z(), v, around.water);
+  f.current.force(5) += around.munk;
+  f.sum = around.waves + f.drift + around.wind + around.station + f.current.force;
+  f.by_v = f.current.by_v - around.built_up * hull.drift_damping;
+  return f;
+}
+
 /// At rest all of these follow the hull: their derivatives by x, y and psi.
 void add_slopes_at_rest(const Hull& hull, const SlowMotion& slow, double time, Mat6& tangent) {
+  const auto force = [&](const SlowMotion& at) -> Vec6 {
+    return turn_of(at) * outside_force(hull, surroundings_at(hull, at, time), Vec6::Zero()).sum;
+  };
   const int columns[3] = {0, 1, 5};
   for (int k = 0; k < 3; ++k) {
     const double d = k < 2 ? 1e-3 : 1e-5;  // forces change over metres and degrees; exact for what is linear
     SlowMotion ahead = slow, behind = slow;
     ahead.value(k) += d;
     behind.value(k) -= d;
-    const Vec6 difference = turn_of(ahead) * surroundings(hull, ahead, Vec6::Zero(), time).sum() -
-                            turn_of(behind) * surroundings(hull, behind, Vec6::Zero(), time).sum();
-    tangent.col(columns[k]) -= difference / (2.0 * d);
+    tangent.col(columns[k]) -= (force(ahead) - force(behind)) / (2.0 * d);
   }
 }
 
@@ -121,18 +144,6 @@ Reaction added_mass(const Hull& hull, const SlowMotion& slow, const Vec6& v, con
   Reaction r;
   r.by_v = turning_of(hull.radiation.added_mass, slow.rate.z());
   r.force = hull.radiation.added_mass * acc + r.by_v * v;
-  return r;
-}
-
-Reaction radiated(const Hull& hull, const HullState& before, double step, const Vec6& v) {
-  Reaction r;
-  if (step > 0.0) {
-    const RadiationStep mu = radiation_step(hull.radiation, before.radiation, rates_in_h(before.slow, before.v), step);
-    r.by_v = mu.slope;
-    r.force = mu.force_at_rest_end + mu.slope * v;
-  } else {
-    r.force = radiation_force(hull.radiation, before.radiation, v);
-  }
   return r;
 }
 
@@ -170,9 +181,13 @@ HullState hull_at_rest(const Hull& hull, const Vec6& h) {
 void balance_hull(const Hull& hull, const HullState& at, const HullState& before, double step,
                   const HullWeights& weights, double time, HullBalance& out) {
   const bool at_rest = weights.damping == 0.0 && weights.mass == 0.0;
-  const SlowMotion slow =
-      at_rest ? slow_rest(at.h) : slow_motion_after(before.slow, before.h, at.h, step, hull.slow_period);
-  const Mat6 T = turn_of(slow);
+  if (at_rest) {
+    out.surroundings = surroundings_at(hull, slow_rest(at.h), time);
+  } else if (!out.surroundings) {
+    out.surroundings = surroundings_after(hull, before, step, time);
+  }
+  const HullSurroundings& around = *out.surroundings;
+  const Mat6 T = turn_of(around.slow);
   const Vec6 v = T.transpose() * at.v, acc = T.transpose() * at.acc;
 
   const RigidBodyForce inertia = rigid_body_force(hull.body, at.h, at.v, at.acc);
@@ -180,21 +195,20 @@ void balance_hull(const Hull& hull, const HullState& at, const HullState& before
   out.tangent = weights.stiffness * (inertia.by_h + hull.hydrostatics) + weights.damping * inertia.by_v +
                 weights.mass * inertia.by_a;
 
-  const Surroundings around = surroundings(hull, slow, v, time);
-  const Reaction mass = added_mass(hull, slow, v, acc), losses = viscous(hull.damping, v);
-  Reaction memory;
-  if (!at_rest) memory = radiated(hull, before, step, v);
-  out.residual += T * (mass.force + memory.force + losses.force - around.sum());
-  const Mat6 by_v =
-      mass.by_v + memory.by_v + losses.by_v - around.current.by_v + built_up(hull, time) * hull.drift_damping;
+  const Reaction mass = added_mass(hull, around.slow, v, acc), losses = viscous(hull.damping, v);
+  const OutsideForce outside = outside_force(hull, around, v);
+  const RadiationStep& memory = around.memory;
+  out.residual += T * (mass.force + memory.force_at_rest_end + memory.slope * v + losses.force - outside.sum);
+  const Mat6 by_v = mass.by_v + memory.slope + losses.by_v - outside.by_v;
   out.tangent += T * (weights.damping * by_v + weights.mass * hull.radiation.added_mass) * T.transpose();
 
   add_loads(hull, at.h, weights.stiffness, out);
   if (at_rest) {
     Mat6 slopes = Mat6::Zero();
-    add_slopes_at_rest(hull, slow, time, slopes);
+    add_slopes_at_rest(hull, around.slow, time, slopes);
     out.tangent += weights.stiffness * slopes;
   }
+  if (step == 0.0) out.surroundings.reset();
 }
 
 void finish_step(const Hull& hull, const HullState& before, double step, HullState& at) {
@@ -206,8 +220,8 @@ void finish_step(const Hull& hull, const HullState& before, double step, HullSta
 SteadyForces steady_forces(const Hull& hull, double psi) {
   SlowMotion slow;
   slow.value.z() = psi;
-  const Surroundings around = surroundings(hull, slow, Vec6::Zero(), kBeforeWaves);
-  return {around.current.force, around.wind, around.drift};
+  const HullSurroundings around = surroundings_at(hull, slow, kBeforeWaves);
+  return {outside_force(hull, around, Vec6::Zero()).current.force, around.wind, around.drift};
 }
 
 const char* hull_refusal(const HullState& state) {
@@ -216,16 +230,19 @@ const char* hull_refusal(const HullState& state) {
   return nullptr;
 }
 
-HullEnergy hull_energy(const Hull& hull, const HullState& state, double time) {
+HullEnergy hull_energy(const Hull& hull, const HullState& state, double time,
+                       const std::optional<HullSurroundings>& of_step) {
   HullEnergy e;
   const Vec6 v = rates_in_h(state.slow, state.v), off = state.h - hull.drawn;
-  const Surroundings around = surroundings(hull, state.slow, v, time);
+  const bool at_hand = of_step && of_step->time == time;
+  const HullSurroundings around = at_hand ? *of_step : surroundings_at(hull, state.slow, time);
+  const OutsideForce outside = outside_force(hull, around, v);
   e.kinetic = kinetic_energy(hull.body, state.h, state.v) + 0.5 * v.dot(hull.radiation.added_mass * v);
   e.hydrostatic = 0.5 * off.dot(hull.hydrostatics * off);
   e.radiation = -v.dot(radiation_force(hull.radiation, state.radiation, v));
   e.waves = v.dot(around.waves);
-  e.drift = v.dot(around.drift);
-  e.current = v.dot(around.current.force);
+  e.drift = v.dot(outside.drift);
+  e.current = v.dot(outside.current.force);
   e.wind = v.dot(around.wind);
   e.station_keeping = v.dot(around.station);
   e.turning = -v.dot(rate_matrix(state.slow.rate.z()) * (hull.radiation.added_mass * v));

@@ -96,17 +96,30 @@ struct HullWeights {
   double stiffness = 1.0, damping = 0.0, mass = 0.0;
 };
 
+/// What surrounds the hull at its slow place and heading, whatever it does there; forces in H [N, N m].
+struct HullSurroundings {
+  double time = 0.0;  ///< [s]
+  SlowMotion slow;
+  double built_up = 0.0;  ///< Share of the waves that is there.
+  Vec6 waves = Vec6::Zero(), drift = Vec6::Zero(), wind = Vec6::Zero(), station = Vec6::Zero();
+  double munk = 0.0;     ///< Moment of the slow motion through the water [N m].
+  StripWater water;      ///< Of the waves at the hull's strips.
+  RadiationStep memory;  ///< Of the waves that the hull has radiated.
+};
+
 struct HullBalance {
   Vec6 residual = Vec6::Zero();
   Mat6 tangent = Mat6::Zero();
+  /// Those of the step under way: found by its first evaluation. To be emptied where another step begins.
+  std::optional<HullSurroundings> surroundings;
 };
 
 /// Time that stands for statics: before all waves.
 inline constexpr double kBeforeWaves = -std::numeric_limits<double>::infinity();
 
 /// Residual and tangent at the state `at` (h, v and acc; its memories are not looked at), which ends a step of length
-/// `step` [s] from the state `before`. Exact tangent but for the slow motion within the step, which is of the order
-/// (step / slow_period)^2.
+/// `step` [s] from the state `before`. Forces at the slow place see it go on as it did at the start of the step: they
+/// miss (w_f step)^2 of what accelerations move the hull by in one, and the tangent is exact.
 ///
 /// `step` 0: `at` stands where `before` stands; the memories of `before` are as they are. Weights (1, 0, 0) stand for
 /// statics: the slow motion is then that of h, and its influence is in the tangent; rates should be zero and `time`
@@ -145,6 +158,8 @@ struct HullEnergy {
     return radiation + waves + drift + current + wind + viscous + loads + ballast + station_keeping + turning;
   }
 };
-HullEnergy hull_energy(const Hull& hull, const HullState& state, double time);
+/// `of_step`: the surroundings that the step which ended in `state` was balanced with, where they are at hand.
+HullEnergy hull_energy(const Hull& hull, const HullState& state, double time,
+                       const std::optional<HullSurroundings>& of_step = std::nullopt);
 
 }  // namespace overbend

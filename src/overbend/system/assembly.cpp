@@ -116,6 +116,7 @@ void Assembly::set_time(double time, const SystemState& near) {
   if (!border_.empty()) {
     border_.lead(near.bodies, surroundings_);
     border_.meet_water(time);
+    border_.begin_step();
   }
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].contacts().place(surroundings_.bodies, near.lines[i].q.data(), kReach);

@@ -97,7 +97,7 @@ void Assembly::add_body_energy(const SystemState& state, InstantEnergy& now) con
     now.bodies.stored += springs.stored;
     now.bodies.power += springs.power;
     if (border_.body(k).energy) {
-      const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time);
+      const BodyEnergy one = border_.body(k).energy(state.bodies[k], state.time, border_.balance(k));
       now.bodies.kinetic += one.kinetic;
       now.bodies.stored += one.stored;
       now.bodies.power += one.power;

@@ -113,6 +113,10 @@ void BodyBorder::lead(const std::vector<HullState>& at, Surroundings& now) {
   }
 }
 
+void BodyBorder::begin_step() {
+  for (Member& member : bodies_) member.own.surroundings.reset();
+}
+
 void BodyBorder::add_contact_forces(const LineAssembly& line) {
   const RollerContacts& contacts = line.contacts();
   for (int i = 0; i < contacts.count(); ++i) {

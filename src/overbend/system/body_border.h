@@ -31,6 +31,7 @@ class BodyBorder {
   /// Which of the free bodies, -1 where a body is none of them.
   int number_of(int body) const { return body < 0 ? -1 : number_[static_cast<std::size_t>(body)]; }
   const FreeBody& body(std::size_t number) const { return *bodies_[number].body; }
+  const HullBalance& balance(std::size_t number) const { return bodies_[number].own; }
   /// Those of the bodies that are sections of a stinger on hinges.
   const HingedSections& hinged() const { return hinged_; }
 
@@ -38,6 +39,8 @@ class BodyBorder {
   void lead(const std::vector<HullState>& at, Surroundings& now);
   /// Takes the water around bodies on hinges at a time, where they are now.
   void meet_water(double time) { hinged_.meet_water(time); }
+  /// Another step begins, or the same one again.
+  void begin_step();
 
   /// Sums the forces on the bodies, after the lines have been evaluated; quasi-static lines leave theirs in `state`.
   void evaluate(SystemState& state, const SystemState& before, const Weights& weights,

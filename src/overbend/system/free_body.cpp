@@ -32,8 +32,8 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   body.finish_step = [&hull](const HullState& before, double step, HullState& at) {
     finish_step(hull, before, step, at);
   };
-  body.energy = [&hull](const HullState& at, double time) {
-    const HullEnergy energy = hull_energy(hull, at, time);
+  body.energy = [&hull](const HullState& at, double time, const HullBalance& step) {
+    const HullEnergy energy = hull_energy(hull, at, time, step.surroundings);
     return BodyEnergy{energy.kinetic, energy.hydrostatic, energy.power()};
   };
   return body;

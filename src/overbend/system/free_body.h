@@ -68,7 +68,8 @@ struct FreeBody {
       balance;
   /// Moves the memories of `at` to the end of the step that began at `before`; may be empty.
   std::function<void(const HullState& before, double step, HullState& at)> finish_step;
-  std::function<BodyEnergy(const HullState& at, double time)> energy;  ///< May be empty.
+  /// `step`: its last balance. May be empty.
+  std::function<BodyEnergy(const HullState& at, double time, const HullBalance& step)> energy;
 };
 
 /// A hull with all that acts on it. `hull` must outlive what is returned. Forces are measured against the weight of the
