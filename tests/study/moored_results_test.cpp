@@ -45,7 +45,7 @@ void run(Finished& made) {
   made.results = outcome.results.value();
   fill_checks(model, made.statics, made.results);
   finish_motions(made.statics, d, made.results, store);
-  finish_histories(made.results, store);
+  finish_histories(d, made.results, store);
   write_dynamic_files(made.statics, made.results, store, d, made.folder.path());
 }
 

@@ -72,6 +72,35 @@ TEST(run_warnings, an_energy_balance_that_does_not_close_is_told) {
   EXPECT_TRUE(only(warnings_of(r), "the energy balance of the run has an error of 0.002"));
 }
 
+/// Travel that keeps for a while what it was moved to: `period` [s] of the slow swing, rows half a second apart.
+std::vector<double> travel_of(double duration, double period) {
+  std::vector<double> values;
+  for (int i = 0; i < static_cast<int>(2.0 * duration); ++i) {
+    const double phase = 2.0 * std::acos(-1.0) * 0.5 * i / period;
+    values.push_back(1.2 + 0.4 * std::sin(phase) + 0.2 * std::sin(0.37 * phase + 1.0));
+  }
+  return values;
+}
+
+TEST(run_warnings, a_tensioner_that_decides_is_told_where_the_run_is_short_for_it) {
+  WavesDescription waves;
+  waves.type = WaveType::jonswap;
+  const auto told = [&](double duration, std::int64_t acted) {
+    DynamicResults r = sound();
+    r.duration = duration;
+    r.tensioner.travel.std = 0.316;
+    r.tensioner.pay_out_count = acted;
+    warn_of_tensioners_chance(waves, travel_of(duration, 40.0), r);
+    return r.warnings;
+  };
+  EXPECT_TRUE(only(told(300.0, 70), "acted 70 times in 5 min"));
+  EXPECT_TRUE(only(told(300.0, 70), "travel, 0.32 m, is known to"));
+  EXPECT_TRUE(told(300.0, 0).empty());
+  EXPECT_TRUE(told(10800.0, 2000).empty());
+  waves.type = WaveType::airy;  // the same again and again
+  EXPECT_TRUE(told(300.0, 70).empty());
+}
+
 TEST(run_warnings, a_hull_beyond_what_its_linear_restoring_holds_for_is_told) {
   VesselDescription vessel;
   vessel.depth = 9.0;

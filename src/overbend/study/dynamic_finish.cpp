@@ -1,6 +1,7 @@
 #include "study/dynamic_finish.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "numerics/extremes.h"
 #include "numerics/welch.h"
@@ -18,9 +19,10 @@ std::span<const double> after_build_up(const std::vector<double>& time, const st
   return std::span<const double>(values).subspan(static_cast<std::size_t>(first));
 }
 
-std::vector<double> tension_of(const RunStore& store) {
+/// Empty where there is no such column.
+std::vector<double> column_of(const RunStore& store, std::string_view name) {
   for (std::size_t i = 1; i < store.columns().size(); ++i) {
-    if (store.columns()[i].name == "tensioner/tension") return store.column(i);
+    if (store.columns()[i].name == name) return store.column(i);
   }
   return {};
 }
@@ -44,7 +46,7 @@ ExtremeEstimate estimate(const HistoryColumn& column, const ExtremeFit& fit) {
 
 }  // namespace
 
-void finish_histories(DynamicResults& results, const RunStore& store) {
+void finish_histories(const Description& description, DynamicResults& results, const RunStore& store) {
   results.histories = summarise_histories(store);
   const std::vector<double> time = store.column(0);
   for (std::size_t i = 1; i < store.columns().size(); ++i) {
@@ -69,8 +71,13 @@ void finish_histories(DynamicResults& results, const RunStore& store) {
       results.extremes.push_back(estimate(column, fit_smallest(counted, results.output_step, kThreeHours)));
     }
   }
-  const std::vector<double> tension = tension_of(store);
+  const std::vector<double> tension = column_of(store, "tensioner/tension");
+  const std::vector<double> travel = column_of(store, "tensioner/travel");
   if (!tension.empty()) warn_of_run(results, after_build_up(time, tension));
+  if (!travel.empty()) {
+    warn_of_tensioners_chance(description.environment.waves, after_build_up(time, travel), results);
+  }
+  warn_of_large_motion(description.vessel, results);
 }
 
 }  // namespace overbend

@@ -92,8 +92,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     return {failed_end(*outcome.failure)};
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
-  finish_histories(*outcome.results, begun->store);
-  warn_of_large_motion(shared.description.vessel, *outcome.results);
+  finish_histories(shared.description, *outcome.results, begun->store);
   if (files == RunFiles::all) {
     const std::lock_guard hold(writing);
     write_results(shared, *outcome.results, begun->store, folder);
@@ -110,8 +109,7 @@ void write_so_far(const PreparedCase& shared, DynamicResults results, const fs::
   std::optional<ResumedRun> run = RunStore::resume(folder, shared.input, results.seed);
   if (!run) return;
   finish_motions(shared.statics, shared.description, results, run->store);
-  finish_histories(results, run->store);
-  warn_of_large_motion(shared.description.vessel, results);
+  finish_histories(shared.description, results, run->store);
   const std::lock_guard hold(writing);
   write_results(shared, results, run->store, folder);
 }

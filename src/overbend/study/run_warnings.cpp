@@ -8,6 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "numerics/record_part.h"
+
 namespace overbend {
 namespace {
 
@@ -17,6 +19,8 @@ constexpr double kDrift = 0.01;          ///< Likewise, over the run [-].
 constexpr double kMostDrift = 1e-3;      ///< Of the energy balance: beyond it, the run is not resolved [-].
 constexpr double kStandsStill = 1e-9;    ///< [m, rad]
 constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
+constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
+constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].
 constexpr std::size_t kBlocks = 8;
 constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
 
@@ -99,6 +103,20 @@ double trend(std::span<const double> values) {
   for (std::size_t b = 0; b < kBlocks; ++b) left += std::pow(mean[b] - all - slope * from_middle(b), 2);
   const double error = std::sqrt(left / (n - 2.0) / squares);
   return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
+}
+
+void warn_of_tensioners_chance(const WavesDescription& waves, std::span<const double> travel, DynamicResults& results) {
+  const bool irregular =
+      waves.type != WaveType::none && waves.type != WaveType::airy && waves.type != WaveType::stokes5;
+  const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
+  if (!irregular || acted == 0 || results.duration >= kThreeHours) return;
+  const double error = deviation_error(travel, results.output_step, kTravelRows);
+  if (error <= kUncertain) return;
+  results.warnings.push_back(fmt::format(
+      "the tensioner acted {} times in {:.3g} min, and each time a few kN decided: the standard deviation of its "
+      "travel, {:.2f} m, is known to {:.0f} % (one standard error), and no better what follows from it; run three "
+      "hours, or several seeds",
+      acted, results.duration / 60.0, results.tensioner.travel.std, 100.0 * error));
 }
 
 void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results) {
