@@ -25,6 +25,7 @@
 #include <string>
 #include <vector>
 
+#include "base/constants.h"
 #include "statics/lay_shape.h"
 #include "statics/recovery.h"
 #include "statics/statics.h"
@@ -50,7 +51,6 @@ class Dice {
 };
 
 constexpr double kInch = 0.0254;
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Steel, a corrosion coating, and concrete until the empty pipe has the wanted specific gravity.
 SectionDescription random_pipe(Dice& dice, double depth) {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/constants.h"
 #include "benchmarks.h"
 #include "groups.h"
 #include "rod.h"
@@ -12,7 +12,6 @@
 namespace overbend::validation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr RodPipe kUnitRod{1e10, 1.0, 0.0, 0.01};  ///< EA L2/EI = 1e10 for a length of 1 m: stretches by 1e-9.
 
 /// A cantilever that stands askew in space, so that no direction is special.

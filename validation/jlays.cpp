@@ -2,15 +2,13 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "groups.h"
 #include "lay.h"
 
 namespace overbend::validation {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// The lay whose tension on the bed is `H`: the top tension is sought by secants.
 Lay lay_with_bottom_tension(const Model& model, double H, double guess) {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "groups.h"
 #include "modelfile/yaml_reader.h"
 #include "study/lay_operation.h"
@@ -14,7 +14,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
 
 /// Rows of one stage.

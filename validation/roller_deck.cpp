@@ -2,15 +2,14 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "groups.h"
 #include "rod.h"
 
 namespace overbend::validation {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kBefore = 12;   ///< Rollers before and after the tangent point: what lies beyond does not tell.
 constexpr int kInside = 8;    ///< A roller of the arc far from both its ends.
 constexpr int kPerSpan = 16;  ///< Elements.

@@ -1,10 +1,10 @@
 /// Stingers on a hinge compared with solutions of the planar extensible elastica on frictionless rigid rollers.
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "groups.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
@@ -16,7 +16,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
 
 Json expected_of(const std::string& name) {

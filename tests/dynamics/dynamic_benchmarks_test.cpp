@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "mechanics/restitution.h"
 #include "support/dynamic_benchmarks.h"
 
@@ -11,8 +11,6 @@ namespace overbend {
 namespace {
 
 using namespace testing;
-
-constexpr double kPi = std::numbers::pi;
 
 double pinned_frequency(int mode) {
   const double n = mode * kPi / TensionedBeam::kLength;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "dynamics/simulation.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
@@ -15,7 +16,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 const char* const kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 Description calm_lay(TensionerMode tensioner) {
@@ -130,7 +130,7 @@ TEST(free_decay, of_the_moored_barge_has_its_natural_periods) {
   // By eigenvalues of hull, fitted memory and restoring of eight wires at 300 kN: 66.96, 77.15, 44.64 s. Lengths that
   // balance the pipe's pull make the restoring in sway and yaw a little less.
   const Description d = calm_lay(TensionerMode::constant);
-  const Decay surge = decay(d, 0, 1.0), yaw = decay(d, 5, 0.2 * kDeg);
+  const Decay surge = decay(d, 0, 1.0), yaw = decay(d, 5, 0.2 * kDegree);
   EXPECT_NEAR(surge.period, 66.96, 0.005 * 66.96);
   EXPECT_NEAR(yaw.period, 44.64, 0.005 * 44.64);
   EXPECT_NEAR(surge.period, surge.of_statics, 0.01 * surge.of_statics);

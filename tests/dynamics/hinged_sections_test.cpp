@@ -6,8 +6,8 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
+#include "base/constants.h"
 #include "dynamics/dynamic_checkpoint.h"
 #include "dynamics/energy_account.h"
 #include "dynamics/time_step.h"
@@ -17,7 +17,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kMass = 2e5, kArm = 20.0, kOwnInertia = 2e7;  // [kg], [m], [kg m2]
 
 std::shared_ptr<SectionSea> calm_sea(double weight_density = 10.05e3) {

@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "hull/hull_wind.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 
 HullCurrent strips(double towards, double speed) {
   HullCurrent c;
@@ -39,11 +36,11 @@ HullCurrent ufc(double towards, double speed) {
 
 /// A lopsided table.
 HullCurrent table() {
-  HullCurrent c = strips(50.0 * kDeg, 1.3);
+  HullCurrent c = strips(50.0 * kDegree, 1.3);
   c.form = HullCurrentForm::table;
   c.table = {155.0, 620.0, 120.0, {}};
   for (int i = 0; i < 12; ++i) {
-    const double a = 30.0 * i * kDeg;
+    const double a = 30.0 * i * kDegree;
     c.table.rows.push_back({a, 0.7 * std::cos(a) + 0.1, 0.9 * std::sin(a), 0.1 * std::sin(2.0 * a) + 0.02});
   }
   return c;
@@ -52,7 +49,7 @@ HullCurrent table() {
 TEST(hull_current, on_the_beam_gives_the_forces_of_plain_drag) {
   // 1/2 rho C L T V^2: 146, 265 and 398 kN for 0.44, 0.8 and 1.2 at 1.02 m/s.
   for (const auto& [coefficient, force] : {std::pair{0.44, 145.9}, {0.8, 265.3}, {1.2, 397.9}}) {
-    HullCurrent c = strips(90.0 * kDeg, 1.02);
+    HullCurrent c = strips(90.0 * kDegree, 1.02);
     c.transverse = coefficient;
     const Vec6 f = current_force(c, 0.0, Vec6::Zero(), {}).force;
     EXPECT_NEAR(f(1) / 1e3, force, 0.1);
@@ -76,7 +73,7 @@ TEST(hull_current, derivatives_agree_with_differences) {
     waves.across[i] = 0.4 * std::cos(2.0 * static_cast<double>(i));
   }
   const Vec6 v = (Vec6() << 0.35, -0.28, 0.1, 0.02, -0.013, 0.004).finished();
-  for (const HullCurrent& c : {strips(70.0 * kDeg, 0.9), ufc(70.0 * kDeg, 0.9), table()}) {
+  for (const HullCurrent& c : {strips(70.0 * kDegree, 0.9), ufc(70.0 * kDegree, 0.9), table()}) {
     const CurrentForce exact = current_force(c, 0.2, v, waves);
     const double d = 1e-6;
     for (int k = 0; k < 6; ++k) {
@@ -89,10 +86,10 @@ TEST(hull_current, derivatives_agree_with_differences) {
 }
 
 TEST(hull_current, a_hull_that_goes_with_the_water_feels_nothing) {
-  const HullCurrent c = strips(30.0 * kDeg, 0.8);
+  const HullCurrent c = strips(30.0 * kDegree, 0.8);
   Vec6 v = Vec6::Zero();
-  v(0) = 0.8 * std::cos(30.0 * kDeg);
-  v(1) = 0.8 * std::sin(30.0 * kDeg);
+  v(0) = 0.8 * std::cos(30.0 * kDegree);
+  v(1) = 0.8 * std::sin(30.0 * kDegree);
   EXPECT_LT(current_force(c, 0.0, v, {}).force.norm(), 1e-9);
 }
 
@@ -107,7 +104,7 @@ TEST(hull_current, takes_energy_out_of_any_motion_in_still_water) {
 TEST(hull_current, table_turns_with_the_hull_and_is_linear_between_its_rows) {
   const HullCurrent c = table();
   // Towards 50 deg, the hull heads -55: 105 deg from the bow, half way between two rows.
-  const Vec6 f = current_force(c, -55.0 * kDeg, Vec6::Zero(), {}).force;
+  const Vec6 f = current_force(c, -55.0 * kDegree, Vec6::Zero(), {}).force;
   const double size = 0.5 * 1025.0 * 1.3 * 1.3;
   const double cy = 0.5 * (c.table.rows[3].cy + c.table.rows[4].cy),
                cz = 0.5 * (c.table.rows[3].cz + c.table.rows[4].cz);
@@ -117,10 +114,10 @@ TEST(hull_current, table_turns_with_the_hull_and_is_linear_between_its_rows) {
 
 TEST(hull_current, conventions_of_a_table_name_one_and_the_same_flow) {
   // A flow that runs to port: from starboard. Clockwise from the bow that is 90 deg; OCIMF's 90 deg too.
-  const CoefficientRow row{90.0 * kDeg, 0.0, 0.9, 0.1};
+  const CoefficientRow row{90.0 * kDegree, 0.0, 0.9, 0.1};
   for (const CoefficientAxes axes :
        {CoefficientAxes::to_from_bow, CoefficientAxes::from_bow, CoefficientAxes::from_stern_ocimf}) {
-    EXPECT_NEAR(coefficients_from_bow({row}, axes)[0].angle, 90.0 * kDeg, 1e-12);
+    EXPECT_NEAR(coefficients_from_bow({row}, axes)[0].angle, 90.0 * kDegree, 1e-12);
   }
   // A flow from ahead: 180 deg for OCIMF, 0 from the bow, towards 180.
   EXPECT_NEAR(coefficients_from_bow({{0.0, -0.1, 0.0, 0.0}}, CoefficientAxes::from_bow)[0].angle, kPi, 1e-12);
@@ -139,9 +136,9 @@ TEST(hull_current, coefficients_of_bgl1_by_its_dimensions) {
 TEST(hull_current, by_the_hulls_dimensions_follows_sine_and_cosine_of_the_angle) {
   // UFC 4-159-03, equations 14 to 20: F_y = q L T C_yc sin, F_x = q B T 0.1 cos + q S C_f(V L cos / nu) cos.
   for (const double angle : {0.0, 30.0, 70.0, 90.0, 135.0, 260.0}) {
-    const HullCurrent c = ufc(angle * kDeg, 0.9);
+    const HullCurrent c = ufc(angle * kDegree, 0.9);
     const Vec6 f = current_force(c, 0.0, Vec6::Zero(), {}).force;
-    const double q = 0.5 * 1025.0 * 0.9 * 0.9, along = std::cos(angle * kDeg), across = std::sin(angle * kDeg);
+    const double q = 0.5 * 1025.0 * 0.9 * 0.9, along = std::cos(angle * kDegree), across = std::sin(angle * kDegree);
     const double reynolds = std::max(0.9 * 120.0 * std::abs(along) / 1.19e-6, 1e5);
     const double friction = 0.075 / std::pow(std::log10(reynolds) - 2.0, 2);
     EXPECT_NEAR(f(1), q * 120.0 * 5.182 * 0.45 * across, 1e-6) << angle;

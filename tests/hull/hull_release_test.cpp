@@ -3,16 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "support/hull_case.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kRadius = 0.8;  // spectral radius of the scheme
 
 struct Extremum {
@@ -58,21 +57,21 @@ TEST(hull_release, heave_decays_as_by_direct_convolution) {
 }
 
 TEST(hull_release, roll_decays_as_by_direct_convolution_with_sway_and_yaw_free) {
-  const std::vector<Extremum> found = decay(5.0 * kDeg * Vec6::Unit(3), 3, 0.02, 17.5);
+  const std::vector<Extremum> found = decay(5.0 * kDegree * Vec6::Unit(3), 3, 0.02, 17.5);
   const Extremum expected[] = {{4.08, -4.170}, {8.18, 3.350}, {12.30, -2.649}, {16.40, 2.087}};
   ASSERT_GE(found.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(found[i].value / kDeg, expected[i].value, 0.02);
+    EXPECT_NEAR(found[i].value / kDegree, expected[i].value, 0.02);
     EXPECT_NEAR(found[i].t, expected[i].t, 0.02);
   }
 }
 
 TEST(hull_release, pitch_decays_as_by_direct_convolution_with_surge_free) {
-  const std::vector<Extremum> found = decay(2.0 * kDeg * Vec6::Unit(4), 4, 0.02, 15.0);
+  const std::vector<Extremum> found = decay(2.0 * kDegree * Vec6::Unit(4), 4, 0.02, 15.0);
   const Extremum expected[] = {{3.70, -1.6645}, {7.40, 1.0074}, {10.96, -0.5012}, {14.30, 0.2602}};
   ASSERT_GE(found.size(), 4U);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(found[i].value / kDeg, expected[i].value, 0.01);
+    EXPECT_NEAR(found[i].value / kDegree, expected[i].value, 0.01);
     EXPECT_NEAR(found[i].t, expected[i].t, 0.03);
   }
 }
@@ -83,7 +82,7 @@ TEST(hull_release, moored_hull_swings_with_its_natural_periods) {
   const HullSprings springs = testing::on_eight_lines(hull.drawn);
   const std::pair<int, double> expected[] = {{0, 66.96}, {1, 77.15}, {5, 44.64}};
   for (const auto& [mode, period] : expected) {
-    const double kick = mode == 5 ? 1.0 * kDeg : 1.0;
+    const double kick = mode == 5 ? 1.0 * kDegree : 1.0;
     HullState state = hull_at_rest(hull, hull.drawn + kick * Vec6::Unit(mode));
     find_hull_acceleration(hull, springs, 0.0, state);
     std::vector<double> crossings;
@@ -104,7 +103,7 @@ TEST(hull_release, moored_hull_swings_with_its_natural_periods) {
 TEST(hull_release, energy_of_the_moored_hull_in_calm_water_never_grows) {
   const Hull& hull = testing::made_bgl1_hull().hull;
   const HullSprings springs = testing::on_eight_lines(hull.drawn);
-  HullState state = hull_at_rest(hull, hull.drawn + Vec6((Vec6() << 1, 1, 1, kDeg, kDeg, kDeg).finished()));
+  HullState state = hull_at_rest(hull, hull.drawn + Vec6((Vec6() << 1, 1, 1, kDegree, kDegree, kDegree).finished()));
   find_hull_acceleration(hull, springs, 0.0, state);
   const auto held = [&](const HullState& s) {
     const HullEnergy e = hull_energy(hull, s, 0.0);

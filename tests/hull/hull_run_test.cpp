@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <utility>
 #include <vector>
 
+#include "base/constants.h"
 #include "hull/damping_ratios.h"
 #include "support/hull_case.h"
 #include "support/rao_files.h"
@@ -17,8 +17,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 constexpr double kRadius = 0.8;  // spectral radius of the scheme
 
 const HydrodynamicData& data() {
@@ -105,7 +103,7 @@ TEST(hull_run, regular_waves_give_the_linear_answer_of_the_files_coefficients) {
     for (const int heading : {6, 9, 12}) {  // 90, 135, 180 deg
       const Hull& hull = testing::made_bgl1_hull().hull;
       const CVec6 exact = linear_answer(hull, soft_springs(hull.drawn), i, static_cast<std::size_t>(heading));
-      pairs.emplace_back(answer_in_waves(w, heading * 15.0 * kDeg, 0.1, 0.0), exact);
+      pairs.emplace_back(answer_in_waves(w, heading * 15.0 * kDegree, 0.1, 0.0), exact);
       largest = largest.cwiseMax(exact.cwiseAbs());
     }
   }
@@ -167,12 +165,12 @@ TEST(hull_run, hull_turns_all_the_way_round_and_its_forces_with_it) {
   double before = 0.0;
   for (int i = 1; i <= 4000; ++i) {
     const double t = 0.25 * i;
-    springs.rest(5) = hull.drawn(5) + 400.0 * kDeg * t / 1000.0;
+    springs.rest(5) = hull.drawn(5) + 400.0 * kDegree * t / 1000.0;
     ASSERT_TRUE(hull_step(hull, springs, scheme, t, 0.25, state, scratch).converged) << t;
     ASSERT_LT(std::abs(state.h(5) - before), 0.05) << t;  // no jump at a whole turn
     before = state.h(5);
   }
-  EXPECT_NEAR(state.h(5) / kDeg, 400.0, 8.0);
+  EXPECT_NEAR(state.h(5) / kDegree, 400.0, 8.0);
   const Vec6 here = wave_force(hull.waves, 1000.0, state.slow.value).drift;
   const Vec6 wrapped = wave_force(hull.waves, 1000.0, state.slow.value - Vec3(0.0, 0.0, 2.0 * kPi)).drift;
   EXPECT_LT((here - wrapped).norm(), 1e-9 * here.norm());

@@ -3,17 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "mechanics/wave_spectrum.h"
 #include "support/allocation_count.h"
 #include "support/hull_case.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 
 const HydrodynamicData& data() {
   return testing::bgl1_hydrodynamics();
@@ -30,14 +27,14 @@ std::size_t frequency(const std::vector<double>& omega, double w) {
 TEST(hull_waves, force_of_one_component_is_that_of_the_file_with_the_crest_over_the_hull) {
   // The file's headings stand every 15 deg; the hull heads 40 deg, the waves go to 175: 135 from the bow.
   const double w = data().excitation.omega[frequency(data().excitation.omega, 0.725)];
-  const Sea sea = testing::regular_sea(1.5, w, 175.0 * kDeg, 0.4);
-  const HullWaves waves = make_hull_waves(data(), sea, WaveDrift::none, 5.182, 40.0 * kDeg);
+  const Sea sea = testing::regular_sea(1.5, w, 175.0 * kDegree, 0.4);
+  const HullWaves waves = make_hull_waves(data(), sea, WaveDrift::none, 5.182, 40.0 * kDegree);
   const WaveComponent& c = sea.components[0];
   const double x = 31.0, y = -12.0, t = 17.3;
   const CVec6 X = data().force[data().excitation.index(frequency(data().excitation.omega, w), 9)];
   const std::complex<double> crest = std::polar(1.5, w * t - c.kx * x - c.ky * y - 0.4);
   const Vec6 expected = (X * crest).real();
-  const Vec6 force = wave_force(waves, t, Vec3(x, y, 40.0 * kDeg + 6.0 * kPi)).first_order;
+  const Vec6 force = wave_force(waves, t, Vec3(x, y, 40.0 * kDegree + 6.0 * kPi)).first_order;
   EXPECT_LT((force - expected).norm(), 1e-9 * X.norm());
 }
 
@@ -57,7 +54,7 @@ TEST(hull_waves, force_of_many_components_is_the_plain_sum) {
 TEST(hull_waves, drift_of_a_regular_wave_is_constant) {
   for (const double heading : {90.0, 135.0, 180.0, 300.0}) {
     const std::size_t i = frequency(data().drift.omega, 0.825);
-    const Sea sea = testing::regular_sea(2.0, data().drift.omega[i], heading * kDeg);
+    const Sea sea = testing::regular_sea(2.0, data().drift.omega[i], heading * kDegree);
     const HullWaves waves = make_hull_waves(data(), sea, WaveDrift::newman, 5.182, 0.0);
     const Vec6 expected = 4.0 * data().mean_drift[data().drift.index(i, static_cast<std::size_t>(heading / 15.0))];
     for (const double t : {0.0, 1.7, 4.1}) {
@@ -70,13 +67,13 @@ TEST(hull_waves, drift_of_a_regular_wave_is_constant) {
 
 TEST(hull_waves, drift_follows_the_table_as_the_hull_turns) {
   const std::size_t i = frequency(data().drift.omega, 0.875);
-  const Sea sea = testing::regular_sea(1.0, data().drift.omega[i], 100.0 * kDeg);
+  const Sea sea = testing::regular_sea(1.0, data().drift.omega[i], 100.0 * kDegree);
   const HullWaves waves = make_hull_waves(data(), sea, WaveDrift::newman, 5.182, 0.0);
   for (double psi = 10.0; psi < 400.0; psi += 15.0) {  // headings of 90, 75 ... deg from the bow
     const double from_bow = 100.0 - psi + 360.0;
     const auto j = static_cast<std::size_t>(std::lround(from_bow / 15.0)) % 24;
     const Vec6 expected = data().mean_drift[data().drift.index(i, j)];
-    const Vec6 drift = wave_force(waves, 3.0, Vec3(0.0, 0.0, psi * kDeg)).drift;
+    const Vec6 drift = wave_force(waves, 3.0, Vec3(0.0, 0.0, psi * kDegree)).drift;
     EXPECT_LT((drift - expected).norm(), 1e-6 * 1e5) << psi;
   }
 }
@@ -99,8 +96,8 @@ Drift mean_of(double hs, double tp, double heading) {
     WaveComponent& c = components[i];
     c.omega = first + (static_cast<double>(i) + 0.5) * spacing;
     c.amplitude = std::sqrt(2.0 * spectrum.density(c.omega) * spacing);
-    c.kx = std::cos(heading * kDeg);
-    c.ky = std::sin(heading * kDeg);
+    c.kx = std::cos(heading * kDegree);
+    c.ky = std::sin(heading * kDegree);
   }
   const Sea sea = make_sea(components, 89.0);
   const Vec6 f = mean_drift(make_hull_waves(data(), sea, WaveDrift::mean, 5.182, 0.0), 0.0);
@@ -173,9 +170,9 @@ TEST(hull_waves, headings_the_file_lacks_are_refused) {
   for (std::size_t i = 0; i < half.excitation.omega.size(); ++i) {
     for (std::size_t j = 0; j < some; ++j) half.force.push_back(data().force[i * all + j]);
   }
-  const Sea sea = testing::regular_sea(1.0, 0.8, 200.0 * kDeg);
+  const Sea sea = testing::regular_sea(1.0, 0.8, 200.0 * kDegree);
   EXPECT_THROW(make_hull_waves(half, sea, WaveDrift::none, 5.0, 0.0), std::invalid_argument);
-  EXPECT_NO_THROW(make_hull_waves(half, sea, WaveDrift::none, 5.0, 30.0 * kDeg));
+  EXPECT_NO_THROW(make_hull_waves(half, sea, WaveDrift::none, 5.0, 30.0 * kDegree));
 }
 
 TEST(hull_waves, water_at_the_strips_is_the_seas_averaged_over_the_draught) {
@@ -203,7 +200,7 @@ TEST(hull_waves, water_at_the_strips_is_the_seas_averaged_over_the_draught) {
 TEST(hull_waves, wave_drift_damping_is_aranhas) {
   // kN s/m by an independent program; the formula is in an integral of S over the file's frequencies.
   const auto damping = [](double hs, double tp, double heading) {
-    const Sea sea = testing::long_crested(hs, tp, heading * kDeg, 1, 2000);
+    const Sea sea = testing::long_crested(hs, tp, heading * kDegree, 1, 2000);
     return Mat6(wave_drift_damping(data(), sea, 0.0) / 1e3);
   };
   EXPECT_NEAR(damping(4.0, 12.9, 90.0)(1, 1), 145.0, 3.0);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <numbers>
 #include <sstream>
 
+#include "base/constants.h"
 #include "hull/linear_decay.h"
 #include "hull/made_radiation.h"
 
@@ -12,7 +12,6 @@ namespace overbend {
 namespace {
 
 constexpr double kStep = 0.02;
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 void expect_extrema(const std::vector<Vec6>& motion, int freedom, double unit,
                     const std::vector<testing::Extremum>& wanted, double time_tolerance, double value_tolerance) {
@@ -42,15 +41,15 @@ TEST(radiation_decay, roll_of_bgl1_from_five_degrees_with_sway_and_yaw_free) {
   testing::LinearHull hull = testing::bgl1_hull(testing::bgl1_data());
   hull.damping(3, 3) = 2.6871e8;  // viscous, hydrostatics_mass.json
   const auto motion = testing::decay(hull, testing::bgl1_radiation(Radiation::state_space).model,
-                                     5.0 * kDeg * Vec6::Unit(3), kStep, 900);
-  expect_extrema(motion, 3, kDeg, {{4.08, -4.170}, {8.18, 3.350}, {12.30, -2.649}, {16.40, 2.087}}, 0.02, 0.02);
+                                     5.0 * kDegree * Vec6::Unit(3), kStep, 900);
+  expect_extrema(motion, 3, kDegree, {{4.08, -4.170}, {8.18, 3.350}, {12.30, -2.649}, {16.40, 2.087}}, 0.02, 0.02);
 }
 
 TEST(radiation_decay, pitch_of_bgl1_from_two_degrees_with_surge_free) {
   const testing::LinearHull hull = testing::bgl1_hull(testing::bgl1_data());
   const auto motion = testing::decay(hull, testing::bgl1_radiation(Radiation::state_space).model,
-                                     2.0 * kDeg * Vec6::Unit(4), kStep, 800);
-  expect_extrema(motion, 4, kDeg, {{3.70, -1.6645}, {7.40, 1.0074}, {10.96, -0.5012}, {14.30, 0.2602}}, 0.02, 0.01);
+                                     2.0 * kDegree * Vec6::Unit(4), kStep, 800);
+  expect_extrema(motion, 4, kDegree, {{3.70, -1.6645}, {7.40, 1.0074}, {10.96, -0.5012}, {14.30, 0.2602}}, 0.02, 0.01);
 }
 
 /// Columns of six codes by time.

@@ -2,15 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "base/constants.h"
 #include "hull/damping_interpolation.h"
 #include "hull/made_radiation.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const DampingSpectrum& bgl1_spectrum() {
   static const DampingSpectrum spectrum = damping_spectrum(testing::bgl1_data());

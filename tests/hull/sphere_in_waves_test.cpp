@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "support/hull_case.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 const HydrodynamicData& data() {
   static const HydrodynamicData kData = testing::good_hydrodynamics(

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "base/constants.h"
 #include "mechanics/sea.h"
 #include "mechanics/wave_spreading.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kHours = 3600.0;
 
 WavesDescription jonswap() {

@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/section.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 
 WavesDescription airy(double height, double period, double from = 0.0) {
   WavesDescription waves;
@@ -46,7 +43,7 @@ TEST(sea, calm_water_does_not_move) {
 }
 
 TEST(sea, waves_travel_away_from_where_they_come) {
-  const Sea sea = make_sea(airy(2.0, 8.0, 270.0 * kDeg), 100.0, 0.0, 1);  // from the west
+  const Sea sea = make_sea(airy(2.0, 8.0, 270.0 * kDegree), 100.0, 0.0, 1);  // from the west
   const WaveComponent& wave = sea.components.at(0);
   EXPECT_NEAR(wave.kx, wave.wave_number, 1e-15);
   EXPECT_NEAR(wave.ky, 0.0, 1e-15);
@@ -57,7 +54,7 @@ TEST(sea, waves_travel_away_from_where_they_come) {
 
 TEST(sea, a_crest_passes_the_origin_when_the_phase_says) {
   WavesDescription waves = airy(2.0, 8.0);
-  waves.phase = 90.0 * kDeg;
+  waves.phase = 90.0 * kDegree;
   EXPECT_NEAR(elevation(make_sea(waves, 100.0, 0.0, 1), 2.0, {}, 0.0, 0.0), 1.0, 1e-14);
 }
 
@@ -66,7 +63,7 @@ class LinearWave : public ::testing::TestWithParam<double> {
  protected:
   const double kAmplitude = 1e-7, kPeriod = 7.0;
   const double depth = GetParam();
-  const Sea sea = make_sea(airy(2.0 * kAmplitude, kPeriod, 200.0 * kDeg), depth, 0.0, 1);
+  const Sea sea = make_sea(airy(2.0 * kAmplitude, kPeriod, 200.0 * kDegree), depth, 0.0, 1);
   const WaveComponent wave = sea.components.at(0);
   const Vec3 ahead = Vec3(wave.kx, wave.ky, 0.0) / wave.wave_number;
 };
@@ -136,7 +133,7 @@ TEST_P(LinearWave, moves_the_water_in_ellipses_that_close) {
 INSTANTIATE_TEST_SUITE_P(depths, LinearWave, ::testing::Values(4.0, 15.0, 60.0, 300.0));
 
 TEST(sea, the_surface_carries_the_motion_of_still_water_level) {
-  const Sea sea = make_sea(airy(6.0, 10.0, 180.0 * kDeg), 40.0, 0.0, 1);
+  const Sea sea = make_sea(airy(6.0, 10.0, 180.0 * kDegree), 40.0, 0.0, 1);
   const WaveComponent& wave = sea.components[0];
   const double k = wave.wave_number, d = 40.0, eta = 3.0;
   const double at_level = eta * wave.omega / std::tanh(k * d);

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "mechanics/sea.h"
 #include "model/section.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 /// Period of the Stokes wave of a given steepness e = k H/2 and k d in a depth of 1 m, and the wave itself.
 StokesWave wave_of(double steepness, double kd) {

@@ -8,13 +8,13 @@
 #include <functional>
 #include <vector>
 
+#include "base/constants.h"
 #include "numerics/generalized_alpha.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kStiffness = 40e3;  ///< [N/m]
-constexpr double kPi = 3.14159265358979323846;
 
 /// 250 kN, 240 to 260 kN, as quick as the test asks for.
 TensionerLaw law_of(double delay, double velocity, double acceleration = 1e6) {

@@ -3,16 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "support/fixtures.h"
 #include "support/rao_files.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 
 Description with_raos() {
   Description d = testing::plain_description();  // heading east
@@ -24,14 +21,14 @@ Description with_raos() {
 /// Large motions in all freedoms, of a point off the origin.
 VesselMotionModel wild_motion() {
   Description d = testing::plain_description();
-  d.vessel.trim = 1.5 * kDeg;
-  d.vessel.heel = -2.0 * kDeg;
-  d.vessel.heading = 37.0 * kDeg;
+  d.vessel.trim = 1.5 * kDegree;
+  d.vessel.heel = -2.0 * kDegree;
+  d.vessel.heading = 37.0 * kDegree;
   d.vessel.motion = VesselMotion::harmonic;
   d.vessel.motion_reference_V = Vec3(7.0, -3.0, 4.0);
-  d.vessel.harmonic = {{"surge", {2.0, 11.0, 0.3}},        {"sway", {1.5, 9.0, 1.0}},
-                       {"heave", {3.0, 8.0, -0.5}},        {"roll", {15.0 * kDeg, 7.0, 0.2}},
-                       {"pitch", {9.0 * kDeg, 6.0, -1.2}}, {"yaw", {20.0 * kDeg, 13.0, 2.0}}};
+  d.vessel.harmonic = {{"surge", {2.0, 11.0, 0.3}},           {"sway", {1.5, 9.0, 1.0}},
+                       {"heave", {3.0, 8.0, -0.5}},           {"roll", {15.0 * kDegree, 7.0, 0.2}},
+                       {"pitch", {9.0 * kDegree, 6.0, -1.2}}, {"yaw", {20.0 * kDegree, 13.0, 2.0}}};
   return make_vessel_motion(build_model(d), Sea{});
 }
 
@@ -99,7 +96,7 @@ TEST(vessel_motion, positive_rotations_lower_starboard_and_bow_and_turn_the_bow_
   Description d = testing::plain_description();
   d.vessel.motion = VesselMotion::harmonic;
   const auto quarter = [&](const char* freedom) {
-    d.vessel.harmonic = {{freedom, {5.0 * kDeg, 8.0, 0.0}}};
+    d.vessel.harmonic = {{freedom, {5.0 * kDegree, 8.0, 0.0}}};
     return vessel_motion(make_vessel_motion(build_model(d), Sea{}), 2.0, {});
   };
   EXPECT_LT(point_motion(quarter("roll"), Vec3(0.0, -15.0, 0.0)).place.z(), -1.0);
@@ -110,20 +107,20 @@ TEST(vessel_motion, positive_rotations_lower_starboard_and_bow_and_turn_the_bow_
 TEST(vessel_motion, harmonic_motion_is_the_sine_it_is_described_as) {
   Description d = testing::plain_description();
   d.vessel.motion = VesselMotion::harmonic;
-  d.vessel.harmonic = {{"heave", {1.5, 8.0, 30.0 * kDeg}}};
+  d.vessel.harmonic = {{"heave", {1.5, 8.0, 30.0 * kDegree}}};
   const VesselMotionModel motion = make_vessel_motion(build_model(d), Sea{});
   const double w = 2.0 * kPi / 8.0;
   for (const double t : {0.0, 1.1, 6.9, 500.0}) {
     const RigidMotion m = vessel_motion(motion, t, {});
-    EXPECT_NEAR(m.freedoms[2], 1.5 * std::sin(w * t + 30.0 * kDeg), 1e-12);
-    EXPECT_NEAR(m.velocity.z(), 1.5 * w * std::cos(w * t + 30.0 * kDeg), 1e-12);
-    EXPECT_NEAR(m.acceleration.z(), -1.5 * w * w * std::sin(w * t + 30.0 * kDeg), 1e-12);
+    EXPECT_NEAR(m.freedoms[2], 1.5 * std::sin(w * t + 30.0 * kDegree), 1e-12);
+    EXPECT_NEAR(m.velocity.z(), 1.5 * w * std::cos(w * t + 30.0 * kDegree), 1e-12);
+    EXPECT_NEAR(m.acceleration.z(), -1.5 * w * w * std::sin(w * t + 30.0 * kDegree), 1e-12);
   }
 }
 
 TEST(vessel_motion, a_fixed_vessel_and_one_in_a_calm_sea_rest_in_the_mean_pose) {
   Description d = with_raos();
-  d.vessel.trim = 1.0 * kDeg;
+  d.vessel.trim = 1.0 * kDegree;
   const Model model = build_model(d);
   for (const bool raos : {true, false}) {
     Model here = model;
@@ -142,9 +139,9 @@ TEST(vessel_motion, a_regular_wave_gives_amplitude_and_phase_of_the_raos_back) {
   const double omega = 0.5, amplitude = 1.25, phase = 0.8;
   for (const double towards : {0.0, 60.0, 90.0, 215.0}) {  // anticlockwise from east, which is the barge's bow
     const Sea sea =
-        make_sea({{amplitude, omega, 0.0, std::cos(towards * kDeg), std::sin(towards * kDeg), phase}}, 89.0);
+        make_sea({{amplitude, omega, 0.0, std::cos(towards * kDegree), std::sin(towards * kDegree), phase}}, 89.0);
     const VesselMotionModel motion = make_vessel_motion(model, sea);
-    const RaoTable::Response z = model.description.vessel.raos->at(towards * kDeg, omega);
+    const RaoTable::Response z = model.description.vessel.raos->at(towards * kDegree, omega);
     for (const double t : {0.0, 3.0, 7.7}) {
       const RigidMotion m = vessel_motion(motion, t, {});
       for (std::size_t k = 0; k < 6; ++k) {
@@ -166,10 +163,10 @@ TEST(vessel_motion, waves_from_the_south_reach_a_barge_going_east_from_starboard
   const Model model = build_model(d);
   const VesselMotionModel motion = make_vessel_motion(model, make_sea(d.environment.waves, 89.0, 100.0, 1));
   ASSERT_EQ(motion.terms.size(), 1U);
-  const RaoTable::Response beam = d.vessel.raos->at(90.0 * kDeg, 2.0 * kPi / 12.9);
+  const RaoTable::Response beam = d.vessel.raos->at(90.0 * kDegree, 2.0 * kPi / 12.9);
   for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(std::abs(motion.terms[0].amplitude[k]), std::abs(beam[k]), 1e-12);
   EXPECT_NEAR(std::abs(motion.terms[0].amplitude[1]), 0.909, 2e-3) << "README of the data";
-  EXPECT_NEAR(std::abs(motion.terms[0].amplitude[3]) / kDeg, 1.679, 5e-3);
+  EXPECT_NEAR(std::abs(motion.terms[0].amplitude[3]) / kDegree, 1.679, 5e-3);
 }
 
 TEST(vessel_motion, phases_count_from_the_wave_at_the_wave_origin) {
@@ -207,7 +204,7 @@ TEST(vessel_motion, standard_deviations_in_the_beam_sea_are_those_of_the_data) {
   }
   EXPECT_NEAR(std::sqrt(variance[1]), 0.84, 0.01);
   EXPECT_NEAR(std::sqrt(variance[2]), 1.02, 0.01);
-  EXPECT_NEAR(std::sqrt(variance[3]) / kDeg, 3.1, 0.05);
+  EXPECT_NEAR(std::sqrt(variance[3]) / kDegree, 3.1, 0.05);
 
   // The same from the motion in time: the terms' sum, and a record of eight hours.
   const VesselMotionModel motion = make_vessel_motion(build_model(with_raos()), make_sea(waves, 89.0, 28800.0, 3));

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "mechanics/sea.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 WavesDescription wind_sea(WaveType type, double hs, double tp) {
   WavesDescription waves;

@@ -4,12 +4,11 @@
 
 #include <cmath>
 
+#include "base/constants.h"
 #include "support/fixtures.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 TEST(lay_route, a_straight_route_keeps_direction_and_has_no_curvature) {
   const LayRoute route(Vec3(1.0, 2.0, 3.0), Vec3(0.6, 0.8, 0.0));

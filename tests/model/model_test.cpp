@@ -5,12 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "support/fixtures.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 TEST(section, gives_the_printed_properties_of_the_sixteen_inch_pipe) {
   const Section pipe = derive_section("pipe", testing::sixteen_inch_pipe(), 10.05e3);

@@ -3,16 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/rao_limits.h"
 #include "support/rao_files.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 using Complex = std::complex<double>;
 
 /// Two headings, two frequencies; freedom k of heading i at frequency j has the value base + i + 10 j + 100 k.
@@ -42,7 +40,7 @@ TEST(rao_table, points_of_the_table_come_back) {
 }
 
 TEST(rao_table, passes_through_zero_in_a_straight_line_where_amplitude_and_phase_would_jump) {
-  RaoTable table = small_table({0.0, 180.0 * kDeg});
+  RaoTable table = small_table({0.0, 180.0 * kDegree});
   for (std::size_t i = 0; i < 2; ++i) {
     table.values[(i * 2 + 0) * 6 + 4] = Complex(0.02, 0.0);
     table.values[(i * 2 + 1) * 6 + 4] = Complex(-0.02, 0.0);
@@ -53,11 +51,11 @@ TEST(rao_table, passes_through_zero_in_a_straight_line_where_amplitude_and_phase
 }
 
 TEST(rao_table, headings_are_periodic) {
-  const RaoTable table = small_table({10.0 * kDeg, 130.0 * kDeg, 250.0 * kDeg});
+  const RaoTable table = small_table({10.0 * kDegree, 130.0 * kDegree, 250.0 * kDegree});
   ASSERT_FALSE(table.one_sided());
-  EXPECT_NEAR(table.at(310.0 * kDeg, 0.5)[0].real(), 0.5 * (3.0 + 1.0), 1e-12) << "half way from 250 to 370 deg";
-  EXPECT_NEAR(std::abs(table.at(-50.0 * kDeg, 0.5)[0] - table.at(310.0 * kDeg, 0.5)[0]), 0.0, 1e-12);
-  EXPECT_NEAR(std::abs(table.at(740.0 * kDeg, 0.5)[0] - table.at(20.0 * kDeg, 0.5)[0]), 0.0, 1e-12);
+  EXPECT_NEAR(table.at(310.0 * kDegree, 0.5)[0].real(), 0.5 * (3.0 + 1.0), 1e-12) << "half way from 250 to 370 deg";
+  EXPECT_NEAR(std::abs(table.at(-50.0 * kDegree, 0.5)[0] - table.at(310.0 * kDegree, 0.5)[0]), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(table.at(740.0 * kDegree, 0.5)[0] - table.at(20.0 * kDegree, 0.5)[0]), 0.0, 1e-12);
 }
 
 TEST(rao_table, one_side_serves_the_other_as_its_mirror_image) {
@@ -66,7 +64,7 @@ TEST(rao_table, one_side_serves_the_other_as_its_mirror_image) {
   half.headings.clear();
   half.values.clear();
   for (std::size_t i = 0; i < whole.headings.size(); ++i) {
-    if (whole.headings[i] > 170.0 * kDeg || whole.headings[i] < 10.0 * kDeg) continue;  // not even 0 and 180
+    if (whole.headings[i] > 170.0 * kDegree || whole.headings[i] < 10.0 * kDegree) continue;  // not even 0 and 180
     half.headings.push_back(whole.headings[i]);
     for (std::size_t n = 0; n < whole.omegas.size() * 6; ++n) {
       half.values.push_back(whole.values[i * whole.omegas.size() * 6 + n]);
@@ -74,7 +72,7 @@ TEST(rao_table, one_side_serves_the_other_as_its_mirror_image) {
   }
   ASSERT_TRUE(half.one_sided());
   for (const double heading : {20.0, 90.0, 160.0, 200.0, 285.0, 333.0}) {
-    const RaoTable::Response a = whole.at(heading * kDeg, 0.6), b = half.at(heading * kDeg, 0.6);
+    const RaoTable::Response a = whole.at(heading * kDegree, 0.6), b = half.at(heading * kDegree, 0.6);
     for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(std::abs(a[k] - b[k]), 0.0, 1e-6) << heading << kFreedomNames[k];
   }
   EXPECT_NEAR(std::abs(half.at(0.0, 0.6)[1]), 0.0, 1e-12) << "sway astern is half way between opposite images";
@@ -82,7 +80,7 @@ TEST(rao_table, one_side_serves_the_other_as_its_mirror_image) {
 }
 
 TEST(rao_table, beyond_its_frequencies_it_holds_vanishes_and_fades) {
-  const RaoTable table = small_table({0.0, 90.0 * kDeg});
+  const RaoTable table = small_table({0.0, 90.0 * kDegree});
   EXPECT_EQ(table.at(0.0, 0.1)[2], table.at(0.0, 0.5)[2]) << "translations go with long waves";
   EXPECT_NEAR(std::abs(table.at(0.0, 0.1)[4] - 0.2 * table.at(0.0, 0.5)[4]), 0.0, 1e-12) << "slopes vanish";
   EXPECT_NEAR(std::abs(table.at(0.0, 1.125)[2] - 0.5 * table.at(0.0, 1.0)[2]), 0.0, 1e-12);
@@ -97,7 +95,7 @@ TEST(rao_limits, the_barge_follows_very_long_waves_as_its_readme_says) {
   ASSERT_EQ(limits.rows.size(), 9U);
   for (const RaoLimitRow& row : limits.rows) {
     EXPECT_NEAR(row.ratio, 1.0, 0.01) << row.heading << " " << row.freedom;
-    EXPECT_NEAR(std::remainder(row.lag - row.expected_lag, 2.0 * kPi), 0.0, 1.0 * kDeg);
+    EXPECT_NEAR(std::remainder(row.lag - row.expected_lag, 2.0 * kPi), 0.0, 1.0 * kDegree);
   }
   // 3.357 is the sway of the file, 3.362 the mean orbit of its README.
   EXPECT_NEAR(limits.rows[3].ratio, 3.357 / 3.362, 5e-4);

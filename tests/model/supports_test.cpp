@@ -3,14 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "support/fixtures.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kPipeRadius = 0.2445;
 
 /// Two boxes of three V rows that lose energy, as gap springs.

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "model/section.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 TEST(wave_theory, the_dispersion_relation_holds_to_machine_precision) {
   for (const double depth : {0.5, 5.0, 89.0, 1000.0, 12000.0}) {

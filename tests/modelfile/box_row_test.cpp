@@ -5,16 +5,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/supports.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// The good model with other boxes on the stinger.
 std::string with_stinger(const std::string& keys) {

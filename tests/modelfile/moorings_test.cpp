@@ -5,6 +5,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "base/constants.h"
 #include "base/yaml_document.h"
 #include "model/line_types.h"
 #include "model/model.h"
@@ -18,8 +19,6 @@ namespace {
 
 using testing::kLines;
 using testing::kMoored;
-
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 Description read_good(const std::string& text) {
   const ModelReading reading = read_model_text(text, std::string(OVERBEND_SOURCE_DIR) + "/examples/good.yaml");
@@ -69,7 +68,7 @@ TEST(moorings, keys_fill_the_description) {
   ASSERT_TRUE(d.moorings && d.moorings->lines.size() == 3U && d.moorings->winches.size() == 1U);
   const MooringLineDescription& bow = d.moorings->lines[0];
   EXPECT_EQ(bow.fairlead, Vec3(57.0, 15.0, 3.0));
-  EXPECT_NEAR(bow.bearing.value(), 335.0 * kDeg, 1e-14);
+  EXPECT_NEAR(bow.bearing.value(), 335.0 * kDegree, 1e-14);
   EXPECT_EQ(bow.tension.value(), 300e3);
   EXPECT_EQ(bow.winch, "main");
   ASSERT_EQ(bow.segments.size(), 1U);

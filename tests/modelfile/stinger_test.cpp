@@ -1,16 +1,13 @@
 // A stinger on hinges as the file gives it.
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "base/constants.h"
 #include "model/lay_stage.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 const std::string kTank = "{name: aft, from: {x: 2 m, z: -3 m}, to: {x: 9 m, z: -6 m}, diameter: 1.2 m, weight: 30 kN}";
 

@@ -8,13 +8,13 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/constants.h"
 #include "modelfile/model_texts.h"
 
 namespace overbend {
 namespace {
 
 using testing::kGoodModel;
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 Description read_good(const std::string& text) {
   const ModelReading reading = read_model_text(text, "folder/good.yaml");
@@ -77,7 +77,7 @@ TEST(yaml_reader, the_example_arrives_in_si) {
   EXPECT_EQ(d.tensioner.mode, TensionerMode::controlled);
   EXPECT_EQ(d.tensioner.guide, Guide::clamped);
   ASSERT_EQ(d.rollers.size(), 1U);
-  EXPECT_NEAR(d.rollers[0].sides->angle, 60.0 * kDeg, 1e-15);
+  EXPECT_NEAR(d.rollers[0].sides->angle, 60.0 * kDegree, 1e-15);
   EXPECT_DOUBLE_EQ(d.rollers[0].friction_axial, 0.02);
   EXPECT_FALSE(d.rollers[0].stiffness.has_value());
   ASSERT_EQ(d.supports.boxes.size(), 13U);
@@ -100,7 +100,7 @@ TEST(yaml_reader, boxes_override_what_their_structure_says) {
   EXPECT_EQ(d.supports.boxes[3].roller, "flat");
   EXPECT_EQ(d.supports.boxes[3].rows, 1);
   EXPECT_EQ(d.supports.boxes[3].name, "stinger 2");
-  EXPECT_NEAR(d.supports.boxes[2].incline.value_or(0.0), 12.0 * kDeg, 1e-15);
+  EXPECT_NEAR(d.supports.boxes[2].incline.value_or(0.0), 12.0 * kDegree, 1e-15);
   EXPECT_FALSE(d.supports.boxes[3].incline.has_value());
 }
 
@@ -128,8 +128,8 @@ TEST(yaml_reader, vessel_motion_takes_all_its_forms) {
   const Description harmonic = read_good(kGoodModel);
   EXPECT_EQ(harmonic.vessel.motion, VesselMotion::harmonic);
   ASSERT_EQ(harmonic.vessel.harmonic.size(), 2U);
-  EXPECT_NEAR(harmonic.vessel.harmonic.at("heave").phase, 30.0 * kDeg, 1e-15);
-  EXPECT_NEAR(harmonic.vessel.harmonic.at("pitch").amplitude, 2.0 * kDeg, 1e-15);
+  EXPECT_NEAR(harmonic.vessel.harmonic.at("heave").phase, 30.0 * kDegree, 1e-15);
+  EXPECT_NEAR(harmonic.vessel.harmonic.at("pitch").amplitude, 2.0 * kDegree, 1e-15);
 
   const std::size_t start = kGoodModel.find("  motion:"), end = kGoodModel.find('\n', start);
   const auto with_motion = [&](const std::string& motion) {

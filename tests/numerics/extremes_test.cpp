@@ -7,11 +7,12 @@
 #include <numbers>
 #include <random>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kThreeHours = 10800.0;
 
 /// Gaussian record of unit deviation about 10, frequencies about 0.1 Hz spread by 0.015 Hz, three hours by 0.5 s.
 std::vector<double> narrow_band(std::uint64_t seed) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
+
 namespace overbend::testing {
 namespace {
 
@@ -209,7 +211,6 @@ void fill_impacts(DynamicResults& r) {
 }
 
 void fill_histories(DynamicResults& r, const StaticResults& statics) {
-  constexpr double kDegree = std::numbers::pi / 180.0;
   add_history(r, "elevation", "m", "Water surface above the mean position of the stern shoe", 0.0, 1.0);
   const std::array<std::pair<const char*, double>, 3> moves = {{{"surge", 0.5}, {"sway", 0.02}, {"heave", 0.4}}};
   const std::array<std::pair<const char*, double>, 3> turns = {{{"roll", 0.1}, {"pitch", 1.1}, {"yaw", 0.05}}};

@@ -6,10 +6,11 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/constants.h"
+
 namespace overbend::testing {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::array<const char*, 8> kNames = {
     "port bow",        "port forward breast",  "port aft breast",          "port stern",
     "starboard stern", "starboard aft breast", "starboard forward breast", "starboard bow"};

@@ -5,12 +5,11 @@
 
 #include <filesystem>
 #include <fstream>
-#include <numbers>
+
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 HydrodynamicsSource bgl1_source() {
   HydrodynamicsSource source;

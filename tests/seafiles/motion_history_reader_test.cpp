@@ -2,14 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
+#include "base/constants.h"
 #include "support/rao_files.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 using testing::WrittenFile;
 
 TEST(motion_history_reader, columns_stand_in_any_order_and_missing_ones_are_zero) {
@@ -18,7 +16,7 @@ TEST(motion_history_reader, columns_stand_in_any_order_and_missing_ones_are_zero
   const auto history = read_motion_history(file.path(), diagnostics);
   ASSERT_TRUE(history.has_value()) << diagnostics.lines(Severity::error)[0];
   EXPECT_EQ(history->time, (std::vector<double>{0.0, 0.5, 1.5}));
-  EXPECT_EQ(history->freedoms[1], (std::array<double, 6>{0.0, 0.0, 0.25, 0.0, -2.0 * kDeg, 0.0}));
+  EXPECT_EQ(history->freedoms[1], (std::array<double, 6>{0.0, 0.0, 0.25, 0.0, -2.0 * kDegree, 0.0}));
 }
 
 TEST(motion_history_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 constexpr double kDepth = 89.0;
 
 /// The convention of the house with one word changed.
@@ -51,15 +49,15 @@ TEST(rao_convention, a_key_that_is_not_settled_is_a_broken_promise) {
 
 TEST(rao_convention, headings_of_the_house_are_directions_of_travel) {
   const RaoTranslation house(convention_set("house"), 1.0, kDepth);
-  EXPECT_NEAR(house.heading(30.0 * kDeg), 30.0 * kDeg, 1e-15);
-  EXPECT_NEAR(house.heading(-30.0 * kDeg), 330.0 * kDeg, 1e-14);
+  EXPECT_NEAR(house.heading(30.0 * kDegree), 30.0 * kDegree, 1e-15);
+  EXPECT_NEAR(house.heading(-30.0 * kDegree), 330.0 * kDegree, 1e-14);
   EXPECT_EQ(house.heading(2.0 * kPi), 0.0);
 }
 
 // Heading 0 meets the bow: the wave travels astern. Counted clockwise, 30 deg turns it to starboard of that.
 TEST(rao_convention, headings_may_count_from_the_bow_and_clockwise) {
   EXPECT_NEAR(with("heading_zero", "bow").heading(0.0), kPi, 1e-15);
-  EXPECT_NEAR(with("heading_sense", "clockwise").heading(30.0 * kDeg), 330.0 * kDeg, 1e-14);
+  EXPECT_NEAR(with("heading_sense", "clockwise").heading(30.0 * kDegree), 330.0 * kDegree, 1e-14);
 }
 
 TEST(rao_convention, a_lead_is_a_lag_backwards) {
@@ -81,11 +79,11 @@ TEST(rao_convention, phases_may_count_from_any_event_of_the_wave) {
 TEST(rao_convention, rotations_come_in_rad_per_metre) {
   const double k = linear_wave_number(0.6, kDepth);
   const RaoRecord pitch = record(4, 2.0, 0.0);
-  EXPECT_NEAR(with("rotation", "deg_per_m").response(pitch).real(), 2.0 * kDeg, 1e-15);
+  EXPECT_NEAR(with("rotation", "deg_per_m").response(pitch).real(), 2.0 * kDegree, 1e-15);
   EXPECT_NEAR(with("rotation", "rad_per_m").response(pitch).real(), 2.0, 1e-15);
   EXPECT_NEAR(with("rotation", "per_slope").response(pitch).real(), 2.0 * k, 1e-14);
   EXPECT_NEAR(with("rotation", "rad_per_steepness").response(pitch).real(), 2.0 * k / kPi, 1e-14);
-  EXPECT_NEAR(with("rotation", "deg_per_steepness").response(pitch).real(), 2.0 * kDeg * k / kPi, 1e-15);
+  EXPECT_NEAR(with("rotation", "deg_per_steepness").response(pitch).real(), 2.0 * kDegree * k / kPi, 1e-15);
   EXPECT_NEAR(with("rotation", "rad_per_m", 4.0).response(pitch).real(), 0.5, 1e-15);
   // Translations are per metre whatever the rotations are.
   EXPECT_NEAR(with("rotation", "per_slope", 4.0).response(record(0, 2.0, 0.0)).real(), 2.0, 1e-15);

@@ -2,16 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "seafiles/rao_reader.h"
 #include "support/rao_files.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 using testing::bgl1_raos;
 using testing::good_raos;
 using testing::WrittenFile;
@@ -28,7 +26,7 @@ std::string orcaflex_file() {
       "          RAOOrigin: [60, 0, 6]\n          PhaseOrigin: [~, ~, ~]\n          RAOs:\n";
   const RaoTable& table = bgl1_raos();
   for (std::size_t i = 0; i < table.headings.size() && table.headings[i] < kPi + 1e-9; ++i) {
-    text += fmt::format("            - RAODirection: {:.6g}\n", table.headings[i] / kDeg);
+    text += fmt::format("            - RAODirection: {:.6g}\n", table.headings[i] / kDegree);
     text +=
         "              RAOPeriodOrFrequency, RAOSurgeAmp, RAOSurgePhase, RAOSwayAmp, RAOSwayPhase, RAOHeaveAmp, "
         "RAOHeavePhase, RAORollAmp, RAORollPhase, RAOPitchAmp, RAOPitchPhase, RAOYawAmp, RAOYawPhase:\n"
@@ -50,7 +48,7 @@ double difference(const RaoTable& a, const RaoTable& b) {
   double worst = 0.0;
   for (double heading = 0.0; heading < 360.0; heading += 11.0) {
     for (double omega = 0.1; omega < 2.2; omega += 0.0437) {
-      const RaoTable::Response x = a.at(heading * kDeg, omega), y = b.at(heading * kDeg, omega);
+      const RaoTable::Response x = a.at(heading * kDegree, omega), y = b.at(heading * kDegree, omega);
       for (std::size_t k = 0; k < 6; ++k) worst = std::max(worst, std::abs(x[k] - y[k]));
     }
   }

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/wave_theory.h"
 #include "modelfile/model_texts.h"
 #include "modelfile/yaml_reader.h"
@@ -14,19 +14,17 @@
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 using testing::bgl1_file;
 using testing::bgl1_raos;
 using testing::good_raos;
 using testing::WrittenFile;
 
 /// Largest difference of two tables over headings and frequencies that fall between their points.
-double difference(const RaoTable& a, const RaoTable& b, double per_rotation = 1.0 / kDeg) {
+double difference(const RaoTable& a, const RaoTable& b, double per_rotation = 1.0 / kDegree) {
   double worst = 0.0;
   for (double heading = 0.0; heading < 360.0; heading += 7.0) {
     for (double omega = 0.1; omega < 2.2; omega += 0.0437) {
-      const RaoTable::Response x = a.at(heading * kDeg, omega), y = b.at(heading * kDeg, omega);
+      const RaoTable::Response x = a.at(heading * kDegree, omega), y = b.at(heading * kDegree, omega);
       for (std::size_t k = 0; k < 6; ++k) worst = std::max(worst, std::abs(x[k] - y[k]) * (k < 3 ? 1.0 : per_rotation));
     }
   }
@@ -42,7 +40,7 @@ TEST(rao_reader, the_csv_of_the_barge_has_all_its_rows_and_its_point) {
   EXPECT_TRUE(table.assumptions.empty());
   const RaoTable::Response first = table.at(0.0, 0.1);  // first rows of the file
   EXPECT_NEAR(std::abs(first[0] - std::polar(3.334455, -0.5 * kPi)), 0.0, 1e-9);
-  EXPECT_NEAR(std::abs(first[4] - std::polar(0.1958943 * kDeg, 0.5 * kPi)), 0.0, 1e-9);
+  EXPECT_NEAR(std::abs(first[4] - std::polar(0.1958943 * kDegree, 0.5 * kPi)), 0.0, 1e-9);
 }
 
 TEST(rao_reader, the_wamit_file_of_the_barge_gives_the_same_motions) {
@@ -70,7 +68,7 @@ std::string csv_in_other_words(const ConventionWords& words, double depth) {
     return found != words.end() && found->second == word;
   };
   for (std::size_t i = 0; i < table.headings.size(); ++i) {
-    double heading = table.headings[i] / kDeg;
+    double heading = table.headings[i] / kDegree;
     if (is("heading_zero", "bow")) heading -= 180.0;
     if (is("heading_sense", "clockwise")) heading = -heading;
     for (std::size_t j = 0; j < table.omegas.size(); ++j) {
@@ -84,7 +82,7 @@ std::string csv_in_other_words(const ConventionWords& words, double depth) {
         if (k >= 3) {
           if (is("rotation", "per_slope")) amplitude /= slope;
           if (is("rotation", "rad_per_steepness")) amplitude /= slope / kPi;  // H/L = 2a/L = k a/pi
-          if (words.count("rotation") == 0) amplitude /= kDeg;
+          if (words.count("rotation") == 0) amplitude /= kDegree;
         }
         // The event comes when omega t = 0, pi, pi/2, 3 pi/2; the motion peaks at omega t = lag.
         const double event = is("phase_zero", "trough")          ? kPi
@@ -160,8 +158,8 @@ TEST(rao_reader, the_starboard_side_alone_is_mirrored) {
     for (std::size_t j = 0; j < whole.omegas.size(); ++j) {
       for (std::size_t k = 0; k < 6; ++k) {
         const std::complex<double> z = whole.value(i, j, k);
-        text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", whole.headings[i] / kDeg, whole.omegas[j], k + 1,
-                            std::abs(z) / (k < 3 ? 1.0 : kDeg), -std::arg(z) / kDeg);
+        text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", whole.headings[i] / kDegree, whole.omegas[j], k + 1,
+                            std::abs(z) / (k < 3 ? 1.0 : kDegree), -std::arg(z) / kDegree);
       }
     }
   }

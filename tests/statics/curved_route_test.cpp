@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "model/lay_route.h"
 #include "statics/recovery.h"
 #include "statics/statics.h"
@@ -11,8 +12,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kDeg = 3.14159265358979323846 / 180.0;
-
 /// J-lay of a soft pipe onto a route with an arc well behind touchdown, 115 m astern.
 Description lay_on(double radius, double turn, double friction) {
   Description d = testing::plain_description();
@@ -20,7 +19,7 @@ Description lay_on(double radius, double turn, double friction) {
   d.pipe.section.steel.youngs_modulus = 4e9;
   d.tensioner.x = 0.0;
   d.tensioner.z = 0.5;
-  d.tensioner.incline = 60.0 * kDeg;
+  d.tensioner.incline = 60.0 * kDegree;
   d.tensioner.guide = Guide::pinned;
   d.tensioner.tension = 80e3;
   d.route.legs = {{400.0, 0.0, 0.0}, {0.0, radius, turn}};
@@ -55,7 +54,7 @@ double offset_at(const Laid& lay, double s) {
 }
 
 TEST(curved_route, least_radius_is_that_of_bottom_tension_weight_and_friction) {
-  const Laid lay = laid(lay_on(800.0, 20.0 * kDeg, 0.5));
+  const Laid lay = laid(lay_on(800.0, 20.0 * kDegree, 0.5));
   ASSERT_TRUE(lay.results.route);
   EXPECT_DOUBLE_EQ(lay.results.route->least_radius,
                    lay.results.bottom_tension / (0.5 * lay.model.sections[0].weight_submerged));
@@ -65,10 +64,10 @@ TEST(curved_route, least_radius_is_that_of_bottom_tension_weight_and_friction) {
 
 TEST(curved_route, an_arc_that_holds_stretches_the_friction_by_the_pull_of_the_string) {
   for (const double side : {1.0, -1.0}) {
-    const Laid lay = laid(lay_on(800.0, side * 20.0 * kDeg, 0.5));
+    const Laid lay = laid(lay_on(800.0, side * 20.0 * kDegree, 0.5));
     ASSERT_TRUE(lay.results.route);
     const double pull = lay.results.bottom_tension / 800.0;  // per length, to the inside
-    const double middle = 400.0 + 0.5 * 800.0 * 20.0 * kDeg;
+    const double middle = 400.0 + 0.5 * 800.0 * 20.0 * kDegree;
     EXPECT_NEAR(offset_at(lay, middle), side * pull / 100e3, 0.005 * pull / 100e3);
     EXPECT_EQ(lay.results.route->slid_length, 0.0);
   }
@@ -77,7 +76,7 @@ TEST(curved_route, an_arc_that_holds_stretches_the_friction_by_the_pull_of_the_s
 /// Where friction does not hold the bend, all of the pull is up against it: the pipe comes to rest with the radius
 /// H / (mu w), tangent to the straight lines on either side.
 TEST(curved_route, an_arc_that_does_not_hold_slides_to_the_radius_that_does) {
-  const double turn = 20.0 * kDeg, radius = 300.0, friction = 0.2;
+  const double turn = 20.0 * kDegree, radius = 300.0, friction = 0.2;
   const Laid lay = laid(lay_on(radius, turn, friction));
   ASSERT_TRUE(lay.results.route);
   const RouteResults& route = *lay.results.route;
@@ -97,7 +96,7 @@ TEST(curved_route, an_arc_that_does_not_hold_slides_to_the_radius_that_does) {
 }
 
 TEST(curved_route, without_friction_the_pipe_leaves_the_bend_for_its_chord) {
-  const Laid held = laid(lay_on(300.0, 20.0 * kDeg, 0.5)), loose = laid(lay_on(300.0, 20.0 * kDeg, 0.02));
+  const Laid held = laid(lay_on(300.0, 20.0 * kDegree, 0.5)), loose = laid(lay_on(300.0, 20.0 * kDegree, 0.02));
   ASSERT_TRUE(held.results.route && loose.results.route);
   EXPECT_FALSE(loose.results.route->holds);
   EXPECT_GT(loose.results.route->largest_offset, 20.0 * std::abs(held.results.route->largest_offset));
@@ -107,7 +106,7 @@ TEST(curved_route, without_friction_the_pipe_leaves_the_bend_for_its_chord) {
 }
 
 TEST(curved_route, to_starboard_is_the_mirror_image) {
-  const Laid port = laid(lay_on(300.0, 20.0 * kDeg, 0.2)), starboard = laid(lay_on(300.0, -20.0 * kDeg, 0.2));
+  const Laid port = laid(lay_on(300.0, 20.0 * kDegree, 0.2)), starboard = laid(lay_on(300.0, -20.0 * kDegree, 0.2));
   ASSERT_TRUE(port.results.route && starboard.results.route);
   EXPECT_NEAR(port.results.route->largest_offset, -starboard.results.route->largest_offset, 1e-6);
 }

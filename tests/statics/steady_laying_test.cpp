@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/constants.h"
 #include "mechanics/point_load.h"
 #include "statics/recovery.h"
 #include "statics/sensitivity.h"
@@ -12,8 +13,6 @@
 
 namespace overbend {
 namespace {
-
-constexpr double kDeg = 3.14159265358979323846 / 180.0;
 
 /// J-lay of a pipe that hardly bends, in a current to port of the barge, which heads east.
 Description soft_pipe_across_a_current(double speed) {
@@ -24,7 +23,7 @@ Description soft_pipe_across_a_current(double speed) {
   d.pipe.section.steel.youngs_modulus = 4e9;
   d.tensioner.x = 0.0;
   d.tensioner.z = 0.5;
-  d.tensioner.incline = 70.0 * kDeg;
+  d.tensioner.incline = 70.0 * kDegree;
   d.tensioner.guide = Guide::pinned;
   d.tensioner.tension = 250e3;
   return d;
@@ -141,7 +140,7 @@ TEST(steady_laying, without_side_load_is_what_static_gives_bit_for_bit) {
 TEST(steady_laying, to_starboard_is_the_mirror_image) {
   const Laid port = laid(soft_pipe_across_a_current(0.8));
   Description d = soft_pipe_across_a_current(0.8);
-  for (CurrentPoint& point : d.environment.current) point.towards = 180.0 * kDeg;
+  for (CurrentPoint& point : d.environment.current) point.towards = 180.0 * kDegree;
   const Laid starboard = laid(d);
   ASSERT_TRUE(port.results.route && starboard.results.route);
   EXPECT_NEAR(port.results.route->laid_offset, -starboard.results.route->laid_offset, 1e-6);

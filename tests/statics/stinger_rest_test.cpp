@@ -6,8 +6,8 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
@@ -17,8 +17,6 @@ namespace overbend {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 const std::string kFolder = std::string(OVERBEND_SOURCE_DIR) + "/validation/operation_cases/";
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SampledKey key_of(Distribution of) {
   SampledKey key;

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 std::vector<double> times(int count, double step, double from) {
   std::vector<double> all;

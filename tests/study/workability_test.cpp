@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 StudyInput axis(const std::string& key, std::vector<double> values) {
   StudyInput input;

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <iostream>
-#include <numbers>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/stage_lines.h"
+#include "base/constants.h"
 #include "model/material_words.h"
 #include "model/model.h"
 #include "model/rao_limits.h"
@@ -16,8 +16,6 @@
 
 namespace overbend {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 void line(const std::string& name, const std::string& value) {
   std::cout << fmt::format("  {:<24}{}\n", name, value);
@@ -76,7 +74,7 @@ void print_supports(const Model& model) {
                            "incline [deg]", "length [m]");
   for (const SupportBox& box : supports.boxes) {
     std::cout << fmt::format("  {:<24}{}{:>14.3f}{:>12.3f}\n", box.name,
-                             point(point_from_ramp(model, model.mean_pose, box.point_S)), box.inclination * kDegrees,
+                             point(point_from_ramp(model, model.mean_pose, box.point_S)), box.inclination * kToDegrees,
                              box.length);
     for (int r = 0; r < box.row_count; ++r) {
       const SupportRow& row = supports.rows[box.first_row + r];
@@ -106,8 +104,8 @@ std::vector<std::string> print_raos(const Model& model) {
   for (const RaoLimitRow& row : limits.rows) {
     const auto k = static_cast<std::size_t>(row.freedom);
     std::cout << fmt::format("  {:<12}{:<10}{:<18}{:>8.3f}{:>10.1f}{:>12.1f}{}\n",
-                             fmt::format("{:.0f} deg", row.heading * kDegrees), kFreedomNames[k], kOver[k], row.ratio,
-                             row.lag * kDegrees + 0.0, row.expected_lag * kDegrees + 0.0,
+                             fmt::format("{:.0f} deg", row.heading * kToDegrees), kFreedomNames[k], kOver[k], row.ratio,
+                             row.lag * kToDegrees + 0.0, row.expected_lag * kToDegrees + 0.0,
                              row.agrees || !limits.long_enough ? "" : "  disagrees");
   }
   return limit_warnings(limits);

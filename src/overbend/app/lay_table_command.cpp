@@ -2,12 +2,12 @@
 
 #include <filesystem>
 #include <iostream>
-#include <numbers>
 #include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/warning_lines.h"
+#include "base/constants.h"
 #include "resultfiles/lay_table_writer.h"
 #include "runstore/staged_folder.h"
 #include "seafiles/route_depths_reader.h"
@@ -18,8 +18,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// The table that model and options ask for. Throws std::invalid_argument, with what to tell.
 LayTableDescription asked_table(const Description& description, const LayTableArguments& arguments) {
@@ -66,7 +64,7 @@ void print_row(const LayTable& table, const LayTableRow& row) {
   const LayTableValues& v = *row.lay;
   std::cout << fmt::format(
       "  {:>9.3f} {:>9.1f} {:>9.1f} {:>9.2f} {:>9.2f} {:>9} {:>9.1f} {:>9.1f} {:>9.1f} {:>7}  {}\n", first,
-      1e-3 * v.top_tension, 1e-3 * v.bottom_tension, v.lay_back, kDegrees * v.departure_angle,
+      1e-3 * v.top_tension, 1e-3 * v.bottom_tension, v.lay_back, kToDegrees * v.departure_angle,
       v.tip_separation ? fmt::format("{:.3f}", *v.tip_separation) : "-", 1e-6 * v.overbend_bending_stress,
       1e-6 * v.sagbend_bending_stress, 1e-3 * v.largest_reaction,
       v.utilisation ? fmt::format("{:.3f}", *v.utilisation) : "-", verdict_words(row));

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "app/warning_lines.h"
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// A zero of the last digits carries no sign.
 double shown(double value) {
@@ -23,8 +21,8 @@ std::string state_lines(const MooredState& state) {
   std::string text = fmt::format(
       "{}\n  hull at surge {:.3f} m, sway {:.3f} m, heave {:.3f} m, roll {:.3f} deg, pitch "
       "{:.3f} deg, yaw {:.3f} deg\n",
-      state.name, shown(v.surge), shown(v.sway), shown(v.heave), shown(v.roll * kDegrees), shown(v.pitch * kDegrees),
-      shown(v.yaw * kDegrees));
+      state.name, shown(v.surge), shown(v.sway), shown(v.heave), shown(v.roll * kToDegrees),
+      shown(v.pitch * kToDegrees), shown(v.yaw * kToDegrees));
   for (const PeriodResult& period : v.natural_periods) {
     text += fmt::format("  natural period {:<6} {:>9.1f} s\n", period.mode, period.period);
   }
@@ -87,9 +85,9 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
     row("surge m", v.surge, 1.0);
     row("sway m", v.sway, 1.0);
     row("heave m", v.heave, 1.0);
-    row("roll deg", v.roll, kDegrees);
-    row("pitch deg", v.pitch, kDegrees);
-    row("yaw deg", v.yaw, kDegrees);
+    row("roll deg", v.roll, kToDegrees);
+    row("pitch deg", v.pitch, kToDegrees);
+    row("yaw deg", v.yaw, kToDegrees);
     row("offset m", v.offset, 1.0);
     text += "  " + v.confidence + "\n";
   }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <iostream>
-#include <numbers>
 
 #include "app/check_lines.h"
 #include "app/commands.h"
@@ -13,6 +12,7 @@
 #include "app/sensitivity_lines.h"
 #include "app/stinger_lines.h"
 #include "app/warning_lines.h"
+#include "base/constants.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
 #include "statics/moored_statics.h"
@@ -28,8 +28,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 void line(const std::string& name, const std::string& value) {
   std::cout << fmt::format("  {:<28}{}\n", name, value);
@@ -66,7 +64,7 @@ void print_results(const StaticResults& r) {
   number("horizontal tension", r.bottom_tension / 1e3, "kN");
   number("lay-back", r.lay_back, "m");
   number("suspended length", r.suspended_length, "m");
-  number("departure angle", r.departure_angle * kDegrees, "deg");
+  number("departure angle", r.departure_angle * kToDegrees, "deg");
   if (r.overbend) print_region("overbend", r, *r.overbend);
   if (r.tower) print_region("tower", r, *r.tower);
   print_region("sagbend", r, r.sagbend);

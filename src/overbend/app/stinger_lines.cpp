@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string heading(const StingerSectionResult& section) {
   return section.name.empty() ? "stinger angle" : "angle of '" + for_display(section.name, 16) + "'";
@@ -21,13 +19,13 @@ std::string heading(const StingerSectionResult& section) {
 std::string stinger_lines(const StaticResults& results) {
   std::string lines;
   for (const StingerSectionResult& section : results.stinger) {
-    lines += fmt::format("  {:<28}{:>12.2f} deg, hinge force {:.1f} kN", heading(section), section.angle * kDegrees,
+    lines += fmt::format("  {:<28}{:>12.2f} deg, hinge force {:.1f} kN", heading(section), section.angle * kToDegrees,
                          section.hinge_force / 1e3);
     if (section.at_stop) lines += fmt::format(", at a stop with {:.0f} kN m", std::abs(section.stop_moment) / 1e3);
     if (!section.floats) lines += fmt::format(", held with {:.0f} kN m", std::abs(section.stop_moment) / 1e3);
     if (section.floats && section.friction_moment > 0.0) {
-      lines += fmt::format(", {:.2f} to {:.2f} deg with friction of the hinge", section.angle_up * kDegrees,
-                           section.angle_down * kDegrees);
+      lines += fmt::format(", {:.2f} to {:.2f} deg with friction of the hinge", section.angle_up * kToDegrees,
+                           section.angle_down * kToDegrees);
     }
     if (section.natural_period > 0.0) lines += fmt::format(", period {:.1f} s", section.natural_period);
     lines += "\n";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/constants.h"
 #include "checks/check_assumptions.h"
 #include "checks/check_rows.h"
 
@@ -46,8 +47,6 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
   }
   return along;
 }
-
-constexpr double kThreeHours = 10800.0;  ///< Of which the criteria ask for the largest value [s].
 
 /// A value of a shorter run is not the one that the criterion asks for.
 void say_duration(CheckRow& row, double duration) {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 struct TableRow {
   Vec3 value, slope;  ///< c_x, c_y, c_z and derivatives by the angle.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "hull/body_kinematics.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kViscosity = 1.19e-6;    // kinematic, of sea water at 15 deg C [m2/s]
 constexpr double kLeastReynolds = 1.0e5;  // the friction line is not meant for less
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "base/simd.h"
 #include "hull/hull_waves_kernel.h"
 #include "model/section.h"
@@ -12,7 +12,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kColumns = 6;
 
 /// Place between two rows of rising frequencies; `weight` 0 beyond the last.

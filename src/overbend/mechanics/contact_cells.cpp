@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Cell empty_cell() {
   return {kInfinity, -kInfinity, -kInfinity};

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "base/random.h"
 #include "base/require.h"
 #include "mechanics/wave_spreading.h"
@@ -15,7 +16,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kColumns = 11;  // of the kernel's table
 
 static_assert(sizeof(WaterState) == 8 * sizeof(double) && sizeof(Vec3) == 3 * sizeof(double),

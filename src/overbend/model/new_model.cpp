@@ -6,16 +6,15 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
+#include "base/constants.h"
 #include "base/units.h"
 #include "model/section.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kDeepestBarge = 300.0;          // flat barges have neither the tension nor the stinger for more [m]
 constexpr double kYoungsModulus = 207e9;         // [Pa]
 constexpr double kWaterWeightDensity = 10.05e3;  // [N/m3]
@@ -128,7 +127,7 @@ double tension_for_angle(const NewModel& model, double angle) {
 
 /// Steepest departure a stinger is built for: 30 deg in shallow water, 60 deg from 1100 m.
 double steepest_departure(double depth) {
-  return (30.0 + 30.0 * std::clamp((depth - 100.0) / 1000.0, 0.0, 1.0)) * kDeg;
+  return (30.0 + 30.0 * std::clamp((depth - 100.0) / 1000.0, 0.0, 1.0)) * kDegree;
 }
 
 /// Chooses the tension where it is not said, and the angle that follows. A sentence when the tension carries no pipe.

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/new_model.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 double coated_radius(const NewModel& model) {
   return 0.5 * model.diameter + model.coating + model.concrete;
@@ -102,7 +100,7 @@ tensioner:                             # the pipe hangs directly from it: no sup
   guide: pinned
   tension: {}
 )",
-                     model.tensioner_height, model.departure_angle * kDegrees, tension_text(model));
+                     model.tensioner_height, model.departure_angle * kToDegrees, tension_text(model));
 }
 
 std::string boxes_text(const NewModel& model, const char* name, double first, double last, int count) {
@@ -134,7 +132,7 @@ rollers:                               # types of roller row, used by name below
 supports:                              # x, z: where the underside of the coated pipe rests, mid-box
 )",
                   model.circle_start - 10.0, model.tensioner_height, tension_text(model),
-                  model.departure_angle * kDegrees, fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
+                  model.departure_angle * kToDegrees, fmt::arg("face", std::max(0.6, 2.5 * coated_radius(model))));
   text += boxes_text(model, "ramp", model.circle_start, -0.5, model.ramp_boxes);
   return text + boxes_text(model, "stinger", model.stinger_start, model.stinger_tip, model.boxes);
 }

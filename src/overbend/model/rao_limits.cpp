@@ -3,16 +3,14 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "base/constants.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegrees = 180.0 / kPi;
 using Complex = std::complex<double>;
 
 /// Horizontal orbit over surface amplitude, mean from the surface to the draught: the mean of cosh k(z+d)/sinh kd.
@@ -73,14 +71,14 @@ std::vector<std::string> limit_warnings(const RaoLimits& limits) {
     std::string headings;
     for (const RaoLimitRow& other : limits.rows) {
       if (other.agrees || other.freedom != row.freedom) continue;
-      headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other.heading * kDegrees);
+      headings += fmt::format("{}{:.0f}", headings.empty() ? "" : " and ", other.heading * kToDegrees);
     }
     warnings.push_back(
         fmt::format("RAOs: in long waves travelling towards {} deg {} is {:.2f} times what the water does, with a "
                     "lag of {:.0f} "
                     "deg where a free hull has {:.0f} deg: are the conventions (vessel.motion.convention) right?",
-                    headings, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kDegrees,
-                    row.expected_lag * kDegrees));
+                    headings, kFreedomNames[static_cast<std::size_t>(row.freedom)], row.ratio, row.lag * kToDegrees,
+                    row.expected_lag * kToDegrees));
   }
   return warnings;
 }

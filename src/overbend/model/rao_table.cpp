@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/require.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kSlack = 1e-9;  ///< Headings that differ by less are the same [rad].
 
 /// Two points of an axis and the weight of the second; each may be a mirror image.

@@ -1,5 +1,6 @@
 #include <numeric>
 
+#include "base/constants.h"
 #include "model/description_words.h"
 #include "modelfile/field_rows.h"
 #include "modelfile/field_value.h"
@@ -7,7 +8,6 @@
 namespace overbend::field_rows {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kShortestElement = 0.02;  ///< [m] Far below any pipe's diameter, where a beam means nothing.
 
 /// Lowest, then highest; a machine with a range works to keep it unless `mode` says otherwise.
@@ -52,7 +52,7 @@ std::vector<Field> tensioner() {
        .text = "Inclination of the pipe in the tensioner from horizontal, positive downwards astern.",
        .unit = "rad",
        .show = "deg",
-       .range = {.low = -90.0 * kDeg, .high = 90.0 * kDeg}},
+       .range = {.low = -90.0 * kDegree, .high = 90.0 * kDegree}},
       {.path = "tensioner.guide",
        .member = defaults(&TensionerDescription::guide),
        .kind = FieldKind::choice,

@@ -1,9 +1,8 @@
+#include "base/constants.h"
 #include "modelfile/row_makers.h"
 
 namespace overbend::field_rows {
 namespace {
-
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 template <double StingerPoint::*Coordinate>
 Member of_first() {
@@ -42,14 +41,14 @@ std::vector<Field> box_row(const std::string& path, const Member& open, bool con
                             kLength)),
       otherwise(quantity_row(path + ".first.incline", fills(&BoxRowDescription::incline),
                              "Inclination of the arc there from horizontal, positive downwards astern.", kAngle,
-                             {.low = -90.0 * kDeg, .high = 90.0 * kDeg, .low_open = true, .high_open = true}),
+                             {.low = -90.0 * kDegree, .high = 90.0 * kDegree, .low_open = true, .high_open = true}),
                 continues ? "tangent of the ramp's curve at its last box" : "that of the pipe at the tensioner"),
   };
 }
 
 std::vector<Field> stinger_settings(const std::string& path, const Member& settings, const Member& setting) {
   const std::string s = path + ".settings";
-  const Range angle = {.low = -90.0 * kDeg, .high = 90.0 * kDeg, .low_open = true, .high_open = true};
+  const Range angle = {.low = -90.0 * kDegree, .high = 90.0 * kDegree, .low_open = true, .high_open = true};
   const Member one_angle = taken_by<StingerSettingDescription>(
       [](StingerSettingDescription& owner, const FieldValue& value) { owner.angles = {value.number}; });
   return {

@@ -1,13 +1,8 @@
+#include "base/constants.h"
 #include "model/description_words.h"
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
-namespace {
-
-constexpr double kDeg = std::numbers::pi / 180.0;
-
-}  // namespace
-
 std::vector<Field> waves() {
   const std::string p = "environment.waves";
   return {
@@ -156,7 +151,7 @@ std::vector<Field> environment() {
               .text = "Slope of the seabed, which falls towards slope_towards.",
               .unit = "rad",
               .show = "deg",
-              .range = {.low = 0.0, .high = 45.0 * kDeg, .high_open = true}},
+              .range = {.low = 0.0, .high = 45.0 * kDegree, .high_open = true}},
              {.path = "environment.seabed.slope_towards",
               .member = defaults(&SeabedDescription::slope_towards),
               .kind = FieldKind::quantity,

@@ -1,13 +1,12 @@
 #include <algorithm>
 
+#include "base/constants.h"
 #include "model/contact_stiffness.h"
 #include "model/description_words.h"
 #include "modelfile/field_rows_stinger.h"
 
 namespace overbend::field_rows {
 namespace {
-
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 /// What the structure says of its boxes is bound before them, being above them in the table.
 BoxDescription& add_box(StructureKeys& keys, const FieldValue&) {
@@ -109,7 +108,7 @@ std::vector<Field> box_rows(const std::string& path, bool required) {
        .unit = "rad",
        .show = "deg",
        .fallback_text = "tangent of the smooth curve through the boxes",
-       .range = {.low = -90.0 * kDeg, .high = 90.0 * kDeg, .low_open = true, .high_open = true}},
+       .range = {.low = -90.0 * kDegree, .high = 90.0 * kDegree, .low_open = true, .high_open = true}},
       {.path = b + ".roller",
        .member = fills(&BoxDescription::roller),
        .kind = FieldKind::text,
@@ -191,7 +190,7 @@ std::vector<Field> rollers() {
        .unit = "rad",
        .show = "deg",
        .required = true,
-       .range = {.low = 0.0, .high = 90.0 * kDeg, .low_open = true}},
+       .range = {.low = 0.0, .high = 90.0 * kDegree, .low_open = true}},
       {.path = "rollers.*.sides.clearance",
        .member = defaults(&SideRollerDescription::clearance),
        .kind = FieldKind::quantity,

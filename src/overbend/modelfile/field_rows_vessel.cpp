@@ -1,12 +1,11 @@
 #include <array>
 
+#include "base/constants.h"
 #include "model/description_words.h"
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
 namespace {
-
-constexpr double kDeg = std::numbers::pi / 180.0;
 
 /// A key that names the file which the motion comes from.
 Field motion_file(VesselMotion motion, const char* text) {
@@ -94,7 +93,7 @@ std::vector<Field> vessel() {
                  .text = text,
                  .unit = "rad",
                  .show = "deg",
-                 .range = {.low = -45.0 * kDeg, .high = 45.0 * kDeg, .low_open = true, .high_open = true}};
+                 .range = {.low = -45.0 * kDegree, .high = 45.0 * kDegree, .low_open = true, .high_open = true}};
   };
   std::vector<Field> rows = {
       {.path = "vessel",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "base/units.h"
 #include "modelfile/binding.h"
 #include "seafiles/coefficient_table.h"
@@ -12,8 +13,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr double kWidestGap = 46.0 * kDeg;  // headings by 45 deg can be interpolated
+constexpr double kWidestGap = 46.0 * kDegree;  // headings by 45 deg can be interpolated
 const std::string kHull = "vessel.motion.coupled";
 
 HydrodynamicsSource source_of(const FieldValue& root, const CoupledHullDescription& hull,
@@ -72,7 +72,7 @@ class Judge {
     double gap = heading.front() + 2.0 * std::numbers::pi - heading.back();
     for (std::size_t i = 1; i < heading.size(); ++i) gap = std::max(gap, heading[i] - heading[i - 1]);
     if (gap < kWidestGap) return;
-    tell(Severity::error, "headings with a gap of " + format_number(gap / kDeg, 3) + " deg",
+    tell(Severity::error, "headings with a gap of " + format_number(gap / kDegree, 3) + " deg",
          "headings all round, 45 deg apart at most",
          "convention.headings: mirrored takes the other side of a symmetric hull");
   }

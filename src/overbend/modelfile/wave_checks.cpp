@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <stdexcept>
 
+#include "base/constants.h"
 #include "base/units.h"
 #include "model/description_words.h"
 #include "model/wave_theory.h"
@@ -12,8 +12,6 @@
 
 namespace overbend {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Height over depth of the highest waves seen to run over a level bed.
 constexpr double kShallowBreaking = 0.78;

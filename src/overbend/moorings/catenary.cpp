@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.h"
 #include "base/require.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMaxIterations = 200;
 /// No mooring line bears such a strain: it does not reach [-].
 constexpr double kMaxStrain = 0.25;

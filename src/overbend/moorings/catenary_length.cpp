@@ -1,14 +1,13 @@
 // Lengths that give a line the pull or the tension that is asked for.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.h"
 #include "moorings/catenary.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kMaxIterations = 100;
 
 CatenarySolution faulty(CatenaryFault fault) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
+
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Iterations for the start of one span; Newton needs five, halving of the interval fifty.
 constexpr int kMaxIterations = 200;
 /// A gap of this share of the size is closed by the last linear step, to its square [-].

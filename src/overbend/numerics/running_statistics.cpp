@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/constants.h"
 #include "base/require.h"
 #include "base/simd.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct StatisticsKernels {
   bool (*all_finite)(const double* values, int count);

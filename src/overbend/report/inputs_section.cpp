@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <numbers>
 
+#include "base/constants.h"
 #include "report/assumption_rank.h"
 #include "report/listing.h"
 #include "report/mooring_inputs.h"
@@ -13,8 +13,6 @@ namespace overbend {
 namespace {
 
 using html::fixed;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string pipe_table(const SectionDescription& pipe, const std::string& name) {
   Listing list("Pipe: " + name);
@@ -50,8 +48,8 @@ std::string environment_table(const EnvironmentDescription& sea) {
            general(sea.seabed.friction_axial) + ", " + general(sea.seabed.friction_lateral));
   if (sea.seabed.slope != 0.0) {
     list.add("Seabed slope",
-             fixed(sea.seabed.slope * kDegrees, 2) + " deg, falling towards " +
-                 fixed(sea.seabed.slope_towards * kDegrees, 1),
+             fixed(sea.seabed.slope * kToDegrees, 2) + " deg, falling towards " +
+                 fixed(sea.seabed.slope_towards * kToDegrees, 1),
              "deg");
   }
   for (const ProfilePoint& at : sea.seabed.profile) {
@@ -59,7 +57,7 @@ std::string environment_table(const EnvironmentDescription& sea) {
   }
   if (!sea.seabed.bathymetry_file.empty()) list.add("Depths of the seabed", sea.seabed.bathymetry_file);
   for (const CurrentPoint& at : sea.current) {
-    list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kDegrees) + " deg", at.speed,
+    list.add("Current at " + general(at.depth) + " m, towards " + general(at.towards * kToDegrees) + " deg", at.speed,
              "m/s");
   }
   return list.str();
@@ -71,8 +69,8 @@ Listing& add_vessel(Listing& list, const VesselDescription& vessel) {
       .add("Length, beam, depth", general(vessel.length) + ", " + general(vessel.beam) + ", " + general(vessel.depth),
            "m")
       .add("Draught", vessel.draught, "m")
-      .add("Heading", vessel.heading * kDegrees, "deg")
-      .add("Trim, heel", general(vessel.trim * kDegrees) + ", " + general(vessel.heel * kDegrees), "deg");
+      .add("Heading", vessel.heading * kToDegrees, "deg")
+      .add("Trim, heel", general(vessel.trim * kToDegrees) + ", " + general(vessel.heel * kToDegrees), "deg");
 }
 
 /// Radius of a structure and, of boxes told as a row, how many there are and how far apart.
@@ -92,7 +90,7 @@ std::string vessel_table(const Description& model) {
   add_vessel(list, vessel)
       .add("Stern shoe, x from midship and z", general(vessel.stern_shoe_x) + ", " + general(vessel.stern_shoe_z), "m")
       .add("Tensioner X, Z from the stern shoe", general(model.tensioner.x) + ", " + general(model.tensioner.z), "m")
-      .add("Tensioner incline", model.tensioner.incline * kDegrees, "deg")
+      .add("Tensioner incline", model.tensioner.incline * kToDegrees, "deg")
       .add("Pipe in the tensioner", model.tensioner.guide == Guide::clamped ? "direction fixed" : "pinned");
   if (model.tensioner.tension) {
     list.add("Set tension", 1e-3 * *model.tensioner.tension, "kN");
@@ -115,7 +113,7 @@ std::string roller_kinds_table(const std::vector<RollerKindDescription>& kinds) 
     if (kind.sides) {
       list.add(kind.name + ": side radius, face", general(kind.sides->radius) + ", " + general(kind.sides->face), "m")
           .add(kind.name + ": side angle, clearance",
-               general(kind.sides->angle * kDegrees) + " deg, " + general(kind.sides->clearance), "m");
+               general(kind.sides->angle * kToDegrees) + " deg, " + general(kind.sides->clearance), "m");
     }
     if (kind.stiffness) {
       list.add(kind.name + ": stiffness", 1e-3 * *kind.stiffness, "kN/m");
@@ -138,7 +136,7 @@ void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed)
     }
     list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
   }
-  list.add("Waves from", waves.from * kDegrees, "deg");
+  list.add("Waves from", waves.from * kToDegrees, "deg");
 }
 
 std::string dynamics_table(const Description& model, const DynamicResults& results) {

@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.h"
 #include "report/front_of.h"
 #include "report/html.h"
 #include "report/line_data.h"
@@ -19,8 +19,6 @@ namespace overbend {
 namespace {
 
 using html::fixed;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string kilo(double newton) {
   return forces().text(newton, 2);
@@ -78,7 +76,7 @@ std::string end_table(const LinesResults& results) {
                                         kilo(end->force.x()),
                                         kilo(end->force.y()),
                                         kilo(end->force.z()),
-                                        fixed(end->declination * kDegrees, 2)};
+                                        fixed(end->declination * kToDegrees, 2)};
       if (results.moved) {
         for (const double value : {end->in_time.min, end->in_time.max, end->in_time.mean, end->in_time.std}) {
           cells.push_back(kilo(value));

@@ -3,17 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 #include <set>
 
+#include "base/constants.h"
 #include "report/listing.h"
 
 namespace overbend {
 namespace {
 
 using html::fixed;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string kilo(const std::optional<double>& value) {
   return value ? general(1e-3 * *value) : "-";
@@ -112,8 +110,8 @@ std::string fairlead_table(const MooringsDescription& moorings) {
     std::string anchor = line.anchor
                              ? fmt::format("x {}, y {} m", general((*line.anchor)[0]), general((*line.anchor)[1]))
                              : std::string();
-    if (line.bearing) anchor = "bearing " + fixed(*line.bearing * kDegrees, 1) + " deg";
-    if (line.azimuth) anchor = "azimuth " + fixed(*line.azimuth * kDegrees, 1) + " deg";
+    if (line.bearing) anchor = "bearing " + fixed(*line.bearing * kToDegrees, 1) + " deg";
+    if (line.azimuth) anchor = "azimuth " + fixed(*line.azimuth * kToDegrees, 1) + " deg";
     if (line.anchor_distance) anchor += ", " + general(*line.anchor_distance) + " m";
     double given = 0.0;
     for (const LineSegmentDescription& segment : line.segments) given += segment.length.value_or(0.0);
@@ -153,7 +151,7 @@ std::string hull_inputs(const Description& model) {
     list.add("Damping in " + damping.mode, damping_words(damping), damping.ratio ? "" : "kN, m, s");
   }
   if (!hull.wind.areas.empty()) {
-    list.add("Wind from " + general(hull.wind.from * kDegrees) + " deg", hull.wind.speed, "m/s");
+    list.add("Wind from " + general(hull.wind.from * kToDegrees) + " deg", hull.wind.speed, "m/s");
   }
   return list.str();
 }

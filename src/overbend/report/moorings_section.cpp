@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/quantity.h"
@@ -15,8 +15,6 @@ namespace {
 
 using html::fixed;
 using html::tile;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string kilo(double newton, int digits = 1) {
   return forces().text(newton, digits);
@@ -53,7 +51,7 @@ std::string tiles(const MooredState& state) {
   }
   const VesselResult& vessel = state.vessel;
   out += tile("Offset of midship", fixed(std::hypot(vessel.surge, vessel.sway), 3), "m",
-              fmt::format("yaw {} deg, from the hull as drawn", fixed(vessel.yaw * kDegrees, 3)));
+              fmt::format("yaw {} deg, from the hull as drawn", fixed(vessel.yaw * kToDegrees, 3)));
   return out + "</div>\n";
 }
 
@@ -81,16 +79,16 @@ std::string line_table(const MooredState& state) {
   for (const MooringLineResult& l : state.moorings) {
     const auto percent = [](const std::optional<double>& use) { return use ? fixed(100.0 * *use, 1) : "-"; };
     std::vector<std::string> cells = {l.name,
-                                      fixed(l.azimuth * kDegrees, 1),
+                                      fixed(l.azimuth * kToDegrees, 1),
                                       fixed(l.length, 2),
                                       fixed(l.suspended_length, 1),
                                       fixed(l.on_bed, 1),
                                       kilo(l.fairlead_tension),
                                       kilo(l.horizontal),
-                                      fixed(l.declination * kDegrees, 2),
+                                      fixed(l.declination * kToDegrees, 2),
                                       percent(l.utilisation),
                                       kilo(l.anchor_tension),
-                                      fixed(l.uplift_angle * kDegrees, 2),
+                                      fixed(l.uplift_angle * kToDegrees, 2),
                                       percent(l.anchor_utilisation)};
     if (l.parted) std::fill(cells.begin() + 3, cells.end(), "-");
     if (near) {
@@ -112,9 +110,9 @@ std::string offset_table(const VesselResult& v) {
   table.row({"Surge, forward", fixed(v.surge, 3), "m"})
       .row({"Sway, to port", fixed(v.sway, 3), "m"})
       .row({"Heave, up", fixed(v.heave, 4), "m"})
-      .row({"Roll, starboard down", fixed(v.roll * kDegrees, 3), "deg"})
-      .row({"Pitch, bow down", fixed(v.pitch * kDegrees, 3), "deg"})
-      .row({"Yaw, bow to port", fixed(v.yaw * kDegrees, 3), "deg"});
+      .row({"Roll, starboard down", fixed(v.roll * kToDegrees, 3), "deg"})
+      .row({"Pitch, bow down", fixed(v.pitch * kToDegrees, 3), "deg"})
+      .row({"Yaw, bow to port", fixed(v.yaw * kToDegrees, 3), "deg"});
   return table.str();
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "report/figure_list.h"
 #include "report/html.h"
 #include "report/moorings_section.h"
@@ -13,8 +13,6 @@ namespace overbend {
 namespace {
 
 using html::fixed;
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 std::string kilo(double newton) {
   return forces().text(newton, 1);
@@ -36,7 +34,7 @@ std::string stage_table(const MooringResults& results) {
                     "dense summary");
   const auto row = [&](const MooredState& state) {
     std::vector<std::string> cells = {state.name, fixed(state.vessel.surge, 3), fixed(state.vessel.sway, 3),
-                                      fixed(state.vessel.yaw * kDegrees, 3)};
+                                      fixed(state.vessel.yaw * kToDegrees, 3)};
     bool over = false;
     for (const MooringLineResult& line : state.moorings) {
       cells.push_back(line.parted ? "parted" : kilo(line.fairlead_tension));
@@ -110,7 +108,7 @@ std::string step_tables(const MooringResults& results) {
   html::Table tensions("Tension at the fairleads", line_heads(results, {{"Advance", "m"}}, "kN"), "dense summary");
   for (const MoveStep& step : results.steps) {
     std::vector<std::string> length = {fixed(step.advance, 2), fixed(step.vessel.sway, 3),
-                                       fixed(step.vessel.yaw * kDegrees, 3)};
+                                       fixed(step.vessel.yaw * kToDegrees, 3)};
     std::vector<std::string> tension = {fixed(step.advance, 2)};
     for (const double value : step.lengths) length.push_back(fixed(value, 3));
     for (const double value : step.tensions) tension.push_back(kilo(value));

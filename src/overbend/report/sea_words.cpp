@@ -4,18 +4,16 @@
 
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
+#include "base/constants.h"
 #include "mechanics/wave_spectrum.h"
 #include "model/rao_table.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDegrees = 180.0 / std::numbers::pi;
-
 std::string direction_words(const WavesDescription& waves) {
-  return fmt::format("from {:.4g} deg", waves.from == 0.0 ? 0.0 : waves.from * kDegrees);
+  return fmt::format("from {:.4g} deg", waves.from == 0.0 ? 0.0 : waves.from * kToDegrees);
 }
 
 std::string regular(const char* kind, const WavesDescription& waves) {

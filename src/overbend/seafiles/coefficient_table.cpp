@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/text_table.h"
@@ -11,7 +12,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
 constexpr double kWidestGap =
     60.0;  ///< [deg] Between neighbours of a coarse table of 30 deg where one row is left out.
 constexpr std::array kHeader = {"angle_deg", "cx", "cy", "cz"};
@@ -56,18 +56,18 @@ class CoefficientReader {
       if (!value) return complain(row.line, kHeader[i], "'" + for_display(row.cells[i]) + "'", "a number");
       values[i] = *value;
     }
-    if (!rows_.empty() && values[0] <= rows_.back().angle / kDeg + 1e-9) {
+    if (!rows_.empty() && values[0] <= rows_.back().angle / kDegree + 1e-9) {
       return complain(row.line, kHeader[0], format_number(values[0]), "more than the angle before it");
     }
-    rows_.push_back({values[0] * kDeg, values[1], values[2], values[3]});
+    rows_.push_back({values[0] * kDegree, values[1], values[2], values[3]});
   }
 
   void check_circle() {
     if (rows_.size() < 3) return complain(0, "", std::to_string(rows_.size()) + " rows", "a table all round");
-    const double first = rows_.front().angle / kDeg, last = rows_.back().angle / kDeg;
+    const double first = rows_.front().angle / kDegree, last = rows_.back().angle / kDegree;
     half_ = std::abs(first) < 1e-6 && std::abs(last - 180.0) < 1e-6;
     double gap = half_ ? 0.0 : first + 360.0 - last;
-    for (std::size_t i = 1; i < rows_.size(); ++i) gap = std::max(gap, (rows_[i].angle - rows_[i - 1].angle) / kDeg);
+    for (std::size_t i = 1; i < rows_.size(); ++i) gap = std::max(gap, (rows_[i].angle - rows_[i - 1].angle) / kDegree);
     if (last - first > 360.0 + 1e-6) complain(0, kHeader[0], "more than one turn", "angles within 360 deg");
     if (gap > kWidestGap + 1e-6) {
       complain(0, kHeader[0], "a gap of " + format_number(gap) + " deg", "rows all round, or from 0 to 180 deg");

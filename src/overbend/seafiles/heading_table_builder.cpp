@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kSameHeading = 1e-6;  // [rad]
 constexpr double kSameValue = 1e-4;    // of the mode's largest: files print six digits
 constexpr std::array<double, 6> kMirrored = {1.0, -1.0, 1.0, -1.0, 1.0, -1.0};

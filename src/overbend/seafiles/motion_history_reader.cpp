@@ -1,8 +1,8 @@
 #include "seafiles/motion_history_reader.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "seafiles/text_table.h"
 
@@ -10,7 +10,6 @@ namespace overbend {
 namespace {
 
 constexpr int kMostComplaints = 10;
-constexpr double kDeg = std::numbers::pi / 180.0;
 const std::vector<std::string> kColumns = {"time_s",   "surge_m",   "sway_m", "heave_m",
                                            "roll_deg", "pitch_deg", "yaw_deg"};
 
@@ -76,7 +75,7 @@ class HistoryReader {
       if (columns_[i] == 0) {
         time = *value;
       } else {
-        freedoms[columns_[i] - 1] = columns_[i] > 3 ? *value * kDeg : *value;
+        freedoms[columns_[i] - 1] = columns_[i] > 3 ? *value * kDegree : *value;
       }
     }
     if (!history_.time.empty() && time <= history_.time.back()) {

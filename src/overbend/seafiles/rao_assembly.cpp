@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "base/constants.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegrees = 180.0 / kPi;
 constexpr int kMostComplaints = 10;
 constexpr std::size_t kLargestTable = 4'000'000;
 
@@ -85,7 +84,7 @@ class Assembly {
   std::string place_words(std::size_t heading, std::size_t omega, std::size_t freedom) const {
     const double h = mirrored_ ? image(table_.headings[heading]) : table_.headings[heading];
     return fmt::format("{} for waves travelling towards {:.6g} deg at {:.6g} rad/s", kFreedomNames[freedom],
-                       h * kDegrees, table_.omegas[omega]);
+                       h * kToDegrees, table_.omegas[omega]);
   }
 
   void enter(const RaoRecord& record) {
@@ -130,11 +129,11 @@ class Assembly {
       table_.assumptions.push_back(fmt::format(
           "The RAOs of {} cover one side of the vessel; the other is assumed to be its mirror image.", file_));
     }
-    if (widest * kDegrees > 45.1) {
+    if (widest * kToDegrees > 45.1) {
       diagnostics_.add({Severity::warning, file_, 0, 0, "",
                         fmt::format("neighbouring headings are {:.4g} deg apart; between them responses are "
                                     "interpolated linearly",
-                                    widest * kDegrees),
+                                    widest * kToDegrees),
                         "", ""});
     }
   }

@@ -1,16 +1,14 @@
 #include "seafiles/rao_convention.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/require.h"
 #include "model/rao_table.h"
 #include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const std::map<std::string, ConventionWords>& differences_from_house() {
   static const std::map<std::string, ConventionWords> kSets = {

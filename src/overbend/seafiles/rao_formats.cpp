@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "model/rao_table.h"
 #include "seafiles/text_table.h"
@@ -11,8 +11,6 @@
 namespace overbend::rao_formats {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 constexpr int kMostComplaints = 10;
 
 /// Complaints about lines of a table; they stop after a few, for one slip mostly spoils every row.
@@ -155,8 +153,8 @@ void read_csv_row(const TextRow& row, const Columns& columns, std::vector<RaoRec
     return;
   }
   if (!amplitude_is_right(*amplitude, row.line, faults)) return;
-  const double turn = columns.phase_name == "phase_deg" ? kDeg : 1.0;
-  records.push_back({*heading * kDeg, *omega, freedom, *amplitude, *phase * turn, row.line});
+  const double turn = columns.phase_name == "phase_deg" ? kDegree : 1.0;
+  records.push_back({*heading * kDegree, *omega, freedom, *amplitude, *phase * turn, row.line});
 }
 
 }  // namespace
@@ -196,7 +194,8 @@ RaoFile read_wamit(const std::string& text, const std::string& file, Diagnostics
     }
     if (!period || !heading || !amplitude || !phase || freedom < 0) continue;
     if (*period <= 0.0 || !amplitude_is_right(*amplitude, row.line, faults)) continue;
-    content.records.push_back({*heading * kDeg, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDeg, row.line});
+    content.records.push_back(
+        {*heading * kDegree, 2.0 * kPi / *period, freedom, *amplitude, *phase * kDegree, row.line});
   }
   return content;
 }

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/yaml_document.h"
 #include "model/rao_table.h"
@@ -12,8 +12,6 @@
 
 namespace overbend::rao_formats {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 const YamlNode* member(const YamlNode& node, const std::string& key) {
   for (const YamlEntry& entry : node.entries) {

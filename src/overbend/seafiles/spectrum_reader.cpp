@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string_view>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 
@@ -15,7 +15,6 @@ namespace overbend {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// A pair of columns and what turns them into rad/s and m2 s.
 struct Columns {

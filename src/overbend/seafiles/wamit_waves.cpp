@@ -1,8 +1,8 @@
 #include "seafiles/wamit_waves.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/heading_table_builder.h"
@@ -10,9 +10,6 @@
 
 namespace overbend::wamit {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-constexpr double kDeg = kPi / 180.0;
 
 bool refuse(const std::string& file, int line, std::string found, std::string expected, Diagnostics& diagnostics) {
   diagnostics.add({Severity::error, file, line, 0, "", std::move(found), std::move(expected), ""});
@@ -64,7 +61,7 @@ bool read_excitation(const std::string& file, const HydrodynamicsSource& source,
     }
     const int mode = mode_index(std::abs(row.values[2]));
     const double arm = mode > 2 ? source.length_scale : 1.0;
-    values.add(2.0 * kPi / row.values[0], row.values[1] * kDeg, mode,
+    values.add(2.0 * kPi / row.values[0], row.values[1] * kDegree, mode,
                unit * arm * std::complex<double>(row.values[5], row.values[6]));
   }
   auto built = build(values, file, source, diagnostics);
@@ -95,7 +92,7 @@ bool read_drift(const std::string& file, const HydrodynamicsSource& source, Hydr
     const double omega = 2.0 * kPi / row.values[0];
     const double arm = mode > 2 ? source.length_scale : 1.0;
     const double force = omega < source.drift_from ? 0.0 : unit * arm * row.values[6];
-    values.add(omega, row.values[1] * kDeg, mode, force);
+    values.add(omega, row.values[1] * kDegree, mode, force);
   }
   if (values.empty()) {
     return refuse(file, 0, "no mean drift of surge, sway or yaw", "pairs of equal headings", diagnostics);

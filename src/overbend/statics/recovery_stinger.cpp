@@ -6,12 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "statics/stinger_rest.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kAtStop = 1e-9;  ///< [rad]
 
 StingerTankResult recover_tank(const Model& model, std::size_t section, const StingerTankDescription& tank) {

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
+#include "base/constants.h"
 #include "mechanics/contact_damage.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Axes {
   Vec3 along, port;  ///< Of a box in W: along its axis astern, across to port.

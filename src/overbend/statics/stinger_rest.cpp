@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/stinger_turn.h"
 #include "statics/stinger_search.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kScan = 1.0 * kDegree;  ///< Between angles at which other equilibria are looked for.
 
 std::vector<double> begin_at(const SupportsDescription& supports, const StaticSolution* start) {

@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/stinger_turn.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kBalanced = 2e-8;  ///< Of a moment, over what is added up in it.
 constexpr double kFirstStep = 2.0 * kDegree;
 constexpr double kLongestStep = 8.0 * kDegree;

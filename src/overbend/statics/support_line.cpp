@@ -7,13 +7,14 @@
 #include <numbers>
 #include <vector>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
 
 constexpr double kFarthestBox = 1000.0;                  ///< The longest pipelay vessels measure half of it [m].
 constexpr double kLargestTurn = 0.5 * std::numbers::pi;  ///< Of the support line at one box [rad].
 constexpr double kLeastOffset = 15.0;                    ///< A sign mistaken on an ordinary stinger is left alone [m].
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 /// Angle by which the line a, b, c turns at b [rad].
 double turn(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -79,7 +80,7 @@ std::optional<StaticFailure> misplaced_box(const Model& model, const LayPlane& p
   return StaticFailure{"a box is far off the line of its neighbours", fmt::format("box '{}'", box.name),
                        fmt::format("at x = {:.3f} m, z = {:.3f} m it is {:.1f} m off that line, which turns by {:.0f} "
                                    "degrees, too sharply for any pipe: check its x and z, and their units",
-                                   box.point_S.x(), box.point_S.z(), off, sharpest * kDegrees)};
+                                   box.point_S.x(), box.point_S.z(), off, sharpest * kToDegrees)};
 }
 
 }  // namespace overbend

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/constants.h"
 #include "numerics/extremes.h"
 #include "numerics/welch.h"
 #include "runstore/dynamic_histories.h"
@@ -10,8 +11,6 @@
 
 namespace overbend {
 namespace {
-
-constexpr double kThreeHours = 10800.0;  ///< [s]
 
 /// Values from t = 0 on.
 std::span<const double> after_build_up(const std::vector<double>& time, const std::vector<double>& values) {

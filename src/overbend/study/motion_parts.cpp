@@ -9,6 +9,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/constants.h"
 #include "mechanics/wave_spectrum.h"
 #include "moorings/clearance.h"
 #include "numerics/low_pass.h"
@@ -17,7 +18,6 @@
 namespace overbend {
 namespace {
 
-constexpr double kThreeHours = 10800.0;   ///< [s]
 constexpr double kShortestCutOff = 20.0;  ///< [s]
 constexpr double kLeftToSlow = 1e-3;      ///< Share of the sea's variance beyond the cut-off period.
 constexpr double kMargin = 1.1;           ///< Of the cut-off period over that.

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <vector>
 
+#include "base/constants.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/statics.h"
 #include "study/static_run.h"
@@ -13,8 +13,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kDeg = std::numbers::pi / 180.0;
-constexpr double kFlattestTower = 45.0 * kDeg;  ///< A J-lay tower leans no further from upright than this.
+constexpr double kFlattestTower = 45.0 * kDegree;  ///< A J-lay tower leans no further from upright than this.
 constexpr int kTrials = 16;  ///< Lays calculated before none is believed to pass; most take two or three.
 
 /// What the calculation says against a lay; empty where it stands and passes.
@@ -90,7 +89,7 @@ std::string leaning(const NewModel& model) {
   return fmt::format(
       "--lay: with the {:.4g} kN that keep the sagbend within its checks the pipe hangs at {:.0f} degrees "
       "from horizontal, and no tower is inclined beyond {:.0f}; expected s, or deeper water",
-      1e-3 * model.tension, model.departure_angle / kDeg, kFlattestTower / kDeg);
+      1e-3 * model.tension, model.departure_angle / kDegree, kFlattestTower / kDegree);
 }
 
 }  // namespace

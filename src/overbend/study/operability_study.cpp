@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "base/constants.h"
 #include "base/units.h"
 #include "resultfiles/named_results.h"
 #include "runstore/claim_file.h"
@@ -173,7 +174,6 @@ void add_remarks(const CaseBase& base, OperabilityResults& results) {
   if (base.study().analysis != StudyAnalysis::dynamic) return;
   const std::optional<DynamicSettings>& settings = base.model().dynamics;
   const double duration = base.study().duration.value_or(settings ? settings->duration : 0.0);
-  constexpr double kThreeHours = 10800.0;
   if (duration >= kThreeHours) return;
   results.remarks.push_back(
       fmt::format("limits hold the largest values of {} of {:.3g} min against the criterion, not the most probable "

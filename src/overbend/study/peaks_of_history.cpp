@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "base/constants.h"
 #include "numerics/extremes.h"
 #include "resultfiles/long_data_reader.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kThreeHours = 10800.0;  ///< [s]
 
 /// A history and the results that are its extreme.
 struct Kept {

@@ -8,16 +8,16 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/constants.h"
 #include "numerics/record_part.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kThreeHours = 10800.0;  ///< [s]
-constexpr double kOffMean = 0.02;        ///< Of the wanted tension, worth a word [-].
-constexpr double kDrift = 0.01;          ///< Likewise, over the run [-].
-constexpr double kMostDrift = 1e-3;      ///< Of the energy balance: beyond it, the run is not resolved [-].
-constexpr double kStandsStill = 1e-9;    ///< [m, rad]
+constexpr double kOffMean = 0.02;      ///< Of the wanted tension, worth a word [-].
+constexpr double kDrift = 0.01;        ///< Likewise, over the run [-].
+constexpr double kMostDrift = 1e-3;    ///< Of the energy balance: beyond it, the run is not resolved [-].
+constexpr double kStandsStill = 1e-9;  ///< [m, rad]
 constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
 constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
 constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "numerics/log_weibull.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kThreeHours = 10800.0;  ///< [s]
 
 /// What is gathered of a run, and how it is found there.
 struct Rule {

@@ -154,7 +154,7 @@ void HingedSections::add_column(int unknown, double weight, const Coordinates& m
 }
 
 void HingedSections::find_tangent(const Weights& weights) {
-  constexpr double kTurn = 1e-6, kRate = 1e-4, kShift = 1e-4;  // [rad], [rad/s], [m]
+  constexpr double kAngle = 1e-6, kRate = 1e-4, kShift = 1e-4;  // [rad], [rad/s], [m]
   std::fill(tangent_.begin(), tangent_.end(), 0.0);
   const auto differ = [&](int unknown, double weight, double change, auto value) {
     if (weight == 0.0) return;
@@ -166,13 +166,13 @@ void HingedSections::find_tangent(const Weights& weights) {
   };
   for (std::size_t i = 0; i < sections_.size(); ++i) {
     const int unknown = hinge_unknown(sections_[i].number);
-    differ(unknown, 1.0, kTurn, [i](Coordinates& c) -> double& { return c.turns[i].angle; });
+    differ(unknown, 1.0, kAngle, [i](Coordinates& c) -> double& { return c.turns[i].angle; });
     differ(unknown, weights.velocity, kRate, [i](Coordinates& c) -> double& { return c.turns[i].rate; });
     differ(unknown, weights.acceleration, 1.0, [i](Coordinates& c) -> double& { return c.turns[i].acceleration; });
   }
   for (Eigen::Index k = 0; k < (vessel_ >= 0 ? 6 : 0); ++k) {
     const int unknown = 6 * vessel_ + static_cast<int>(k);
-    differ(unknown, 1.0, k < 3 ? kShift : kTurn, [k](Coordinates& c) -> double& { return c.h(k); });
+    differ(unknown, 1.0, k < 3 ? kShift : kAngle, [k](Coordinates& c) -> double& { return c.h(k); });
     differ(unknown, weights.velocity, kRate, [k](Coordinates& c) -> double& { return c.v(k); });
     differ(unknown, weights.acceleration, 1.0, [k](Coordinates& c) -> double& { return c.a(k); });
   }

@@ -1,0 +1,16 @@
+/// Numbers that many parts of the program need.
+#pragma once
+
+#include <limits>
+#include <numbers>
+
+namespace overbend {
+
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kTurn = 2.0 * kPi;         ///< A full turn [rad].
+inline constexpr double kDegree = kPi / 180.0;     ///< A degree [rad].
+inline constexpr double kToDegrees = 180.0 / kPi;  ///< Degrees in a radian.
+inline constexpr double kThreeHours = 10800.0;     ///< Of which criteria ask for the largest value [s].
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace overbend
