@@ -15,7 +15,7 @@ import sys
 
 from units import units
 
-LARGEST_UNIT = 32
+LARGEST_UNIT = 48
 ONLY_OF_GCC = r" -mmemset-strategy=\S+"
 
 

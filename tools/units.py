@@ -6,9 +6,11 @@
 Most of a source's time in the compiler and in the linter goes into headers and templates that its neighbours need too.
 Two sources stay apart where a name that one declares in an unnamed namespace is a word of the other, or of a header of
 this project that only the other includes: it could be defined twice there, or hide another. That is stricter than the
-language, and needs no compiler. A name that both borrow from the same place, `using html::fixed;`, is one and the same.
+language, and needs no compiler. A name that both borrow from the same place, `using html::fixed;`, is one and the same;
+and what a header names within its types, and no header outside of them, is a member there, which nothing hides.
 """
 
+import collections
 import functools
 import itertools
 import pathlib
@@ -24,6 +26,8 @@ UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re
 # The name of what a line at the margin declares: the last word before its parameters, value or body.
 DECLARED = re.compile(r"^(?!template|using namespace|TEST|public|private)[A-Za-z_\[][^\n=({;]*?"
                       r"(\w+)(?:\[\w*\])?(?: :(?!:)|\s*[=({;]|$)", re.MULTILINE)
+# The same of what stands within something: a member, or what a function has for itself.
+INSIDE = re.compile(r"^ +(?:[\w:<>,*&\[\] ]+[ *&])?(\w+)(?:\(|\s*[={;]|$)", re.MULTILINE)
 CONSTANTS = re.compile(r"^(?:inline |static )?constexpr [^;]*;", re.MULTILINE)  # of which one line may declare several
 CONSTANT = re.compile(r"\b(k[A-Z]\w*)(?:\[\w*\])?\s*[={]")
 BORROWED = re.compile(r"^using (?!namespace)(?:[\w:]+::)?(\w+)(?: = [^;]*)?;", re.MULTILINE)
@@ -79,25 +83,53 @@ def roots(path):
         folder / "src" / "overbend" for folder in path.parents if (folder / "src" / "overbend").is_dir())
 
 
-def apart(a, b):
-    """Whether names of `a` could mean something else in `b`."""
-    same = {name for name, text in borrowed(a).items() if borrowed(b).get(name) == text}
-    own = hidden(a) - same
-    if own & (words(b) | hidden(b)):
-        return True
-    if own & borrowed(a).keys() & all_words(b):  # a type, say, that a parameter of that name would hide
-        return True
-    return any(own & words(header) for header in headers(b) - headers(a))
+@functools.cache
+def outside(root):
+    """Names that headers below `root` declare outside of types and functions."""
+    return frozenset(name for header in root.rglob("*.h") for name in DECLARED.findall(code(header)))
+
+
+@functools.cache
+def may_be_hidden(header):
+    """Words of a header that a name outside could stand for."""
+    members = frozenset(INSIDE.findall(code(header))).difference(*(outside(root) for root in roots(header)))
+    return words(header) - members
+
+
+def by_name(places, names):
+    """The places where a name is found, by name."""
+    found = collections.defaultdict(set)
+    for place in places:
+        for name in names(place):
+            found[name].add(place)
+    return found
+
+
+def apart(sources):
+    """By source, those in which one of its names could mean something else, or that have such a name for it."""
+    others = {source: set() for source in sources}
+    meant = by_name(sources, lambda source: words(source) | hidden(source))
+    written = by_name(sources, all_words)
+    included = by_name(sources, headers)  # by header
+    in_headers = by_name(included, may_be_hidden)
+    for source in sources:
+        for name in hidden(source):
+            of_headers = in_headers[name] - headers(source)
+            found = meant[name].union(*(included[header] for header in of_headers))
+            here = borrowed(source).get(name)
+            if here:  # a type, say, that a parameter of that name would hide
+                found |= written[name]
+                found = {other for other in found if borrowed(other).get(name) != here}
+            for other in found - {source}:
+                others[source].add(other)
+                others[other].add(source)
+    return others
 
 
 def units(sources, largest):
     """Lists of sources, few as the names allow: those that most others must stay apart from choose first."""
     sources = list(sources)
-    others = {source: set() for source in sources}
-    for one, other in itertools.combinations(sources, 2):
-        if apart(one, other) or apart(other, one):
-            others[one].add(other)
-            others[other].add(one)
+    others = apart(sources)
     made = []
     for source in sorted(sources, key=lambda source: -len(others[source])):
         for unit in made:

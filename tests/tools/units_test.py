@@ -45,6 +45,13 @@ class Units(unittest.TestCase):
         header = "inline int g() { return least(2.0); }"
         self.assertFalse(self.together(hiding("int least(int) {"), '#include "h.h"', h=header))
 
+    def test_nothing_hides_what_a_header_names_within_its_types(self):
+        inside = "struct Row {\n  int at(int i) const;\n  int first() const { return at(0); }\n};\n"
+        a, b = hiding("int at(int) {"), '#include "h.h"'
+        self.assertTrue(self.together(a, b, h=inside))
+        self.assertFalse(self.together(a, b, h=inside + "int at(double);\n"))
+        self.assertFalse(self.together(a, b, h=inside, other="int at(double);\n"))
+
     def test_a_name_that_both_borrow_from_one_place_is_the_same(self):
         fixed = hiding("using html::fixed;")
         self.assertTrue(self.together(fixed, fixed + "int f() { return fixed(1); }"))
