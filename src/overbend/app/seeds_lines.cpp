@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <iostream>
-#include <map>
 
 #include "app/check_lines.h"
 #include "app/warning_lines.h"
 #include "report/warning_weight.h"
 #include "resultfiles/seeds_writer.h"
+#include "results/shared_warnings.h"
 
 namespace overbend {
 namespace {
@@ -24,12 +24,10 @@ void print(const SeedsResults& results) {
     std::cout << fmt::format("  {:<28}{:>12.4g}{:>12.3g}{:>12.4g}{:>12.4g} {}\n", quantity.name, s.mean * unit.factor,
                              s.std * unit.factor, s.min * unit.factor, s.max * unit.factor, unit.name);
   }
-  std::map<std::string, int> warnings;
-  for (const SeedRun& run : results.runs) {
-    for (const std::string& warning : run.warnings) ++warnings[warning];
-  }
-  for (const auto& [warning, count] : warnings) {
-    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", count, results.runs.size(), without_mark(warning));
+  std::vector<std::vector<std::string>> warnings;
+  for (const SeedRun& run : results.runs) warnings.push_back(run.warnings);
+  for (const SharedWarning& one : shared_warnings(warnings)) {
+    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", one.runs, results.runs.size(), without_mark(one.text));
   }
   std::cout << warning_lines(results.warnings);
 }

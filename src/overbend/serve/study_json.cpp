@@ -1,11 +1,11 @@
 #include "serve/study_json.h"
 
-#include <algorithm>
 #include <fstream>
 #include <utility>
 #include <vector>
 
 #include "resultfiles/seeds_writer.h"
+#include "results/shared_warnings.h"
 
 namespace overbend {
 namespace {
@@ -34,23 +34,13 @@ Json case_json(const RunInfo& study, const std::string& name, const std::string&
   return {{"id", study.id + "~" + name}, {"name", name}, {"words", words}};
 }
 
-/// Sentences that several cases have in common once, with how many have them.
+/// Those of the study as a whole, and what cases have in common once, with how many have it.
 Json warnings_json(const Json& cases, const Json& own) {
-  std::vector<std::pair<std::string, int>> counted;
-  for (const Json& one : cases) {
-    for (const Json& warning : one["warnings"]) {
-      const auto text = warning.get<std::string>();
-      const auto known = std::ranges::find(counted, text, &std::pair<std::string, int>::first);
-      if (known == counted.end()) {
-        counted.emplace_back(text, 1);
-      } else {
-        ++known->second;
-      }
-    }
-  }
+  std::vector<std::vector<std::string>> of_cases;
+  for (const Json& one : cases) of_cases.push_back(one["warnings"].get<std::vector<std::string>>());
   Json list = Json::array();
   for (const Json& text : own) list.push_back({{"text", text}, {"cases", cases.size()}});
-  for (const auto& [text, count] : counted) list.push_back({{"text", text}, {"cases", count}});
+  for (const SharedWarning& one : shared_warnings(of_cases)) list.push_back({{"text", one.text}, {"cases", one.runs}});
   return list;
 }
 
