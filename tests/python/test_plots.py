@@ -248,7 +248,7 @@ class Units(unittest.TestCase):
         of_unit = re.findall(r'(?<!, )\{+"([^"]+)", "([^"]*)", ([^,]+), (\d+)\}', source)
         self.assertEqual((len(own), len(of_unit)), (3, 12))
         for si, name, factor, digits in of_unit:
-            value = 180 / np.pi if "pi" in factor else float(factor)
+            value = 180 / np.pi if factor == "kToDegrees" else float(factor)
             self.assertEqual(shown("", si), (name, value, int(digits)), si)
         for part, si, name, factor, digits in own:
             self.assertEqual(shown(part, si), (name, float(factor), int(digits)), part)

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "model/lay_stage.h"
 #include "model/operation_words.h"
@@ -79,8 +79,7 @@ std::string stage_line(const StageResult& stage) {
   const std::optional<double> depth = lay.head ? std::optional(-lay.head->p_W.z()) : std::nullopt;
   const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;
   line += cell(lay.top_tension, 1e-3, 1, 10);
-  line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, 180.0 / std::numbers::pi, 2, 12)
-                                       : cell(depth, 1.0, 1, 12);
+  line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, kToDegrees, 2, 12) : cell(depth, 1.0, 1, 12);
   line += cell(lay.sagbend.von_mises.value, 1e-6, 1, 10) + cell(lay.sagbend.strain.value, 1e2, 3, 10);
   line += cell(lay.stinger_tip_clearance, 1.0, 2, 11) + "  " + worst_words(lay.checks);
   if (!stage.governing.empty()) line += ", tension decided by " + stage.governing;

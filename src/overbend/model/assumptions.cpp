@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "model/dynamic_assumptions.h"
 #include "model/lay_stage.h"
 #include "model/material_words.h"
@@ -16,7 +16,7 @@ namespace overbend {
 namespace {
 
 double degrees(double radians) {
-  return radians * 180.0 / std::numbers::pi;
+  return radians * kToDegrees;
 }
 
 void assume_pipe(std::vector<std::string>& list, const Model& model) {

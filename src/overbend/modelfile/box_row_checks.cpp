@@ -3,14 +3,14 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/text.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kMostIncline = 85.0 * std::numbers::pi / 180.0;
+constexpr double kMostIncline = 85.0 * kDegree;
 
 double first_incline(const FieldValue& root, const FieldValue& row) {
   return row.get_number("first.incline").value_or(root.get_number("tensioner.incline").value_or(0.0));
@@ -99,10 +99,9 @@ void check_box_row(Checker& check, const FieldValue& structure) {
   }
   const double incline = first_incline(check.root(), *row) + arc_length(*row) / radius->number;
   if (incline > kMostIncline) {
-    check.error(
-        *radius,
-        fmt::format("{}, on which the last box dips by {:.0f} deg", radius->shown, incline * 180.0 / std::numbers::pi),
-        "at most 85 deg at the last box", "a larger radius, fewer boxes or less spacing");
+    check.error(*radius,
+                fmt::format("{}, on which the last box dips by {:.0f} deg", radius->shown, incline * kToDegrees),
+                "at most 85 deg at the last box", "a larger radius, fewer boxes or less spacing");
   }
 }
 

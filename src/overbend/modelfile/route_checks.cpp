@@ -3,13 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "modelfile/model_checks.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kSharpest =
-    170.0 * std::numbers::pi / 180.0;  ///< Turn of a corner beyond which its arc means nothing.
+constexpr double kSharpest = 170.0 * kDegree;  ///< Turn of a corner beyond which its arc means nothing.
 
 struct Place {
   double x = 0.0, y = 0.0;
@@ -40,7 +40,7 @@ void check_corners(Checker& check, const std::vector<FieldValue>& points, const 
   for (std::size_t i = 1; i + 1 < places.size(); ++i) {
     const double turn = std::abs(turn_between(places[i - 1], places[i], places[i + 1]));
     if (turn > kSharpest) {
-      check.error(points[i - 1], fmt::format("a turn by {:.0f} degrees", turn * 180.0 / std::numbers::pi),
+      check.error(points[i - 1], fmt::format("a turn by {:.0f} degrees", turn * kToDegrees),
                   "at most 170 degrees at a point");
       return;
     }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/constants.h"
 #include "base/name_parts.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -13,7 +13,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kOfPlace = 0.01, kOfAngle = 0.1 * std::numbers::pi / 180.0, kOfValue = 0.01;
+constexpr double kOfPlace = 0.01, kOfAngle = 0.1 * kDegree, kOfValue = 0.01;
 
 bool matches(const std::string& pattern, const ModelInput& input) {
   return matches_pattern(pattern, input.key) || matches_pattern(pattern, input.name);

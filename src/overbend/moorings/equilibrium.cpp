@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "base/dense_algebra.h"
 
 namespace overbend {
@@ -15,9 +15,9 @@ constexpr int kMaxIterations = 300;
 constexpr int kMaxIdle = 60;           ///< Steps in a row that may leave the balance worse: over a hill of forces.
 constexpr int kMaxTrials = 14;         ///< Of one damped step.
 constexpr double kLongestShift = 5.0;  ///< Of one step [m].
-constexpr double kLargestTurn = 2.0 * std::numbers::pi / 180.0;  ///< Of one step [rad].
-constexpr double kLeastStiffness = 1e-9;                         ///< Of a mode, over the largest [-].
-constexpr double kBalanced = 1e-9;                               ///< Share of the weight of the lines [-].
+constexpr double kLargestTurn = 2.0 * kDegree;  ///< Of one step [rad].
+constexpr double kLeastStiffness = 1e-9;        ///< Of a mode, over the largest [-].
+constexpr double kBalanced = 1e-9;              ///< Share of the weight of the lines [-].
 
 Mat3 turn(int axis, double angle) {
   return Eigen::AngleAxisd(angle, Vec3::Unit(axis)).toRotationMatrix();

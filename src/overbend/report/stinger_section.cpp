@@ -1,8 +1,8 @@
 #include "report/stinger_section.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "base/constants.h"
 #include "report/html.h"
 #include "report/quantity.h"
 
@@ -25,7 +25,7 @@ std::string friction_words(const StingerSectionResult& section) {
 }
 
 std::vector<std::string> cells_of(const StingerSectionResult& s) {
-  const double per_degree = s.stiffness * std::numbers::pi / 180.0;
+  const double per_degree = s.stiffness * kDegree;
   return {name_of(s),
           angles().text(s.angle, 2),
           friction_words(s),

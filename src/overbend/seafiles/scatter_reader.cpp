@@ -6,10 +6,10 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <set>
 #include <tuple>
 
+#include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
 #include "seafiles/text_table.h"
@@ -169,7 +169,7 @@ class ScatterReader {
   std::optional<double> direction_of(const TextRow& row) {
     const std::string_view text = row.cells[first_ - 2];
     const std::optional<double> degrees = cell_number(text);
-    if (degrees && *degrees >= 0.0 && *degrees <= 360.0) return std::fmod(*degrees, 360.0) * std::numbers::pi / 180.0;
+    if (degrees && *degrees >= 0.0 && *degrees <= 360.0) return std::fmod(*degrees, 360.0) * kDegree;
     complain(row.line, "from_deg", quoted(text), "an azimuth from 0 to 360");
     return std::nullopt;
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/constants.h"
 #include "moorings/clearance.h"
 #include "moorings/periods.h"
 
@@ -17,7 +18,7 @@ constexpr int kShapePoints = 60;
 /// What the reader says of a type whose numbers the model gives.
 constexpr const char* kGivenNumbers = "numbers of the model";
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
-constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
 
 template <class Matrix>
 std::vector<double> by_rows(const Matrix& matrix) {
@@ -116,12 +117,12 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
 
 /// Beyond what the linear restoring of the water holds for.
 void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, std::vector<std::string>& list) {
-  const double degrees = 180.0 / std::numbers::pi, heave = std::abs(state.vessel.heave);
+  const double heave = std::abs(state.vessel.heave);
   if (std::max(std::abs(state.vessel.roll), std::abs(state.vessel.pitch)) > kLargeAngle) {
     list.push_back(fmt::format(
         "{}: the vessel heels by {:.1f} deg and trims by {:.1f} deg: beyond 10 deg the restoring of the water is not "
         "linear, as it is taken to be.",
-        state.name, degrees * state.vessel.roll, degrees * state.vessel.pitch));
+        state.name, kToDegrees * state.vessel.roll, kToDegrees * state.vessel.pitch));
   }
   if (heave > 0.5 * (vessel.depth - vessel.draught)) {
     list.push_back(fmt::format(

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "base/constants.h"
@@ -14,11 +13,11 @@
 namespace overbend {
 namespace {
 
-constexpr double kOffMean = 0.02;      ///< Of the wanted tension, worth a word [-].
-constexpr double kDrift = 0.01;        ///< Likewise, over the run [-].
-constexpr double kMostDrift = 1e-3;    ///< Of the energy balance: beyond it, the run is not resolved [-].
-constexpr double kStandsStill = 1e-9;  ///< [m, rad]
-constexpr double kLargeAngle = 10.0 * std::numbers::pi / 180.0;  ///< Beyond it the water's restoring is not linear.
+constexpr double kOffMean = 0.02;               ///< Of the wanted tension, worth a word [-].
+constexpr double kDrift = 0.01;                 ///< Likewise, over the run [-].
+constexpr double kMostDrift = 1e-3;             ///< Of the energy balance: beyond it, the run is not resolved [-].
+constexpr double kStandsStill = 1e-9;           ///< [m, rad]
+constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's restoring is not linear.
 constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
 constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].
 constexpr std::size_t kBlocks = 8;
@@ -130,7 +129,7 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
     results.warnings.push_back(fmt::format(
         "the vessel heels by {:.1f} deg and trims by {:.1f} deg at most: beyond 10 deg the restoring of the "
         "water is not linear, as it is taken to be",
-        heel * 180.0 / std::numbers::pi, trim * 180.0 / std::numbers::pi));
+        heel * kToDegrees, trim * kToDegrees));
   }
   const double freeboard = vessel.depth - vessel.draught;
   if (heave > 0.5 * freeboard) {

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <string>
 #include <string_view>
+
+#include "base/constants.h"
 
 namespace overbend {
 
@@ -22,8 +23,8 @@ inline constexpr std::array<ShownUnit, 12> kShownUnits = {{{"N", "kN", 1e-3, 1},
                                                            {"N s", "kN s", 1e-3, 3},
                                                            {"Pa", "MPa", 1e-6, 1},
                                                            {"J", "kJ", 1e-3, 3},
-                                                           {"rad", "deg", 180.0 / std::numbers::pi, 2},
-                                                           {"rad/s", "deg/s", 180.0 / std::numbers::pi, 3},
+                                                           {"rad", "deg", kToDegrees, 2},
+                                                           {"rad/s", "deg/s", kToDegrees, 3},
                                                            {"m", "m", 1.0, 3},
                                                            {"s", "s", 1.0, 4},
                                                            {"1", "", 1.0, 6},
