@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics/dynamic_obstacle.h"
+#include "modelfile/yaml_reader.h"
 #include "support/bgl1_in_time.h"
 
 namespace overbend {
@@ -19,6 +20,15 @@ TEST(dynamic_obstacle, says_why_a_model_has_statics_but_no_dynamic_analysis) {
   d.tensioner.tension = 300e3;
   EXPECT_TRUE(dynamic_obstacle(build_model(d)));
   EXPECT_FALSE(dynamic_obstacle(build_model(workable())));
+}
+
+TEST(dynamic_obstacle, of_a_hull_on_moorings_alone_points_to_statics) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/moored-barge.yaml").description.value();
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_TRUE(obstacle->input);
+  EXPECT_NE(obstacle->what.find("without a pipe cannot be followed in time"), std::string::npos);
+  EXPECT_NE(obstacle->why.find("overbend static"), std::string::npos);
 }
 
 TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {

@@ -95,6 +95,10 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
 
 std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
+  if (!d.has_pipe && d.moorings && !d.moorings->lines.empty()) {
+    return StaticFailure{"a hull on its moorings without a pipe cannot be followed in time yet", "",
+                         "overbend static finds it at rest", true};
+  }
   if (std::optional<StaticFailure> obstacle = static_obstacle(d)) {
     return obstacle;
   }
