@@ -83,21 +83,25 @@ std::vector<double> travel_of(double duration, double period) {
 }
 
 TEST(run_warnings, a_tensioner_that_decides_is_told_where_the_run_is_short_for_it) {
-  WavesDescription waves;
-  waves.type = WaveType::jonswap;
+  Description d;
+  d.environment.waves.type = WaveType::jonswap;
   const auto told = [&](double duration, std::int64_t acted) {
     DynamicResults r = sound();
     r.duration = duration;
     r.tensioner.travel.std = 0.316;
     r.tensioner.pay_out_count = acted;
-    warn_of_tensioners_chance(waves, travel_of(duration, 40.0), r);
+    warn_of_tensioners_chance(d, travel_of(duration, 40.0), r);
     return r.warnings;
   };
   EXPECT_TRUE(only(told(300.0, 70), "acted 70 times in 5 min"));
   EXPECT_TRUE(only(told(300.0, 70), "travel, 0.32 m, is known to"));
   EXPECT_TRUE(told(300.0, 0).empty());
   EXPECT_TRUE(told(10800.0, 2000).empty());
-  waves.type = WaveType::airy;  // the same again and again
+  d.operation.type = OperationType::pull_ahead;  // travel is the way of the vessel
+  EXPECT_TRUE(told(300.0, 70).empty());
+  d.operation.type = OperationType::none;
+  EXPECT_FALSE(told(300.0, 70).empty());
+  d.environment.waves.type = WaveType::airy;  // the same again and again
   EXPECT_TRUE(told(300.0, 70).empty());
 }
 

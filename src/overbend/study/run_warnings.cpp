@@ -104,9 +104,11 @@ double trend(std::span<const double> values) {
   return std::abs(slope) > kBeyondChance * error ? slope * n : 0.0;
 }
 
-void warn_of_tensioners_chance(const WavesDescription& waves, std::span<const double> travel, DynamicResults& results) {
-  const bool irregular =
-      waves.type != WaveType::none && waves.type != WaveType::airy && waves.type != WaveType::stokes5;
+void warn_of_tensioners_chance(const Description& description, std::span<const double> travel,
+                               DynamicResults& results) {
+  const WaveType type = description.environment.waves.type;
+  const bool irregular = type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
+  if (description.operation.type == OperationType::pull_ahead) return;
   const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
   if (!irregular || acted == 0 || results.duration >= kThreeHours) return;
   const double error = deviation_error(travel, results.output_step, kTravelRows);

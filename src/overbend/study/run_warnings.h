@@ -15,7 +15,8 @@ void warn_of_run(DynamicResults& results, std::span<const double> tension);
 
 /// A controlled tensioner in an irregular sea, whose travel (from t = 0 on, rows one output step apart [m]) another run
 /// of the same length would know by no more than a tenth: what it decides hangs on little (docs/theory/dynamics.md).
-void warn_of_tensioners_chance(const WavesDescription& waves, std::span<const double> travel, DynamicResults& results);
+/// Not of a vessel that is pulled ahead, where travel is its way.
+void warn_of_tensioners_chance(const Description& description, std::span<const double> travel, DynamicResults& results);
 
 /// Heel or trim beyond 10 deg, or heave beyond half the freeboard, of a hull that floats free: the water's restoring is
 /// linear there. Reads the summaries of `results`.
