@@ -29,6 +29,13 @@ TEST(shared_warnings, numbers_in_quotes_and_words_are_names) {
   const auto shared = shared_warnings(Runs{{"left 'stinger 4' by DNV-ST-F101 (5th)", "left 'stinger 5' by case-1"},
                                            {"left 'stinger 4' by DNV-ST-F102 (5th)", "left 'stinger 5' by case-2"}});
   EXPECT_EQ(shared.size(), 4u);
+  EXPECT_EQ(shared_warnings(Runs{{"line \"wire 1\" parts"}, {"line \"wire 2\" parts"}}).size(), 2u);
+}
+
+TEST(shared_warnings, an_apostrophe_opens_no_quotes) {
+  const auto shared = shared_warnings(Runs{{"the barge's heave of 2.5 m"}, {"the barge's heave of 3.5 m"}});
+  ASSERT_EQ(shared.size(), 1u);
+  EXPECT_EQ(shared[0].text, "the barge's heave of 2.5 .. 3.5 m");
 }
 
 TEST(shared_warnings, of_one_run_count_once) {

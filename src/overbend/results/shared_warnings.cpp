@@ -34,11 +34,15 @@ std::size_t end_of_number(const std::string& text, std::size_t first) {
 Cut cut(const std::string& text) {
   Cut out;
   out.words.emplace_back();
-  bool quoted = false;
+  char quote = 0;  // which is open
   for (std::size_t i = 0; i < text.size();) {
     const char before = i == 0 ? ' ' : text[i - 1];
-    if (text[i] == '\'') quoted = !quoted;
-    const bool may_begin = !quoted && !in_word(before) && before != '-' && before != '.';
+    if (quote != 0) {
+      if (text[i] == quote) quote = 0;
+    } else if ((text[i] == '\'' || text[i] == '"') && !in_word(before)) {  // else an apostrophe
+      quote = text[i];
+    }
+    const bool may_begin = quote == 0 && !in_word(before) && before != '-' && before != '.';
     const std::size_t end = may_begin ? end_of_number(text, i) : i;
     if (end == i) {
       out.words.back() += text[i++];
