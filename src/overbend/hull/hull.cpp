@@ -180,13 +180,16 @@ HullState hull_at_rest(const Hull& hull, const Vec6& h) {
 
 void balance_hull(const Hull& hull, const HullState& at, const HullState& before, double step,
                   const HullWeights& weights, double time, HullBalance& out) {
-  const bool at_rest = weights.damping == 0.0 && weights.mass == 0.0;
+  const bool at_rest = weights.damping == 0.0 && weights.mass == 0.0, in_step = !at_rest && step > 0.0;
+  HullSurroundings here;  // of this evaluation alone
   if (at_rest) {
-    out.surroundings = surroundings_at(hull, slow_rest(at.h), time);
+    here = surroundings_at(hull, slow_rest(at.h), time);
+  } else if (!in_step) {
+    here = surroundings_after(hull, before, step, time);
   } else if (!out.surroundings) {
     out.surroundings = surroundings_after(hull, before, step, time);
   }
-  const HullSurroundings& around = *out.surroundings;
+  const HullSurroundings& around = in_step ? *out.surroundings : here;
   const Mat6 T = turn_of(around.slow);
   const Vec6 v = T.transpose() * at.v, acc = T.transpose() * at.acc;
 
@@ -208,7 +211,6 @@ void balance_hull(const Hull& hull, const HullState& at, const HullState& before
     add_slopes_at_rest(hull, around.slow, time, slopes);
     out.tangent += weights.stiffness * slopes;
   }
-  if (step == 0.0) out.surroundings.reset();
 }
 
 void finish_step(const Hull& hull, const HullState& before, double step, HullState& at) {
