@@ -26,8 +26,9 @@ UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re
 # The name of what a line at the margin declares: the last word before its parameters, value or body.
 DECLARED = re.compile(r"^(?!template|using namespace|TEST|public|private)[A-Za-z_\[][^\n=({;]*?"
                       r"(\w+)(?:\[\w*\])?(?: :(?!:)|\s*[=({;]|$)", re.MULTILINE)
-# The same of what stands within something: a member, or what a function has for itself.
-INSIDE = re.compile(r"^ +(?:[\w:<>,*&\[\] ]+[ *&])?(\w+)(?:\(|\s*[={;]|$)", re.MULTILINE)
+# The same of what stands within something, a type before it: a member, or what a function has for itself.
+INSIDE = re.compile(r"^ +(?!(?:return|else|throw|case|new|delete|using)\b)\w[\w:<>,*&\[\] ]*[ *&](\w+)(?:\(|\s*[={;]|$)",
+                    re.MULTILINE)
 CONSTANTS = re.compile(r"^(?:inline |static )?constexpr [^;]*;", re.MULTILINE)  # of which one line may declare several
 CONSTANT = re.compile(r"\b(k[A-Z]\w*)(?:\[\w*\])?\s*[={]")
 BORROWED = re.compile(r"^using (?!namespace)(?:[\w:]+::)?(\w+)(?: = [^;]*)?;", re.MULTILINE)

@@ -44,6 +44,9 @@ class Units(unittest.TestCase):
     def test_a_helper_does_not_hide_a_function_of_a_header_that_the_other_includes(self):
         header = "inline int g() { return least(2.0); }"
         self.assertFalse(self.together(hiding("int least(int) {"), '#include "h.h"', h=header))
+        for call in "return least(2.0);", "least(2.0);":
+            header = "inline int g() {\n  " + call + "\n}\n"
+            self.assertFalse(self.together(hiding("int least(int) {"), '#include "h.h"', h=header))
 
     def test_nothing_hides_what_a_header_names_within_its_types(self):
         inside = "struct Row {\n  int at(int i) const;\n  int first() const { return at(0); }\n};\n"
