@@ -110,14 +110,14 @@ void warn_of_tensioners_chance(const Description& description, std::span<const d
   const bool irregular = type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
   if (description.operation.type == OperationType::pull_ahead) return;
   const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
-  if (!irregular || acted == 0 || results.duration >= kThreeHours) return;
+  if (!irregular || acted == 0) return;
   const double error = deviation_error(travel, results.output_step, kTravelRows);
   if (error <= kUncertain) return;
-  results.warnings.push_back(fmt::format(
-      "the tensioner acted {} times in {:.3g} min, and each time a few kN decided: the standard deviation of its "
-      "travel, {:.2f} m, is known to {:.0f} % (one standard error), and no better what follows from it; run three "
-      "hours, or several seeds",
-      acted, results.duration / 60.0, results.tensioner.travel.std, 100.0 * error));
+  results.warnings.push_back(
+      fmt::format("the tensioner acted {} times in {:.3g} min: the standard deviation of its travel, {:.2f} m, is "
+                  "known to {:.0f} % "
+                  "(one standard error), and no better what follows from it; take a longer run, or several seeds",
+                  acted, results.duration / 60.0, results.tensioner.travel.std, 100.0 * error));
 }
 
 void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& results) {
