@@ -265,6 +265,13 @@ struct ReportDescription {
 
 /// The whole model file.
 struct Description {
+  Description();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  Description(const Description&);
+  Description(Description&&) noexcept;
+  Description& operator=(const Description&);
+  Description& operator=(Description&&) noexcept;
+  ~Description();
+
   std::string title;
   ReportDescription report;
   std::string source_file;  ///< Path as given by the user.

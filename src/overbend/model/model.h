@@ -40,6 +40,13 @@ struct SectionSpan {
 };
 
 struct Model {
+  Model();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  Model(const Model&);
+  Model(Model&&) noexcept;
+  Model& operator=(const Model&);
+  Model& operator=(Model&&) noexcept;
+  ~Model();
+
   Description description;
   /// [0] the line's own, then the segments', then the coated pipe between joints, then
   /// what is built in. None without a pipe, as supports.

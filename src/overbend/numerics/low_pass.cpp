@@ -14,12 +14,12 @@ constexpr double kContinued = 3.0;    ///< Cut-off periods beyond either end.
 constexpr double kFewestSteps = 4.0;  ///< In a cut-off period.
 
 /// y = b (x + 2 x1 + x2) - a1 y1 - a2 y2: unit gain at rest.
-struct Section {
+struct SecondOrder {
   double b = 0.0, a1 = 0.0, a2 = 0.0;
 };
 
-/// Section `k` of the Butterworth filter; `tangent`: tan(pi step / cut_off).
-Section butterworth(int k, double tangent) {
+/// SecondOrder `k` of the Butterworth filter; `tangent`: tan(pi step / cut_off).
+SecondOrder butterworth(int k, double tangent) {
   const double twice_damping = 2.0 * std::sin(std::numbers::pi * (2.0 * k + 1.0) / (4.0 * kSections));
   const double square = tangent * tangent;
   const double a0 = 1.0 + twice_damping * tangent + square;
@@ -28,7 +28,7 @@ Section butterworth(int k, double tangent) {
 
 /// Runs a section over the values, as if the first had stood for ever.
 template <class Iterator>
-void run(const Section& s, Iterator first, Iterator last) {
+void run(const SecondOrder& s, Iterator first, Iterator last) {
   double x1 = *first, x2 = *first, y1 = *first, y2 = *first;
   for (; first != last; ++first) {
     const double x = *first;
@@ -60,7 +60,7 @@ std::vector<double> low_pass(std::span<const double> values, double step, double
   std::vector<double> all = continued(values, more);
   const double tangent = std::tan(std::numbers::pi * step / cut_off);
   for (int k = 0; k < kSections; ++k) {
-    const Section section = butterworth(k, tangent);
+    const SecondOrder section = butterworth(k, tangent);
     run(section, all.begin(), all.end());
     run(section, all.rbegin(), all.rend());
   }

@@ -34,6 +34,13 @@ struct CheckInput {
 
 /// One check at the station and moment where it is used most.
 struct CheckRow {
+  CheckRow();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  CheckRow(const CheckRow&);
+  CheckRow(CheckRow&&) noexcept;
+  CheckRow& operator=(const CheckRow&);
+  CheckRow& operator=(CheckRow&&) noexcept;
+  ~CheckRow();
+
   std::string id;      ///< For scripts: "dnv_load_controlled".
   std::string name;    ///< "Local buckling, load controlled"
   std::string code;    ///< With its edition: "DNV-ST-F101 (2021)".

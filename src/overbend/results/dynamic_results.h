@@ -167,6 +167,13 @@ struct StationDesign : DesignPeaks {
 
 /// Everything a dynamic run hands on, beside the static results it started from.
 struct DynamicResults {
+  DynamicResults();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  DynamicResults(const DynamicResults&);
+  DynamicResults(DynamicResults&&) noexcept;
+  DynamicResults& operator=(const DynamicResults&);
+  DynamicResults& operator=(DynamicResults&&) noexcept;
+  ~DynamicResults();
+
   double duration = 0.0, build_up = 0.0, output_step = 0.0;  ///< [s]
   std::uint64_t seed = 0;
   std::vector<std::string> assumptions, warnings;

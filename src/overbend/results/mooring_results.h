@@ -103,6 +103,13 @@ struct AnchorDue {
 
 /// What a static analysis of a hull and its lines, without a pipe, hands on.
 struct MooringResults {
+  MooringResults();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  MooringResults(const MooringResults&);
+  MooringResults(MooringResults&&) noexcept;
+  MooringResults& operator=(const MooringResults&);
+  MooringResults& operator=(MooringResults&&) noexcept;
+  ~MooringResults();
+
   std::string title, version;
   std::vector<std::string> assumptions, warnings;
   MooredState rest;

@@ -191,6 +191,13 @@ struct DerivedSection {
 
 /// Everything a static run hands on.
 struct StaticResults {
+  StaticResults();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  StaticResults(const StaticResults&);
+  StaticResults(StaticResults&&) noexcept;
+  StaticResults& operator=(const StaticResults&);
+  StaticResults& operator=(StaticResults&&) noexcept;
+  ~StaticResults();
+
   std::string title, version;
   std::vector<std::string> assumptions, warnings;
   std::vector<DerivedSection> sections;  ///< First the line's own, then the segments'.

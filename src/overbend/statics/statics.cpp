@@ -248,8 +248,13 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  StaticSolution solution{
-      at.system.mesh(), at.state, at.report, at.system.bending_memory(at.state), model.mean_pose, {}, {}, past, {}};
+  StaticSolution solution;
+  solution.mesh = at.system.mesh();
+  solution.state = at.state;
+  solution.report = at.report;
+  solution.bending = at.system.bending_memory(at.state);
+  solution.pose = model.mean_pose;
+  solution.past = past;
   solution.zones = from.zones;
   return {std::move(solution), std::nullopt};
 }
@@ -282,5 +287,12 @@ StaticOutcome solve_statics(const Model& model, const StaticSolution* start, con
   StaticOutcome bent = bend_in_steps(model, past);
   return bent.solution ? std::move(bent) : std::move(outcome);
 }
+
+StaticSolution::StaticSolution() = default;
+StaticSolution::StaticSolution(const StaticSolution&) = default;
+StaticSolution::StaticSolution(StaticSolution&&) noexcept = default;
+StaticSolution& StaticSolution::operator=(const StaticSolution&) = default;
+StaticSolution& StaticSolution::operator=(StaticSolution&&) noexcept = default;
+StaticSolution::~StaticSolution() = default;
 
 }  // namespace overbend

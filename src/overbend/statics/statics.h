@@ -31,6 +31,13 @@ struct StingerAtRest {
 
 /// An equilibrium with the mesh it stands on: enough to recover results, to start the next case, to start dynamics.
 struct StaticSolution {
+  StaticSolution();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  StaticSolution(const StaticSolution&);
+  StaticSolution(StaticSolution&&) noexcept;
+  StaticSolution& operator=(const StaticSolution&);
+  StaticSolution& operator=(StaticSolution&&) noexcept;
+  ~StaticSolution();
+
   LineMesh mesh;
   LineState state;
   SolveReport report;
@@ -39,8 +46,8 @@ struct StaticSolution {
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
   std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
   LinePast past;                          ///< What it was solved from.
-  StingerAtRest stinger = {};             ///< Of a stinger on hinges, see statics/stinger_rest.h.
-  std::optional<MeshZones> zones = {};    ///< What its mesh was made for.
+  StingerAtRest stinger;                  ///< Of a stinger on hinges, see statics/stinger_rest.h.
+  std::optional<MeshZones> zones;         ///< What its mesh was made for.
 };
 
 /// The equations of a line on a mesh, with its past.

@@ -13,6 +13,13 @@ namespace overbend {
 
 /// Unknowns of a line, their rates, and every memory of the line. At rest there are no rates and no memories.
 struct LineState {
+  LineState();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  LineState(const LineState&);
+  LineState(LineState&&) noexcept;
+  LineState& operator=(const LineState&);
+  LineState& operator=(LineState&&) noexcept;
+  ~LineState();
+
   std::vector<double> q;       ///< Six per node: r [m], t [-]; W.
   std::vector<double> low;     ///< What rounding cut off `q`, at rest alone; empty means zero.
   double far_force = 0.0;      ///< H, at an end that may slide along the bed, away from the barge, at rest alone [N].
@@ -57,6 +64,13 @@ struct AttachmentState {
 };
 
 struct SystemState {
+  SystemState();  // These six are compiled once: a copy of all members is long, and many sources make one.
+  SystemState(const SystemState&);
+  SystemState(SystemState&&) noexcept;
+  SystemState& operator=(const SystemState&);
+  SystemState& operator=(SystemState&&) noexcept;
+  ~SystemState();
+
   double time = 0.0;       ///< [s]
   double last_step = 0.0;  ///< That led here; 0 at the start [s].
   std::vector<LineState> lines;
