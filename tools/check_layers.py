@@ -50,7 +50,7 @@ LIBRARIES = [
     ("immintrin.h", {"mechanics", "numerics"}),
     ("yaml-cpp/", {"base", "modelfile", "seafiles"}),
     ("hdf5", {"resultfiles", "seafiles"}),
-    ("nlohmann/", {"modelfile", "resultfiles", "runstore", "study", "report", "serve", "python"}),
+    ("nlohmann/", {"base"}),
     ("pybind11/", {"python"}),
     ("httplib.h", {"serve"}),
     ("xlsxwriter.h", {"resultfiles"}),

@@ -3,7 +3,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-mapfile -d '' files < <(find src tests bench \( -name '*.cpp' -o -name '*.h' \) -print0 | sort -z)
+mapfile -d '' files < <(find src tests bench validation \( -name '*.cpp' -o -name '*.h' \) -print0 | sort -z)
 
 if [[ "${1:-}" != --check ]]; then
   clang-format -i "${files[@]}"

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "benchmarks.h"
 #include "groups.h"
 #include "rod.h"
@@ -125,7 +125,7 @@ Rod two_spans(double settlement) {
 }
 
 Table lift_off() {
-  const nlohmann::json expected = benchmark("B14-two-span-middle-support-lift-off");
+  const Json expected = benchmark("B14-two-span-middle-support-lift-off");
   Table table{"Two spans with settlement of the middle roller",
               "Spans of 10 m, no tension; the roller is a contact of 1e8 kN/m, the ends are pinned and free to slide.",
               {}};
@@ -133,7 +133,7 @@ Table lift_off() {
   const auto add = [&](const char* name, const char* what, const char* unit, double ours, double reference) {
     table.rows.push_back({name, what, unit, ours, reference, share_of(reference, 2e-3), basis});
   };
-  const nlohmann::json& level = expected["level"];
+  const Json& level = expected["level"];
   Rod rod = two_spans(0.0);
   add("level", "end reaction", "kN", 1e-3 * rod.reaction(0).z(), level["R_end"]);
   add("level", "middle reaction", "kN", 1e-3 * rod.roller_force(0), level["R_mid"]);

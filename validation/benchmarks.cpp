@@ -1,13 +1,11 @@
 #include "benchmarks.h"
 
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include "base/json.h"
 
 namespace overbend::validation {
 
-nlohmann::json benchmark(const char* name) {
-  std::ifstream stream(OVERBEND_SOURCE_DIR "/validation/cases_public.json");
-  return nlohmann::json::parse(stream).at("benchmarks").at(name).at("expected");
+Json benchmark(const char* name) {
+  return read_json_file(OVERBEND_SOURCE_DIR "/validation/cases_public.json").at("benchmarks").at(name).at("expected");
 }
 
 }  // namespace overbend::validation

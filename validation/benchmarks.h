@@ -1,11 +1,11 @@
 /// The single-effect problems of cases_public.json.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include "base/json.h"
 
 namespace overbend::validation {
 
 /// `expected` of the benchmark; throws where it is not there.
-nlohmann::json benchmark(const char* name);
+Json benchmark(const char* name);
 
 }  // namespace overbend::validation

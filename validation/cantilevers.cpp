@@ -2,9 +2,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/constants.h"
+#include "base/json.h"
 #include "benchmarks.h"
 #include "groups.h"
 #include "rod.h"

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "benchmarks.h"
 #include "groups.h"
 #include "rod.h"
@@ -41,7 +41,7 @@ Vec3 tip_of_cantilever(int elements) {
 
 Table cantilever_order() {
   const std::vector<int> meshes{4, 8, 16, 32};
-  const nlohmann::json row = benchmark("B01-elastica-end-force")[4];
+  const Json row = benchmark("B01-elastica-end-force")[4];
   const Vec3 exact(1.0 - row[2].get<double>(), 0.0, row[1]);
   std::vector<double> errors;
   for (const int n : meshes) {

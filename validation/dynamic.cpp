@@ -1,9 +1,9 @@
 /// Motions with a closed form or a computed reference.
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/json.h"
 #include "benchmarks.h"
 #include "groups.h"
 #include "mechanics/restitution.h"
@@ -13,14 +13,14 @@ namespace overbend::validation {
 namespace {
 
 Table frequencies() {
-  const nlohmann::json expected = benchmark("B06-tensioned-beam-frequencies");
+  const Json expected = benchmark("B06-tensioned-beam-frequencies");
   Table table{
       "Vibration of a tensioned beam",
       "16-inch pipe of 0.8 t/m over 60 m under 250 kN, 40 elements. Frequencies from the element's stiffness and mass, "
       "and from the record of the middle of the pinned beam, released in its first mode shape, in steps of 0.02 s.",
       {}};
   for (const bool clamped : {false, true}) {
-    const nlohmann::json& exact = expected[clamped ? "clamped_clamped_Hz" : "pinned_pinned_Hz"];
+    const Json& exact = expected[clamped ? "clamped_clamped_Hz" : "pinned_pinned_Hz"];
     const std::vector<double> ours = testing::beam_frequencies(clamped, 40);
     for (std::size_t i = 0; i < exact.size(); ++i) {
       const double f = exact[i];
@@ -49,7 +49,7 @@ Table rotations() {
                           testing::bar_pendulum_period(degrees * std::numbers::pi / 180.0, period), period,
                           share_of(period, 1e-3), "elliptic integral; 0.1 %"});
   }
-  const nlohmann::json flexible = benchmark("B07d-flexible-pendulum");
+  const Json flexible = benchmark("B07d-flexible-pendulum");
   const std::vector<Vec3> tip = testing::flexible_pendulum_tip(20, 0.0025);
   for (std::size_t i = 0; i < tip.size(); ++i) {
     const double t = flexible["t"][i];
@@ -72,7 +72,7 @@ Table impacts() {
   const auto add = [&](const std::string& name, const char* what, const char* unit, double ours, double reference) {
     table.rows.push_back({name, what, unit, ours, reference, share_of(reference, 5e-3), "closed form; 0.5 %"});
   };
-  const nlohmann::json rows = benchmark("B11-impact-restitution");
+  const Json rows = benchmark("B11-impact-restitution");
   for (const auto& row : rows) {
     const testing::RollerImpact impact = testing::roller_impact(1e3 * row[2].get<double>(), kStep);
     const std::string name = fmt::format("textbook, e = {:g}", row[0].get<double>());
@@ -93,7 +93,7 @@ Table impacts() {
 }
 
 Table sinking() {
-  const nlohmann::json expected = benchmark("B16-falling-horizontal-pipe");
+  const Json expected = benchmark("B16-falling-horizontal-pipe");
   Table table{"Horizontal pipe sinking from rest", "Drag, added mass and submerged weight; steps of 0.01 s.", {}};
   const testing::SinkingPipe ours = testing::sinking_pipe(0.01);
   const auto add = [&](const char* what, const char* unit, double value, double reference) {

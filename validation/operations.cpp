@@ -1,18 +1,15 @@
 /// Stages of lay operations compared with solutions of the planar extensible elastica with a string in the line.
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "base/constants.h"
+#include "base/json.h"
 #include "groups.h"
 #include "modelfile/yaml_reader.h"
 #include "study/lay_operation.h"
 
 namespace overbend::validation {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
 
@@ -64,8 +61,7 @@ class StageRows {
 
 Table stages_of(const std::string& name) {
   const OperationResults found = solve_operation(read_model(kFolder + name + ".yaml").description.value());
-  std::ifstream stream(kFolder + name + ".expected.json");
-  const Json expected = Json::parse(stream)["operation"]["stages"];
+  const Json expected = read_json_file(kFolder + name + ".expected.json")["operation"]["stages"];
   Table table{name, found.title, {}};
   for (std::size_t i = 0; i < found.stages.size(); ++i) {
     if (!found.stages[i].lay) throw std::runtime_error(name + ": " + found.stages[i].failure->what);

@@ -2,11 +2,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
 
+#include "base/json.h"
 #include "groups.h"
 #include "lay.h"
 #include "statics/touchdown.h"
@@ -14,16 +13,9 @@
 namespace overbend::validation {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr double kAngle = 0.05 * std::numbers::pi / 180.0;
 constexpr double kPlace = 0.10;           ///< [m]
 constexpr double kCountsAsContact = 1e3;  ///< [N]
-
-Json read_json(const std::string& path) {
-  std::ifstream stream(path);
-  return Json::parse(stream);
-}
 
 /// Rows of one case.
 class CaseTable {
@@ -31,8 +23,8 @@ class CaseTable {
   explicit CaseTable(const std::string& name)
       : name_(name),
         lay_(build_model(case_description(name))),
-        expected_(read_json(OVERBEND_SOURCE_DIR "/validation/static_cases/" + name + ".expected.json")),
-        more_(read_json(OVERBEND_SOURCE_DIR "/validation/cases_public.json")["static"]) {}
+        expected_(read_json_file(OVERBEND_SOURCE_DIR "/validation/static_cases/" + name + ".expected.json")),
+        more_(read_json_file(OVERBEND_SOURCE_DIR "/validation/cases_public.json")["static"]) {}
 
   Table make() {
     add_section();

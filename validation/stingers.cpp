@@ -1,10 +1,9 @@
 /// Stingers on a hinge compared with solutions of the planar extensible elastica on frictionless rigid rollers.
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "base/constants.h"
+#include "base/json.h"
 #include "groups.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
@@ -14,13 +13,10 @@
 namespace overbend::validation {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/operation_cases/";
 
 Json expected_of(const std::string& name) {
-  std::ifstream stream(kFolder + name + ".expected.json");
-  return Json::parse(stream);
+  return read_json_file(kFolder + name + ".expected.json");
 }
 
 void add_rows(const std::string& subject, const StaticResults& r, const Json& expected, std::vector<Row>& rows) {

@@ -1,10 +1,9 @@
 /// Lays over uneven beds compared with solutions of the planar extensible elastica.
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.h"
 #include "groups.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/recovery.h"
@@ -12,8 +11,6 @@
 
 namespace overbend::validation {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr const char* kFolder = OVERBEND_SOURCE_DIR "/validation/bed_cases/";
 constexpr double kWorthComparing = 0.05;  ///< Gaps of less hang on the model of the soil [m].
@@ -83,8 +80,7 @@ Table lay_of(const std::string& name) {
   const StaticOutcome outcome = solve_statics(model);
   if (!outcome.solution) throw std::runtime_error(name + ": " + outcome.failure->what);
   const StaticResults results = recover_statics(model, *outcome.solution);
-  std::ifstream stream(kFolder + name + ".expected.json");
-  const Json expected = Json::parse(stream)["static"];
+  const Json expected = read_json_file(kFolder + name + ".expected.json")["static"];
   Table table{name, results.title, {}};
   BedRows(results, expected, table.rows).add_all();
   return table;

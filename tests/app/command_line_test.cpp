@@ -1,9 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "app/program.h"
+#include "base/json.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
@@ -93,7 +93,7 @@ TEST(command_line, a_missing_file_ends_with_two) {
 TEST(command_line, schema_prints_json) {
   const ProgramRun run = run_program("schema");
   EXPECT_EQ(run.code, 0);
-  const nlohmann::json schema = nlohmann::json::parse(run.out, nullptr, false);
+  const Json schema = read_json(run.out);
   EXPECT_EQ(schema.value("$schema", ""), "http://json-schema.org/draft-07/schema#");
 }
 

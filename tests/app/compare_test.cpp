@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/child_program.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/json.h"
 #include "study/compare_gather.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
@@ -20,7 +19,6 @@ using testing::ProgramRun;
 using testing::run_program;
 using testing::TemporaryFolder;
 using testing::with;
-using Json = nlohmann::json;
 
 /// A range that the small lay leaves at once, and a machine that follows it.
 const std::string kControlled =
@@ -32,7 +30,7 @@ ProgramRun compare(const TemporaryFolder& folder, const std::string& model, cons
 }
 
 Json json_of(const fs::path& file) {
-  return Json::parse(file_text(file));
+  return read_json(file_text(file));
 }
 
 /// The row of a quantity: its cells by the names of the head.

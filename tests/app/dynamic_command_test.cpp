@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <random>
 
 #include "app/child_program.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/json.h"
 #include "support/program_path.h"
 #include "support/solved_case.h"
 
@@ -23,7 +23,6 @@ using testing::ProgramRun;
 using testing::run_program;
 using testing::TemporaryFolder;
 using testing::with;
-using Json = nlohmann::json;
 
 /// `overbend dynamic MODEL -o FOLDER/out MORE`, the model written to FOLDER/lay.yaml first.
 ProgramRun run_dynamic_model(const TemporaryFolder& folder, const std::string& model, const std::string& more = "") {
@@ -32,7 +31,7 @@ ProgramRun run_dynamic_model(const TemporaryFolder& folder, const std::string& m
 }
 
 Json summary_of(const fs::path& results) {
-  return Json::parse(file_text(results / "summary.json"));
+  return read_json(file_text(results / "summary.json"));
 }
 
 /// What a script finds different between two folders of results; empty: nothing but measured times.

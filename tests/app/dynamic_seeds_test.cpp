@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/child_program.h"
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/json.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
 
@@ -19,7 +18,6 @@ using testing::ProgramRun;
 using testing::run_program;
 using testing::TemporaryFolder;
 using testing::with;
-using Json = nlohmann::json;
 
 const std::string kSeeds = with(kSmallLay, "duration: 10 s", "seeds: [7, 3, 12], duration: 10 s");
 
@@ -29,7 +27,7 @@ ProgramRun run_seeds_model(const TemporaryFolder& folder, const std::string& mod
 }
 
 Json summary_of(const fs::path& results) {
-  return Json::parse(file_text(results / "summary.json"));
+  return read_json(file_text(results / "summary.json"));
 }
 
 bool same_tables(const fs::path& one, const fs::path& two) {

@@ -1,8 +1,7 @@
 /// The program on models that are lines by themselves.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "program.h"
 
 namespace overbend {
@@ -32,7 +31,7 @@ TEST(lines_command, static_finds_the_published_forces_on_the_ends) {
   const Scratch scratch;
   const auto done = run_program("static " + scratch.write("jumper.yaml", kJumper) + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
-  const nlohmann::json line = nlohmann::json::parse(scratch.read("out/summary.json"))["static"]["lines"][0];
+  const Json line = read_json(scratch.read("out/summary.json"))["static"]["lines"][0];
   EXPECT_NEAR(line["second"]["force"]["x"], 11.40e3, 50.0);
   EXPECT_NEAR(line["second"]["force"]["z"], 45.71e3, 50.0);
   EXPECT_NE(done.out.find("second end"), std::string::npos);
@@ -42,7 +41,7 @@ TEST(lines_command, dynamic_finds_the_published_extremes) {
   const Scratch scratch;
   const auto done = run_program("dynamic " + scratch.write("jumper.yaml", kJumper) + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
-  const nlohmann::json line = nlohmann::json::parse(scratch.read("out/summary.json"))["dynamic"]["lines"][0];
+  const Json line = read_json(scratch.read("out/summary.json"))["dynamic"]["lines"][0];
   EXPECT_NEAR(line["second_tension"]["max"], 52.24e3, 0.02 * 52.24e3);
   EXPECT_NEAR(line["second_tension"]["min"], 41.48e3, 0.02 * 41.48e3);
 }
@@ -55,8 +54,8 @@ TEST(lines_command, dynamic_runs_every_seed_and_tells_them_together) {
   model.replace(model.find("duration: 27 s, build_up: 27 s"), 30, "duration: 4 s, build_up: 4 s, seeds: [1, 2]");
   const auto done = run_program("dynamic " + scratch.write("jumper.yaml", model) + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
-  const nlohmann::json seeds = nlohmann::json::parse(scratch.read("out/summary.json"))["seeds"];
-  const nlohmann::json one = nlohmann::json::parse(scratch.read("out/seed-2/summary.json"))["dynamic"]["lines"][0];
+  const Json seeds = read_json(scratch.read("out/summary.json"))["seeds"];
+  const Json one = read_json(scratch.read("out/seed-2/summary.json"))["dynamic"]["lines"][0];
   ASSERT_EQ(seeds["runs"].size(), 2U);
   EXPECT_EQ(seeds["runs"][1]["jumper/second_tension_max"], one["second_tension"]["max"]);
   EXPECT_NE(seeds["runs"][0]["jumper/second_tension_max"], seeds["runs"][1]["jumper/second_tension_max"]);

@@ -2,15 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/json.h"
 
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kSmallLay;
 using testing::ProgramRun;
 using testing::run_program;
@@ -47,7 +46,7 @@ TEST(operation_command, static_runs_all_stages_and_one_that_cannot_be_leaves_the
   for (const char* file : {"summary.json", "stages.csv", "results.h5"}) {
     EXPECT_TRUE(std::filesystem::is_regular_file(folder.file(std::string("out/") + file))) << file;
   }
-  const json stages = json::parse(folder.read("out/summary.json"))["operation"]["stages"];
+  const Json stages = read_json(folder.read("out/summary.json"))["operation"]["stages"];
   ASSERT_EQ(stages.size(), 3U);
   EXPECT_EQ(stages[0]["name"], "past the tip");
   EXPECT_GT(stages[1]["head"]["x"], stages[0]["head"]["x"]);
@@ -77,11 +76,11 @@ TEST(operation_command, one_stage_is_a_static_analysis_of_its_own) {
   ASSERT_EQ(run_program("static " + model + " -o " + folder.file("all")).code, 0);
   ASSERT_EQ(run_program("static " + model + " --stage 2 -o " + folder.file("second")).code, 0);
   ASSERT_EQ(run_program("static " + model + " --stage bed -o " + folder.file("named")).code, 0);
-  const json all = json::parse(folder.read("all/summary.json"))["operation"]["stages"][1];
-  const json second = json::parse(folder.read("second/summary.json"));
+  const Json all = read_json(folder.read("all/summary.json"))["operation"]["stages"][1];
+  const Json second = read_json(folder.read("second/summary.json"));
   EXPECT_EQ(second["title"], "small lay, bed");
   EXPECT_NEAR(second["static"]["head"]["x"].get<double>(), all["head"]["x"].get<double>(), 1e-3);
-  EXPECT_EQ(json::parse(folder.read("named/summary.json"))["static"]["head"], second["static"]["head"]);
+  EXPECT_EQ(read_json(folder.read("named/summary.json"))["static"]["head"], second["static"]["head"]);
   const ProgramRun checked = run_program("check-results " + folder.file("second"));
   EXPECT_EQ(checked.code, 0) << checked.err;
 }
@@ -117,9 +116,9 @@ TEST(operation_command, a_stage_goes_into_the_time_domain_and_a_resumed_run_know
   const ProgramRun run = run_program(command + " --stage bed");
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(says(run.out, "small lay, bed")) << run.out;
-  EXPECT_EQ(json::parse(folder.read("out/run.json"))["stage"], "bed");
-  const json summary = json::parse(folder.read("out/summary.json"));
-  EXPECT_TRUE(says(summary["assumptions"].dump(), "stage 'bed' of the operation abandonment"))
+  EXPECT_EQ(read_json(folder.read("out/run.json"))["stage"], "bed");
+  const Json summary = read_json(folder.read("out/summary.json"));
+  EXPECT_TRUE(says(json_text(summary["assumptions"]), "stage 'bed' of the operation abandonment"))
       << summary["assumptions"];
   // The cable lies over the rollers: a kink of it is no strain of the pipe.
   EXPECT_TRUE(summary["dynamic"]["overbend"].is_null());
@@ -137,7 +136,7 @@ TEST(operation_command, a_run_without_a_stage_is_of_the_lay_and_says_so) {
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string warning = "no stage of the operation abandonment was chosen";
   EXPECT_TRUE(says(run.out, warning)) << run.out;
-  EXPECT_TRUE(says(json::parse(folder.read("out/summary.json"))["warnings"].dump(), warning));
+  EXPECT_TRUE(says(json_text(read_json(folder.read("out/summary.json"))["warnings"]), warning));
 }
 
 }  // namespace

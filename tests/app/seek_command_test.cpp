@@ -1,8 +1,7 @@
 /// The program's goal seek: files, lines and exit codes.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "program.h"
 #include "small_lay.h"
 
@@ -24,9 +23,9 @@ TEST(seek_command, writes_the_statics_of_the_answer_with_the_way_there) {
   const auto done = run_program("seek " + model + " -o " + scratch.file("out"));
   ASSERT_EQ(done.code, 0) << done.err;
   EXPECT_NE(done.out.find("tensioner.tension"), std::string::npos);
-  const nlohmann::json summary = nlohmann::json::parse(scratch.read("out/summary.json"));
+  const Json summary = read_json(scratch.read("out/summary.json"));
   EXPECT_NEAR(summary["static"]["bottom_tension"].get<double>(), 310e3, 1.0);
-  const nlohmann::json& seek = summary["seek"];
+  const Json& seek = summary["seek"];
   EXPECT_NEAR(seek["answer"].get<double>(), summary["static"]["top_tension"].get<double>(), 50.0);
   EXPECT_EQ(seek["unit"], "N");
   EXPECT_GT(seek["slope"].get<double>(), 0.5);
@@ -43,7 +42,7 @@ TEST(seek_command, without_an_answer_it_says_why_and_ends_with_code_3) {
   const auto done = run_program("seek " + model + " -o " + scratch.file("out"));
   EXPECT_EQ(done.code, 3);
   EXPECT_NE(done.err.find("it goes from"), std::string::npos) << done.err;
-  const nlohmann::json summary = nlohmann::json::parse(scratch.read("out/summary.json"));
+  const Json summary = read_json(scratch.read("out/summary.json"));
   EXPECT_EQ(summary["seek"]["found"], false);
   EXPECT_TRUE(summary["seek"]["answer"].is_null());
 }

@@ -3,9 +3,9 @@
 
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/json.h"
 #include "child_program.h"
 #include "program.h"
 #include "small_lay.h"
@@ -107,7 +107,7 @@ TEST(study_command, tasks_leave_the_table_to_gather) {
   EXPECT_TRUE(has(part.out, "1 not run yet")) << part.out;
   ASSERT_EQ(run_program("study " + study + out + " --tasks 0/2").code, 0);
   EXPECT_EQ(run_program("study " + scratch.file("out") + " --gather").code, 0);
-  EXPECT_EQ(nlohmann::json::parse(scratch.read("out/summary.json"))["status"], "completed");
+  EXPECT_EQ(read_json(scratch.read("out/summary.json"))["status"], "completed");
 }
 
 TEST(study_command, killed_at_any_instant_it_goes_on_and_gives_the_same_table) {
@@ -150,7 +150,7 @@ TEST(study_command, a_killed_dynamic_case_goes_on_from_its_checkpoint) {
   ASSERT_EQ(run_program("study " + study + " -o " + scratch.file("out")).code, 0);
   ASSERT_EQ(run_program("study " + study + " -o " + scratch.file("whole")).code, 0);
   const auto outputs = [&](const std::string& folder) {
-    return nlohmann::json::parse(scratch.read(folder + "/cases/0000/000000000/case.json"))["outputs"];
+    return read_json(scratch.read(folder + "/cases/0000/000000000/case.json"))["outputs"];
   };
   EXPECT_EQ(outputs("out"), outputs("whole"));
 }

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/units.h"
 #include "base/yaml_document.h"
 #include "modelfile/field_table.h"
@@ -17,45 +17,43 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 /// A scalar as YAML's core schema resolves it.
-json scalar_as_json(const YamlNode& node) {
+Json scalar_as_json(const YamlNode& node) {
   const std::optional<double> number = node.quoted ? std::nullopt : parse_number(node.text);
   if (node.quoted || (!number && node.text != "true" && node.text != "false")) return node.text;
   if (!number) return node.text == "true";
   const bool whole = node.text.find_first_of(".eE") == std::string::npos;
-  return whole ? json(std::stoll(node.text)) : json(*number);
+  return whole ? Json(std::stoll(node.text)) : Json(*number);
 }
 
-json as_json(const YamlNode& node) {
-  json value;
+Json as_json(const YamlNode& node) {
+  Json value;
   switch (node.kind) {
     case YamlNode::Kind::null:
       return nullptr;
     case YamlNode::Kind::scalar:
       return scalar_as_json(node);
     case YamlNode::Kind::list:
-      value = json::array();
+      value = Json::array();
       for (const YamlNode& item : node.items) value.push_back(as_json(item));
       return value;
     case YamlNode::Kind::map:
-      value = json::object();
+      value = Json::object();
       for (const YamlEntry& entry : node.entries) value[entry.key] = as_json(entry.value);
       return value;
   }
   return value;
 }
 
-json parsed(const std::string& text) {
+Json parsed(const std::string& text) {
   Diagnostics diagnostics;
   const std::optional<YamlNode> root = parse_yaml(text, "test", diagnostics);
-  return root ? as_json(*root) : json();
+  return root ? as_json(*root) : Json();
 }
 
 /// Asks python3-jsonschema about each instance: one message per instance, empty when it is valid. The first answer is
 /// about the schema itself.
-std::vector<std::string> verdicts(const std::vector<json>& instances) {
+std::vector<std::string> verdicts(const std::vector<Json>& instances) {
   constexpr const char* kScript = R"(
 import json, sys, jsonschema
 schema, instances = json.load(open(sys.argv[1])), json.load(open(sys.argv[2]))
@@ -73,20 +71,20 @@ json.dump(answers, open(sys.argv[3], "w"))
   std::filesystem::create_directories(folder);
   const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder / name) << text; };
   write("schema.json", json_schema());
-  write("instances.json", json(instances).dump());
+  write("instances.json", json_text(instances));
   write("judge.py", kScript);
   const std::string in = folder.string() + "/";
   const std::string command =
       "/usr/bin/python3 " + in + "judge.py " + in + "schema.json " + in + "instances.json " + in + "answers.json";
   EXPECT_EQ(std::system(command.c_str()), 0) << "needs python3-jsonschema";
-  const json answers = json::parse(testing::file_text(folder / "answers.json"), nullptr, false);
+  const Json answers = read_json_file(folder / "answers.json");
   std::filesystem::remove_all(folder);
   if (!answers.is_array()) return std::vector<std::string>(instances.size() + 1, "no answer");
   return answers.get<std::vector<std::string>>();
 }
 
 TEST(json_schema, is_a_schema_and_every_model_of_the_repository_is_valid) {
-  std::vector<json> instances = {parsed(testing::kGoodModel)};
+  std::vector<Json> instances = {parsed(testing::kGoodModel)};
   for (const auto& path : testing::good_files()) instances.push_back(parsed(testing::file_text(path)));
   ASSERT_GT(instances.size(), 10U);
   const std::vector<std::string> answers = verdicts(instances);
@@ -95,7 +93,7 @@ TEST(json_schema, is_a_schema_and_every_model_of_the_repository_is_valid) {
 }
 
 TEST(json_schema, judges_the_bad_corpus_as_the_reader_does_where_a_schema_can) {
-  std::vector<json> instances;
+  std::vector<Json> instances;
   std::vector<std::string> claims;
   for (const testing::Spoiling& s : testing::bad_corpus()) {
     if (!s.schema_sees) continue;

@@ -9,15 +9,13 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 using Case = MooredCase;
 
 Case case_of(const Description& d) {
   return moored_case(d);
 }
 
-void expect_line(const json& want, const MooringSpread& spread, const RestOutcome& rest, std::size_t i) {
+void expect_line(const Json& want, const MooringSpread& spread, const RestOutcome& rest, std::size_t i) {
   ASSERT_EQ(want["name"], spread.lines[i].name);
   const CatenarySolution& found = rest.lines[i];
   const double tension = want["fairlead_tension"];
@@ -31,12 +29,12 @@ void expect_line(const json& want, const MooringSpread& spread, const RestOutcom
   EXPECT_NEAR(spread.lines[i].line.first_segment(), want["first_segment_length"], 1e-5);
 }
 
-void expect_vessel(const json& want, const HullOffset& offset) {
+void expect_vessel(const Json& want, const HullOffset& offset) {
   const char* modes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(offset[i], want[modes[i]], i < 3 ? 1e-5 : 1e-7) << modes[i];
 }
 
-void expect_stage(const json& want, const MooringSpread& spread, const RestOutcome& rest) {
+void expect_stage(const Json& want, const MooringSpread& spread, const RestOutcome& rest) {
   expect_vessel(want["vessel"], rest.offset);
   for (std::size_t i = 0; i < spread.lines.size(); ++i) expect_line(want["moorings"][i], spread, rest, i);
   if (want.contains("mooring_force")) {
@@ -54,7 +52,7 @@ void expect_stage(const json& want, const MooringSpread& spread, const RestOutco
 
 TEST(mooring_statics, wires_of_a_held_hull_are_those_of_the_collocation) {
   Description d = reference_barge();
-  const json expected = expected_case("MO1-wire")["static"]["moorings"];
+  const Json expected = expected_case("MO1-wire")["static"]["moorings"];
   auto& lines = d.moorings->lines;
   lines.push_back(mooring_line("A", {58, 14, 3.8}, 45, 990, std::nullopt, {reference_wire(1000.0)}));
   lines.push_back(mooring_line("B", {58, -14, 3.8}, 135, 994, std::nullopt, {reference_wire(1000.0)}));
@@ -69,7 +67,7 @@ TEST(mooring_statics, wires_of_a_held_hull_are_those_of_the_collocation) {
 
 TEST(mooring_statics, chains_behind_wires_are_those_of_the_collocation) {
   Description d = reference_barge();
-  const json expected = expected_case("MO2-chain-wire")["static"]["moorings"];
+  const Json expected = expected_case("MO2-chain-wire")["static"]["moorings"];
   const auto line = [&](const char* name, const Vec3& fairlead, double azimuth, double distance,
                         std::optional<double> tension) {
     const std::optional<double> wire = tension ? std::nullopt : std::optional(660.0);
@@ -91,7 +89,7 @@ std::vector<VesselLoadDescription> pipe_load() {
 }
 
 TEST(mooring_statics, a_barge_on_eight_lines_lies_where_the_collocation_says) {
-  const json expected = expected_case("MO8-sym");
+  const Json expected = expected_case("MO8-sym");
   Case c = case_of(eight_line_barge());
   expect_stage(expected["static"], c.spread, find_rest(c.spread, c.hull, HullOffset::Zero()));
   const std::vector<VesselLoadDescription> pipe = pipe_load();
@@ -107,7 +105,7 @@ TEST(mooring_statics, a_barge_on_eight_lines_lies_where_the_collocation_says) {
 }
 
 TEST(mooring_statics, a_pull_ahead_hauls_and_pays_out_what_the_collocation_says) {
-  const json expected = expected_case("MO8-pull-ahead")["operation"];
+  const Json expected = expected_case("MO8-pull-ahead")["operation"];
   Case c = case_of(eight_line_barge());
   c.hull.loads = pipe_load();
   const RestOutcome before = find_rest(c.spread, c.hull, HullOffset::Zero());

@@ -1,10 +1,9 @@
 /// Lines of the reference barges, for tests.
 #pragma once
 
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "model/description.h"
 
 namespace overbend {
@@ -90,9 +89,8 @@ inline VesselLoadDescription vessel_load(const std::string& name, const Vec3& at
 }
 
 /// The answers of a reference case.
-inline nlohmann::json expected_case(const std::string& name) {
-  std::ifstream stream(std::string(OVERBEND_SOURCE_DIR) + "/validation/mooring_cases/" + name + ".expected.json");
-  return nlohmann::json::parse(stream);
+inline Json expected_case(const std::string& name) {
+  return read_json_file(std::string(OVERBEND_SOURCE_DIR) + "/validation/mooring_cases/" + name + ".expected.json");
 }
 
 }  // namespace overbend

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
+#include "base/json.h"
 #include "report/bgl1_results.h"
 #include "report/html.h"
 #include "report/page_text.h"
@@ -32,8 +32,8 @@ std::string page_of(const DynamicResults& results) {
   return report_html(bgl1().results, results, bgl1().model_text);
 }
 
-nlohmann::json data_of(const DynamicResults& results) {
-  return nlohmann::json::parse(report_data(bgl1().results, &results))["dynamic"];
+Json data_of(const DynamicResults& results) {
+  return read_json(report_data(bgl1().results, &results))["dynamic"];
 }
 
 /// The section with this id.
@@ -183,7 +183,7 @@ TEST(dynamic_report, is_written_as_a_file) {
 }
 
 TEST(dynamic_report_data, envelopes_run_from_the_tensioner_and_keep_their_peaks) {
-  const nlohmann::json data = data_of(example());
+  const Json data = data_of(example());
   const std::vector<double> s = data["envelopes"]["s"];
   EXPECT_DOUBLE_EQ(s.front(), 0.0);
   EXPECT_TRUE(std::is_sorted(s.begin(), s.end()));
@@ -193,8 +193,8 @@ TEST(dynamic_report_data, envelopes_run_from_the_tensioner_and_keep_their_peaks)
 }
 
 TEST(dynamic_report_data, histories_keep_least_and_greatest_to_their_resolution) {
-  const nlohmann::json data = data_of(example());
-  for (const nlohmann::json& history : data["histories"]) {
+  const Json data = data_of(example());
+  for (const Json& history : data["histories"]) {
     if (history["title"] != "Top tension") continue;
     const auto named = [](const std::string& name) {
       return std::find_if(example().histories.begin(), example().histories.end(),
@@ -226,9 +226,9 @@ TEST(dynamic_report, tells_an_extreme_alike_in_card_table_and_figure) {
   const std::size_t extremes = tables.find("Most probable extremes");
   ASSERT_NE(extremes, std::string::npos);
   EXPECT_NE(tables.find("<td>359.3</td>", extremes), std::string::npos);
-  const nlohmann::json data = data_of(results);
+  const Json data = data_of(results);
   const auto largest = [&](const std::string& title) {
-    for (const nlohmann::json& history : data["histories"]) {
+    for (const Json& history : data["histories"]) {
       if (history["title"] == title) return history["over_time"]["max"].get<double>();
     }
     return 0.0;
@@ -239,8 +239,8 @@ TEST(dynamic_report, tells_an_extreme_alike_in_card_table_and_figure) {
 
 TEST(dynamic_report_data, shows_the_supports_that_are_pressed_hardest) {
   std::vector<std::string> shown;
-  const nlohmann::json data = data_of(example());
-  for (const nlohmann::json& history : data["histories"]) {
+  const Json data = data_of(example());
+  for (const Json& history : data["histories"]) {
     if (history["group"] == "reactions") shown.push_back(history["title"]);
   }
   ASSERT_EQ(shown.size(), 4u);
@@ -259,7 +259,7 @@ TEST(dynamic_report_data, what_is_not_finite_does_not_break_the_page) {
   results.von_mises.max.front() = infinity;
   results.supports.front().separation.min = infinity;
   const std::string data = report_data(bgl1().results, &results);
-  EXPECT_TRUE(nlohmann::json::accept(data));
+  EXPECT_TRUE(Json::accept(data));
   for (const char* word : {"NaN", "nan", "Infinity", "inf,"}) {
     EXPECT_EQ(data.find(word), std::string::npos) << word;
   }
@@ -268,9 +268,9 @@ TEST(dynamic_report_data, what_is_not_finite_does_not_break_the_page) {
 }
 
 TEST(dynamic_report_data, spectra_are_cut_where_nothing_is_left) {
-  const nlohmann::json data = data_of(example());
+  const Json data = data_of(example());
   EXPECT_EQ(data["spectra"].size(), example().spectra.size());
-  for (const nlohmann::json& spectrum : data["spectra"]) {
+  for (const Json& spectrum : data["spectra"]) {
     const std::vector<double> f = spectrum["frequency"];
     EXPECT_LT(f.back(), 0.5) << spectrum["title"];  // the made-up ones reach to 1 Hz
     EXPECT_GT(f.back(), 2.0 / 12.9) << spectrum["title"];

@@ -57,7 +57,7 @@ TEST(fatigue_section, is_not_there_without_fatigue) {
 
 TEST(fatigue_section, draws_damage_per_hour_from_the_tensioner_on) {
   const DynamicResults results = with_fatigue();
-  const nlohmann::json data = fatigue_figure_data(bgl1().results, results);
+  const Json data = fatigue_figure_data(bgl1().results, results);
   ASSERT_EQ(data["spots"].size(), 2U);
   EXPECT_NEAR(data["s"].front().get<double>(), 0.0, 1e-6);
   EXPECT_EQ(data["s"].size(), data["spots"][0]["rate"].size());

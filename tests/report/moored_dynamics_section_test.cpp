@@ -53,7 +53,7 @@ TEST(moored_dynamics_section, is_empty_of_a_run_with_a_told_motion) {
 }
 
 TEST(mooring_histories, hold_the_slow_part_beside_the_whole_motion_and_every_line) {
-  const nlohmann::json all = mooring_history_data(moored());
+  const Json all = mooring_history_data(moored());
   ASSERT_EQ(all.size(), 11u);
   EXPECT_EQ(all[1]["title"], "Sway from as drawn");
   EXPECT_EQ(all[1]["slow"]["low"].size(), all[1]["low"].size());
@@ -66,11 +66,11 @@ TEST(mooring_histories, hold_the_slow_part_beside_the_whole_motion_and_every_lin
 TEST(mooring_data, places_midship_and_lines_where_the_results_have_them) {
   MooringScene scene;
   scene.length = 120.0;
-  const nlohmann::json data = mooring_figure_data(testing::synthetic_stages(), scene);
+  const Json data = mooring_figure_data(testing::synthetic_stages(), scene);
   ASSERT_EQ(data["states"].size(), 4u);
   EXPECT_EQ(data["states"][2]["sway"], 2.593);
-  const nlohmann::json& line = data["states"][0]["lines"][0];
-  EXPECT_EQ(line["fairlead"], nlohmann::json({57, 15, 3}));
+  const Json& line = data["states"][0]["lines"][0];
+  EXPECT_EQ(line["fairlead"], Json({57, 15, 3}));
   EXPECT_EQ(line["shape"].size(), 42u);
   EXPECT_TRUE(data["states"][3]["lines"][6]["parted"].get<bool>());
   EXPECT_TRUE(data["touchdown"].is_null());

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "report/bgl1_results.h"
 #include "report/html.h"
 #include "report/operation_verdict.h"
@@ -144,7 +144,7 @@ TEST(operation_report, stays_below_a_size_that_mail_carries_with_fifty_stages) {
 TEST(stages_data, parts_the_line_at_the_head) {
   for (const bool start_up : {false, true}) {
     const OperationResults results = start_up ? synthetic_start_up() : synthetic_abandonment();
-    const auto data = nlohmann::json::parse(stages_data(results, described()))["stages"];
+    const auto data = read_json(stages_data(results, described()))["stages"];
     ASSERT_EQ(data["list"].size(), results.stages.size());
     EXPECT_TRUE(data["list"].back()["line"].is_null());
     const auto& runs = data["list"][2]["line"];
@@ -163,7 +163,7 @@ TEST(stages_data, parts_the_line_at_the_head) {
 
 TEST(stages_data, curves_are_gaps_where_a_stage_cannot_be) {
   const OperationResults results = synthetic_abandonment();
-  const auto data = nlohmann::json::parse(stages_data(results, described()))["stages"];
+  const auto data = read_json(stages_data(results, described()))["stages"];
   ASSERT_GE(data["curves"].size(), 8u);
   for (const auto& curve : data["curves"]) {
     ASSERT_EQ(curve["values"].size(), results.stages.size());

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "report/study_data.h"
 #include "report/synthetic_study.h"
 
@@ -42,7 +42,7 @@ TEST(study_page, groups_hold_mean_and_range_of_their_seeds) {
   EXPECT_DOUBLE_EQ(*group.mean[0], 2e6);
   EXPECT_DOUBLE_EQ(*group.low[0], 1e6);
   EXPECT_DOUBLE_EQ(*group.high[0], 3e6);
-  const nlohmann::json data = study_data(results);
+  const Json data = study_data(results);
   EXPECT_DOUBLE_EQ(data["groups"][0]["mean"][0].get<double>(), 2.0);  // MPa
 }
 
@@ -92,7 +92,7 @@ TEST(study_page, a_value_that_is_not_a_number_reaches_the_page_as_none) {
   results.cases[0].inputs[0] = std::nan("");
   results.cases[0].values[0].reset();
   EXPECT_TRUE(study_data(results)["groups"][0]["x"][0].is_null());
-  EXPECT_FALSE(has(study_data(results).dump(), "nan"));
+  EXPECT_FALSE(has(json_text(study_data(results)), "nan"));
   EXPECT_FALSE(has(study_html(results), ">nan<"));
 }
 

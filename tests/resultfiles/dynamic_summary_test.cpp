@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/results_writer.h"
 #include "support/dynamic_case.h"
@@ -11,13 +11,12 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::json;
 using testing::filled_dynamics;
 using testing::solved_case;
 
 Json summary_of(const std::string& name) {
   const StaticResults& statics = solved_case(name).results;
-  return Json::parse(dynamic_summary(statics, filled_dynamics(statics)));
+  return read_json(dynamic_summary(statics, filled_dynamics(statics)));
 }
 
 void expect_numbers(const Json& json, const std::set<std::string>& keys, const std::string& place) {
@@ -86,9 +85,9 @@ TEST(dynamic_summary, leaves_null_what_has_no_sense_in_j_lay) {
 
 TEST(dynamic_summary, keeps_what_statics_writes) {
   const StaticResults& statics = solved_case("BGL1-T250").results;
-  Json summary = Json::parse(dynamic_summary(statics, filled_dynamics(statics)));
+  Json summary = read_json(dynamic_summary(statics, filled_dynamics(statics)));
   summary.erase("dynamic");
-  EXPECT_EQ(summary, Json::parse(static_summary(statics)));
+  EXPECT_EQ(summary, read_json(static_summary(statics)));
 }
 
 TEST(dynamic_summary, keeps_rollers_in_their_rows_and_takes_the_largest_of_a_support) {
@@ -101,7 +100,7 @@ TEST(dynamic_summary, keeps_rollers_in_their_rows_and_takes_the_largest_of_a_sup
   rollers[1].largest_impact_force = 5e5;
   rollers[2].largest_impact_force = 4e5;
   rollers[2].reaction.max = 3.5;
-  const Json dynamic = Json::parse(dynamic_summary(statics, results))["dynamic"];
+  const Json dynamic = read_json(dynamic_summary(statics, results))["dynamic"];
   EXPECT_EQ(dynamic["impacts"][2]["largest_impact_force"], 5e5);
   ASSERT_EQ(dynamic["supports"][2]["rows"].size(), 2U);
   EXPECT_EQ(dynamic["supports"][2]["rows"][1]["port"]["reaction"]["max"], 3.5);
@@ -111,7 +110,7 @@ TEST(dynamic_summary, keeps_rollers_in_their_rows_and_takes_the_largest_of_a_sup
 TEST(dynamic_summary, gives_numbers_as_they_are) {
   const StaticResults& statics = solved_case("BGL1-T250").results;
   const DynamicResults results = filled_dynamics(statics);
-  const Json dynamic = Json::parse(dynamic_summary(statics, results))["dynamic"];
+  const Json dynamic = read_json(dynamic_summary(statics, results))["dynamic"];
   EXPECT_EQ(dynamic["lay_back"]["std"], results.lay_back.std);
   EXPECT_EQ(dynamic["seed"].get<std::uint64_t>(), results.seed);
   EXPECT_EQ(dynamic["sagbend"]["max_strain"]["at"]["z"], results.sagbend.strain.p_W.z());

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/dynamic_writer.h"
 #include "resultfiles/finite_check.h"
@@ -16,8 +15,6 @@
 
 namespace overbend {
 namespace {
-
-using nlohmann::json;
 
 DynamicResults with_fatigue(const StaticResults& statics) {
   DynamicResults results = testing::filled_dynamics(statics);
@@ -70,13 +67,13 @@ TEST(fatigue_files, a_run_without_fatigue_has_none_in_its_files) {
   const RunStore store = testing::filled_run(folder / "run", 100);
   write_dynamic_hdf5(statics, results, store, description, folder / "results.h5");
   EXPECT_FALSE(read_dynamic_results(folder / "results.h5").results.fatigue);
-  EXPECT_FALSE(json::parse(dynamic_summary(statics, results))["dynamic"].contains("fatigue"));
+  EXPECT_FALSE(read_json(dynamic_summary(statics, results))["dynamic"].contains("fatigue"));
 }
 
 TEST(fatigue_files, the_summary_names_the_spots) {
   const StaticResults& statics = testing::solved_case("BGL1-T250").results;
   const DynamicResults results = with_fatigue(statics);
-  const json fatigue = json::parse(dynamic_summary(statics, results))["dynamic"]["fatigue"];
+  const Json fatigue = read_json(dynamic_summary(statics, results))["dynamic"]["fatigue"];
   EXPECT_DOUBLE_EQ(fatigue["budget"].get<double>(), results.fatigue->budget);
   EXPECT_DOUBLE_EQ(fatigue["lay_rate"].get<double>(), results.fatigue->lay_rate);
   ASSERT_EQ(fatigue["spots"].size(), 2U);

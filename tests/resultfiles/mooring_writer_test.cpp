@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "resultfiles/moored_dynamics_hdf5.h"
 #include "resultfiles/move_table.h"
 #include "resultfiles/results_reader.h"
@@ -41,8 +41,8 @@ MooringResults two_states() {
 }
 
 TEST(mooring_writer, the_summary_tells_where_hull_and_lines_are) {
-  const nlohmann::json summary = nlohmann::json::parse(mooring_summary(two_states()));
-  const nlohmann::json& rest = summary["static"];
+  const Json summary = read_json(mooring_summary(two_states()));
+  const Json& rest = summary["static"];
   EXPECT_EQ(rest["vessel"]["surge"], 1.5);
   EXPECT_EQ(rest["vessel"]["natural_periods"][0]["mode"], "surge");
   EXPECT_EQ(rest["vessel"]["natural_periods"][0]["period"], 67.0);
@@ -56,7 +56,7 @@ TEST(mooring_writer, the_summary_tells_where_hull_and_lines_are) {
 }
 
 TEST(mooring_writer, the_summary_tells_what_the_winches_do) {
-  const nlohmann::json operation = nlohmann::json::parse(mooring_summary(two_states()))["operation"];
+  const Json operation = read_json(mooring_summary(two_states()))["operation"];
   EXPECT_EQ(operation["type"], "pull_ahead");
   EXPECT_EQ(operation["stages"][0]["name"], "pulled ahead");
   EXPECT_EQ(operation["stages"][0]["winch_lengths"]["bow, port"], 750.0);
@@ -132,7 +132,7 @@ TEST(mooring_writer, results_h5_gives_back_what_was_written) {
 TEST(mooring_writer, the_summary_tells_what_damps_the_hull) {
   MooringResults results = two_states();
   results.hull = hull();
-  const nlohmann::json told = nlohmann::json::parse(mooring_summary(results))["static"]["hull"];
+  const Json told = read_json(mooring_summary(results))["static"]["hull"];
   EXPECT_EQ(told["damping"][0]["mode"], "sway");
   EXPECT_EQ(told["damping"][0]["drift"], 0.032);
   EXPECT_EQ(told["radiation"][0]["added_mass_error"], 0.0075);

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "resultfiles/mooring_writer.h"
 
 namespace overbend {
@@ -43,7 +42,7 @@ TEST(move_table, has_a_row_per_place_with_hull_lines_and_pipe) {
 }
 
 TEST(move_table, is_in_the_summary_too) {
-  const nlohmann::json operation = nlohmann::json::parse(mooring_summary(pulled_ahead()))["operation"]["pull_ahead"];
+  const Json operation = read_json(mooring_summary(pulled_ahead()))["operation"]["pull_ahead"];
   ASSERT_EQ(operation["steps"].size(), 2U);
   EXPECT_EQ(operation["steps"][1]["advance"], 0.5);
   EXPECT_EQ(operation["steps"][1]["winch_lengths"]["bow, port"], 1006.5);
@@ -56,7 +55,7 @@ TEST(move_table, of_anchors_says_what_is_due_when) {
   MooringResults results;
   results.operation = "anchor_plan";
   results.anchors = {{29, "bow, port", "least length", Vec3(963.0, 438.0, -89.0), Vec3(1323.0, 438.0, -89.0), 1061.0}};
-  const nlohmann::json operation = nlohmann::json::parse(mooring_summary(results))["operation"];
+  const Json operation = read_json(mooring_summary(results))["operation"];
   EXPECT_EQ(operation["anchors"][0]["joint"], 29);
   EXPECT_EQ(operation["anchors"][0]["line"], "bow, port");
   EXPECT_EQ(operation["anchors"][0]["reason"], "least length");

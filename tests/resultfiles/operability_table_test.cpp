@@ -90,8 +90,8 @@ TEST(operability_json, gives_back_all_that_was_put_in) {
   results.remarks = {"1 of 4 cells are not decided"};
   results.workability = Workability{std::vector<double>(12, 0.5), 0.5, 0.1};
   results.forecast_workability = Workability{std::vector<double>(12, 0.25), 0.25, 0.2};
-  const nlohmann::ordered_json json = operability_json(results);
-  const OperabilityResults read = operability_of(nlohmann::ordered_json::parse(json.dump()));
+  const Json json = operability_json(results);
+  const OperabilityResults read = operability_of(read_json(json_text(json)));
   EXPECT_EQ(operability_json(read), json);
   ASSERT_EQ(read.cells.size(), 4U);
   EXPECT_EQ(read.cells[0].limit, 2.5);
@@ -101,7 +101,7 @@ TEST(operability_json, gives_back_all_that_was_put_in) {
   EXPECT_EQ(read.axes[1].words, results.axes[1].words);
   EXPECT_EQ(read.forecast_workability->outside, 0.2);
   EXPECT_EQ(csv_text(operability_table(read)), csv_text(operability_table(results)));
-  EXPECT_THROW(operability_of(nlohmann::ordered_json::object()), nlohmann::json::exception);
+  EXPECT_THROW(operability_of(Json::object()), Json::exception);
 }
 
 }  // namespace overbend

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "resultfiles/operation_reader.h"
 #include "resultfiles/stage_table.h"
 #include "support/lay_bits.h"
@@ -14,7 +14,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::bits_of;
 using testing::solved_case;
 using testing::TemporaryFolder;
@@ -46,13 +45,13 @@ OperationResults three_stages() {
   return results;
 }
 
-const json& summary() {
-  static const json kSummary = json::parse(operation_summary(three_stages()));
+const Json& summary() {
+  static const Json kSummary = read_json(operation_summary(three_stages()));
   return kSummary;
 }
 
 TEST(operation_writer, every_stage_has_the_keys_of_statics) {
-  const json stages = summary()["operation"]["stages"];
+  const Json stages = summary()["operation"]["stages"];
   ASSERT_EQ(stages.size(), 3U);
   EXPECT_EQ(summary()["operation"]["type"], "abandonment");
   EXPECT_EQ(summary()["status"], "some stages failed");
@@ -73,7 +72,7 @@ TEST(operation_writer, every_stage_has_the_keys_of_statics) {
 }
 
 TEST(operation_writer, the_head_is_told_astern_of_the_shoe_and_above_the_water) {
-  const json head = summary()["operation"]["stages"][0]["head"];
+  const Json head = summary()["operation"]["stages"][0]["head"];
   EXPECT_EQ(head["x"], 39.5);
   EXPECT_EQ(head["z"], -15.75);
   EXPECT_EQ(head["tension"], 295e3);
@@ -85,7 +84,7 @@ TEST(operation_writer, the_head_is_told_astern_of_the_shoe_and_above_the_water) 
 }
 
 TEST(operation_writer, the_anchor_of_a_start_up_has_its_distance_beside_its_place) {
-  const json anchor = summary()["operation"]["stages"][2]["anchor"];
+  const Json anchor = summary()["operation"]["stages"][2]["anchor"];
   EXPECT_EQ(anchor["distance"], 900.0);
   EXPECT_EQ(anchor["uplift"], 290.0);
   EXPECT_EQ(anchor["horizontal"], 205e3);
@@ -93,7 +92,7 @@ TEST(operation_writer, the_anchor_of_a_start_up_has_its_distance_beside_its_plac
 }
 
 TEST(operation_writer, a_stage_that_cannot_be_says_why_and_has_no_results) {
-  const json stage = summary()["operation"]["stages"][1];
+  const Json stage = summary()["operation"]["stages"][1];
   EXPECT_EQ(stage["status"], "failed");
   EXPECT_EQ(stage["failure"]["what"], "no equilibrium");
   EXPECT_EQ(stage["failure"]["where"], "sagbend");
@@ -102,10 +101,10 @@ TEST(operation_writer, a_stage_that_cannot_be_says_why_and_has_no_results) {
 }
 
 TEST(operation_writer, the_check_used_most_names_its_stage) {
-  const json worst = summary()["checks"]["worst"];
+  const Json worst = summary()["checks"]["worst"];
   double largest = 0.0;
   std::string at;
-  for (const json& stage : summary()["operation"]["stages"]) {
+  for (const Json& stage : summary()["operation"]["stages"]) {
     if (stage["status"] != "converged" || stage["checks"]["worst"]["utilisation"] <= largest) continue;
     largest = stage["checks"]["worst"]["utilisation"];
     at = stage["name"];
@@ -117,11 +116,11 @@ TEST(operation_writer, the_check_used_most_names_its_stage) {
 TEST(operation_writer, all_or_no_stages_have_a_word) {
   OperationResults results = three_stages();
   results.stages.erase(results.stages.begin() + 1);
-  EXPECT_EQ(json::parse(operation_summary(results))["status"], "converged");
+  EXPECT_EQ(read_json(operation_summary(results))["status"], "converged");
   results = three_stages();
   for (StageResult& stage : results.stages) stage.lay.reset();
-  EXPECT_EQ(json::parse(operation_summary(results))["status"], "failed");
-  EXPECT_TRUE(json::parse(operation_summary(results))["checks"]["worst"].is_null());
+  EXPECT_EQ(read_json(operation_summary(results))["status"], "failed");
+  EXPECT_TRUE(read_json(operation_summary(results))["checks"]["worst"].is_null());
 }
 
 TEST(operation_writer, results_come_back_bit_for_bit) {

@@ -5,8 +5,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Every place with a unit has a description, and no other has one.
 void expect_both(const Json& units, const Json& descriptions, const std::string& path, int& places) {
   if (units.is_object()) {

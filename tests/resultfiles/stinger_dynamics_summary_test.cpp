@@ -1,8 +1,7 @@
 // A stinger on hinges over time, in summary.json.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "resultfiles/dynamic_writer.h"
 #include "support/dynamic_case.h"
 #include "support/solved_case.h"
@@ -10,12 +9,10 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 TEST(stinger_dynamics_summary, has_the_first_section_itself_and_all_in_a_list) {
   const StaticResults& statics = testing::solved_case("BGL1-T250").results;
   const DynamicResults results = testing::filled_dynamics(statics);
-  const json stinger = json::parse(dynamic_summary(statics, results))["dynamic"]["stinger"];
+  const Json stinger = read_json(dynamic_summary(statics, results))["dynamic"]["stinger"];
   const StingerSectionDynamics& first = results.stinger.front();
   EXPECT_EQ(stinger["name"], first.name);
   EXPECT_DOUBLE_EQ(stinger["angle"]["max"].get<double>(), first.angle.max);
@@ -30,7 +27,7 @@ TEST(stinger_dynamics_summary, is_left_out_where_the_stinger_stands_still) {
   const StaticResults& statics = testing::solved_case("BGL1-T250").results;
   DynamicResults results = testing::filled_dynamics(statics);
   results.stinger.clear();
-  EXPECT_FALSE(json::parse(dynamic_summary(statics, results))["dynamic"].contains("stinger"));
+  EXPECT_FALSE(read_json(dynamic_summary(statics, results))["dynamic"].contains("stinger"));
 }
 
 }  // namespace

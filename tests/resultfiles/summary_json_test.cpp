@@ -1,19 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json.h"
 #include "resultfiles/results_writer.h"
 #include "support/solved_case.h"
 
 namespace overbend {
 namespace {
 
-using Json = nlohmann::json;
 using testing::solved_case;
 
 Json summary_of(const std::string& name) {
-  return Json::parse(static_summary(solved_case(name).results));
+  return read_json(static_summary(solved_case(name).results));
 }
 
 void expect_keys(const Json& json, const std::set<std::string>& keys, const std::string& place) {
@@ -64,12 +63,12 @@ TEST(summary_json, has_every_key_of_the_contract_in_s_lay) {
 
 TEST(summary_json, tells_of_the_laid_pipe_on_an_uneven_bed) {
   StaticResults results = solved_case("S16-T300").results;
-  EXPECT_FALSE(Json::parse(static_summary(results))["static"].contains("seabed"));
+  EXPECT_FALSE(read_json(static_summary(results))["static"].contains("seabed"));
   BedResults& bed = results.bed.emplace();
   bed.contacts.resize(2);
   bed.spans.resize(1);
   bed.hogging_moment = 91e3;
-  const Json seabed = Json::parse(static_summary(results))["static"]["seabed"];
+  const Json seabed = read_json(static_summary(results))["static"]["seabed"];
   expect_numbers(seabed, {"tail_tension", "max_penetration", "max_penetration_x"}, "static.seabed");
   EXPECT_EQ(seabed["max_hogging_moment"]["value"], 91e3);
   expect_numbers(seabed["max_sagging_moment"], {"value", "x"}, "static.seabed.max_sagging_moment");
@@ -105,14 +104,14 @@ TEST(summary_json, names_side_rollers_by_their_place) {
   port.position = RollerPosition::port;
   port.reaction = 12.5;
   results.supports.at(2).rows.at(0).rollers.push_back(port);
-  const Json json = Json::parse(static_summary(results));
+  const Json json = read_json(static_summary(results));
   EXPECT_EQ(json["static"]["supports"][2]["rows"][0]["port"]["reaction"], 12.5);
 }
 
 TEST(summary_json, stays_readable_when_the_title_is_no_utf8) {
   StaticResults results = solved_case("J12-D400-T560").results;
   results.title = "caf\xe9";
-  EXPECT_EQ(Json::parse(static_summary(results))["title"], "caf\xef\xbf\xbd");
+  EXPECT_EQ(read_json(static_summary(results))["title"], "caf\xef\xbf\xbd");
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST(serve_door, dripping_connections_keep_nobody_out) {
     }
   });
   EXPECT_EQ(serving.get("/api/info").status, 200);
-  EXPECT_EQ(serving.post("/api/static", nlohmann::json::object()).json["status"], "converged");
+  EXPECT_EQ(serving.post("/api/static", Json::object()).json["status"], "converged");
   enough = true;
   dripping.join();
 }

@@ -4,14 +4,13 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kSmallLay;
 using testing::Reply;
 using testing::Serving;
 using testing::with;
 
-json field(const json& fields, const std::string& path) {
-  for (const json& one : fields) {
+Json field(const Json& fields, const std::string& path) {
+  for (const Json& one : fields) {
     if (one["path"] == path) return one;
   }
   return nullptr;
@@ -22,7 +21,7 @@ TEST(serve_model, a_fault_is_told_at_its_line_and_column) {
   const std::string text = with(kSmallLay, "wall_thickness: 12.7 mm", "wall_thickness: 12.7 kN");
   const Reply reply = serving.put("/api/model", {{"text", text}, {"revision", 1}});
   ASSERT_EQ(reply.json["diagnostics"].size(), 1u) << reply.body;
-  const json fault = reply.json["diagnostics"][0];
+  const Json fault = reply.json["diagnostics"][0];
   EXPECT_EQ(fault["severity"], "error");
   EXPECT_EQ(fault["line"], 8);
   EXPECT_EQ(fault["column"], 55);
@@ -41,20 +40,20 @@ TEST(serve_model, a_text_that_is_no_yaml_is_diagnosed_too) {
 
 TEST(serve_model, fields_tell_what_is_written_and_what_could_be) {
   const Serving serving(kSmallLay);
-  const json fields = serving.get("/api/model").json["fields"];
-  const json tension = field(fields, "tensioner.tension");
+  const Json fields = serving.get("/api/model").json["fields"];
+  const Json tension = field(fields, "tensioner.tension");
   EXPECT_EQ(tension["value"], "300 kN");
   EXPECT_EQ(tension["si"], 300e3);
   EXPECT_EQ(tension["unit"], "kN");
   EXPECT_EQ(tension["given"], true);
   EXPECT_EQ(tension["line"], 13);
-  const json box = field(fields, "supports.stinger.boxes[1].x");
+  const Json box = field(fields, "supports.stinger.boxes[1].x");
   EXPECT_EQ(box["si"], 15.0);
-  const json trim = field(fields, "vessel.trim");
+  const Json trim = field(fields, "vessel.trim");
   EXPECT_EQ(trim["given"], false);
   EXPECT_EQ(trim["value"], nullptr);
   EXPECT_FALSE(trim["default"].is_null());
-  const json type = field(fields, "environment.waves.type");
+  const Json type = field(fields, "environment.waves.type");
   EXPECT_NE(std::find(type["choices"].begin(), type["choices"].end(), "airy"), type["choices"].end());
   EXPECT_EQ(field(fields, "supports.ramp.boxes")["count"], 3);
 }
@@ -89,7 +88,7 @@ TEST(serve_model, a_change_upon_an_older_revision_is_409_with_the_newer_model) {
   EXPECT_EQ(late.status, 409);
   EXPECT_EQ(late.json["revision"], 2);
   EXPECT_EQ(late.json["text"], kSmallLay + "# mine\n");
-  EXPECT_EQ(serving.post("/api/model/set", {{"revision", 1}, {"changes", json::array()}}).status, 409);
+  EXPECT_EQ(serving.post("/api/model/set", {{"revision", 1}, {"changes", Json::array()}}).status, 409);
 }
 
 TEST(serve_model, a_model_is_saved_and_opened_by_its_bare_name_alone) {
@@ -110,29 +109,29 @@ TEST(serve_model, a_model_is_saved_and_opened_by_its_bare_name_alone) {
 
 TEST(serve_model, an_example_opens_without_a_fault_and_with_its_data) {
   const Serving serving;
-  const json info = serving.get("/api/info").json;
+  const Json info = serving.get("/api/info").json;
   EXPECT_EQ(info["has_model"], false);
   EXPECT_GE(info["examples"].size(), 3u);
-  for (const json& example : info["examples"]) {
-    const json read = serving.get("/api/examples/" + example["name"].get<std::string>()).json;
-    const json revision = serving.get("/api/model").json["revision"];
-    const json put = serving.put("/api/model", {{"text", read["text"]}, {"revision", revision}, {"name", ""}}).json;
-    EXPECT_EQ(put["diagnostics"].dump().find("not there"), std::string::npos) << put["diagnostics"];
-    for (const json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
+  for (const Json& example : info["examples"]) {
+    const Json read = serving.get("/api/examples/" + example["name"].get<std::string>()).json;
+    const Json revision = serving.get("/api/model").json["revision"];
+    const Json put = serving.put("/api/model", {{"text", read["text"]}, {"revision", revision}, {"name", ""}}).json;
+    EXPECT_EQ(json_text(put["diagnostics"]).find("not there"), std::string::npos) << put["diagnostics"];
+    for (const Json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
   }
   EXPECT_EQ(serving.get("/api/examples/none").status, 404);
 }
 
 TEST(serve_model, the_start_dialogue_makes_a_model_that_solves) {
   const Serving serving;
-  const json offer = serving.get("/api/new").json;
+  const Json offer = serving.get("/api/new").json;
   EXPECT_GE(offer["pipes"].size(), 10u);
   EXPECT_GT(offer["pipes"][0]["walls"].size(), 2u);
   const Reply made = serving.post("/api/new", {{"pipe", "16"}, {"depth", "60 m"}, {"lay", "s"}});
   ASSERT_EQ(made.status, 200) << made.body;
-  const json put = serving.put("/api/model", {{"text", made.json["text"]}, {"revision", 0}}).json;
-  for (const json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
-  EXPECT_EQ(serving.post("/api/static", json::object()).json["status"], "converged");
+  const Json put = serving.put("/api/model", {{"text", made.json["text"]}, {"revision", 0}}).json;
+  for (const Json& d : put["diagnostics"]) EXPECT_EQ(d["severity"], "warning") << d;
+  EXPECT_EQ(serving.post("/api/static", Json::object()).json["status"], "converged");
 }
 
 TEST(serve_model, the_start_dialogue_names_the_answer_that_is_wrong) {

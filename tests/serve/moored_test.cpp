@@ -8,7 +8,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kLines;
 using testing::kMoored;
 using testing::kSmallLay;
@@ -31,18 +30,18 @@ Model model_of(const std::string& text) {
 
 TEST(serve_moored, a_hull_without_a_pipe_has_its_lines_and_no_pipe) {
   const Serving serving(kMoored);
-  const json answer = serving.post("/api/static", json::object()).json;
+  const Json answer = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(answer["status"], "converged") << answer;
   EXPECT_TRUE(answer["key"].is_null() && answer["touchdown"].is_null() && answer["tensioner"].is_null());
   EXPECT_TRUE(answer["pipe"]["s"].empty() && answer["supports"].empty() && answer["lines"].empty());
 
   const MooringResults expected = std::get<MooringResults>(solve_moored_hull(model_of(kMoored)));
-  const json& rest = answer["moorings"]["rest"];
+  const Json& rest = answer["moorings"]["rest"];
   EXPECT_NEAR(rest["vessel"]["surge"].get<double>(), expected.rest.vessel.surge, 1e-6);
   ASSERT_EQ(rest["moorings"].size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const MooringLineResult& line = expected.rest.moorings[i];
-    const json& told = rest["moorings"][i];
+    const Json& told = rest["moorings"][i];
     EXPECT_EQ(told["name"], line.name);
     EXPECT_NEAR(told["fairlead_tension"].get<double>(), line.fairlead_tension, 1e-6 * line.fairlead_tension);
     EXPECT_EQ(told["shape"].size(), line.shape_W.size());
@@ -55,7 +54,7 @@ TEST(serve_moored, a_hull_without_a_pipe_has_its_lines_and_no_pipe) {
 
 TEST(serve_moored, the_stages_of_an_operation_wait_while_a_value_is_dragged) {
   const Serving serving(kMoored);
-  const json dragged = serving.post("/api/static", {{"lists", json::array()}}).json;
+  const Json dragged = serving.post("/api/static", {{"lists", Json::array()}}).json;
   ASSERT_EQ(dragged["status"], "converged") << dragged;
   EXPECT_TRUE(dragged["moorings"]["stages"].empty());
   EXPECT_EQ(dragged["moorings"]["rest"]["moorings"].size(), 3u);
@@ -63,36 +62,36 @@ TEST(serve_moored, the_stages_of_an_operation_wait_while_a_value_is_dragged) {
 
 TEST(serve_moored, lines_by_themselves_are_answered_with_their_nodes) {
   const Serving serving(kLines);
-  const json answer = serving.post("/api/static", json::object()).json;
+  const Json answer = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(answer["status"], "converged") << answer;
   EXPECT_TRUE(answer["key"].is_null() && answer["moorings"].is_null());
   const LinesResults expected = solve_lines(model_of(kLines)).results.value();
   ASSERT_EQ(answer["lines"].size(), 2u);
-  const json& jumper = answer["lines"][0];
+  const Json& jumper = answer["lines"][0];
   EXPECT_EQ(jumper["name"], "jumper");
   EXPECT_EQ(jumper["shape"].size(), expected.lines[0].nodes.size());
   EXPECT_EQ(jumper["tension"].size(), jumper["s"].size());
-  EXPECT_EQ(jumper["shape"].front(), json({-100.0, 0.0, -55.0}));
+  EXPECT_EQ(jumper["shape"].front(), Json({-100.0, 0.0, -55.0}));
   EXPECT_NEAR(jumper["second"]["tension"].get<double>(), expected.lines[0].second.tension, 1.0);
 }
 
 TEST(serve_moored, a_lay_on_mooring_lines_has_both) {
   const Serving serving(kMooredLay);
-  const json answer = serving.post("/api/static", json::object()).json;
+  const Json answer = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(answer["status"], "converged") << answer;
   EXPECT_NEAR(answer["key"]["top_tension"].get<double>(), 300e3, 50.0);
   ASSERT_EQ(answer["moorings"]["rest"]["moorings"].size(), 3u);
   EXPECT_NEAR(answer["moorings"]["rest"]["moorings"][0]["fairlead_tension"].get<double>(), 200e3, 1.0);
-  EXPECT_TRUE(serving.post("/api/static", json::object()).json["moorings"].is_object());  // from the last solution too
+  EXPECT_TRUE(serving.post("/api/static", Json::object()).json["moorings"].is_object());  // from the last solution too
 }
 
 TEST(serve_moored, a_scene_has_only_what_the_model_speaks_of) {
-  const json hull = Serving(kMoored).get("/api/scene").json;
+  const Json hull = Serving(kMoored).get("/api/scene").json;
   EXPECT_EQ(hull["vessel"]["pose"].size(), 12u);
   EXPECT_TRUE(hull["tensioner"].is_null() && hull["stern_shoe"].is_null());
   EXPECT_EQ(hull["objects"][0]["name"], "pipeline");
-  EXPECT_EQ(hull["objects"][0]["points"][1], json({300.0, 500.0, -88.5}));
-  const json lines = Serving(kLines).get("/api/scene").json;
+  EXPECT_EQ(hull["objects"][0]["points"][1], Json({300.0, 500.0, -88.5}));
+  const Json lines = Serving(kLines).get("/api/scene").json;
   EXPECT_TRUE(lines["vessel"].is_null());
   EXPECT_EQ(lines["water_depth"], 100.0);
 }
@@ -114,7 +113,7 @@ TEST(serve_moored, a_run_of_a_moored_hull_is_looked_at_as_it_was_computed) {
   const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
   EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["moorings"],
-            serving.post("/api/static", json::object()).json["moorings"]);
+            serving.post("/api/static", Json::object()).json["moorings"]);
   EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json, serving.get("/api/scene").json);
 }
 
@@ -122,7 +121,7 @@ TEST(serve_moored, a_run_of_lines_is_looked_at_as_it_was_computed) {
   const Serving serving(kLines);
   const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
-  json now = serving.post("/api/static", json::object()).json;
+  Json now = serving.post("/api/static", Json::object()).json;
   EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["lines"], now["lines"]);
   EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json, serving.get("/api/scene").json);
   EXPECT_TRUE(serving.get("/api/runs/" + id + "/envelopes").json["s"].empty());

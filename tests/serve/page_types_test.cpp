@@ -12,7 +12,6 @@ TEST(page_types, of_the_page_are_those_of_the_program) {
 }
 
 TEST(page_types, are_written_as_typescript_has_them) {
-  using Json = nlohmann::ordered_json;
   EXPECT_EQ(type_text(Json::array({"number"})), "number[]");
   EXPECT_EQ(type_text(Json::array({"'a' | 'b'"})), "('a' | 'b')[]");
   EXPECT_EQ(type_text(Json{{"at", {{"s", "number"}}}, {"note?", "string"}}), "{ at: { s: number; }; note?: string; }");

@@ -6,7 +6,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::file_text;
 using testing::kSmallLay;
 using testing::Reply;
@@ -15,7 +14,7 @@ using testing::write_file;
 
 const std::string kMine = kSmallLay + "# mine\n", kTheirs = kSmallLay + "# an editor's\n";
 
-json saving(const std::string& text, int revision = 1) {
+Json saving(const std::string& text, int revision = 1) {
   return {{"name", "model.yaml"}, {"text", text}, {"revision", revision}};
 }
 
@@ -28,7 +27,7 @@ TEST(serve_save, an_editors_change_is_409_with_its_text) {
   EXPECT_EQ(reply.json["disk"]["text"], kTheirs);
   EXPECT_EQ(file_text(serving.folder / "model.yaml"), kTheirs);
   // Nothing is lost on the other side either: the page's text is the open model.
-  const json model = serving.get("/api/model").json;
+  const Json model = serving.get("/api/model").json;
   EXPECT_EQ(model["text"], kMine);
   EXPECT_EQ(model["saved"], false);
   EXPECT_EQ(model["revision"], reply.json["revision"]);
@@ -37,8 +36,8 @@ TEST(serve_save, an_editors_change_is_409_with_its_text) {
 TEST(serve_save, the_version_of_the_answer_or_force_overwrite) {
   const Serving serving(kSmallLay);
   write_file(serving.folder / "model.yaml", kTheirs);
-  const json found = serving.post("/api/model/save", saving(kMine)).json["disk"];
-  json again = {{"name", "model.yaml"}, {"disk", found["version"]}};
+  const Json found = serving.post("/api/model/save", saving(kMine)).json["disk"];
+  Json again = {{"name", "model.yaml"}, {"disk", found["version"]}};
   write_file(serving.folder / "model.yaml", kTheirs + "# and once more\n");
   EXPECT_EQ(serving.post("/api/model/save", again).status, 409);
   write_file(serving.folder / "model.yaml", kTheirs);
@@ -54,10 +53,10 @@ TEST(serve_save, the_version_of_the_answer_or_force_overwrite) {
 
 TEST(serve_save, the_version_goes_with_the_model) {
   const Serving serving(kSmallLay);
-  const json first = serving.get("/api/model").json["disk"];
+  const Json first = serving.get("/api/model").json["disk"];
   EXPECT_TRUE(first.is_string());
   EXPECT_EQ(serving.put("/api/model", {{"text", kMine}, {"revision", 1}}).json["disk"], first);
-  const json saved = serving.post("/api/model/save", {{"name", "model.yaml"}, {"disk", first}}).json["disk"];
+  const Json saved = serving.post("/api/model/save", {{"name", "model.yaml"}, {"disk", first}}).json["disk"];
   EXPECT_TRUE(saved.is_string());
   EXPECT_NE(saved, first);
   EXPECT_EQ(serving.put("/api/model", {{"text", kMine}, {"revision", 3}, {"name", ""}}).json["disk"], nullptr);

@@ -4,12 +4,11 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kSmallLay;
 using testing::Reply;
 using testing::Serving;
 
-json asking(const std::string& result, const std::string& value) {
+Json asking(const std::string& result, const std::string& value) {
   return {{"seek",
            {{"vary", {{"key", "tensioner.tension"}, {"from", "250 kN"}, {"to", "400 kN"}}},
             {"until", {{"result", result}, {"equals", value}}}}}};
@@ -17,21 +16,21 @@ json asking(const std::string& result, const std::string& value) {
 
 TEST(serve_seek, tells_the_answer_and_the_changes_that_put_it_in) {
   const Serving serving(kSmallLay);
-  const json answer = serving.post("/api/seek", asking("static.bottom_tension", "310 kN")).json;
+  const Json answer = serving.post("/api/seek", asking("static.bottom_tension", "310 kN")).json;
   ASSERT_EQ(answer["status"], "found") << answer;
   ASSERT_EQ(answer["changes"].size(), 1U);
   EXPECT_EQ(answer["changes"][0]["path"], "tensioner.tension");
-  const json state = serving.post("/api/static", {{"changes", answer["changes"]}, {"full", true}}).json;
+  const Json state = serving.post("/api/static", {{"changes", answer["changes"]}, {"full", true}}).json;
   EXPECT_NEAR(state["key"]["bottom_tension"].get<double>(), 310e3, 310.0);  // meshes differ: a per mille
   EXPECT_EQ(serving.get("/api/model").json["text"], kSmallLay);
 }
 
 TEST(serve_seek, says_why_there_is_none_and_what_is_wrong_with_the_question) {
   const Serving serving(kSmallLay);
-  const json none = serving.post("/api/seek", asking("static.bottom_tension", "900 kN")).json;
+  const Json none = serving.post("/api/seek", asking("static.bottom_tension", "900 kN")).json;
   EXPECT_EQ(none["status"], "none");
   EXPECT_FALSE(none["seek"]["why"].get<std::string>().empty());
-  const json wrong = serving.post("/api/seek", asking("static.bottom_tension", "9 m")).json;
+  const Json wrong = serving.post("/api/seek", asking("static.bottom_tension", "9 m")).json;
   ASSERT_EQ(wrong["status"], "invalid");
   EXPECT_EQ(wrong["diagnostics"][0]["key"], "seek.until.equals");
 }

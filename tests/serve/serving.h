@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "app/small_lay.h"
+#include "base/json.h"
 #include "serve/server.h"
 #include "support/solved_case.h"
 
@@ -18,7 +18,7 @@ namespace overbend::testing {
 
 struct Reply {
   int status = 0;
-  nlohmann::json json;
+  Json json;
   std::string body;
   std::string type;
 };
@@ -44,24 +44,23 @@ class Serving {
   httplib::Headers headers() const { return {{"X-Overbend-Token", server->token()}}; }
 
   Reply get(const std::string& path) const { return reply(client().Get(path, headers())); }
-  Reply post(const std::string& path, const nlohmann::json& body) const {
-    return reply(client().Post(path, headers(), body.dump(), "application/json"));
+  Reply post(const std::string& path, const Json& body) const {
+    return reply(client().Post(path, headers(), json_text(body), "application/json"));
   }
-  Reply put(const std::string& path, const nlohmann::json& body) const {
-    return reply(client().Put(path, headers(), body.dump(), "application/json"));
+  Reply put(const std::string& path, const Json& body) const {
+    return reply(client().Put(path, headers(), json_text(body), "application/json"));
   }
 
   /// The run as listed, when it has come to its end (or a minute has passed).
-  nlohmann::json wait_for(const std::string& id) const {
-    return wait_until(id,
-                      [](const nlohmann::json& run) { return run["state"] != "queued" && run["state"] != "running"; });
+  Json wait_for(const std::string& id) const {
+    return wait_until(id, [](const Json& run) { return run["state"] != "queued" && run["state"] != "running"; });
   }
 
   template <class Condition>
-  nlohmann::json wait_until(const std::string& id, Condition condition) const {
-    nlohmann::json found;
+  Json wait_until(const std::string& id, Condition condition) const {
+    Json found;
     for (int i = 0; i < 3000; ++i) {
-      for (const nlohmann::json& run : get("/api/runs").json) {
+      for (const Json& run : get("/api/runs").json) {
         if (run["id"] == id) found = run;
       }
       if (found.is_object() && condition(found)) return found;
@@ -76,7 +75,7 @@ class Serving {
       ADD_FAILURE() << "no answer: " << httplib::to_string(result.error());
       return {};
     }
-    return {result->status, nlohmann::json::parse(result->body, nullptr, false), result->body,
+    return {result->status, Json::parse(result->body, nullptr, false), result->body,
             result->get_header_value("Content-Type")};
   }
 

@@ -4,7 +4,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kSmallLay;
 using testing::Reply;
 using testing::Serving;
@@ -14,16 +13,16 @@ using testing::with;
 // more.
 constexpr double kTension = 50.0;  // [N]
 
-json change(const std::string& path, const json& value) {
+Json change(const std::string& path, const Json& value) {
   return {{"changes", {{{"path", path}, {"value", value}}}}};
 }
 
 TEST(serve_static, the_answer_is_a_line_from_tensioner_to_anchor) {
   const Serving serving(kSmallLay);
-  const json answer = serving.post("/api/static", json::object()).json;
+  const Json answer = serving.post("/api/static", Json::object()).json;
   ASSERT_EQ(answer["status"], "converged") << answer;
   EXPECT_NEAR(answer["key"]["top_tension"].get<double>(), 300e3, kTension);
-  const json& pipe = answer["pipe"];
+  const Json& pipe = answer["pipe"];
   const std::size_t count = pipe["s"].size();
   ASSERT_GT(count, 20u);
   for (const char* name :
@@ -41,17 +40,17 @@ TEST(serve_static, the_answer_is_a_line_from_tensioner_to_anchor) {
 
 TEST(serve_static, changes_go_on_top_and_are_not_kept) {
   const Serving serving(kSmallLay);
-  const json higher = serving.post("/api/static", change("tensioner.tension", "350 kN")).json;
+  const Json higher = serving.post("/api/static", change("tensioner.tension", "350 kN")).json;
   EXPECT_NEAR(higher["key"]["top_tension"].get<double>(), 350e3, kTension);
   EXPECT_EQ(serving.get("/api/model").json["text"], kSmallLay);
-  EXPECT_NEAR(serving.post("/api/static", json::object()).json["key"]["top_tension"].get<double>(), 300e3, kTension);
+  EXPECT_NEAR(serving.post("/api/static", Json::object()).json["key"]["top_tension"].get<double>(), 300e3, kTension);
 }
 
 TEST(serve_static, from_the_last_solution_and_from_nothing_are_the_same_state) {
   const Serving serving(kSmallLay);
   serving.post("/api/static", change("tensioner.tension", "330 kN"));
-  const json warm = serving.post("/api/static", json::object()).json;
-  const json cold = serving.post("/api/static", {{"full", true}}).json;
+  const Json warm = serving.post("/api/static", Json::object()).json;
+  const Json cold = serving.post("/api/static", {{"full", true}}).json;
   EXPECT_EQ(warm["warm"], true);
   EXPECT_EQ(cold["warm"], false);
   // The meshes may differ by where they are fine: a per mille.
@@ -69,20 +68,20 @@ TEST(serve_static, a_case_without_solution_says_what_where_and_why) {
   EXPECT_NE(reply.json["what"].get<std::string>().find("tension is too low"), std::string::npos);
   EXPECT_EQ(reply.json["where"], "at the tensioner");
   EXPECT_FALSE(reply.json["why"].get<std::string>().empty());
-  EXPECT_EQ(serving.post("/api/static", json::object()).json["status"], "converged");  // and goes on after it
+  EXPECT_EQ(serving.post("/api/static", Json::object()).json["status"], "converged");  // and goes on after it
 }
 
 TEST(serve_static, a_model_with_faults_is_invalid_with_its_diagnostics) {
   const Serving serving(kSmallLay);
-  const json answer = serving.post("/api/static", change("tensioner.tension", "2 m")).json;
+  const Json answer = serving.post("/api/static", change("tensioner.tension", "2 m")).json;
   EXPECT_EQ(answer["status"], "invalid");
   EXPECT_EQ(answer["diagnostics"][0]["key"], "tensioner.tension");
-  EXPECT_EQ(Serving().post("/api/static", json::object()).json["status"], "invalid");
+  EXPECT_EQ(Serving().post("/api/static", Json::object()).json["status"], "invalid");
 }
 
 TEST(serve_static, the_scene_is_what_stands_still) {
   const Serving serving(kSmallLay);
-  const json scene = serving.get("/api/scene").json;
+  const Json scene = serving.get("/api/scene").json;
   ASSERT_EQ(scene["status"], "ok");
   EXPECT_EQ(scene["vessel"]["pose"].size(), 12u);
   EXPECT_EQ(scene["ramp"].size(), 3u);
@@ -94,7 +93,7 @@ TEST(serve_static, the_scene_is_what_stands_still) {
 
 TEST(serve_static, no_answer_holds_nan) {
   const Serving serving(kSmallLay);
-  for (const std::string& body : {serving.post("/api/static", json::object()).body, serving.get("/api/scene").body}) {
+  for (const std::string& body : {serving.post("/api/static", Json::object()).body, serving.get("/api/scene").body}) {
     EXPECT_EQ(body.find("nan"), std::string::npos);
     EXPECT_EQ(body.find("inf"), std::string::npos);
   }
@@ -102,18 +101,18 @@ TEST(serve_static, no_answer_holds_nan) {
 
 TEST(serve_static, the_utilisation_of_a_region_is_its_own_von_mises_stress_over_yield) {
   const Serving serving(kSmallLay);
-  const json answer = serving.post("/api/static", json::object()).json;
-  const json& pipe = answer["pipe"];
+  const Json answer = serving.post("/api/static", Json::object()).json;
+  const Json& pipe = answer["pipe"];
   const double yield = pipe["von_mises"][5].get<double>() / pipe["utilisation"][5].get<double>();
   for (const char* name : {"overbend", "sagbend"}) {
-    const json& region = answer["key"][name];
+    const Json& region = answer["key"][name];
     EXPECT_NEAR(region["utilisation"].get<double>(), region["von_mises"].get<double>() / yield, 1e-5) << name;
   }
 }
 
 TEST(serve_static, only_the_lists_asked_for_are_sent) {
   const Serving serving(kSmallLay);
-  const json pipe = serving.post("/api/static", {{"lists", {"effective_tension"}}}).json["pipe"];
+  const Json pipe = serving.post("/api/static", {{"lists", {"effective_tension"}}}).json["pipe"];
   EXPECT_TRUE(pipe.contains("x") && pipe.contains("effective_tension"));
   EXPECT_FALSE(pipe.contains("bending_moment") || pipe.contains("strain"));
 }

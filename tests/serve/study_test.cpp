@@ -5,7 +5,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
 using testing::kSmallLay;
 using testing::Reply;
 using testing::Serving;
@@ -13,22 +12,22 @@ using testing::with;
 
 const std::string kRange = with(kSmallLay, "tension: 300 kN}", "tension: 300 kN, range: [290 kN, 310 kN]}");
 
-std::string start(const Serving& serving, const json& what) {
+std::string start(const Serving& serving, const Json& what) {
   const Reply reply = serving.post("/api/runs", what);
   EXPECT_EQ(reply.status, 200) << reply.body;
   return reply.json.value("id", "");
 }
 
-json cases_of(const Serving& serving, const std::string& id) {
-  json cases = json::array();
-  for (const json& run : serving.get("/api/runs").json) {
+Json cases_of(const Serving& serving, const std::string& id) {
+  Json cases = Json::array();
+  for (const Json& run : serving.get("/api/runs").json) {
     if (run["parent"] == id) cases.push_back(run);
   }
   return cases;
 }
 
-const json& quantity(const json& study, const std::string& name) {
-  for (const json& one : study["quantities"]) {
+const Json& quantity(const Json& study, const std::string& name) {
+  for (const Json& one : study["quantities"]) {
     if (one["name"] == name) return one;
   }
   throw std::runtime_error("no quantity " + name);
@@ -38,14 +37,14 @@ TEST(serve_study, several_seeds_run_and_give_the_table_of_the_command) {
   const Serving serving(kSmallLay);
   const std::string id = start(serving, {{"kind", "seeds"}, {"seeds", {3, 1}}, {"duration", 4.0}}),
                     at = "/api/runs/" + id;
-  const json run = serving.wait_for(id);
+  const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(run["progress"], 1.0);
 
-  const json study = serving.get(at + "/study").json;
+  const Json study = serving.get(at + "/study").json;
   ASSERT_EQ(study["cases"].size(), 2U) << study;
   EXPECT_EQ(study["cases"][0]["words"], "Seed 3");
-  const json& tension = quantity(study, "top_tension_max");
+  const Json& tension = quantity(study, "top_tension_max");
   EXPECT_EQ(tension["unit"], "kN");
   const double a = tension["values"][0], b = tension["values"][1];
   EXPECT_EQ(tension["max"], std::max(a, b));
@@ -68,7 +67,7 @@ TEST(serve_study, the_cases_of_a_study_are_runs_to_be_looked_at) {
   const std::string id = start(serving, {{"kind", "seeds"}, {"seeds", {1, 2}}, {"duration", 3.0}});
   ASSERT_EQ(serving.wait_for(id)["state"], "done");
   for (int start = 0; start < 2; ++start) {
-    const json cases = cases_of(serving, id);
+    const Json cases = cases_of(serving, id);
     ASSERT_EQ(cases.size(), 2U);
     EXPECT_EQ(cases[0]["id"], id + "~seed-1");
     EXPECT_EQ(cases[0]["title"], "Seed 1");
@@ -79,22 +78,22 @@ TEST(serve_study, the_cases_of_a_study_are_runs_to_be_looked_at) {
     EXPECT_FALSE(serving.get(at + "/series?name=top_tension").json["t"].empty());
     EXPECT_GT(serving.get(at + "/frames").json["total"].get<int>(), 1);
     EXPECT_EQ(serving.get(at + "/scene").json["status"], "ok");
-    EXPECT_EQ(serving.post(at + "/delete", json::object()).status, 409);
+    EXPECT_EQ(serving.post(at + "/delete", Json::object()).status, 409);
     EXPECT_EQ(serving.get("/api/runs/" + id + "/envelopes").status, 404);
     EXPECT_TRUE(serving.get("/api/runs/" + id + "/columns").json.empty());
     serving.restart("");  // the next start of the program knows them too
   }
-  EXPECT_EQ(serving.post("/api/runs/" + id + "/delete", json::object()).status, 200);
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/delete", Json::object()).status, 200);
   EXPECT_TRUE(serving.get("/api/runs").json.empty());
 }
 
 TEST(serve_study, variants_of_the_tensioner_are_compared) {
   const Serving serving(kRange);
   const std::string id = start(serving, {{"kind", "comparison"}, {"of", "tensioner"}, {"duration", 3.0}});
-  const json run = serving.wait_for(id);
+  const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(cases_of(serving, id).size(), 3U);
-  const json study = serving.get("/api/runs/" + id + "/study").json;
+  const Json study = serving.get("/api/runs/" + id + "/study").json;
   EXPECT_EQ(study["cases"][2]["name"], "constant");
   EXPECT_EQ(quantity(study, "largest_travel")["values"][0], 0.0);  // held by its brake
   EXPECT_NE(quantity(study, "largest_travel")["values"][2], 0.0);
@@ -108,23 +107,23 @@ TEST(serve_study, a_cancelled_study_goes_on_and_finished_cases_are_not_run_again
   Serving serving(kSmallLay);
   // Three times as many as run at once: when the first is done, a whole run is still before others.
   const std::size_t count = 3 * std::max<std::size_t>(1, std::thread::hardware_concurrency());
-  json seeds = json::array();
+  Json seeds = Json::array();
   for (std::size_t seed = 1; seed <= count; ++seed) seeds.push_back(seed);
   const std::string id = start(serving, {{"kind", "seeds"}, {"seeds", seeds}, {"duration", 20.0}});
   const std::string first = id + "~seed-1";
   EXPECT_EQ(serving.wait_for(first)["state"], "done");
-  EXPECT_EQ(serving.post("/api/runs/" + first + "/cancel", json::object()).status, 409);  // the study goes as a whole
-  serving.post("/api/runs/" + id + "/cancel", json::object());
-  const json stopped = serving.wait_for(id);
+  EXPECT_EQ(serving.post("/api/runs/" + first + "/cancel", Json::object()).status, 409);  // the study goes as a whole
+  serving.post("/api/runs/" + id + "/cancel", Json::object());
+  const Json stopped = serving.wait_for(id);
   ASSERT_EQ(stopped["state"], "cancelled") << "the study came to its end before";
   EXPECT_EQ(stopped["resumable"], true);
   EXPECT_EQ(serving.get("/api/runs/" + id + "/study").status, 404);
   const auto written = std::filesystem::last_write_time(serving.folder / "runs" / id / "seed-1/results.h5");
   serving.restart("");
   EXPECT_EQ(serving.wait_for(id)["resumable"], true);
-  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", json::object()).status, 200);
-  for (const json& one : cases_of(serving, id)) EXPECT_NE(one["state"], "cancelled") << one;  // they wait or are done
-  const json run = serving.wait_for(id);
+  EXPECT_EQ(serving.post("/api/runs/" + id + "/resume", Json::object()).status, 200);
+  for (const Json& one : cases_of(serving, id)) EXPECT_NE(one["state"], "cancelled") << one;  // they wait or are done
+  const Json run = serving.wait_for(id);
   ASSERT_EQ(run["state"], "done") << run;
   EXPECT_EQ(serving.get("/api/runs/" + id + "/study").json["cases"].size(), count);
   EXPECT_EQ(std::filesystem::last_write_time(serving.folder / "runs" / id / "seed-1/results.h5"), written);

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
 namespace {
-
-using nlohmann::json;
 
 const std::string kCases = std::string(OVERBEND_SOURCE_DIR) + "/validation/mooring_cases/";
 
@@ -29,13 +26,12 @@ MooringResults solved(const Description& description) {
   return failure != nullptr ? MooringResults{} : std::get<MooringResults>(outcome);
 }
 
-json expected_of(const std::string& name) {
-  std::ifstream stream(kCases + name + ".expected.json");
-  return json::parse(stream);
+Json expected_of(const std::string& name) {
+  return read_json_file(kCases + name + ".expected.json");
 }
 
 /// Tolerances: what the collocation and its second method agree to, with room for their differences.
-void expect_line(const json& want, const MooringLineResult& line) {
+void expect_line(const Json& want, const MooringLineResult& line) {
   const double tension = want["fairlead_tension"];
   EXPECT_EQ(want["name"], line.name);
   EXPECT_NEAR(line.fairlead_tension, tension, 1e-6 * tension);
@@ -51,11 +47,11 @@ void expect_line(const json& want, const MooringLineResult& line) {
   EXPECT_NEAR(std::remainder(line.azimuth - want["azimuth"].get<double>(), 6.283185307179586), 0.0, 1e-7);
 }
 
-void expect_state(const json& want, const MooredState& state) {
+void expect_state(const Json& want, const MooredState& state) {
   ASSERT_EQ(state.moorings.size(), want["moorings"].size());
   for (std::size_t i = 0; i < state.moorings.size(); ++i) expect_line(want["moorings"][i], state.moorings[i]);
   if (want.contains("vessel")) {
-    const json& at = want["vessel"];
+    const Json& at = want["vessel"];
     EXPECT_NEAR(state.vessel.surge, at["surge"], 1e-5);
     EXPECT_NEAR(state.vessel.sway, at["sway"], 1e-5);
     EXPECT_NEAR(state.vessel.heave, at["heave"], 1e-6);
@@ -67,10 +63,10 @@ void expect_state(const json& want, const MooredState& state) {
 
 void expect_case(const std::string& name) {
   const MooringResults results = solved(described(name));
-  const json want = expected_of(name);
+  const Json want = expected_of(name);
   if (want.contains("static")) expect_state(want["static"], results.rest);
   if (!want.contains("operation")) return;
-  const json& stages = want["operation"]["stages"];
+  const Json& stages = want["operation"]["stages"];
   ASSERT_EQ(results.stages.size(), stages.size());
   for (std::size_t i = 0; i < stages.size(); ++i) {
     EXPECT_EQ(results.stages[i].name, stages[i]["name"]);
@@ -93,7 +89,7 @@ TEST(moored_statics, stages_of_a_moored_hull_are_those_of_the_reference) {
 TEST(moored_statics, a_pull_ahead_is_that_of_the_reference) {
   expect_case("MO8-pull-ahead");
   const MooringResults results = solved(described("MO8-pull-ahead"));
-  const json lines = expected_of("MO8-pull-ahead")["operation"]["pull_ahead"]["lines"];
+  const Json lines = expected_of("MO8-pull-ahead")["operation"]["pull_ahead"]["lines"];
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_NEAR(results.winches[i].after - results.winches[i].before, lines[i]["winch"], 1e-5);
   }

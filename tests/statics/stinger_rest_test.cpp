@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "base/constants.h"
+#include "base/json.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
@@ -16,8 +15,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::json;
-
 const std::string kFolder = std::string(OVERBEND_SOURCE_DIR) + "/validation/operation_cases/";
 
 Description read(const std::string& name) {
@@ -25,8 +22,7 @@ Description read(const std::string& name) {
 }
 
 Json expected(const std::string& name) {
-  std::ifstream stream(kFolder + name + ".expected.json");
-  return Json::parse(stream);
+  return read_json_file(kFolder + name + ".expected.json");
 }
 
 /// Of a lay that has a rest.

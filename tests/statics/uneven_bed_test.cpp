@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/recovery.h"
 #include "statics/statics.h"
 
 namespace overbend {
 namespace {
-
-using Json = nlohmann::json;
 
 const std::string kCases = std::string(OVERBEND_SOURCE_DIR) + "/validation/bed_cases/";
 
@@ -30,8 +27,7 @@ StaticResults lay(const Description& description) {
 }
 
 Json expected(const std::string& name) {
-  std::ifstream stream(kCases + name + ".expected.json");
-  return Json::parse(stream)["static"];
+  return read_json_file(kCases + name + ".expected.json")["static"];
 }
 
 /// Spans whose gap does not hang on the model of the soil.

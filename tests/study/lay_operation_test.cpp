@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "base/constants.h"
+#include "base/json.h"
 #include "model/lay_stage.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
@@ -16,15 +15,13 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::json;
-
 Description read(const std::string& file) {
   return read_model(OVERBEND_SOURCE_DIR + file).description.value();
 }
 
 Json expected_stages(const std::string& name) {
-  std::ifstream stream(std::string(OVERBEND_SOURCE_DIR) + "/validation/operation_cases/" + name + ".expected.json");
-  return Json::parse(stream)["operation"]["stages"];
+  return read_json_file(std::string(OVERBEND_SOURCE_DIR) + "/validation/operation_cases/" + name +
+                        ".expected.json")["operation"]["stages"];
 }
 
 void expect_head(const HeadResult& head, const Json& wanted) {

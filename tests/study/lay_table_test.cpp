@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.h"
 #include "resultfiles/lay_table_writer.h"
 #include "resultfiles/result_tree.h"
 #include "study/lay_table_range.h"
@@ -22,8 +22,8 @@ Description described(const std::string& name) {
   return read_model(testing::case_file(name)).description.value();
 }
 
-nlohmann::json expected(const std::string& name) {
-  return nlohmann::json::parse(
+Json expected(const std::string& name) {
+  return read_json(
       testing::file_text(OVERBEND_SOURCE_DIR "/validation/static_cases/" + name + ".expected.json"))["static"];
 }
 
@@ -59,7 +59,7 @@ const LayTable& tensions_of_s16() {
 
 TEST(lay_table, rows_over_tension_have_the_independent_answers) {
   for (const auto& [name, tension] : {std::pair{"S16-T250", 250e3}, {"S16-T300", 300e3}, {"S16-T400", 400e3}}) {
-    const nlohmann::json answer = expected(name);
+    const Json answer = expected(name);
     const LayTableValues& lay = step(tensions_of_s16(), tension).lay.value();
     EXPECT_NEAR(lay.top_tension, tension, 1.0) << name;
     EXPECT_NEAR(lay.bottom_tension, answer["bottom_tension"].get<double>(), 2e-3 * lay.bottom_tension) << name;
@@ -154,7 +154,7 @@ TEST(lay_table, files_say_the_same_in_csv_workbook_and_summary) {
   const auto lines = testing::lines_of(testing::file_text(folder / "table/lay-table.csv"));
   ASSERT_EQ(lines.size(), tensions_of_s16().rows.size() + 1);
   const double top = testing::value_in(lines, 1, "top tension [kN]");
-  const nlohmann::json summary = nlohmann::json::parse(testing::file_text(folder / "table/summary.json"));
+  const Json summary = read_json(testing::file_text(folder / "table/summary.json"));
   EXPECT_NEAR(summary["lay_table"]["rows"][0]["top_tension"].get<double>(), 1e3 * top, 1e-3);
   EXPECT_EQ(summary["lay_table"]["vary"], "tension");
   const auto book = testing::zip_texts(testing::file_text(folder / "table/lay-table.xlsx"));

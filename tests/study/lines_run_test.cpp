@@ -4,9 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "resultfiles/hdf5_file.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/run_store.h"
@@ -71,8 +70,7 @@ TEST(lines_run, files_hold_what_was_found) {
   ASSERT_TRUE(outcome.results);
   const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "lines_run_test.results";
   write_lines_run(*outcome.results, description, folder);
-  std::ifstream file(folder / "summary.json");
-  const nlohmann::json summary = nlohmann::json::parse(file);
+  const Json summary = read_json_file(folder / "summary.json");
   EXPECT_EQ(summary["static"]["lines"][1]["name"], "east");
   EXPECT_NEAR(summary["static"]["lines"][0]["second"]["tension"], 1.002e6, 2e3);
   EXPECT_EQ(summary["dynamic"]["lines"][0]["second_tension"]["max"], outcome.results->lines[0].second.in_time.max);
@@ -165,8 +163,7 @@ TEST(lines_run, seeds_are_told_together) {
   LinesResults one;
   one.title = "two chains";
   write_lines_seeds(one, seeds, folder.path());
-  std::ifstream file(folder / "summary.json");
-  const nlohmann::json summary = nlohmann::json::parse(file);
+  const Json summary = read_json_file(folder / "summary.json");
   EXPECT_EQ(summary["seeds"]["statistics"]["west/second_tension_max"]["mean"], 1.2e6);
   EXPECT_TRUE(std::filesystem::exists(folder / "seeds.csv"));
 }

@@ -1,8 +1,7 @@
 /// A moored lay in time from the model to its files and back.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "checks/run_checks.h"
 #include "modelfile/yaml_reader.h"
 #include "recording/run_dynamics.h"
@@ -57,7 +56,7 @@ TEST(moored_results, files_of_a_moored_lay_in_time_are_read_back) {
   EXPECT_EQ(dynamic_summary(stored.statics.results, stored.results), dynamic_summary(made.statics, made.results));
   ASSERT_TRUE(stored.statics.results.moorings);
   EXPECT_EQ(stored.statics.results.moorings->rest.moorings[3].shape_W, made.statics.moorings->rest.moorings[3].shape_W);
-  const nlohmann::json summary = nlohmann::json::parse(dynamic_summary(made.statics, made.results));
+  const Json summary = read_json(dynamic_summary(made.statics, made.results));
   EXPECT_EQ(summary["dynamic"]["vessel"]["sway"]["max"], made.results.vessel->sway.whole.max);
   EXPECT_EQ(summary["dynamic"]["moorings"].size(), 8U);
   EXPECT_FALSE(summary["static"]["hull"]["radiation"].empty());

@@ -5,8 +5,8 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
 #include "study/seek_run.h"
@@ -19,7 +19,7 @@ const std::string kCases = std::string(OVERBEND_SOURCE_DIR) + "/validation/seek_
 
 struct SoughtCase {
   SeekOutcome outcome;
-  nlohmann::json goal;  ///< What is expected.
+  Json goal;  ///< What is expected.
 };
 
 const SoughtCase& sought(const std::string& name) {
@@ -28,7 +28,7 @@ const SoughtCase& sought(const std::string& name) {
   if (fresh) {
     const Description description = read_model(kCases + name + ".yaml").description.value();
     found->second.outcome = seek(description, read_seek(description).value());
-    found->second.goal = nlohmann::json::parse(testing::file_text(kCases + name + ".expected.json"))["goal"];
+    found->second.goal = read_json(testing::file_text(kCases + name + ".expected.json"))["goal"];
   }
   return found->second;
 }

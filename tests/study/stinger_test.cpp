@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "model/stinger_turn.h"
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
@@ -50,8 +50,7 @@ TEST(stinger_seek, finds_the_ballast_for_the_angle_as_drawn) {
 
 TEST(ballast_operation, solves_its_stages_one_after_the_other) {
   const OperationResults found = solve_operation(read_model(kFolder + "HS16-ballast.yaml").description.value());
-  const nlohmann::json wanted =
-      nlohmann::json::parse(testing::file_text(kFolder + "HS16-ballast.expected.json"))["operation"]["stages"];
+  const Json wanted = read_json(testing::file_text(kFolder + "HS16-ballast.expected.json"))["operation"]["stages"];
   ASSERT_EQ(found.stages.size(), wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     ASSERT_TRUE(found.stages[i].lay) << found.stages[i].failure->why;

@@ -5,10 +5,10 @@
 
 #include <atomic>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "app/program.h"
 #include "app/small_lay.h"
+#include "base/json.h"
 #include "modelfile/study_reader.h"
 #include "resultfiles/hdf5_file.h"
 #include "runstore/staged_folder.h"
@@ -252,7 +252,7 @@ TEST(study_runner, tables_have_a_row_for_every_case) {
   const Hdf5Reader file(tried.folder() / "study.h5");
   EXPECT_EQ(file.doubles("/inputs/tensioner.tension").at(4), 280e3);
   EXPECT_EQ(file.doubles("/outputs/static.lay_back").at(4), results.cases[4].values[1].value());
-  const nlohmann::json summary = nlohmann::json::parse(tried.scratch.read("out/summary.json"));
+  const Json summary = read_json(tried.scratch.read("out/summary.json"));
   EXPECT_EQ(summary["study"]["done"], 15);
 }
 
@@ -330,7 +330,7 @@ TEST(study_runner, kept_cases_have_the_files_of_the_command_and_its_numbers) {
   ASSERT_EQ(run(tried).done, 2U);
   const StudyResults results = read_study(tried.folder());
   for (const StudyCase& one : results.cases) {
-    const nlohmann::json summary = nlohmann::json::parse(tried.scratch.read("out/" + one.folder + "/summary.json"));
+    const Json summary = read_json(tried.scratch.read("out/" + one.folder + "/summary.json"));
     EXPECT_EQ(summary["static"]["lay_back"].get<double>(), one.values[0].value());
     EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "results.h5"));
     EXPECT_TRUE(std::filesystem::exists(tried.folder() / one.folder / "case.json"));

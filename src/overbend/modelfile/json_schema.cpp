@@ -1,15 +1,13 @@
 #include "modelfile/json_schema.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "base/units.h"
 #include "modelfile/field_tree.h"
 
 namespace overbend {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kQuantityPattern =
     R"(^\s*[-+]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?\s*[^\s0-9+*/.^,()-][^@,:;=&|<>{}]*$)";
@@ -123,7 +121,7 @@ std::string json_schema() {
   // A model is one of a pipe, of a vessel on lines or floating free, or of lines by themselves.
   schema["anyOf"] = {{{"required", {"vessel"}}}, {{"required", {"lines"}}}};
   schema["dependencies"] = {{"pipe", {"tensioner", "vessel"}}, {"tensioner", {"pipe"}}, {"moorings", {"vessel"}}};
-  return schema.dump(2) + "\n";
+  return json_text(schema, 2) + "\n";
 }
 
 }  // namespace overbend

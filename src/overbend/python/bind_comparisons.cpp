@@ -15,7 +15,6 @@ namespace {
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 Json compared_numbers(const std::vector<std::optional<double>>& values) {
   Json list = Json::array();

@@ -106,7 +106,7 @@ void add_lay_tables(py::module_& module) {
            py::arg("progress") = py::none())
       .def_readonly("model", &LayTableHandle::model)
       .def("summary",
-           [](const LayTableHandle& handle) { return to_python(Json::parse(lay_table_summary(handle.table))); })
+           [](const LayTableHandle& handle) { return to_python(read_json(lay_table_summary(handle.table))); })
       .def("tree", &tree_of_table)
       .def("save", &save_table, py::arg("folder"));
 }

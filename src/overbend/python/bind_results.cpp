@@ -68,7 +68,7 @@ class ResultFile {
 
 /// Values, unit, and whether the name is of one value.
 py::tuple values_of_name(const std::string& summary, const std::string& name) {
-  const nlohmann::ordered_json json = nlohmann::ordered_json::parse(summary);
+  const Json json = read_json(summary);
   const ResultName parsed = parsed_result_name(name);
   const std::string unit = dynamic_result_unit(name).value_or("1");
   const bool many = parsed.function == ResultFunction::none && name.find('[') != std::string::npos;

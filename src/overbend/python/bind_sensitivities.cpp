@@ -26,11 +26,11 @@ SensitivityResults sensitivities_at(const ModelHandle& model, const std::string&
 }
 
 /// As summary.json, with the effects of the tolerances beside: the largest either way, row by row of the results.
-nlohmann::ordered_json told_sensitivities(const SensitivityResults& results) {
-  nlohmann::ordered_json json = sensitivities_json(results);
-  nlohmann::ordered_json& effects = json["effects"] = nlohmann::ordered_json::array();
+Json told_sensitivities(const SensitivityResults& results) {
+  Json json = sensitivities_json(results);
+  Json& effects = json["effects"] = Json::array();
   for (std::size_t r = 0; r < results.results.size(); ++r) {
-    nlohmann::ordered_json row = nlohmann::ordered_json::array();
+    Json row = Json::array();
     for (std::size_t i = 0; i < results.inputs.size(); ++i) row.push_back(results.largest_effect(r, i));
     effects.push_back(std::move(row));
   }

@@ -16,7 +16,6 @@ namespace overbend {
 namespace {
 
 namespace py = pybind11;
-using Json = nlohmann::ordered_json;
 
 struct StudyConduct {
   int threads = 0;

@@ -81,12 +81,12 @@ const ModelStatics& StaticsHandle::whole() const {
   return statics_;
 }
 
-nlohmann::ordered_json StaticsHandle::summary(bool all) const {
+Json StaticsHandle::summary(bool all) const {
   if (all) whole();
   const std::lock_guard<std::mutex> hold(mutex_);
   if (statics_.lay) return static_summary_json(*statics_.lay);
   if (statics_.moorings) return mooring_summary_json(*statics_.moorings);
-  return nlohmann::ordered_json::parse(lines_summary(*statics_.lines));
+  return read_json(lines_summary(*statics_.lines));
 }
 
 std::shared_ptr<ResultTree> StaticsHandle::tree() const {

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "python/model_handle.h"
 #include "resultfiles/result_tree.h"
 #include "study/model_statics.h"
@@ -34,7 +34,7 @@ class StaticsHandle {
   const ModelStatics& whole() const;
   const std::shared_ptr<ModelHandle>& model() const { return model_; }
   /// As summary.json; with `all` false without what only whole() has.
-  nlohmann::ordered_json summary(bool all) const;
+  Json summary(bool all) const;
   /// As results.h5, without the model.
   std::shared_ptr<ResultTree> tree() const;
   /// Writes the files of `overbend static`. Throws UnusableFolder.

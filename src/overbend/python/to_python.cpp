@@ -6,7 +6,6 @@ namespace overbend {
 namespace {
 
 namespace py = pybind11;
-using Json = nlohmann::ordered_json;
 
 template <class Number>
 py::object numbers(const std::vector<Number>& values, const std::vector<Extent>& shape, const py::object& owner) {

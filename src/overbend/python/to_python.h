@@ -5,14 +5,14 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "resultfiles/dataset.h"
 
 namespace overbend {
 
 /// Dicts, lists, numbers, texts and None.
-pybind11::object to_python(const nlohmann::ordered_json& json);
+pybind11::object to_python(const Json& json);
 
 /// The values of a dataset that `owner` keeps alive: read-only arrays on the same memory, of texts a new array of str;
 /// what has no dimension is a single value.

@@ -177,12 +177,11 @@ std::string check_inputs_section(const CheckTable& table) {
              : html::section("check-inputs", "Appendix: input values of the checks", inputs_table(table));
 }
 
-nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table) {
-  using nlohmann::json;
+Json checks_figure_data(const StaticResults& statics, const CheckTable& table) {
   if (table.along.s.empty()) return nullptr;
-  json data;
+  Json data;
   const auto add = [&](const char* name, const std::vector<double>& values) {
-    json column = json::array();
+    Json column = Json::array();
     for (auto value = values.rbegin(); value != values.rend(); ++value) column.push_back(json_number(*value));
     data[name] = column;
   };

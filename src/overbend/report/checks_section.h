@@ -1,9 +1,9 @@
 /// The code checks of a report.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "results/static_results.h"
 
 namespace overbend {
@@ -16,6 +16,6 @@ std::string checks_section(const StaticResults& statics, const CheckTable& table
 std::string check_inputs_section(const CheckTable& table);
 
 /// Data of the utilisation figure.
-nlohmann::json checks_figure_data(const StaticResults& statics, const CheckTable& table);
+Json checks_figure_data(const StaticResults& statics, const CheckTable& table);
 
 }  // namespace overbend

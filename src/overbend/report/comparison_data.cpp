@@ -10,26 +10,24 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 const double kKilonewton = shown_unit("tension", "N").factor;
 
-json numbers(const std::vector<double>& values, double factor = 1.0) {
-  json out = json::array();
+Json numbers(const std::vector<double>& values, double factor = 1.0) {
+  Json out = Json::array();
   for (const double value : values) out.push_back(json_number(factor * value));
   return out;
 }
 
-json trace_of(const DynamicResults& results, const std::string& name) {
+Json trace_of(const DynamicResults& results, const std::string& name) {
   const auto at = std::find_if(results.histories.begin(), results.histories.end(),
                                [&](const HistorySummary& history) { return history.name == name; });
-  return at == results.histories.end() ? json(nullptr) : history_trace(*at, quantity(at->name, at->units));
+  return at == results.histories.end() ? Json(nullptr) : history_trace(*at, quantity(at->name, at->units));
 }
 
-json tensioner_run(const ComparedRun& run) {
-  json states = json::array();
+Json tensioner_run(const ComparedRun& run) {
+  Json states = Json::array();
   for (const TensionerSpan& span : run.states) {
-    states.push_back(json::array({json_number(span.from), json_number(span.to), span.state}));
+    states.push_back(Json::array({json_number(span.from), json_number(span.to), span.state}));
   }
   return {{"name", run.name},
           {"tension", trace_of(run.results, "tensioner/tension")},
@@ -41,31 +39,31 @@ json tensioner_run(const ComparedRun& run) {
             {"travel", numbers(run.close.travel)}}}};
 }
 
-json box_run(const ComparedBox& box) {
-  json out = {{"row_contact_share", numbers(box.row_share)}, {"row_peak_force", numbers(box.row_peak)}};
+Json box_run(const ComparedBox& box) {
+  Json out = {{"row_contact_share", numbers(box.row_share)}, {"row_peak_force", numbers(box.row_peak)}};
   for (const BoxQuantity& rule : box_quantities()) out[rule.quantity.name] = json_number(box.*(rule.value));
   return out;
 }
 
-json tensioner_data(const Comparison& comparison) {
-  json runs = json::array();
+Json tensioner_data(const Comparison& comparison) {
+  Json runs = Json::array();
   for (const ComparedRun& run : comparison.runs) runs.push_back(tensioner_run(run));
   const TensionerDynamics& t = comparison.runs.front().results.tensioner;
   const bool ranged = t.range_high > t.range_low;
-  return {{"range", ranged ? numbers({t.range_low, t.range_high}, kKilonewton) : json(nullptr)},
-          {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit) : json(nullptr)},
+  return {{"range", ranged ? numbers({t.range_low, t.range_high}, kKilonewton) : Json(nullptr)},
+          {"limit", t.travel_limit > 0.0 ? json_number(t.travel_limit) : Json(nullptr)},
           {"runs", runs}};
 }
 
-json contact_data(const Comparison& comparison) {
-  json runs = json::array(), boxes = json::array();
+Json contact_data(const Comparison& comparison) {
+  Json runs = Json::array(), boxes = Json::array();
   for (const ComparedRun& run : comparison.runs) runs.push_back({{"name", run.name}, {"words", run.words}});
   for (const ComparedBoxes& box : comparison.boxes) {
-    json seen = json::array();
+    Json seen = Json::array();
     for (const ComparedBox& one : box.runs) seen.push_back(box_run(one));
     boxes.push_back({{"name", box.name}, {"runs", seen}});
   }
-  json shown = json::object();
+  Json shown = Json::object();
   for (const BoxQuantity& rule : box_quantities()) {
     const ShownUnit unit = table_unit(rule.quantity);
     shown[rule.quantity.name] = {{"unit", unit.name}, {"factor", unit.factor}, {"digits", unit.digits}};
@@ -75,9 +73,9 @@ json contact_data(const Comparison& comparison) {
 
 }  // namespace
 
-json comparison_data(const Comparison& comparison) {
+Json comparison_data(const Comparison& comparison) {
   const bool tensioner = comparison.of == ComparisonOf::tensioner;
-  json data = tensioner ? tensioner_data(comparison) : contact_data(comparison);
+  Json data = tensioner ? tensioner_data(comparison) : contact_data(comparison);
   data["of"] = word_of(comparison.of);
   data["duration"] = json_number(comparison.duration);
   data["build_up"] = json_number(comparison.build_up);

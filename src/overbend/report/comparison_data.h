@@ -1,14 +1,13 @@
 /// Data of the figures of a comparison.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "results/comparison_results.h"
 
 namespace overbend {
 
 /// Of the tensioner: histories in kN and m over the whole run (history_trace()) and close up, its states as [from, to,
 /// state], range and limit, null where there is none. Of contact: boxes with what each variant gave, SI.
-nlohmann::json comparison_data(const Comparison& comparison);
+Json comparison_data(const Comparison& comparison);
 
 }  // namespace overbend

@@ -16,8 +16,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 /// The largest of these are never thinned away.
 constexpr std::array<Envelope DynamicResults::*, 4> kExtremes = {&DynamicResults::effective_tension,
                                                                  &DynamicResults::bending_moment,
@@ -34,7 +32,7 @@ bool is_extreme(const DynamicResults& results, std::size_t i) {
 struct EnvelopeData {
   const ReportStyle& style;
   const std::set<std::size_t>& shown;
-  json lists = json::object();
+  Json lists = Json::object();
 
   void operator()(const ResultField& field, const std::vector<double>& values) {
     if (field.key(Output::report)) lists[field.name] = list(values, field.from_anchor);
@@ -49,8 +47,8 @@ struct EnvelopeData {
   }
   void spread(const ResultField&, const Envelope&) {}
 
-  json list(const std::vector<double>& values, bool along) const {
-    json out = json::array();
+  Json list(const std::vector<double>& values, bool along) const {
+    Json out = Json::array();
     for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
       const double value = values.at(*i);
       out.push_back(style.number(along ? style.along(value) : value));
@@ -59,7 +57,7 @@ struct EnvelopeData {
   }
 };
 
-json envelope_data(const ReportStyle& style, const DynamicResults& results) {
+Json envelope_data(const ReportStyle& style, const DynamicResults& results) {
   const std::set<std::size_t> shown =
       thinned(results.station_s.size(), [&](std::size_t i) { return is_extreme(results, i); });
   EnvelopeData data{style, shown};
@@ -67,8 +65,8 @@ json envelope_data(const ReportStyle& style, const DynamicResults& results) {
   return data.lists;
 }
 
-json region_data(const ReportStyle& style, const StaticResults& statics, const DynamicRegion& region) {
-  json all = json::object();
+Json region_data(const ReportStyle& style, const StaticResults& statics, const DynamicRegion& region) {
+  Json all = Json::object();
   visit_dynamic_region(region, [&](const ResultField& field, const DynamicExtreme& extreme) {
     if (!field.key(Output::report)) return;
     JsonWriter<ReportStyle> one(style);
@@ -80,21 +78,21 @@ json region_data(const ReportStyle& style, const StaticResults& statics, const D
   return all;
 }
 
-json support_data(const ReportStyle& style, const SupportDynamics& box) {
-  std::map<int, json> rows;  // by index, so that a box without side rollers in a row is no trouble
+Json support_data(const ReportStyle& style, const SupportDynamics& box) {
+  std::map<int, Json> rows;  // by index, so that a box without side rollers in a row is no trouble
   for (const RollerDynamics& r : box.rollers) {
     JsonWriter<ReportStyle> one(style);
     visit_dynamic_roller(r, one);
     rows[r.row][word(r.position)] = one.take();
   }
-  json list = json::array();
+  Json list = Json::array();
   for (auto& [index, row] : rows) {
     list.push_back(std::move(row));
   }
   return {{"name", box.name}, {"rows", list}};
 }
 
-json impact_data(const ReportStyle& style, const DynamicResults& results) {
+Json impact_data(const ReportStyle& style, const DynamicResults& results) {
   std::map<int, const SupportDynamics*> box_of;
   std::map<int, const RollerDynamics*> roller_of;
   for (const SupportDynamics& box : results.supports) {
@@ -103,7 +101,7 @@ json impact_data(const ReportStyle& style, const DynamicResults& results) {
       roller_of[r.roller] = &r;
     }
   }
-  json all = json::array();
+  Json all = Json::array();
   for (const Impact& impact : results.hardest_impacts) {
     const auto roller = roller_of.find(impact.roller);
     if (roller == roller_of.end()) {
@@ -121,20 +119,20 @@ json impact_data(const ReportStyle& style, const DynamicResults& results) {
 
 }  // namespace
 
-json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results) {
+Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results) {
   const ReportStyle style(statics);
   JsonWriter data(style);
   visit_dynamic_keys(results, data, false);
   data["envelopes"] = envelope_data(style, results);
-  data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : json(nullptr);
-  data["tower"] = statics.tower ? region_data(style, statics, results.tower) : json(nullptr);
+  data["overbend"] = statics.overbend ? region_data(style, statics, results.overbend) : Json(nullptr);
+  data["tower"] = statics.tower ? region_data(style, statics, results.tower) : Json(nullptr);
   data["sagbend"] = region_data(style, statics, results.sagbend);
   data["histories"] = history_data(statics, results);
   data["spectra"] = spectrum_data(results);
   data["supports"] = style.rows(results.supports, [&](const SupportDynamics& box) { return support_data(style, box); });
   data["impacts"] = impact_data(style, results);
   data["fatigue"] = fatigue_figure_data(statics, results);
-  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : json(nullptr);
+  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : Json(nullptr);
   return data.take();
 }
 

@@ -1,14 +1,13 @@
 /// Data of the figures of a dynamic run.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
 
 /// Envelopes as columns from the tensioner to the anchor (SI), histories and spectra in the units of
 /// report/quantity.h, contacts and impacts. Only what the figures show: of all supports the hardest pressed.
-nlohmann::json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results);
+Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results);
 
 }  // namespace overbend

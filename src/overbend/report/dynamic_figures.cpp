@@ -54,7 +54,7 @@ const std::vector<Figure>& all_figures() {
 
 std::string dynamic_figures_section(const StaticResults& statics, const DynamicResults& results, int& number) {
   std::set<std::string> groups;
-  for (const nlohmann::json& history : history_data(statics, results)) {
+  for (const Json& history : history_data(statics, results)) {
     groups.insert(history["group"].get<std::string>());
   }
   const bool supported = !results.supports.empty();

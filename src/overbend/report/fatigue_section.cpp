@@ -75,16 +75,15 @@ std::string fatigue_section(const StaticResults& statics, const DynamicResults& 
   return html::section("fatigue", "Fatigue while laying", spots_table(statics, results) + note + drawn);
 }
 
-nlohmann::json fatigue_figure_data(const StaticResults& statics, const DynamicResults& results) {
-  using nlohmann::json;
+Json fatigue_figure_data(const StaticResults& statics, const DynamicResults& results) {
   if (!results.fatigue || results.station_s.size() < 3) return nullptr;
   const auto shown = thinned(results.station_s.size(), [&](std::size_t i) { return is_largest(*results.fatigue, i); });
-  json s = json::array(), spots = json::array();
+  Json s = Json::array(), spots = Json::array();
   for (auto i = shown.rbegin(); i != shown.rend(); ++i) {
     s.push_back(json_number(from_tensioner(statics, results.station_s[*i])));
   }
   for (const FatigueSpot& spot : results.fatigue->spots) {
-    json rate = json::array();
+    Json rate = Json::array();
     for (auto i = shown.rbegin(); i != shown.rend(); ++i) rate.push_back(json_number(kHour * spot.rate[*i]));
     spots.push_back({{"name", spot.name}, {"curve", spot.curve}, {"rate", rate}});
   }

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "report/figure_list.h"
 #include "report/front_page.h"
 #include "report/html.h"
@@ -18,8 +18,6 @@
 
 namespace overbend {
 namespace {
-
-using nlohmann::json;
 
 constexpr std::size_t kMostRows = 400;
 
@@ -138,15 +136,15 @@ std::string figures(const FolderComparison& comparison) {
   return comparison.figures.empty() ? "" : figure_section("figures", "Figures", figure_list(kFigures, always, number));
 }
 
-json figures_json(const FolderComparison& comparison) {
-  json names = json::array(), figures = json::array();
+Json figures_json(const FolderComparison& comparison) {
+  Json names = Json::array(), figures = Json::array();
   for (const ComparedFolder& folder : comparison.folders) names.push_back(folder.name);
   for (const OverlaidFigure& figure : comparison.figures) {
-    json curves = json::array();
+    Json curves = Json::array();
     for (const OverlaidCurve& curve : figure.curves) {
-      json points = json::array();
+      Json points = Json::array();
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
-        points.push_back(json::array({json_number(curve.x[i]), json_number(curve.y[i])}));
+        points.push_back(Json::array({json_number(curve.x[i]), json_number(curve.y[i])}));
       }
       curves.push_back({{"folder", curve.folder}, {"points", points}});
     }
@@ -173,7 +171,7 @@ std::string folder_comparison_html(const FolderComparison& comparison) {
   const std::string body = title_block("Comparison of results", subject(comparison), entries) +
                            folders_section(comparison) + keys_section(comparison) + results_section(comparison) +
                            figures(comparison) + warnings_part(comparison);
-  return overlay_frame(subject(comparison) + " - comparison", body, json{{"overlay", figures_json(comparison)}}.dump());
+  return overlay_frame(subject(comparison) + " - comparison", body, json_text({{"overlay", figures_json(comparison)}}));
 }
 
 void write_folder_comparison_page(const FolderComparison& comparison, const std::filesystem::path& file) {

@@ -15,8 +15,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::size_t kMostStretches = 1000;  ///< About the width of a figure in points.
 constexpr std::size_t kMostSupports = 4;
 constexpr double kLevels = 4095.0;
@@ -53,8 +51,8 @@ struct Range {
   bool empty() const { return lo > hi; }
 };
 
-json levels(const std::vector<double>& values, const Range& range) {
-  json out = json::array();
+Json levels(const std::vector<double>& values, const Range& range) {
+  Json out = Json::array();
   const double width = range.hi - range.lo;
   for (const double value : values) {
     if (!std::isfinite(value)) {
@@ -66,7 +64,7 @@ json levels(const std::vector<double>& values, const Range& range) {
   return out;
 }
 
-json spread_data(const Spread& spread, const Quantity& q) {
+Json spread_data(const Spread& spread, const Quantity& q) {
   return {{"min", json_number(q.shown(spread.min))},
           {"max", json_number(q.shown(spread.max))},
           {"mean", json_number(q.shown(spread.mean))},
@@ -89,7 +87,7 @@ class Histories {
       return false;
     }
     const Quantity q = quantity(history->name, history->units);
-    json trace = history_trace(*history, q);
+    Json trace = history_trace(*history, q);
     if (trace.is_null()) {
       return false;
     }
@@ -100,7 +98,7 @@ class Histories {
                   {"digits", q.digits},
                   {"description", history->description},
                   {"over_time", spread_data(key_spread(results_, history->name).value_or(history->over_time), q)},
-                  {"static", before ? json_number(q.shown(*before)) : json(nullptr)}});
+                  {"static", before ? json_number(q.shown(*before)) : Json(nullptr)}});
     out_.push_back(std::move(trace));
     return true;
   }
@@ -132,12 +130,12 @@ class Histories {
     }
   }
 
-  json take() { return std::move(out_); }
+  Json take() { return std::move(out_); }
 
  private:
   const StaticResults& statics_;
   const DynamicResults& results_;
-  json out_ = json::array();
+  Json out_ = Json::array();
 };
 
 std::vector<const HistorySummary*> hardest_supports(const DynamicResults& results) {
@@ -156,7 +154,7 @@ std::vector<const HistorySummary*> hardest_supports(const DynamicResults& result
 
 }  // namespace
 
-json history_trace(const HistorySummary& history, const Quantity& q) {
+Json history_trace(const HistorySummary& history, const Quantity& q) {
   const std::vector<double> low = joined(history.low, false);
   const std::vector<double> high = joined(history.high, true);
   Range range;
@@ -171,7 +169,7 @@ json history_trace(const HistorySummary& history, const Quantity& q) {
           {"high", levels(high, range)}};
 }
 
-json history_data(const StaticResults& statics, const DynamicResults& results) {
+Json history_data(const StaticResults& statics, const DynamicResults& results) {
   Histories histories(statics, results);
   histories.add("wave", "elevation");
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
@@ -202,18 +200,18 @@ json history_data(const StaticResults& statics, const DynamicResults& results) {
     histories.add("stinger_angle", of + "draught");
     histories.add("stinger_hinge", of + "stop_moment");
   }
-  json all = histories.take();
-  for (json& history : mooring_history_data(results)) all.push_back(std::move(history));
+  Json all = histories.take();
+  for (Json& history : mooring_history_data(results)) all.push_back(std::move(history));
   if (statics.moorings && statics.moorings->operation == "pull_ahead") {
-    for (json& history : operation_history_data(results)) all.push_back(std::move(history));
+    for (Json& history : operation_history_data(results)) all.push_back(std::move(history));
   }
   return all;
 }
 
-json spectrum_data(const DynamicResults& results) {
+Json spectrum_data(const DynamicResults& results) {
   constexpr double kShare = 0.995;
   constexpr std::size_t kMostPoints = 400;
-  json all = json::array();
+  Json all = Json::array();
   for (const Spectrum& spectrum : results.spectra) {
     const std::size_t count = std::min(spectrum.frequency.size(), spectrum.density.size());
     double total = 0.0;
@@ -224,7 +222,7 @@ json spectrum_data(const DynamicResults& results) {
     if (!(total > 0.0) || !std::isfinite(total) || !moves(spectrum, total, q)) {
       continue;
     }
-    json frequency = json::array(), density = json::array();
+    Json frequency = Json::array(), density = Json::array();
     double part = 0.0;
     std::size_t last = 0;
     while (last < count && part < kShare * total) {

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "base/json.h"
 
 namespace overbend {
 
@@ -18,10 +19,10 @@ inline double seven_digits(double value) {
 }
 
 /// A value that is not a number is absent: null.
-inline nlohmann::json json_number(double value) {
+inline Json json_number(double value) {
   if (std::isnan(value)) return nullptr;
   const double rounded = seven_digits(value);
-  return rounded == 0.0 ? nlohmann::json(0) : nlohmann::json(rounded);
+  return rounded == 0.0 ? Json(0) : Json(rounded);
 }
 
 }  // namespace overbend

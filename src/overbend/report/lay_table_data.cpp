@@ -9,8 +9,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 /// A curve: its name, what it is of by name and unit, and its value.
 struct Curve {
   const char *name, *quantity, *si;
@@ -62,30 +60,30 @@ double x_of(const LayTable& table, const LayTableRow& row) {
   return axis_unit(table).factor * (table.route ? row.distance.value_or(0.0) : row.varied);
 }
 
-json points_of(const LayTable& table, const Curve& curve, double factor) {
-  json points = json::array();
+Json points_of(const LayTable& table, const Curve& curve, double factor) {
+  Json points = Json::array();
   for (const LayTableRow& row : table.rows) {
     if (!row.lay) continue;
     if (const std::optional<double> value = curve.value(*row.lay)) {
-      points.push_back(json::array({json_number(x_of(table, row)), json_number(factor * *value)}));
+      points.push_back(Json::array({json_number(x_of(table, row)), json_number(factor * *value)}));
     }
   }
   return points;
 }
 
-json panel_json(const LayTable& table, const Panel& panel) {
-  json series = json::array();
+Json panel_json(const LayTable& table, const Panel& panel) {
+  Json series = Json::array();
   const ShownUnit unit = shown_unit(panel.curves.front().quantity, panel.curves.front().si);
   for (const Curve& curve : panel.curves) {
-    json points = points_of(table, curve, unit.factor);
+    Json points = points_of(table, curve, unit.factor);
     if (!points.empty()) series.push_back({{"name", curve.name}, {"points", points}});
   }
   const std::string title =
       unit.name.empty() ? panel.title : std::string(panel.title) + " [" + std::string(unit.name) + "]";
-  return {{"title", title}, {"series", series}, {"limit", panel.limit ? json(*panel.limit) : json(nullptr)}};
+  return {{"title", title}, {"series", series}, {"limit", panel.limit ? Json(*panel.limit) : Json(nullptr)}};
 }
 
-json limit_json(const LayTable& table, LayRowKind kind) {
+Json limit_json(const LayTable& table, LayRowKind kind) {
   for (const LayTableRow& row : table.rows) {
     if (row.kind == kind) return json_number(x_of(table, row));
   }
@@ -107,10 +105,10 @@ std::string lay_table_axis(const LayTable& table) {
   }
 }
 
-nlohmann::json lay_table_curves(const LayTable& table) {
-  json all = json::array();
+Json lay_table_curves(const LayTable& table) {
+  Json all = Json::array();
   for (const Panel& panel : panels()) {
-    json one = panel_json(table, panel);
+    Json one = panel_json(table, panel);
     if (!one["series"].empty()) all.push_back(std::move(one));
   }
   return {{"axis", lay_table_axis(table)},

@@ -116,8 +116,8 @@ std::string lay_table_html(const LayTable& table, const std::string& model_text)
   const std::string body = title_block("Lay table", table.title, entries) + findings(table) +
                            warnings_section(warnings) + figures() + rows_section(table) +
                            assumptions_section(table.assumptions) + model_text_section(model_text);
-  const nlohmann::json data = {{"lay_table", lay_table_curves(table)}};
-  return lay_table_frame(table.title + " - lay table", body, data.dump());
+  const Json data = {{"lay_table", lay_table_curves(table)}};
+  return lay_table_frame(table.title + " - lay table", body, json_text(data));
 }
 
 void write_lay_table_page(const LayTable& table, const std::string& model_text, const std::filesystem::path& file) {

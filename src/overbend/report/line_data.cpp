@@ -8,11 +8,9 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
-json node_data(const LineResult& line) {
-  json s = json::array(), places = json::array(), tension = json::array(), least = json::array(),
-       largest = json::array();
+Json node_data(const LineResult& line) {
+  Json s = Json::array(), places = Json::array(), tension = Json::array(), least = Json::array(),
+       largest = Json::array();
   for (const LineNodeResult& node : line.nodes) {
     s.push_back(json_number(node.s));
     places.push_back({json_number(node.place.x()), json_number(node.place.y()), json_number(node.place.z())});
@@ -25,7 +23,7 @@ json node_data(const LineResult& line) {
 }
 
 /// Of one end, in the form of the other histories.
-json end_history(const LineResult& line, const char* which, const LineEndResult& end,
+Json end_history(const LineResult& line, const char* which, const LineEndResult& end,
                  const std::vector<double>& values) {
   HistorySummary history;
   history.name = "tension";
@@ -33,7 +31,7 @@ json end_history(const LineResult& line, const char* which, const LineEndResult&
   history.low = values;
   history.high = values;
   const Quantity q = quantity(history.name, history.units);
-  json trace = history_trace(history, q);
+  Json trace = history_trace(history, q);
   if (trace.is_null()) return trace;
   trace.update({{"group", "ends"},
                 {"title", line.name + ", tension at the " + which + " end"},
@@ -48,10 +46,10 @@ json end_history(const LineResult& line, const char* which, const LineEndResult&
   return trace;
 }
 
-json dynamic_data(const LinesResults& results) {
-  json histories = json::array();
+Json dynamic_data(const LinesResults& results) {
+  Json histories = Json::array();
   for (const LineResult& line : results.lines) {
-    for (json trace : {end_history(line, "first", line.first, line.first_history),
+    for (Json trace : {end_history(line, "first", line.first, line.first_history),
                        end_history(line, "second", line.second, line.second_history)}) {
       if (!trace.is_null()) histories.push_back(std::move(trace));
     }
@@ -59,7 +57,7 @@ json dynamic_data(const LinesResults& results) {
   return {{"duration", json_number(duration_of(results))},
           {"build_up", json_number(build_up_of(results))},
           {"histories", std::move(histories)},
-          {"spectra", json::array()}};
+          {"spectra", Json::array()}};
 }
 
 }  // namespace
@@ -72,10 +70,10 @@ double duration_of(const LinesResults& results) {
   return results.time.empty() ? 0.0 : results.time.back();
 }
 
-json line_figure_data(const LinesResults& results, double water_depth) {
-  json lines = json::array();
+Json line_figure_data(const LinesResults& results, double water_depth) {
+  Json lines = Json::array();
   for (const LineResult& line : results.lines) lines.push_back(node_data(line));
-  json data = {{"lines", std::move(lines)}, {"moved", results.moved}, {"water_depth", json_number(water_depth)}};
+  Json data = {{"lines", std::move(lines)}, {"moved", results.moved}, {"water_depth", json_number(water_depth)}};
   if (results.moved) data["dynamic"] = dynamic_data(results);
   return data;
 }

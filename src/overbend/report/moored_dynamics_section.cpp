@@ -183,7 +183,7 @@ const std::vector<Figure>& all_figures() {
 std::string moored_dynamics_section(const DynamicResults& results, int& figure) {
   if (!results.vessel && results.moorings.empty()) return "";
   std::set<std::string> groups;
-  for (const nlohmann::json& history : mooring_history_data(results)) groups.insert(history["group"]);
+  for (const Json& history : mooring_history_data(results)) groups.insert(history["group"]);
   const auto makes_sense = [&](const Figure& shown, const std::string& part) {
     return std::string(shown.id) == "mooring_offsets" ? results.vessel.has_value() : groups.count(part) != 0;
   };

@@ -5,23 +5,21 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
-json point(const Vec3& p_W) {
+Json point(const Vec3& p_W) {
   return {json_number(p_W.x()), json_number(p_W.y()), json_number(p_W.z())};
 }
 
-json points(const std::vector<Vec3>& all) {
-  json out = json::array();
+Json points(const std::vector<Vec3>& all) {
+  Json out = Json::array();
   for (const Vec3& p_W : all) out.push_back(point(p_W));
   return out;
 }
 
-json or_null(const std::optional<double>& value) {
-  return value ? json_number(*value) : json(nullptr);
+Json or_null(const std::optional<double>& value) {
+  return value ? json_number(*value) : Json(nullptr);
 }
 
-json line_data(const MooringLineResult& line) {
+Json line_data(const MooringLineResult& line) {
   return {{"name", line.name},
           {"tension", json_number(line.fairlead_tension)},
           {"use", or_null(line.utilisation)},
@@ -34,15 +32,15 @@ json line_data(const MooringLineResult& line) {
           {"shape", points(line.shape_W)}};
 }
 
-json shift_data(const MotionSpread& shift) {
+Json shift_data(const MotionSpread& shift) {
   return {{"min", json_number(shift.whole.min)},
           {"max", json_number(shift.whole.max)},
           {"mean", json_number(shift.whole.mean)},
           {"std", json_number(shift.whole.std)}};
 }
 
-json state_data(const MooredState& state) {
-  json lines = json::array();
+Json state_data(const MooredState& state) {
+  Json lines = Json::array();
   for (const MooringLineResult& line : state.moorings) lines.push_back(line_data(line));
   return {{"name", state.name},
           {"surge", json_number(state.vessel.surge)},
@@ -51,29 +49,29 @@ json state_data(const MooredState& state) {
           {"lines", std::move(lines)}};
 }
 
-json numbers(const std::vector<double>& values) {
-  json out = json::array();
+Json numbers(const std::vector<double>& values) {
+  Json out = Json::array();
   for (const double value : values) out.push_back(json_number(value));
   return out;
 }
 
-json pipe_data(const PipeAtStep& pipe) {
+Json pipe_data(const PipeAtStep& pipe) {
   return {{"tension", json_number(pipe.top_tension)},
           {"overbend", json_number(pipe.overbend_bending_stress)},
           {"sagbend", json_number(pipe.sagbend_bending_stress)},
           {"clearance", or_null(pipe.stinger_tip_clearance)}};
 }
 
-json step_data(const MoveStep& step) {
+Json step_data(const MoveStep& step) {
   return {{"advance", json_number(step.advance)},
           {"tensions", numbers(step.tensions)},
           {"lengths", numbers(step.lengths)},
-          {"pipe", step.pipe ? pipe_data(*step.pipe) : json(nullptr)}};
+          {"pipe", step.pipe ? pipe_data(*step.pipe) : Json(nullptr)}};
 }
 
 /// The places of a pull-ahead; the stages where only these are known.
-json steps_of(const MooringResults& results) {
-  json out = json::array();
+Json steps_of(const MooringResults& results) {
+  Json out = Json::array();
   for (const MoveStep& step : results.steps) out.push_back(step_data(step));
   if (!out.empty() || results.operation != "pull_ahead") return out;
   for (const MooredState& stage : results.stages) {
@@ -90,10 +88,10 @@ json steps_of(const MooringResults& results) {
 
 }  // namespace
 
-json mooring_figure_data(const MooringResults& results, const MooringScene& scene) {
-  json states = json::array({state_data(results.rest)});
+Json mooring_figure_data(const MooringResults& results, const MooringScene& scene) {
+  Json states = Json::array({state_data(results.rest)});
   for (const MooredState& stage : results.stages) states.push_back(state_data(stage));
-  json objects = json::array();
+  Json objects = Json::array();
   for (const SeabedObjectDescription& object : scene.objects) {
     objects.push_back({{"name", object.name}, {"points", points(object.points)}});
   }
@@ -104,14 +102,14 @@ json mooring_figure_data(const MooringResults& results, const MooringScene& scen
           {"waves_from", or_null(scene.waves_from)},
           {"current_to", or_null(scene.current_to)},
           {"pipe", points(scene.pipe_W)},
-          {"touchdown", scene.pipe_W.empty() ? json(nullptr) : point(scene.touchdown_W)},
+          {"touchdown", scene.pipe_W.empty() ? Json(nullptr) : point(scene.touchdown_W)},
           {"objects", std::move(objects)},
           {"operation", results.operation},
           {"steps", steps_of(results)},
           {"states", std::move(states)}};
 }
 
-json vessel_figure_data(const VesselDynamics& vessel) {
+Json vessel_figure_data(const VesselDynamics& vessel) {
   return {{"along", shift_data(vessel.along)},
           {"across", shift_data(vessel.across)},
           {"covariance", json_number(vessel.covariance)},

@@ -1,8 +1,7 @@
 /// Data of the figures of moorings.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "report/mooring_scene.h"
 #include "results/moored_dynamics.h"
 
@@ -10,9 +9,9 @@ namespace overbend {
 
 /// The states (rest first, then the stages), each with the hull's offset and its lines as points in plan and profile;
 /// what stands around them. SI, frame W.
-nlohmann::json mooring_figure_data(const MooringResults& results, const MooringScene& scene);
+Json mooring_figure_data(const MooringResults& results, const MooringScene& scene);
 
 /// Where midship was in a dynamic run, for the ellipses of its offset. SI.
-nlohmann::json vessel_figure_data(const VesselDynamics& vessel);
+Json vessel_figure_data(const VesselDynamics& vessel);
 
 }  // namespace overbend

@@ -9,8 +9,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 struct Moving {
   const char* freedom;
   MotionSpread VesselDynamics::*motion;
@@ -26,17 +24,17 @@ const HistorySummary* find(const DynamicResults& results, const std::string& nam
   return at == results.histories.end() || at->low.empty() || at->low.size() != at->high.size() ? nullptr : &*at;
 }
 
-json spread_data(const Spread& spread, const Quantity& q) {
+Json spread_data(const Spread& spread, const Quantity& q) {
   return {{"min", json_number(q.shown(spread.min))},
           {"max", json_number(q.shown(spread.max))},
           {"mean", json_number(q.shown(spread.mean))},
           {"std", json_number(q.shown(spread.std))}};
 }
 
-json entry(const HistorySummary& history, const std::string& group, const std::string& title, const Spread& over_time,
+Json entry(const HistorySummary& history, const std::string& group, const std::string& title, const Spread& over_time,
            double before) {
   const Quantity q = quantity(history.name, history.units);
-  json trace = history_trace(history, q);
+  Json trace = history_trace(history, q);
   if (trace.is_null()) return trace;
   trace.update({{"group", group},
                 {"title", title},
@@ -52,12 +50,12 @@ double start_of(const VesselDynamics& vessel, const std::string& freedom) {
   return freedom == "surge" ? vessel.start_surge : freedom == "sway" ? vessel.start_sway : vessel.start_yaw;
 }
 
-void add_offsets(const DynamicResults& results, json& out) {
+void add_offsets(const DynamicResults& results, Json& out) {
   for (const Moving& moving : kMoving) {
     const std::string freedom = moving.freedom;
     const HistorySummary* whole = find(results, "vessel/" + freedom);
     if (whole == nullptr) continue;
-    json trace = entry(*whole, "offset", moving.title, (*results.vessel.*moving.motion).whole,
+    Json trace = entry(*whole, "offset", moving.title, (*results.vessel.*moving.motion).whole,
                        start_of(*results.vessel, freedom));
     if (trace.is_null()) continue;
     if (const HistorySummary* slow = find(results, "vessel/slow_" + freedom)) {
@@ -69,14 +67,14 @@ void add_offsets(const DynamicResults& results, json& out) {
 
 }  // namespace
 
-json operation_history_data(const DynamicResults& results) {
+Json operation_history_data(const DynamicResults& results) {
   constexpr std::array<const char*, 6> kNames = {"vessel/surge",       "top_tension",       "tensioner/travel",
                                                  "overbend_von_mises", "sagbend_von_mises", "stinger_tip_clearance"};
-  json out = json::array();
+  Json out = Json::array();
   for (const char* name : kNames) {
     const HistorySummary* history = find(results, name);
     if (history == nullptr) continue;
-    json trace = entry(*history, "operation", quantity(name, history->units).name, history->over_time, 0.0);
+    Json trace = entry(*history, "operation", quantity(name, history->units).name, history->over_time, 0.0);
     if (trace.is_null()) continue;
     trace["static"] = nullptr;  // the vessel goes on from there
     out.push_back(std::move(trace));
@@ -84,13 +82,13 @@ json operation_history_data(const DynamicResults& results) {
   return out;
 }
 
-json mooring_history_data(const DynamicResults& results) {
-  json out = json::array();
+Json mooring_history_data(const DynamicResults& results) {
+  Json out = Json::array();
   if (results.vessel) add_offsets(results, out);
   for (const MooringLineDynamics& line : results.moorings) {
     const HistorySummary* history = find(results, "mooring/" + line.name + "/fairlead_tension");
     if (history == nullptr) continue;
-    json trace = entry(*history, "moorings", line.name, line.fairlead_tension.whole, line.start_fairlead_tension);
+    Json trace = entry(*history, "moorings", line.name, line.fairlead_tension.whole, line.start_fairlead_tension);
     if (!trace.is_null()) out.push_back(std::move(trace));
   }
   return out;

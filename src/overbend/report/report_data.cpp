@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/json.h"
 #include "report/checks_section.h"
 #include "report/comparison_data.h"
 #include "report/dynamic_data.h"
@@ -22,8 +22,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 /// Their peaks are never thinned away.
 constexpr std::array<double Station::*, 3> kExtremes = {&Station::bending_moment, &Station::von_mises,
                                                         &Station::effective_tension};
@@ -36,7 +34,7 @@ bool is_extreme(const std::vector<Station>& all, std::size_t i) {
 }
 
 /// Columns run from the tensioner to the anchor; `s` is the distance along the pipe from the tensioner.
-json stations(const ReportStyle& style, const StaticResults& results) {
+Json stations(const ReportStyle& style, const StaticResults& results) {
   JsonLists<ReportStyle> columns(style);
   const std::set<std::size_t> shown =
       thinned(results.stations.size(), [&](std::size_t i) { return is_extreme(results.stations, i); });
@@ -49,7 +47,7 @@ json stations(const ReportStyle& style, const StaticResults& results) {
 
 /// In which unit the columns are shown.
 struct ShownColumns {
-  json columns = json::object();
+  Json columns = Json::object();
 
   void operator()(const ResultField& field, double) {
     const std::optional<std::string_view> key = field.key(Output::report);
@@ -67,14 +65,14 @@ bool passed(const StaticResults& results, const RowResult& row, const RollerResu
   return (station_at(results, row.s).p_W - r.p_W).dot(r.normal_W) < 0.5 * results.pipe_outer_diameter;
 }
 
-json roller(const ReportStyle& style, const StaticResults& results, const RowResult& row, const RollerResult& r) {
+Json roller(const ReportStyle& style, const StaticResults& results, const RowResult& row, const RollerResult& r) {
   JsonWriter<ReportStyle> one(style);
   visit_roller(r, one);
   one["passed"] = passed(results, row, r);
   return one.take();
 }
 
-json support(const ReportStyle& style, const StaticResults& results, const SupportResult& box) {
+Json support(const ReportStyle& style, const StaticResults& results, const SupportResult& box) {
   JsonWriter<ReportStyle> one(style);
   visit_support(box, one);
   one["rows"] = style.rows(box.rows, [&](const RowResult& row) {
@@ -86,8 +84,8 @@ json support(const ReportStyle& style, const StaticResults& results, const Suppo
   return one.take();
 }
 
-json region(const ReportStyle& style, const StaticResults& results, const RegionResult& r) {
-  json all = json::object();
+Json region(const ReportStyle& style, const StaticResults& results, const RegionResult& r) {
+  Json all = Json::object();
   visit_region(r, [&](const ResultField& field, const Extreme& extreme) {
     JsonWriter<ReportStyle> one(style);
     visit_extreme_fields(field, extreme, one);
@@ -98,7 +96,7 @@ json region(const ReportStyle& style, const StaticResults& results, const Region
 }
 
 /// The bed under the line, and where the laid pipe spans.
-json bed(const ReportStyle& style, const BedResults& bed) {
+Json bed(const ReportStyle& style, const BedResults& bed) {
   return {{"heights", style.rows(bed.heights,
                                  [&](const BedHeight& height) {
                                    JsonWriter<ReportStyle> one(style);
@@ -112,7 +110,7 @@ json bed(const ReportStyle& style, const BedResults& bed) {
            })}};
 }
 
-json static_figure_data(const StaticResults& results) {
+Json static_figure_data(const StaticResults& results) {
   const ReportStyle style(results);
   JsonWriter data(style);
   ShownColumns shown;
@@ -123,8 +121,8 @@ json static_figure_data(const StaticResults& results) {
   data["stations"] = stations(style, results);
   data["supports"] =
       style.rows(results.supports, [&](const SupportResult& box) { return support(style, results, box); });
-  data["overbend"] = results.overbend ? region(style, results, *results.overbend) : json(nullptr);
-  data["tower"] = results.tower ? region(style, results, *results.tower) : json(nullptr);
+  data["overbend"] = results.overbend ? region(style, results, *results.overbend) : Json(nullptr);
+  data["tower"] = results.tower ? region(style, results, *results.tower) : Json(nullptr);
   data["sagbend"] = region(style, results, results.sagbend);
   JsonWriter touchdown(style);
   visit_touchdown(results.touchdown, touchdown);
@@ -135,15 +133,15 @@ json static_figure_data(const StaticResults& results) {
   return data.take();
 }
 
-std::string text(const json& data) {
-  return data.dump(-1, ' ', false, json::error_handler_t::replace);
+std::string text(const Json& data) {
+  return json_text(data);
 }
 
 }  // namespace
 
 std::string report_data(const StaticResults& results, const DynamicResults* dynamic,
                         const std::optional<Description>& description, const SeekResults* seek) {
-  json data = static_figure_data(results);
+  Json data = static_figure_data(results);
   if (seek != nullptr) data["seek"] = seek_figure_data(*seek);
   if (results.moorings) {
     data["moorings"] = mooring_figure_data(*results.moorings, mooring_scene(description, results));
@@ -164,7 +162,7 @@ std::string report_data(const LinesResults& results, const std::optional<Descrip
 }
 
 std::string report_data(const StaticResults& results, const Comparison& comparison) {
-  json data = static_figure_data(results);
+  Json data = static_figure_data(results);
   data["comparison"] = comparison_data(comparison);
   return text(data);
 }

@@ -8,7 +8,7 @@
 
 namespace overbend {
 
-struct ReportStyle : ValueStyle<nlohmann::json, Output::report> {
+struct ReportStyle : ValueStyle<Output::report> {
   const StaticResults* statics = nullptr;
 
   explicit ReportStyle(const StaticResults& results) : statics(&results) {}

@@ -13,8 +13,6 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::array<const char*, 6> kParts = {"0", "1", "2", "3", "4", "5"};  // goals with a panel
 
 std::string unknown_table(const SeekResults& seek) {
@@ -71,16 +69,16 @@ std::string remarks(const SeekResults& seek) {
   return out;
 }
 
-json shown_in(const std::string& name, const std::string& unit, const std::string& show) {
+Json shown_in(const std::string& name, const std::string& unit, const std::string& show) {
   const double factor = show.empty() ? 1.0 : unit_factor(show, unit).value_or(1.0);
   return {{"name", name}, {"unit", show}, {"factor", 1.0 / factor}};
 }
 
-json goal_data(const SeekGoal& goal) {
+Json goal_data(const SeekGoal& goal) {
   const std::vector<std::string> units = usual_units(goal.unit);
-  json data = shown_in(goal.result, goal.unit, units.empty() || goal.unit == "1" ? "" : units.front());
-  data["wanted"] = goal.is ? json(goal.wanted) : json(nullptr);
-  data["reached"] = goal.reached ? json(*goal.reached) : json(nullptr);
+  Json data = shown_in(goal.result, goal.unit, units.empty() || goal.unit == "1" ? "" : units.front());
+  data["wanted"] = goal.is ? Json(goal.wanted) : Json(nullptr);
+  data["reached"] = goal.reached ? Json(*goal.reached) : Json(nullptr);
   return data;
 }
 
@@ -99,17 +97,17 @@ std::string seek_section(const SeekResults& seek, int& figure) {
                        unknown_table(seek) + goal_table(seek) + jump_table(seek) + remarks(seek) + drawn);
 }
 
-json seek_figure_data(const SeekResults& seek) {
-  json data;
-  data["keys"] = json::array();
+Json seek_figure_data(const SeekResults& seek) {
+  Json data;
+  data["keys"] = Json::array();
   for (const SeekUnknown& u : seek.unknowns) {
-    json key = shown_in(u.name, u.unit, u.show);
+    Json key = shown_in(u.name, u.unit, u.show);
     key["answer"] = u.answer;
     data["keys"].push_back(key);
   }
-  data["goals"] = json::array();
+  data["goals"] = Json::array();
   for (const SeekGoal& goal : seek.goals) data["goals"].push_back(goal_data(goal));
-  data["path"] = json::array();
+  data["path"] = Json::array();
   for (const SeekStep& step : seek.path) {
     if (!step.results.empty()) data["path"].push_back({{"values", step.values}, {"results", step.results}});
   }

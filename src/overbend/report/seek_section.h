@@ -1,9 +1,9 @@
 /// A goal seek in the report: what was asked, the answer, the way there.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "results/seek_results.h"
 
 namespace overbend {
@@ -12,6 +12,6 @@ namespace overbend {
 std::string seek_section(const SeekResults& seek, int& figure);
 
 /// Data of its figures, in the units that keys and results are shown in.
-nlohmann::json seek_figure_data(const SeekResults& seek);
+Json seek_figure_data(const SeekResults& seek);
 
 }  // namespace overbend

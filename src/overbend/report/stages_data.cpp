@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "report/hold_points.h"
 #include "report/json_number.h"
 #include "report/line_parts.h"
@@ -15,8 +15,6 @@
 
 namespace overbend {
 namespace {
-
-using nlohmann::json;
 
 constexpr std::size_t kMostPoints = 400;  // of a line in a figure with many
 constexpr double kOfLaidPipe = 0.15;      // drawn behind touchdown, part of the length from the top to it
@@ -43,17 +41,17 @@ std::vector<const Station*> drawn(const StaticResults& lay, const std::optional<
 }
 
 /// Runs of points of one kind; each ends where the next begins.
-json line_of(const StaticResults& lay, double head_length) {
+Json line_of(const StaticResults& lay, double head_length) {
   const std::optional<LineParts> parts = line_parts(lay, head_length);
-  json runs = json::array();
+  Json runs = Json::array();
   SectionKind kind = SectionKind::pipe;
   for (const Station* at : drawn(lay, parts)) {
     const SectionKind now = parts ? parts->at(at->s) : SectionKind::pipe;
     const Vec3 p = ship_point(lay, at->p_W);
-    const json point = {json_number(p.x()), json_number(p.z())};
+    const Json point = {json_number(p.x()), json_number(p.z())};
     if (runs.empty() || now != kind) {
       if (!runs.empty()) runs.back()["points"].push_back(point);
-      runs.push_back({{"of", word_of(now)}, {"points", json::array()}});
+      runs.push_back({{"of", word_of(now)}, {"points", Json::array()}});
       kind = now;
     }
     runs.back()["points"].push_back(point);
@@ -61,8 +59,8 @@ json line_of(const StaticResults& lay, double head_length) {
   return runs;
 }
 
-json or_null(const std::optional<double>& value) {
-  return value ? json_number(*value) : json(nullptr);
+Json or_null(const std::optional<double>& value) {
+  return value ? json_number(*value) : Json(nullptr);
 }
 
 /// A curve over the stages.
@@ -121,11 +119,11 @@ std::map<std::string, double> limits_of(const std::optional<Description>& descri
   return limits;
 }
 
-json curve_data(const OperationResults& results, const std::optional<Description>& description) {
+Json curve_data(const OperationResults& results, const std::optional<Description>& description) {
   const std::map<std::string, double> limits = limits_of(description);
-  json all = json::array();
+  Json all = Json::array();
   for (const Curve& curve : curves()) {
-    json values = json::array();
+    Json values = Json::array();
     bool any = false;
     for (const StageResult& stage : results.stages) {
       std::optional<double> value = stage.lay ? curve.value(stage, *stage.lay) : std::nullopt;
@@ -140,27 +138,27 @@ json curve_data(const OperationResults& results, const std::optional<Description
                    {"unit", curve.unit.unit},
                    {"digits", curve.unit.digits},
                    {"values", std::move(values)},
-                   {"limit", limit == limits.end() ? json(nullptr) : json_number(curve.unit.shown(limit->second))}});
+                   {"limit", limit == limits.end() ? Json(nullptr) : json_number(curve.unit.shown(limit->second))}});
   }
   return all;
 }
 
-json stage_data(const OperationResults& results, std::size_t i, double head_length) {
+Json stage_data(const OperationResults& results, std::size_t i, double head_length) {
   const StageResult& stage = results.stages[i];
-  json one = {{"name", stage_title(results, i)},
+  Json one = {{"name", stage_title(results, i)},
               {"out", or_null(progress_of(stage.stage))},
               {"ahead", json_number(stage.barge_ahead)},
-              {"line", stage.lay ? line_of(*stage.lay, head_length) : json(nullptr)},
-              {"touchdown", stage.lay ? json_number(stage.lay->touchdown.astern) : json(nullptr)}};
+              {"line", stage.lay ? line_of(*stage.lay, head_length) : Json(nullptr)},
+              {"touchdown", stage.lay ? json_number(stage.lay->touchdown.astern) : Json(nullptr)}};
   const std::optional<StageUse> use = largest_use(stage);
-  one["use"] = use ? json_number(use->utilisation) : json(nullptr);
+  one["use"] = use ? json_number(use->utilisation) : Json(nullptr);
   one["governing"] = use ? use->what : std::string();
   one["why"] = stage.failure ? stage.failure->what + ": " + stage.failure->why : std::string();
   return one;
 }
 
-json hull_of(const StaticResults& lay) {
-  json corners = json::array();
+Json hull_of(const StaticResults& lay) {
+  Json corners = Json::array();
   if (!(lay.vessel_length > 0.0)) return corners;
   for (const auto& [along, up] : {std::pair{-1, 0}, {1, 0}, {1, 1}, {-1, 1}}) {
     const double z = up == 0 ? -lay.vessel_draught : lay.vessel_depth - lay.vessel_draught;
@@ -170,10 +168,10 @@ json hull_of(const StaticResults& lay) {
   return corners;
 }
 
-json supports_of(const StaticResults& lay) {
-  json boxes = json::array();
+Json supports_of(const StaticResults& lay) {
+  Json boxes = Json::array();
   for (const SupportResult& box : lay.supports) {
-    json rows = json::array();
+    Json rows = Json::array();
     for (const RowResult& row : box.rows) {
       const Vec3 p = ship_point(lay, row.p_W);
       rows.push_back({json_number(p.x()), json_number(p.z())});
@@ -184,7 +182,7 @@ json supports_of(const StaticResults& lay) {
 }
 
 /// Points of the bed that are known: below the stern shoe, and where the line touches down.
-json bed_of(const OperationResults& results) {
+Json bed_of(const OperationResults& results) {
   std::map<double, double> points;
   for (const StageResult& stage : results.stages) {
     if (!stage.lay) continue;
@@ -192,7 +190,7 @@ json bed_of(const OperationResults& results) {
     points.emplace(0.0, -lay.water_depth);
     points.emplace(lay.touchdown.astern, lay.touchdown.p_W.z() - 0.5 * lay.pipe_outer_diameter);
   }
-  json bed = json::array();
+  Json bed = Json::array();
   for (const auto& [x, z] : points) bed.push_back({json_number(x), json_number(z)});
   return bed;
 }
@@ -201,21 +199,21 @@ json bed_of(const OperationResults& results) {
 
 std::string stages_data(const OperationResults& results, const std::optional<Description>& description) {
   const double head_length = description ? head_length_of(description->operation.lay) : 0.0;
-  json stages = json::array(), hull = json::array(), supports = json::array();
+  Json stages = Json::array(), hull = Json::array(), supports = Json::array();
   for (std::size_t i = 0; i < results.stages.size(); ++i) {
     stages.push_back(stage_data(results, i, head_length));
     if (!results.stages[i].lay || !hull.empty()) continue;
     hull = hull_of(*results.stages[i].lay);
     supports = supports_of(*results.stages[i].lay);
   }
-  const json data = {{"stages",
+  const Json data = {{"stages",
                       {{"list", std::move(stages)},
                        {"curves", curve_data(results, description)},
                        {"out", progress_name(results.type)},
                        {"hull", std::move(hull)},
                        {"supports", std::move(supports)},
                        {"bed", bed_of(results)}}}};
-  return data.dump(-1, ' ', false, json::error_handler_t::replace);
+  return json_text(data);
 }
 
 }  // namespace overbend

@@ -10,22 +10,20 @@
 namespace overbend {
 namespace {
 
-using nlohmann::json;
-
-json number(const std::optional<double>& value, double factor) {
-  return value && std::isfinite(*value) ? json_number(factor * *value) : json(nullptr);
+Json number(const std::optional<double>& value, double factor) {
+  return value && std::isfinite(*value) ? json_number(factor * *value) : Json(nullptr);
 }
 
-json input_json(const StudyInput& input) {
+Json input_json(const StudyInput& input) {
   const StudyShown unit = shown_unit_of(input);
-  json values = json::array();
+  Json values = Json::array();
   for (const double value : input.values) values.push_back(number(value, unit.factor));
   return {
       {"name", heading_of(input.key, unit)}, {"words", input.words}, {"values", values}, {"sampled", input.sampled}};
 }
 
-json outputs_json(const StudyResults& results) {
-  json outputs = json::array();
+Json outputs_json(const StudyResults& results) {
+  Json outputs = Json::array();
   for (std::size_t i = 0; i < results.outputs.size(); ++i) {
     const StudyOutput& output = results.outputs[i];
     if (!output.text) outputs.push_back({{"name", heading_of(output.name, shown_unit_of(output))}, {"at", i}});
@@ -38,8 +36,8 @@ const char* state_of(const StudyGroup& group) {
   return group.passed ? "passed" : "exceeded";
 }
 
-json group_json(const StudyResults& results, const StudyGroup& group) {
-  json x = json::array(), mean = json::array(), low = json::array(), high = json::array();
+Json group_json(const StudyResults& results, const StudyGroup& group) {
+  Json x = Json::array(), mean = Json::array(), low = Json::array(), high = Json::array();
   for (std::size_t i = 0; i < results.inputs.size(); ++i) {
     const std::vector<double>& inputs = group.first->inputs;
     x.push_back(
@@ -64,11 +62,11 @@ json group_json(const StudyResults& results, const StudyGroup& group) {
 }
 
 /// Rank correlation of every output with every input that has numbers, of the finished groups.
-json correlations(const StudyResults& results, const std::vector<StudyGroup>& groups) {
-  json all = json::array();
+Json correlations(const StudyResults& results, const std::vector<StudyGroup>& groups) {
+  Json all = Json::array();
   for (std::size_t o = 0; o < results.outputs.size(); ++o) {
     if (results.outputs[o].text) continue;
-    json bars = json::array();
+    Json bars = Json::array();
     for (std::size_t i = 0; i < results.inputs.size(); ++i) {
       std::vector<double> x, y;
       for (const StudyGroup& group : groups) {
@@ -86,12 +84,12 @@ json correlations(const StudyResults& results, const std::vector<StudyGroup>& gr
 }
 
 /// Of every output: for every key the values at its ends, the others as in the base.
-json swings(const StudyResults& results, const std::vector<StudyGroup>& groups, std::size_t base) {
-  json all = json::array();
+Json swings(const StudyResults& results, const std::vector<StudyGroup>& groups, std::size_t base) {
+  Json all = Json::array();
   for (std::size_t o = 0; o < results.outputs.size(); ++o) {
     if (results.outputs[o].text || !groups[base].mean[o]) continue;
     const StudyShown unit = shown_unit_of(results.outputs[o]);
-    json bars = json::array();
+    Json bars = Json::array();
     for (const std::size_t axis : free_axes(results)) {
       double low = *groups[base].mean[o], high = low;
       std::string low_word = groups[base].first->words.at(axis), high_word = low_word;
@@ -119,9 +117,9 @@ json swings(const StudyResults& results, const std::vector<StudyGroup>& groups, 
   return all;
 }
 
-json operability_json(const OperabilityResults& operability) {
+Json operability_json(const OperabilityResults& operability) {
   const StudyShown unit = shown_unit_of(operability.unit, operability.show);
-  json axes = json::array(), cells = json::array();
+  Json axes = Json::array(), cells = Json::array();
   for (const StudyInput& axis : operability.axes) axes.push_back(input_json(axis));
   for (const OperabilityCell& cell : operability.cells) {
     cells.push_back({{"at", cell.at},
@@ -130,14 +128,14 @@ json operability_json(const OperabilityResults& operability) {
                      {"decided", cell.decided},
                      {"governing", cell.governing}});
   }
-  json out = {{"over", heading_of(operability.over, unit)},
+  Json out = {{"over", heading_of(operability.over, unit)},
               {"least", number(operability.least, unit.factor)},
               {"largest", number(operability.largest, unit.factor)},
               {"alpha", number(operability.alpha, 1.0)},
               {"axes", axes},
               {"cells", cells}};
   if (operability.workability) {
-    out["months"] = json::array();
+    out["months"] = Json::array();
     for (const double month : operability.workability->months) out["months"].push_back(json_number(100.0 * month));
     out["year"] = json_number(100.0 * operability.workability->year);
   }
@@ -177,14 +175,14 @@ std::string heading_of(const std::string& name, const StudyShown& unit) {
   return unit.name.empty() ? text : text + " [" + unit.name + "]";
 }
 
-json study_data(const StudyResults& results) {
+Json study_data(const StudyResults& results) {
   static const char* const kShapes[] = {"single", "curves", "maps", "one_at_a_time", "sample"};
   const StudyShape shape = study_shape(results);
   const std::vector<StudyGroup> groups = study_groups(results);
-  json inputs = json::array(), all = json::array();
+  Json inputs = Json::array(), all = Json::array();
   for (const StudyInput& input : results.inputs) inputs.push_back(input_json(input));
   for (const StudyGroup& group : groups) all.push_back(group_json(results, group));
-  json data = {{"shape", kShapes[static_cast<int>(shape)]},
+  Json data = {{"shape", kShapes[static_cast<int>(shape)]},
                {"inputs", inputs},
                {"outputs", outputs_json(results)},
                {"groups", all},

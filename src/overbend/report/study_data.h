@@ -1,9 +1,9 @@
 /// Data of a study for the scripts of its page.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "report/study_shape.h"
 #include "results/fields/shown_unit.h"
 #include "results/study_results.h"
@@ -26,6 +26,6 @@ std::string heading_of(const std::string& name, const StudyShown& unit);
 /// {shape, inputs: [{name, values, words}], outputs: [{name, at}], groups: [{at, x, words, mean, low, high, state,
 /// governing, utilisation, seeds}], axes, base, tornado}; values in shown units, null for what is not there.
 /// `operability` where the study has one.
-nlohmann::json study_data(const StudyResults& results);
+Json study_data(const StudyResults& results);
 
 }  // namespace overbend

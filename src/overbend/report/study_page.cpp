@@ -99,8 +99,8 @@ std::string study_html(const StudyResults& results) {
       warnings_section(warnings) + study_inputs_section(results) + figures(results) + operability_section(results) +
       study_extremes_section(results) + failed_cases_section(results) +
       (results.cases.empty() ? "" : study_cases_section(results)) + assumptions_section(results.assumptions);
-  const nlohmann::json data = {{"study", study_data(results)}};
-  return study_frame(results.title + " - study", body, data.dump());
+  const Json data = {{"study", study_data(results)}};
+  return study_frame(results.title + " - study", body, json_text(data));
 }
 
 void write_study_report(const StudyResults& results, const std::filesystem::path& file) {

@@ -7,21 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/json.h"
 #include "results/dynamic_results.h"
 #include "results/fields/result_field.h"
 
 namespace overbend {
 
 /// What styles that write values share.
-template <class JsonType, Output kWhere>
+template <Output kWhere>
 struct ValueStyle {
-  using Json = JsonType;
   static constexpr Output kOutput = kWhere;
   static constexpr bool kTypes = false;  ///< Of a style that writes types.
 
@@ -52,7 +51,7 @@ struct ValueStyle {
 };
 
 /// Of summary.json: every digit.
-struct SummaryStyle : ValueStyle<nlohmann::ordered_json, Output::summary> {
+struct SummaryStyle : ValueStyle<Output::summary> {
   Json number(double value) const { return value; }
   double along(double s) const { return s; }
   Vec3 moved(const ResultField&, const Vec3& vector) const { return vector; }
@@ -63,7 +62,6 @@ struct SummaryStyle : ValueStyle<nlohmann::ordered_json, Output::summary> {
 template <class Style>
 class JsonWriter {
  public:
-  using Json = typename Style::Json;
   explicit JsonWriter(Style style = {}) : style_(std::move(style)) {}
 
   void operator()(const ResultField& f, double value) {
@@ -197,7 +195,6 @@ class JsonWriter {
 template <class Style>
 class JsonLists {
  public:
-  using Json = typename Style::Json;
   /// `wanted`: names of the lists; all when null. Arc lengths and places always are.
   explicit JsonLists(Style style = {}, const std::vector<std::string>* wanted = nullptr)
       : style_(std::move(style)), wanted_(wanted) {}

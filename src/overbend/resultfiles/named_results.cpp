@@ -13,8 +13,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::array<std::pair<const char*, ResultFunction>, 4> kFunctions = {{{"spread", ResultFunction::spread},
                                                                                {"mean", ResultFunction::mean},
                                                                                {"min", ResultFunction::least},

@@ -6,10 +6,11 @@
 /// of the functions below.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/json.h"
 
 namespace overbend {
 
@@ -32,10 +33,10 @@ ResultName parsed_result_name(const std::string& name);
 
 /// The values that the path stands for, in the order of the summary; numbers only. Empty where it names nothing, or
 /// what does not apply to the model at hand.
-std::vector<double> named_values(const nlohmann::ordered_json& summary, const std::string& path);
+std::vector<double> named_values(const Json& summary, const std::string& path);
 
 /// The one value of a name [SI]. Nothing where the summary has none, or several without a function around them.
-std::optional<double> named_result(const nlohmann::ordered_json& summary, const std::string& name);
+std::optional<double> named_result(const Json& summary, const std::string& name);
 
 /// The SI unit of the quantity, whatever the model: "N", "N/m^2", "1" for plain numbers. Nothing where no result has
 /// that name, or where its unit hangs on the row.

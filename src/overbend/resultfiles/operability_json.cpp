@@ -3,8 +3,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 template <class Value>
 void put(Json& json, const char* key, const std::optional<Value>& value) {
   if (value) json[key] = *value;
@@ -71,7 +69,7 @@ void take_workability(const Json& json, const char* key, std::optional<Workabili
 
 }  // namespace
 
-nlohmann::ordered_json operability_json(const OperabilityResults& results) {
+Json operability_json(const OperabilityResults& results) {
   Json json = {{"over", results.over}, {"unit", results.unit}, {"show", results.show}};
   json["axes"] = Json::array();
   for (const StudyInput& axis : results.axes) json["axes"].push_back(axis_json(axis));
@@ -88,7 +86,7 @@ nlohmann::ordered_json operability_json(const OperabilityResults& results) {
   return json;
 }
 
-OperabilityResults operability_of(const nlohmann::ordered_json& json) {
+OperabilityResults operability_of(const Json& json) {
   OperabilityResults results;
   json.at("over").get_to(results.over);
   json.at("unit").get_to(results.unit);

@@ -1,16 +1,15 @@
 /// Limits of operability as JSON, for summary.json, the page and to be read again.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
+#include "base/json.h"
 #include "results/study_results.h"
 
 namespace overbend {
 
 /// All that is known of a chart, in SI units. What does not apply is left out.
-nlohmann::ordered_json operability_json(const OperabilityResults& results);
+Json operability_json(const OperabilityResults& results);
 
-/// The same backwards. Throws nlohmann::json::exception where something is missing or of another kind.
-OperabilityResults operability_of(const nlohmann::ordered_json& json);
+/// The same backwards. Throws Json::exception where something is missing or of another kind.
+OperabilityResults operability_of(const Json& json);
 
 }  // namespace overbend

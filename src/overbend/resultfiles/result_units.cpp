@@ -10,8 +10,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// As base/units.h writes the unit of a dimension.
 Json dimension(std::string_view unit) {
   static const std::map<std::string_view, const char*> kOther = {{"N m", "N*m"}, {"Pa", "N/m^2"}, {"1/m", "m-1"}};
@@ -34,7 +32,7 @@ Json told_of(const ResultField& f, Told told) {
 }
 
 /// One of everything that may be there, whatever the results at hand.
-struct UnitStyle : ValueStyle<Json, Output::summary> {
+struct UnitStyle : ValueStyle<Output::summary> {
   Told told = Told::dimension;
 
   static Json number(double) { return nullptr; }

@@ -1,21 +1,21 @@
 /// The units of summary.json in the place of its numbers.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include "base/json.h"
 
 namespace overbend {
 
 /// An object built as the summary of a static analysis, with every part that may be there. A number has its SI unit as
 /// base/units.h writes it; a list has one item; what is no number, or has a unit that hangs on the row, is null.
-const nlohmann::ordered_json& summary_units();
+const Json& summary_units();
 
 /// The same of a dynamic analysis: with the key `dynamic`.
-const nlohmann::ordered_json& dynamic_summary_units();
+const Json& dynamic_summary_units();
 
 /// The same with units as results.h5 has them: "Pa", "N m".
-const nlohmann::ordered_json& stored_summary_units();
+const Json& stored_summary_units();
 
 /// The descriptions of the numbers in their place, of a dynamic analysis as well.
-const nlohmann::ordered_json& summary_descriptions();
+const Json& summary_descriptions();
 
 }  // namespace overbend

@@ -26,7 +26,7 @@ void write_static_files(const StaticResults& results, const Description& descrip
   if (results.moorings && !results.moorings->steps.empty()) {
     write_text(folder / "pull_ahead.csv", move_table(*results.moorings));
   }
-  nlohmann::ordered_json summary = static_summary_json(results);
+  Json summary = static_summary_json(results);
   if (sensitivities != nullptr) {
     write_text(folder / "sensitivities.csv", sensitivities_table(*sensitivities));
     summary["sensitivities"] = sensitivities_json(*sensitivities);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "results/fields/shown_unit.h"
 #include "results/seeds_results.h"
 #include "results/static_results.h"
@@ -19,7 +19,7 @@ void write_seeds_files(const StaticResults& statics, const SeedsResults& results
 ShownUnit table_unit(const SeedQuantity& quantity);
 
 /// What the key `seeds` of summary.json holds.
-nlohmann::ordered_json seeds_json(const SeedsResults& results);
+Json seeds_json(const SeedsResults& results);
 
 /// The text of summary.json: what statics writes, and the key `seeds`.
 std::string seeds_summary(const StaticResults& statics, const SeedsResults& results);

@@ -1,6 +1,5 @@
 #include "resultfiles/seek_writer.h"
 
-#include <fstream>
 #include <limits>
 
 #include "base/units.h"
@@ -91,8 +90,7 @@ ColumnUnit result_column(const SeekGoal& goal) {
 }
 
 Json present_summary(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return stream ? Json::parse(stream) : Json::object();
+  return read_json_object(file).value_or(Json::object());
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kGroup = "/sensitivities";
 
-nlohmann::ordered_json one_sided_json(const SensitivityResults& s, std::size_t result, std::size_t input) {
-  nlohmann::ordered_json json = {{"result", s.results[result].name}, {"input", s.inputs[input].name}};
+Json one_sided_json(const SensitivityResults& s, std::size_t result, std::size_t input) {
+  Json json = {{"result", s.results[result].name}, {"input", s.inputs[input].name}};
   json.update(object_of(SummaryStyle{}, [&](auto& one) { visit_one_sided(s.at(result, input), one); }));
   return json;
 }
@@ -58,20 +58,20 @@ void visit_heads(S& s, Visit& visit) {
 
 }  // namespace
 
-nlohmann::ordered_json sensitivities_json(const SensitivityResults& s) {
+Json sensitivities_json(const SensitivityResults& s) {
   const SummaryStyle style;
-  nlohmann::ordered_json json;
-  json["inputs"] = nlohmann::ordered_json::array();
+  Json json;
+  json["inputs"] = Json::array();
   for (const SensitivityInput& input : s.inputs) {
     json["inputs"].push_back(object_of(style, [&](auto& one) { visit_sensitivity_input(input, one); }));
     json["inputs"].back()["near"] = input.near;
   }
-  json["results"] = nlohmann::ordered_json::array();
-  json["derivatives"] = nlohmann::ordered_json::array();
-  json["one_sided"] = nlohmann::ordered_json::array();
+  json["results"] = Json::array();
+  json["derivatives"] = Json::array();
+  json["one_sided"] = Json::array();
   for (std::size_t r = 0; r < s.results.size(); ++r) {
     json["results"].push_back(object_of(style, [&](auto& one) { visit_sensitivity_output(s.results[r], one); }));
-    nlohmann::ordered_json row = nlohmann::ordered_json::array();
+    Json row = Json::array();
     for (std::size_t i = 0; i < s.inputs.size(); ++i) {
       row.push_back(s.at(r, i).value);
       if (s.at(r, i).one_sided()) json["one_sided"].push_back(one_sided_json(s, r, i));

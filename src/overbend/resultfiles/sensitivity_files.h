@@ -1,10 +1,10 @@
 /// What results hang on, in summary.json, sensitivities.csv and results.h5.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "base/json.h"
 #include "results/sensitivity_results.h"
 
 namespace overbend {
@@ -14,7 +14,7 @@ class DatasetSink;
 
 /// The key `sensitivities`: inputs, results, `derivatives` with a row for each result and a column for each input in
 /// SI, and those of them that hold on one side only.
-nlohmann::ordered_json sensitivities_json(const SensitivityResults& sensitivities);
+Json sensitivities_json(const SensitivityResults& sensitivities);
 
 /// A line for each result and input.
 std::string sensitivities_table(const SensitivityResults& sensitivities);

@@ -7,8 +7,6 @@
 namespace overbend {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kStages = "operation.stages";
 
 /// Of a dynamic analysis the checks are those of the whole run, not of the statics before it.

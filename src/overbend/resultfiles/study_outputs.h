@@ -1,11 +1,11 @@
 /// Results of a case that a study gathers, by the names that they have in summary.json.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "model/study_description.h"
 #include "results/study_results.h"
 
@@ -26,7 +26,6 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name);
 std::vector<std::string> usual_outputs(StudyAnalysis analysis);
 
 /// The value of an output [SI]; nothing where the summary has none.
-std::optional<double> output_value(const nlohmann::ordered_json& summary, StudyAnalysis analysis,
-                                   const std::string& name);
+std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name);
 
 }  // namespace overbend

@@ -209,9 +209,9 @@ auto dynamic_support(const Style& style, const SupportDynamics& support) {
   JsonWriter<Style> json(style);
   visit_dynamic_support(support, json);
   json["structure"] = style.word(support.stinger ? Structure::stinger : Structure::ramp);
-  auto rows = Style::Json::array();
+  Json rows = Json::array();
   for (const RollerDynamics& roller : support.rollers) {
-    while (static_cast<int>(rows.size()) <= roller.row) rows.push_back(Style::Json::object());
+    while (static_cast<int>(rows.size()) <= roller.row) rows.push_back(Json::object());
     rows[static_cast<std::size_t>(roller.row)][word(roller.position)] =
         object_of(style, [&](auto& one) { visit_dynamic_roller(roller, one); });
   }

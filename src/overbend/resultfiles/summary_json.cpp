@@ -28,7 +28,7 @@ Json static_summary_json(const StaticResults& r) {
 
 std::string summary_text(const Json& summary) {
   // A title may hold bytes that are no UTF-8; they become the replacement character.
-  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(summary, 2) + "\n";
 }
 
 std::string static_summary(const StaticResults& results) {

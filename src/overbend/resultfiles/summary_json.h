@@ -1,14 +1,12 @@
 /// Parts of summary.json.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "base/json.h"
 #include "results/dynamic_results.h"
 
 namespace overbend {
-
-using Json = nlohmann::ordered_json;
 
 /// What a static analysis writes.
 Json static_summary_json(const StaticResults& results);

@@ -10,8 +10,7 @@ constexpr std::size_t kMostKept = 200;
 }  // namespace
 
 void EventHub::send(const std::string& name, const Json& data, const std::string& topic) {
-  const std::string text =
-      "event: " + name + "\ndata: " + data.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n\n";
+  const std::string text = "event: " + name + "\ndata: " + json_text(data) + "\n\n";
   const std::lock_guard<std::mutex> hold(mutex_);
   if (!topic.empty()) std::erase_if(events_, [&](const Event& event) { return event.topic == topic; });
   events_.push_back({++newest_, topic, text});

@@ -46,7 +46,7 @@ HttpAnswer answer_guarded(const HttpRoute& route, const HttpRequest& request) {
     Json answer = {{"error", error}};
     answer.update(fault.beside);
     return json_answer(answer, fault.status);
-  } catch (const nlohmann::json::exception&) {
+  } catch (const Json::exception&) {
     return error_answer(400, "the request does not have the required form", "see docs/api.md");
   } catch (const FileFault& fault) {
     return error_answer(507, fault.what(), "the disk may be full");
@@ -84,7 +84,7 @@ Json HttpRequest::json() const {
 HttpAnswer json_answer(const Json& json, int status) {
   // Bytes of a model that are no UTF-8 become the replacement character. The charset keeps the library from compressing
   // what never leaves the machine.
-  return {status, "application/json; charset=utf-8", json.dump(-1, ' ', false, Json::error_handler_t::replace), ""};
+  return {status, "application/json; charset=utf-8", json_text(json), ""};
 }
 
 HttpAnswer error_answer(int status, const std::string& message, const std::string& hint) {

@@ -3,14 +3,13 @@
 
 #include <functional>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace overbend {
+#include "base/json.h"
 
-using Json = nlohmann::ordered_json;
+namespace overbend {
 
 struct HttpRequest {
   std::string method, path;

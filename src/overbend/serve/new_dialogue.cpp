@@ -60,7 +60,7 @@ Json vessels() {
 void take(const Json& answers, const char* key, std::string& into) {
   const auto found = answers.find(key);
   if (found == answers.end() || found->is_null()) return;
-  const std::string text = found->is_string() ? found->get<std::string>() : found->dump();
+  const std::string text = found->is_string() ? found->get<std::string>() : json_text(*found);
   if (!text.empty()) into = text;
 }
 

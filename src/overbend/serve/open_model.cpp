@@ -9,7 +9,7 @@ namespace {
 /// JSON as YAML in flow style, scalars in quotes only where they need them.
 std::string flow_text(const Json& value) {
   if (value.is_string()) return yaml_scalar(value.get<std::string>());
-  if (!value.is_structured()) return value.dump();
+  if (!value.is_structured()) return json_text(value);
   std::string text;
   for (const auto& [key, part] : value.items()) {
     text += (text.empty() ? "" : ", ") + (value.is_object() ? yaml_scalar(key) + ": " : std::string());
@@ -23,7 +23,7 @@ YamlChange change_of(const Json& request) {
   const Json& value = request.at("value");
   if (value.is_null()) return {path, YamlChange::Kind::remove, ""};
   if (value.is_structured()) return {path, YamlChange::Kind::flow, flow_text(value)};
-  return {path, YamlChange::Kind::scalar, value.is_string() ? value.get<std::string>() : value.dump()};
+  return {path, YamlChange::Kind::scalar, value.is_string() ? value.get<std::string>() : json_text(value)};
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ auto page_pipe(const Style& style, const StaticResults& r, const std::vector<std
   auto pipe = lists.take();
   pipe.update(checks.take());
   if (r.stations.empty()) {
-    for (const char* always : {"s", "x", "y", "z"}) pipe[always] = Style::Json::array();
+    for (const char* always : {"s", "x", "y", "z"}) pipe[always] = Json::array();
   }
   return style.named("PipeLists", std::move(pipe));
 }
@@ -164,7 +164,6 @@ auto page_statics(const Style& style, const StaticResults& r, const std::vector<
 template <class Style>
 class EnvelopeLists {
  public:
-  using Json = typename Style::Json;
   /// `over_time`: false where there is the static state alone.
   EnvelopeLists(const Style& style, bool over_time) : style_(style), over_time_(over_time), json_(style) {}
 

@@ -7,7 +7,7 @@
 
 namespace overbend {
 
-struct PageStyle : ValueStyle<Json, Output::page> {
+struct PageStyle : ValueStyle<Output::page> {
   double top = 0.0;  ///< Arc length of the tensioner [m].
 
   Json number(double value) const { return seven_digits(value); }

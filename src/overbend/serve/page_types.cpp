@@ -9,7 +9,7 @@
 namespace overbend {
 namespace {
 
-using Type = nlohmann::ordered_json;
+using Type = Json;
 
 constexpr const char* kHead =
     "// The types of what the program answers about results, and the units they are shown in. Made from the program's\n"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 
 #include "report/json_number.h"
 #include "runstore/run_store.h"
@@ -13,11 +12,6 @@
 namespace overbend {
 namespace fs = std::filesystem;
 namespace {
-
-Json read_json(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return stream ? Json::parse(stream, nullptr, false) : Json();
-}
 
 double modified(const fs::path& file) {
   std::error_code fault;
@@ -53,7 +47,7 @@ std::optional<RunInfo> find_run(const fs::path& folder) {
                                 : fs::exists(gathered, none) ? gathered
                                                              : folder / "summary.json";
   const std::optional<RunRecord> record = read_record(folder);
-  const Json summary = read_json(summary_file);
+  const Json summary = read_json_file(summary_file);
   if (!record && !summary.is_object()) return std::nullopt;
   RunInfo run;
   run.id = folder.filename().string();

@@ -11,7 +11,7 @@ namespace {
 
 std::string with_seek(const ModelText& model, const Json& wanted) {
   try {
-    return edit_yaml(model.text, {{"seek", YamlChange::Kind::flow, wanted.dump()}});
+    return edit_yaml(model.text, {{"seek", YamlChange::Kind::flow, json_text(wanted)}});
   } catch (const YamlEditFault& fault) {
     throw HttpFault(422, fault.what());
   }

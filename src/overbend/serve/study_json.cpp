@@ -1,6 +1,5 @@
 #include "serve/study_json.h"
 
-#include <fstream>
 #include <utility>
 #include <vector>
 
@@ -11,8 +10,7 @@ namespace overbend {
 namespace {
 
 Json summary_of(const RunInfo& study, const std::filesystem::path& folder) {
-  std::ifstream stream(folder / study_files(study).summary, std::ios::binary);
-  Json summary = stream ? Json::parse(stream, nullptr, false) : Json();
+  Json summary = read_json_file(folder / study_files(study).summary);
   const char* key = study.kind.c_str();
   if (!summary.is_object() || !summary.contains(key)) throw HttpFault(404, "the study has no results");
   return std::move(summary[key]);

@@ -11,15 +11,14 @@
 namespace overbend {
 
 /// Types that have a name, in the order in which they came up.
-using NamedTypes = std::vector<std::pair<std::string, nlohmann::ordered_json>>;
+using NamedTypes = std::vector<std::pair<std::string, Json>>;
 
 /// As TypeScript writes it. An object is given by the types of its members, a list by that of its first element.
-std::string type_text(const nlohmann::ordered_json& type);
+std::string type_text(const Json& type);
 
 /// What is absent or empty in the results at hand is looked at all the same.
 template <Output kWhere>
 struct TypeStyle {
-  using Json = nlohmann::ordered_json;
   static constexpr Output kOutput = kWhere;
   static constexpr bool kTypes = true;
 

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/json.h"
 #include "modelfile/model_differences.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/operation_reader.h"
@@ -20,7 +19,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
 
 /// What is read of a folder.
 struct Read {
@@ -44,8 +42,7 @@ const char* words_of(ResultsKind kind) {
 }
 
 Json summary_of(const fs::path& folder) {
-  std::ifstream stream(folder / "summary.json", std::ios::binary);
-  return stream ? Json::parse(stream, nullptr, false) : Json();
+  return read_json_file(folder / "summary.json");
 }
 
 /// Utilisations by the checks' own names: which stand in a list, and where, hangs on the model.

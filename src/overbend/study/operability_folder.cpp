@@ -1,6 +1,5 @@
 #include "study/operability_folder.h"
 
-#include <fstream>
 #include <stdexcept>
 
 #include "modelfile/study_reader.h"
@@ -8,27 +7,17 @@
 #include "runstore/replace_file.h"
 
 namespace overbend {
-namespace {
 
 namespace fs = std::filesystem;
 
 constexpr const char* kFile = "operability.json";
 
-std::optional<Json> read_json(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  Json json = Json::parse(stream, nullptr, false);
-  return json.is_object() ? std::optional(std::move(json)) : std::nullopt;
-}
-
-}  // namespace
-
 void write_operability(const OperabilityResults& results, const fs::path& folder) {
-  replace_file(folder / kFile, operability_json(results).dump(1) + "\n");
+  replace_file(folder / kFile, json_text(operability_json(results), 1) + "\n");
 }
 
 std::optional<OperabilityResults> read_operability(const fs::path& folder) {
-  const std::optional<Json> json = read_json(folder / kFile);
+  const std::optional<Json> json = read_json_object(folder / kFile);
   if (!json) return std::nullopt;
   try {
     return operability_of(*json);
@@ -40,7 +29,7 @@ std::optional<OperabilityResults> read_operability(const fs::path& folder) {
 void refresh_operability(const fs::path& folder) {
   std::error_code fault;
   if (!fs::exists(folder / "trials", fault)) return;
-  const std::optional<Json> study = read_json(folder / "study.json");
+  const std::optional<Json> study = read_json_object(folder / "study.json");
   if (!study || !study->contains("study")) return;
   StudyReading reading = read_study_file(study->at("study").get<std::string>());
   if (!reading.study) {

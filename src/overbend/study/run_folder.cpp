@@ -1,12 +1,11 @@
 #include "study/run_folder.h"
 
 #include <array>
-#include <fstream>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
+#include "base/json.h"
 #include "runstore/append_file.h"
 #include "runstore/run_record.h"
 
@@ -14,7 +13,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr const char* kRecord = "run.json";
 constexpr std::array kStates = {"queued", "running", "done", "failed", "cancelled"};
@@ -66,7 +64,7 @@ std::mutex& records() {
 
 void replace_record(const RunRecord& record, const fs::path& folder) {
   const fs::path beside = folder / "run.json.part";
-  write_text(beside, record_json(record).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_text(beside, json_text(record_json(record), 2) + "\n");
   fs::rename(beside, folder / kRecord);
 }
 
@@ -77,10 +75,8 @@ const char* word(RunState state) {
 }
 
 std::optional<RunRecord> read_record(const fs::path& folder) {
-  std::ifstream stream(folder / kRecord, std::ios::binary);
-  if (!stream) return std::nullopt;
   try {
-    const Json json = Json::parse(stream, nullptr, false);
+    const Json json = read_json_file(folder / kRecord);
     if (json.is_object()) return record_of(json);
   } catch (const Json::exception&) {  // a file that only looks like ours
   }

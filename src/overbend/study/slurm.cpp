@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "base/json.h"
 #include "base/text.h"
 #include "runstore/replace_file.h"
 #include "study/run_program.h"
@@ -14,7 +14,6 @@ namespace overbend {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestArray = 1001;  ///< MaxArraySize where the cluster does not say.
 /// A task takes a good part of a second to begin, whatever it does.
@@ -47,7 +46,7 @@ std::size_t largest_array() {
 void remember(const std::vector<SlurmJob>& jobs, const fs::path& folder) {
   Json list = Json::array();
   for (const SlurmJob& job : jobs) list.push_back({{"id", job.id}, {"count", job.count}, {"tasks", job.tasks}});
-  replace_file(jobs_file(folder), Json{{"jobs", list}}.dump(1) + "\n");
+  replace_file(jobs_file(folder), json_text({{"jobs", list}}, 1) + "\n");
 }
 
 void write_script(const SlurmStudy& study) {
@@ -70,10 +69,9 @@ std::string id_of(const std::string& out) {
 std::vector<SlurmJob> slurm_jobs(const fs::path& folder) {
   std::error_code fault;
   if (!fs::exists(jobs_file(folder), fault)) return {};
-  std::ifstream stream(jobs_file(folder), std::ios::binary);
   std::vector<SlurmJob> jobs;
   try {
-    const Json read = Json::parse(stream);
+    const Json read = read_json_file(jobs_file(folder));
     for (const Json& job : read.at("jobs")) {
       jobs.push_back({job.at("id").get<std::string>(), job.at("count").get<std::size_t>(),
                       job.at("tasks").get<std::vector<std::size_t>>()});

@@ -101,16 +101,8 @@ Json study_json(const CaseBase& base, const StudyCases& cases) {
           {"outputs", outputs}};
 }
 
-std::optional<Json> read_json(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) return std::nullopt;
-  Json json = Json::parse(stream, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  return json;
-}
-
 std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 void refuse_another(const Json& there, const Json& wanted, const fs::path& folder) {
@@ -190,7 +182,8 @@ std::vector<StudyOutput> study_outputs(const CaseBase& base) {
 
 void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& folder) {
   const Json wanted = study_json(base, cases);
-  if (const std::optional<Json> there = read_json(folder / kStudy)) return refuse_another(*there, wanted, folder);
+  if (const std::optional<Json> there = read_json_object(folder / kStudy))
+    return refuse_another(*there, wanted, folder);
   std::error_code fault;
   for (const char* other : {"summary.json", "run.json", "results.h5"}) {
     if (!fs::exists(folder / other, fault)) continue;
@@ -206,14 +199,14 @@ void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& f
 }
 
 StudyCaseState recorded_state(const fs::path& folder, std::size_t number) {
-  const std::optional<Json> record = read_json(record_path(folder, number));
+  const std::optional<Json> record = read_json_object(record_path(folder, number));
   return record && record->contains("state") ? state_of(record->at("state")) : StudyCaseState::open;
 }
 
 StudyCase recorded_case(const StudyCases& cases, const std::vector<StudyOutput>& outputs, const fs::path& folder,
                         std::size_t number) {
   StudyCase one = cases.at(number);
-  if (const std::optional<Json> record = read_json(record_path(folder, number))) {
+  if (const std::optional<Json> record = read_json_object(record_path(folder, number))) {
     try {
       take_record(*record, outputs, one);
     } catch (const Json::exception&) {
@@ -279,7 +272,7 @@ void write_case_record(const StudyCase& one, const std::vector<StudyInput>& inpu
 }
 
 StudyResults read_study(const fs::path& folder) {
-  const std::optional<Json> json = read_json(folder / kStudy);
+  const std::optional<Json> json = read_json_object(folder / kStudy);
   if (!json) throw std::runtime_error("'" + folder.string() + "' is no folder of a study: study.json is missing");
   StudyResults results;
   try {
@@ -297,7 +290,7 @@ StudyResults read_study(const fs::path& folder) {
       one.number = number;
       one.group = number / seeds;
       one.folder = case_folder(number);
-      const std::optional<Json> record = read_json(record_path(folder, number));
+      const std::optional<Json> record = read_json_object(record_path(folder, number));
       if (!record) continue;
       take_inputs(*record, results.inputs, one);
       take_record(*record, results.outputs, one);
@@ -315,7 +308,7 @@ std::vector<HistoryPeaks> recorded_peaks(const fs::path& folder, const StudyCase
   const fs::path h5 = folder / one.folder / "results.h5";
   std::error_code fault;
   if (fs::exists(h5, fault)) return peaks_of_run(h5);
-  const std::optional<Json> record = read_json(record_path(folder, one.number));
+  const std::optional<Json> record = read_json_object(record_path(folder, one.number));
   if (!record || !record->contains("peaks")) return peaks;
   try {
     for (const Json& history : record->at("peaks")) peaks.push_back(peaks_of(history));
@@ -326,7 +319,7 @@ std::vector<HistoryPeaks> recorded_peaks(const fs::path& folder, const StudyCase
 }
 
 double recorded_duration(const fs::path& folder) {
-  const std::optional<Json> json = read_json(folder / kStudy);
+  const std::optional<Json> json = read_json_object(folder / kStudy);
   return json ? number_of(*json, "duration").value_or(0.0) : 0.0;
 }
 

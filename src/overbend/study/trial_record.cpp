@@ -1,7 +1,6 @@
 #include "study/trial_record.h"
 
 #include <array>
-#include <fstream>
 #include <utility>
 
 #include "runstore/append_file.h"
@@ -45,10 +44,8 @@ TrialRecord record_of(const Json& json) {
 }  // namespace
 
 std::optional<TrialRecord> read_trial(const std::filesystem::path& folder, const CaseQuestion& question) {
-  std::ifstream stream(folder / "trial.json", std::ios::binary);
-  if (!stream) return std::nullopt;
   try {
-    const Json json = Json::parse(stream);
+    const Json json = read_json_file(folder / "trial.json");
     if (json.at("question") != question_json(question)) return std::nullopt;
     TrialRecord record = record_of(json);
     return record.result.end == TrialEnd::open ? std::nullopt : std::optional(std::move(record));
@@ -65,7 +62,7 @@ void write_trial(const TrialRecord& record, const CaseQuestion& question, const 
   if (record.result.utilisation) json["utilisation"] = *record.result.utilisation;
   json["governing"] = record.result.governing;
   json["wall_time"] = record.wall_time;
-  replace_file(folder / "trial.json", json.dump(1) + "\n");
+  replace_file(folder / "trial.json", json_text(json, 1) + "\n");
 }
 
 }  // namespace overbend

@@ -23,13 +23,6 @@ struct BodyRoller {
 
 /// The vessel with ramp and stinger: its motion is told, or it floats free.
 struct Body {
-  Body();  // These six are compiled once: a copy of all members is long, and many sources make one.
-  Body(const Body&);
-  Body(Body&&) noexcept;
-  Body& operator=(const Body&);
-  Body& operator=(Body&&) noexcept;
-  ~Body();
-
   std::vector<BodyRoller> rollers;
   ContactCells cells;                 ///< In the ramp's frame.
   Vec3 ramp_origin_V = Vec3::Zero();  ///< Of the ramp's frame, whose x runs astern, z up [m].

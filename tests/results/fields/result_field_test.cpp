@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "base/json.h"
 #include "report/report_style.h"
 #include "resultfiles/csv_fields.h"
 #include "resultfiles/finite_visitor.h"
@@ -46,14 +46,14 @@ TEST(result_field, one_line_of_a_table_reaches_the_tables_of_text) {
 TEST(result_field, the_same_line_reaches_summary_page_report_and_types) {
   JsonWriter summary{SummaryStyle{}};
   visit_probe(kProbe, summary);
-  EXPECT_EQ(summary.take().dump(), R"({"max_squeeze":2500.0})");
+  EXPECT_EQ(json_text(summary.take()), R"({"max_squeeze":2500.0})");
   JsonWriter page{PageStyle{}};
   visit_probe(kProbe, page);
-  EXPECT_EQ(page.take().dump(), R"({"squeeze":2500.0})");
+  EXPECT_EQ(json_text(page.take()), R"({"squeeze":2500.0})");
   const ReportStyle style(testing::solved_case("BGL1-T250").results);
   JsonLists<ReportStyle> report(style);
   visit_probe(kProbe, report);
-  EXPECT_EQ(report.take().dump(), R"({"squeeze":[2500.0]})");
+  EXPECT_EQ(json_text(report.take()), R"({"squeeze":[2500.0]})");
   NamedTypes types;
   JsonWriter type{TypeStyle<Output::page>{&types}};
   visit_probe(kProbe, type);
@@ -132,7 +132,7 @@ TEST(result_field, arc_lengths_are_counted_from_the_tensioner_on_the_page) {
   JsonWriter page{style};
   const Touchdown touchdown{{1.0, 2.0, -3.0}, 120.0, 90.0};
   visit_touchdown(touchdown, page);
-  EXPECT_EQ(page.take().dump(), R"({"place":[1.0,2.0,-3.0],"s":180.0})");
+  EXPECT_EQ(json_text(page.take()), R"({"place":[1.0,2.0,-3.0],"s":180.0})");
 }
 
 TEST(result_field, an_alias_with_a_star_names_the_four_values_of_a_quantity_over_time) {
