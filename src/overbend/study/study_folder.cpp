@@ -182,8 +182,9 @@ std::vector<StudyOutput> study_outputs(const CaseBase& base) {
 
 void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& folder) {
   const Json wanted = study_json(base, cases);
-  if (const std::optional<Json> there = read_json_object(folder / kStudy))
+  if (const std::optional<Json> there = read_json_object(folder / kStudy)) {
     return refuse_another(*there, wanted, folder);
+  }
   std::error_code fault;
   for (const char* other : {"summary.json", "run.json", "results.h5"}) {
     if (!fs::exists(folder / other, fault)) continue;
