@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
+#include <set>
 
 namespace overbend {
 namespace {
@@ -17,14 +19,19 @@ std::string without_folder(const std::string& warning, std::size_t mark) {
   return folder == std::string::npos ? warning : warning.substr(folder + 1);
 }
 
+/// Which of the serious phrases it has.
+std::optional<std::size_t> serious_kind(const std::string& warning) {
+  const std::vector<std::string>& phrases = serious_phrases();
+  for (std::size_t kind = 0; kind < phrases.size(); ++kind) {
+    if (warning.find(phrases[kind]) != std::string::npos) return kind;
+  }
+  return std::nullopt;
+}
+
 WeighedWarning weigh(const std::string& warning) {
   const std::size_t mark = warning.find(kOfReader);
   if (mark != std::string::npos) return {WarningWeight::input, without_mark(without_folder(warning, mark))};
-  const std::vector<std::string>& phrases = serious_phrases();
-  const bool serious = std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
-    return warning.find(phrase) != std::string::npos;
-  });
-  WeighedWarning weighed{serious ? WarningWeight::serious : WarningWeight::caution, warning};
+  WeighedWarning weighed{serious_kind(warning) ? WarningWeight::serious : WarningWeight::caution, warning};
   if (!warning.empty()) weighed.text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(warning[0])));
   return weighed;
 }
@@ -67,11 +74,17 @@ const char* word(WarningWeight weight) {
 }
 
 std::vector<WeighedWarning> weighed(const std::vector<std::string>& warnings) {
-  std::vector<WeighedWarning> all;
-  for (const std::string& warning : warnings) all.push_back(weigh(warning));
-  std::stable_sort(all.begin(), all.end(),
+  std::vector<WeighedWarning> firsts, others;
+  std::set<std::size_t> kinds;
+  for (const std::string& warning : warnings) {
+    const std::optional<std::size_t> kind = serious_kind(warning);
+    const bool again = kind && !kinds.insert(*kind).second;
+    (again ? others : firsts).push_back(weigh(warning));
+  }
+  firsts.insert(firsts.end(), others.begin(), others.end());
+  std::stable_sort(firsts.begin(), firsts.end(),
                    [](const WeighedWarning& a, const WeighedWarning& b) { return a.weight < b.weight; });
-  return all;
+  return firsts;
 }
 
 std::string weight_words(const std::vector<WeighedWarning>& warnings) {
