@@ -7,8 +7,10 @@
 namespace overbend {
 namespace {
 
+/// A file of the running test's own: others may run beside it.
 std::filesystem::path written(const std::string& text) {
-  const std::filesystem::path file = ::testing::TempDir() + "overbend-json-test.json";
+  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  const std::filesystem::path file = ::testing::TempDir() + "json_test." + name + ".json";
   std::ofstream(file, std::ios::binary) << text;
   return file;
 }

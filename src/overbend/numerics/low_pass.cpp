@@ -18,7 +18,7 @@ struct SecondOrder {
   double b = 0.0, a1 = 0.0, a2 = 0.0;
 };
 
-/// SecondOrder `k` of the Butterworth filter; `tangent`: tan(pi step / cut_off).
+/// Section `k` of the Butterworth filter; `tangent`: tan(pi step / cut_off).
 SecondOrder butterworth(int k, double tangent) {
   const double twice_damping = 2.0 * std::sin(std::numbers::pi * (2.0 * k + 1.0) / (4.0 * kSections));
   const double square = tangent * tangent;
