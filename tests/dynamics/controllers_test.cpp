@@ -16,8 +16,8 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::SolvedLay;
+using testing::TimedLay;
 
 using Answer = std::function<MachineCommand(const MachineReading&)>;
 
@@ -61,17 +61,17 @@ Description calm(double duration) {
   return d;
 }
 
-const Case& brief_case() {
-  static const Case c(brief());
+const TimedLay& brief_case() {
+  static const TimedLay c(brief());
   return c;
 }
-const Case& calm_case() {
-  static const Case c(calm(40.0));
+const TimedLay& calm_case() {
+  static const TimedLay c(calm(40.0));
   return c;
 }
 /// With the tensioner's own law.
-const Case& controlled_case() {
-  static const Case c([] {
+const TimedLay& controlled_case() {
+  static const TimedLay c([] {
     Description d = brief();
     d.tensioner.mode = TensionerMode::controlled;
     return d;
@@ -79,7 +79,7 @@ const Case& controlled_case() {
   return c;
 }
 
-DynamicOptions with(const Case& c, Controller* controller, double interval = 0.1) {
+DynamicOptions with(const TimedLay& c, Controller* controller, double interval = 0.1) {
   DynamicOptions options = dynamic_options(c.model);
   options.controllers = {{kTensionerMachine, controller, interval}};
   return options;
@@ -87,8 +87,8 @@ DynamicOptions with(const Case& c, Controller* controller, double interval = 0.1
 
 class Simulated : public Simulation {
  public:
-  explicit Simulated(const Case& c) : Simulated(c, dynamic_options(c.model)) {}
-  Simulated(const Case& c, const DynamicOptions& options)
+  explicit Simulated(const TimedLay& c) : Simulated(c, dynamic_options(c.model)) {}
+  Simulated(const TimedLay& c, const DynamicOptions& options)
       : Simulation(c.model, c.start, c.statics.top_tension, options) {}
   double travel() const { return now().tensioner->travel.q; }
 };
@@ -180,7 +180,7 @@ TEST(controllers, see_the_speed_of_the_guide_along_the_pipe) {
 }
 
 TEST(controllers, that_answer_nothing_leave_every_bit_as_it_is) {
-  for (const Case* c : {&brief_case(), &controlled_case()}) {
+  for (const TimedLay* c : {&brief_case(), &controlled_case()}) {
     Asked asked;
     Simulated alone(*c), with_one(*c, with(*c, &asked));
     alone.advance(4.0);
@@ -191,7 +191,7 @@ TEST(controllers, that_answer_nothing_leave_every_bit_as_it_is) {
 }
 
 TEST(controllers, that_ask_for_no_speed_are_a_brake) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   Asked asked([](const MachineReading&) { return speed(0.0); });
   Simulated locked(c), held(c, with(c, &asked, 0.5));
   locked.advance(4.0);
@@ -202,7 +202,7 @@ TEST(controllers, that_ask_for_no_speed_are_a_brake) {
 TEST(controllers, that_set_tensions_do_what_set_tension_does) {
   Description d = calm(4.0);
   d.tensioner.mode = TensionerMode::constant;
-  const Case c(d);
+  const TimedLay c(d);
   const auto tension = [](double time) { return 250e3 - 1e3 * time; };
   Asked asked([&](const MachineReading& now) { return set_to(tension(now.time)); });
   Simulated by_hand(c), by_controller(c, with(c, &asked, 0.5));
@@ -247,9 +247,9 @@ TEST(controllers, that_imitate_the_law_of_the_tensioner_give_nearly_its_run) {
   d.tensioner.delay = 0.0;
   d.tensioner.range_low = 240e3;
   d.tensioner.range_high = 255e3;
-  const Case own(d);
+  const TimedLay own(d);
   d.tensioner.mode = TensionerMode::locked;
-  const Case led(d);
+  const TimedLay led(d);
   Asked governor([](const MachineReading& now) {
     const double error = now.tension - 240e3;
     return speed(0.02 * std::clamp(error > 0.0 ? error / 5e3 : error / 10e3, -1.0, 1.0));
@@ -279,7 +279,7 @@ class Integrating : public Controller {
 };
 
 TEST(controllers, do_not_make_steps_depend_on_how_they_are_asked_for) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   for (const double interval : {0.1, 0.07}) {
     Integrating first, second, third;
     Simulated whole(c, with(c, &first, interval)), single(c, with(c, &second, interval)),
@@ -295,7 +295,7 @@ TEST(controllers, do_not_make_steps_depend_on_how_they_are_asked_for) {
 }
 
 TEST(controllers, go_on_from_a_checkpoint_with_what_they_remember) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   Integrating first, second;
   Simulated whole(c, with(c, &first)), resumed(c, with(c, &second));
   whole.advance(1.0);
@@ -312,7 +312,7 @@ TEST(controllers, go_on_from_a_checkpoint_with_what_they_remember) {
 }
 
 TEST(controllers, whose_interval_is_that_of_rows_find_a_command_in_force_after_a_checkpoint) {
-  const Case& c = calm_case();
+  const TimedLay& c = calm_case();
   Asked once([](const MachineReading& now) { return now.time < 0.1 ? speed(0.1) : speed(0.05); });
   Simulated whole(c, with(c, &once, 4.0)), resumed(c, with(c, &once, 4.0));
   whole.advance(2.0);
@@ -352,7 +352,7 @@ TEST(controllers, that_fail_end_the_run_and_are_named) {
   }
 }
 
-std::string refusal(const Case& c, const MachineCommand& command) {
+std::string refusal(const TimedLay& c, const MachineCommand& command) {
   Simulated simulation(c);
   try {
     simulation.command(kTensionerMachine, command);
@@ -370,11 +370,12 @@ TEST(controllers, may_ask_for_what_the_machine_can_do_alone) {
   EXPECT_EQ(refusal(controlled_case(), set_to(-1.0)), "a set tension of -1 N is not a positive number");
   Description d = calm(1.0);
   d.tensioner.velocity = 0.0;
-  EXPECT_EQ(refusal(Case(d), speed(0.1)), "a speed is asked for, but the machine has none: give tensioner.velocity");
+  EXPECT_EQ(refusal(TimedLay(d), speed(0.1)),
+            "a speed is asked for, but the machine has none: give tensioner.velocity");
 }
 
 TEST(controllers, are_refused_for_machines_that_are_not_there) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   const auto fault = [&](const std::vector<ControllerUse>& uses) -> std::string {
     DynamicOptions options = dynamic_options(c.model);
     options.controllers = uses;
@@ -394,7 +395,7 @@ TEST(controllers, are_refused_for_machines_that_are_not_there) {
 }
 
 TEST(controllers, leave_words_in_the_results) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   Asked asked([](const MachineReading&) { return speed(9.0); });
   Simulated simulation(c, with(c, &asked));
   simulation.advance(4.0);

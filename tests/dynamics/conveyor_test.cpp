@@ -11,10 +11,10 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
+using testing::TimedLay;
 
 struct Laid {
-  explicit Laid(const Case& c, std::optional<double> element = {})
+  explicit Laid(const TimedLay& c, std::optional<double> element = {})
       : system(pipe_system(c.model, c.start, c.statics.top_tension)),
         state(static_state(system, c.start, {}, 0.0)),
         conveyor(c.model, system, element) {}
@@ -38,8 +38,8 @@ struct Laid {
   Conveyor conveyor;
 };
 
-const Case& plain() {
-  static const Case c(testing::workable());
+const TimedLay& plain() {
+  static const TimedLay c(testing::workable());
   return c;
 }
 
@@ -64,7 +64,7 @@ TEST(conveyor, forty_joints_leave_length_and_mass_as_they_have_to_be) {
 }
 
 TEST(conveyor, joints_come_in_by_the_build_of_the_pipe) {
-  const Case c(jointed());
+  const TimedLay c(jointed());
   Laid laid(c);
   const double start = laid.line().mesh.total_length();
   laid.pay_out(40.0 * 12.2 + 1.0);
@@ -107,7 +107,7 @@ TEST(conveyor, refines_what_comes_to_the_touchdown) {
 }
 
 TEST(conveyor, gives_the_mesh_back_from_what_it_saved) {
-  const Case c(jointed());
+  const TimedLay c(jointed());
   Laid first(c), second(c);
   first.pay_out(55.0);
   second.conveyor.restore(first.conveyor.save(first.system), second.system);

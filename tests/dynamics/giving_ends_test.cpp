@@ -63,12 +63,11 @@ struct WinchCase {
     options.output_step = 0.5;
     options.max_step = 0.1;
     options.fixed_step = fixed_step;
-    system.surroundings =
-        moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), options.build_up);
+    LeadEnds lead = moving_ends(rest.model, make_vessel_motion(rest.model, sea), options.build_up);
     SystemState start = resting_lines(system, rest.state, rest.rest, -build_up);
     if (commanded) command_speed(start.attachments.at(1).machine, *commanded);
     if (left) leave_to_law(system.attachments.at(1).winch->tension, 0.0, start.attachments.at(1).machine);
-    made.emplace(system, sea, std::move(start), options);
+    made.emplace(system, std::move(lead), sea, std::move(start), options);
     made->observe(rows);
     return *made;
   }
@@ -104,7 +103,7 @@ TEST_P(winch, that_pays_out_and_hauls_in_smoothly_keeps_to_the_curve_of_rest) {
     const double rest = catenary_tensions(length, kSpan).fairlead;
     worst = std::max(worst, std::abs(tension / rest - 1.0));
   };
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(worst, 0.01);
   EXPECT_NEAR(one.way(1).moved, GetParam(), 1e-9);
   const double rest = catenary_tensions(kLength + GetParam(), kSpan).fairlead;
@@ -129,7 +128,7 @@ TEST(winch, whose_brake_renders_keeps_the_tension_it_bears_and_the_line_is_longe
   law.brake = 350e3;
   one.fairlead().winch = law;
   SystemRun& run = one.run(45.0);
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.01 * law.brake);  // half a percent for every 0.1 m/s
   EXPECT_GT(one.rows.most, law.brake);
   EXPECT_GT(one.way(1).gave_way, 0.5);
@@ -146,7 +145,7 @@ TEST(winch, stops_hauling_in_at_the_tension_at_which_it_stalls) {
   add_move(law.program, 1.0, -5.0, 0.2, 3.0);
   one.fairlead().winch = law;
   SystemRun& run = one.run(40.0);
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.02 * law.stall);  // what swings on after it has stopped
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
   EXPECT_NEAR(rest, law.stall, 0.01 * law.stall);
@@ -169,7 +168,7 @@ TEST(winch, that_keeps_a_tension_hauls_in_until_it_is_there) {
   SystemRun& run = one.run(60.0);
   run.advance(2.0);
   EXPECT_EQ(one.way(1).moved, 0.0);  // within the delay
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_NEAR(one.tension(), law.tension.wanted, 5e3);
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
   EXPECT_NEAR(rest, law.tension.wanted, 5e3);
@@ -186,7 +185,7 @@ TEST(anchor, drags_at_its_holding_power_and_stays_where_it_was_dragged_to) {
   one.rows.look = [&](const SystemRun& at, double) {
     most = std::max(most, tension_to_take(at.system().attachments[0], at.assembly().line(0)));
   };
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(most, 1.01 * holding);  // half a percent for every 0.1 m/s
   EXPECT_GT(most, holding);
   const Vec3 dragged = one.way(0).dragged;
@@ -210,7 +209,7 @@ TEST(parted_line, gains_the_momentum_of_the_force_it_lost) {
   SystemRun& run = one.run(0.2);
   const double below = one.rest.first[0].norm(), weight = 16.0 * kGravity * 300.0;
   ASSERT_GT(below, 10e3);
-  ASSERT_TRUE(run.advance(0.2)) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(0.2)) << run.failure()->what;
   EXPECT_TRUE(run.state().attachments[1].parted);
   EXPECT_NEAR(run.end_force(0, LineEnd::first).norm(), below, 0.01 * below);
   const std::vector<double>& v = run.state().lines[0].v;
@@ -239,7 +238,7 @@ TEST(commanded_winch, pays_out_what_its_speed_and_its_ramp_make_with_a_balance_o
   one.fairlead().winch = commanded_winch();
   one.commanded = 0.1;  // reached in a second
   SystemRun& run = one.run(20.0);
-  ASSERT_TRUE(run.advance(20.0)) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(20.0)) << run.failure()->what;
   EXPECT_NEAR(one.way(1).moved, 0.1 * (20.0 - 0.5), 1e-12);
   EXPECT_EQ(one.way(1).rate, 0.1);
   EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::pay_out);
@@ -252,7 +251,7 @@ TEST(commanded_winch, stops_where_its_range_ends) {
   one.fairlead().winch = commanded_winch();
   one.commanded = 0.5;  // more than it has
   SystemRun& run = one.run(40.0);
-  ASSERT_TRUE(run.advance(40.0)) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(40.0)) << run.failure()->what;
   EXPECT_NEAR(one.way(1).moved, 5.0, 1e-5);
   EXPECT_EQ(one.way(1).rate, 0.0);
   EXPECT_EQ(run.state().attachments[1].machine.state, TensionerState::at_limit);
@@ -264,7 +263,7 @@ TEST(commanded_winch, stalls_as_one_with_a_program_does) {
   one.fairlead().winch->stall = 350e3;
   one.commanded = -0.2;
   SystemRun& run = one.run(40.0);
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.02 * 350e3);  // what swings on after it has stopped
   const double rest = catenary_tensions(kLength + one.way(1).moved, kSpan).fairlead;
   EXPECT_NEAR(rest, 350e3, 0.01 * 350e3);
@@ -277,7 +276,7 @@ TEST(commanded_winch, renders_at_what_its_brake_bears) {
   one.fairlead().winch->brake = 350e3;
   one.commanded = 0.0;
   SystemRun& run = one.run(45.0);
-  ASSERT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+  ASSERT_TRUE(run.advance(run.end())) << run.failure()->what;
   EXPECT_LT(one.rows.most, 1.01 * 350e3);
   EXPECT_GT(one.way(1).gave_way, 0.5);
 }

@@ -10,12 +10,12 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
+using testing::TimedLay;
 using testing::workable;
 
 TEST(laid_tail, carries_the_line_on_straight_along_the_bed) {
-  const Case c(workable());
+  const TimedLay c(workable());
   const StaticSolution longer = with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0);
   EXPECT_LT(longer.mesh.s.front(), -0.99 * tail_to_hold(c.model, c.statics.top_tension));
   EXPECT_EQ(longer.mesh.s.back(), c.start.mesh.s.back());
@@ -33,7 +33,7 @@ TEST(laid_tail, is_not_added_where_the_anchor_is_real_or_nothing_holds_the_pipe)
   Description slippery = workable();
   slippery.environment.seabed.friction_axial = 0.0;
   for (const Description& d : {given, slippery}) {
-    const Case c(d);
+    const TimedLay c(d);
     EXPECT_EQ(with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0).mesh.s, c.start.mesh.s);
   }
 }
@@ -42,7 +42,7 @@ TEST(laid_tail, twice_as_long_changes_nothing) {
   Description d = workable();
   d.dynamics->duration = 40.0;
   d.tensioner.mode = TensionerMode::locked;
-  const Case c(d);
+  const TimedLay c(d);
   DynamicOptions options = dynamic_options(c.model);
   EmptySink a, b;
   const DynamicResults once = c.run(a, options).results.value();

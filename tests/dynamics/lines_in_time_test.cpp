@@ -175,10 +175,10 @@ TEST(lines_in_time, with_points_and_waves_keep_their_energy_to_second_order) {
     DynamicOptions options = options_for(4.0, 9.0);
     options.fixed_step = h;
     const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
-    System system = rest.setup.system;
-    system.surroundings = moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), 9.0);
-    SystemRun run(system, sea, resting_lines(system, rest.state, rest.rest, -9.0), options);
-    EXPECT_TRUE(run.advance(run.end())) << run.failure().value_or("");
+    const System& system = rest.setup.system;
+    SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
+                  resting_lines(system, rest.state, rest.rest, -9.0), options);
+    EXPECT_TRUE(run.advance(run.end())) << run.failure()->what;
     return run.energy().drift();
   };
   const double coarse = drift(0.05), fine = drift(0.025);
@@ -202,9 +202,9 @@ TEST(lines_in_time, on_a_heaving_vessel_swing_as_if_their_end_were_told_to) {
 TEST(lines_in_time, allocate_nothing_in_a_step) {
   testing::RestingLines rest(busy_line());
   const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);
-  System system = rest.setup.system;
-  system.surroundings = moving_ends(rest.model, system.attachments, make_vessel_motion(rest.model, sea), 9.0);
-  SystemRun run(system, sea, resting_lines(system, rest.state, rest.rest, -9.0), options_for(4.0, 9.0));
+  const System& system = rest.setup.system;
+  SystemRun run(system, moving_ends(rest.model, make_vessel_motion(rest.model, sea), 9.0), sea,
+                resting_lines(system, rest.state, rest.rest, -9.0), options_for(4.0, 9.0));
   run.advance(-8.0);
   const long before = testing::allocation_count();
   run.advance(-6.0);

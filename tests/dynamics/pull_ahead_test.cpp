@@ -14,9 +14,9 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 
 /// In still water, with the tension kept: 4 m ahead from t = 1 s on.
 Description moved() {
@@ -55,7 +55,7 @@ struct Moved {
     resting = reactions();
     EXPECT_TRUE(simulation.advance(simulation.end()));
   }
-  Case c;
+  TimedLay c;
   Simulation simulation;
   MemorySink sink;
   DynamicRecorder recorder;
@@ -116,7 +116,7 @@ TEST(pull_ahead, resumes_in_the_middle_of_a_move_bit_for_bit) {
   d.vessel.motion = testing::workable().vessel.motion;
   d.operation.speed = 0.8;
   d.dynamics->duration = 9.0;
-  const Case c(d);
+  const TimedLay c(d);
   const DynamicOptions options = dynamic_options(c.model);
   EmptySink sink;
   Simulation whole(c.model, c.start, c.statics.top_tension, options);

@@ -13,9 +13,9 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 
 /// The example in its sea for 4 s.
 Description brief() {
@@ -25,15 +25,15 @@ Description brief() {
   return d;
 }
 
-const Case& brief_case() {
-  static const Case c(brief());
+const TimedLay& brief_case() {
+  static const TimedLay c(brief());
   return c;
 }
 
 class Simulated : public Simulation {
  public:
-  explicit Simulated(const Case& c) : Simulated(c, dynamic_options(c.model)) {}
-  Simulated(const Case& c, const DynamicOptions& options)
+  explicit Simulated(const TimedLay& c) : Simulated(c, dynamic_options(c.model)) {}
+  Simulated(const TimedLay& c, const DynamicOptions& options)
       : Simulation(c.model, c.start, c.statics.top_tension, options) {}
 };
 
@@ -66,7 +66,7 @@ class Counter : public SimulationObserver {
 TEST(simulation, factors_serve_several_steps_of_a_heaving_pipe_with_few_iterations_each) {
   Description heaving = read_model(OVERBEND_SOURCE_DIR "/bench/sagbend.yaml").description.value();
   heaving.dynamics->duration = 24.0;  // three periods
-  const Case sagbend(heaving);
+  const TimedLay sagbend(heaving);
   Simulated run(sagbend);
   EXPECT_TRUE(run.advance(1e9));
   const DynamicRunReport& report = run.report();
@@ -123,7 +123,7 @@ TEST(simulation, tells_every_observer_of_every_step_and_row) {
 }
 
 TEST(simulation, a_step_allocates_nothing) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   Simulated simulation(c);
   EmptySink sink;
   DynamicRecorder recorder(c.model, c.statics, simulation, sink);
@@ -138,7 +138,7 @@ TEST(simulation, a_step_allocates_nothing) {
 }
 
 TEST(simulation, a_restored_one_shows_the_same_present_and_goes_on_with_the_same_bits) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   Simulated whole(c), second(c);
   MemorySink a, b;
   DynamicRecorder first_recorder(c.model, c.statics, whole, a), second_recorder(c.model, c.statics, second, b);
@@ -166,7 +166,7 @@ TEST(simulation, a_tensioner_takes_a_new_set_point_between_two_steps) {
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.mode = TensionerMode::constant;
-  const Case c(d);
+  const TimedLay c(d);
   Simulated simulation(c);
   simulation.advance(0.0);
   EXPECT_NEAR(simulation.tension(), 250e3, 10.0);  // what a step may leave out of balance
@@ -184,7 +184,7 @@ TEST(simulation, a_tensioner_takes_a_new_set_point_between_two_steps) {
 }
 
 TEST(simulation, one_that_cannot_go_on_says_why_and_stays_where_it_was) {
-  const Case& c = brief_case();
+  const TimedLay& c = brief_case();
   DynamicOptions options = dynamic_options(c.model);
   options.step.tolerance = 0.0;  // which no step reaches
   options.step.max_iterations = 2;

@@ -26,7 +26,7 @@ TEST(control_columns, tell_what_a_controller_asked_for_and_the_results_that_ther
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
   d.tensioner.mode = TensionerMode::locked;
-  const testing::Case c(d);
+  const testing::TimedLay c(d);
   TwoSeconds controller;
   DynamicOptions options = dynamic_options(c.model);
   options.controllers = {{kTensionerMachine, &controller, 0.1}};

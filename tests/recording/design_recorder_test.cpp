@@ -12,9 +12,9 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 
 /// The example, for a shorter time.
 Description workable() {
@@ -36,9 +36,9 @@ TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_and_those_o
   d.vessel.motion = VesselMotion::fixed;
   d.checks.system_effects = false;
   d.dynamics->duration = 4.0;
-  const Case apart(d);
+  const TimedLay apart(d);
   d.checks.current_load = CurrentLoad::functional;
-  const Case c(d);
+  const TimedLay c(d);
   EmptySink sink;
   const DynamicResults r = c.results(sink), of_current = apart.results(sink);
   double most = 0.0;
@@ -55,7 +55,7 @@ TEST(design_recorder, a_line_at_rest_has_the_functional_load_effects_and_those_o
 }
 
 TEST(design_recorder, factored_load_effects_are_never_below_those_that_stood) {
-  const Case c(workable());
+  const TimedLay c(workable());
   EmptySink sink;
   const DynamicResults r = c.results(sink);
   const CheckSection section = make_check_section(c.model.description.pipe.section, c.model.description.checks);
@@ -73,7 +73,7 @@ TEST(design_recorder, factored_load_effects_are_never_below_those_that_stood) {
 }
 
 TEST(design_recorder, utilisations_follow_from_what_is_kept_beside_them) {
-  const Case c(workable());
+  const TimedLay c(workable());
   EmptySink sink;
   const DynamicResults r = c.results(sink);
   const CheckSection section = make_check_section(c.model.description.pipe.section, c.model.description.checks);
@@ -91,7 +91,7 @@ TEST(design_recorder, utilisations_follow_from_what_is_kept_beside_them) {
 }
 
 TEST(design_recorder, the_table_of_a_run_is_complete_and_in_time) {
-  const Case c(workable());
+  const TimedLay c(workable());
   EmptySink sink;
   const DynamicResults r = c.results(sink);
   const CheckRow& second = row_of(r.checks, "dnv_criterion_2", CheckRegion::overbend);
@@ -107,7 +107,7 @@ TEST(design_recorder, the_table_of_a_run_is_complete_and_in_time) {
 }
 
 TEST(design_recorder, a_run_taken_up_again_has_the_same_bits) {
-  const Case c(workable());
+  const TimedLay c(workable());
   MemorySink whole, first, second;
   const DynamicResults expected = c.results(whole);
   c.run(first, dynamic_options(c.model), nullptr,
@@ -126,7 +126,7 @@ TEST(design_recorder, a_roller_force_counts_where_it_is_asked_for) {
   Description d = workable();
   d.checks.point_load = true;
   EmptySink a, b;
-  const DynamicResults with = Case(d).results(a), without = Case(workable()).results(b);
+  const DynamicResults with = TimedLay(d).results(a), without = TimedLay(workable()).results(b);
   const auto least = [](const DynamicResults& r) {
     return *std::min_element(r.design.share.begin(), r.design.share.end());
   };

@@ -12,8 +12,8 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::MemorySink;
+using testing::TimedLay;
 
 /// The example with a box behind the tensioner, which no pipe passes.
 Description with_a_box_out_of_the_way() {
@@ -29,7 +29,7 @@ Description with_a_box_out_of_the_way() {
 }
 
 TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
-  const Case c(with_a_box_out_of_the_way());
+  const TimedLay c(with_a_box_out_of_the_way());
   EXPECT_GT(c.statics.supports.front().separation, 1.0);  // in statics that of the pipe's end
   MemorySink sink;
   const DynamicResults r = c.results(sink);
@@ -46,7 +46,7 @@ TEST(dynamic_recorder, a_roller_that_the_pipe_does_not_pass_has_no_separation) {
 }
 
 TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time) {
-  const Case c(testing::workable());
+  const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   const double least = *std::min_element(r.effective_tension.min.begin(), r.effective_tension.min.end());
@@ -65,7 +65,7 @@ TEST(dynamic_recorder, the_smallest_tension_is_that_of_all_stations_at_any_time)
 }
 
 TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_run_in_waves) {
-  const Case c(testing::workable());
+  const TimedLay c(testing::workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   const auto says = [](const std::string& s) {
@@ -78,7 +78,7 @@ TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size
   DynamicResults r;
   r.smallest_tension.over_time.min = -8e3;
   r.smallest_tension.time = 12.5;
-  const Case c(testing::workable());
+  const TimedLay c(testing::workable());
   r.smallest_tension.s = c.statics.touchdown.s;
   warn_of_slack(c.statics, r);
   ASSERT_EQ(r.warnings.size(), 1U);

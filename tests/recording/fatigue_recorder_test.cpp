@@ -15,9 +15,9 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 
 /// Two stations of a level pipe along x, 20 m below the water, under loads that a test gives.
 class TwoStations {
@@ -232,7 +232,7 @@ TEST(fatigue_recorder, a_run_that_counts_is_the_run_that_does_not) {
   Description plain = in_a_sea();
   plain.fatigue.reset();
   EmptySink a, b;
-  const DynamicResults with = Case(in_a_sea()).results(a), without = Case(plain).results(b);
+  const DynamicResults with = TimedLay(in_a_sea()).results(a), without = TimedLay(plain).results(b);
   EXPECT_EQ(with.von_mises.max, without.von_mises.max);
   EXPECT_EQ(with.run.steps, without.run.steps);
   EXPECT_FALSE(without.fatigue);
@@ -246,7 +246,7 @@ TEST(fatigue_recorder, a_run_that_counts_is_the_run_that_does_not) {
 
 /// No cycle is larger than what the envelopes of tension and moment allow, and the largest is not far from it.
 TEST(fatigue_recorder, equivalent_ranges_lie_within_the_envelopes) {
-  const Case c(in_a_sea());
+  const TimedLay c(in_a_sea());
   EmptySink sink;
   const DynamicResults r = c.results(sink);
   const Section& s = c.model.sections[0];
@@ -262,7 +262,7 @@ TEST(fatigue_recorder, equivalent_ranges_lie_within_the_envelopes) {
 }
 
 TEST(fatigue_recorder, a_run_taken_up_again_has_the_same_bits) {
-  const Case c(in_a_sea());
+  const TimedLay c(in_a_sea());
   MemorySink whole, first, second;
   const DynamicResults expected = c.results(whole);
   c.run(first, dynamic_options(c.model), nullptr,
@@ -280,7 +280,7 @@ TEST(fatigue_recorder, the_table_of_checks_holds_the_damage_of_the_worst_spot_ag
   Description d = in_a_sea();
   d.fatigue->design_factor = 3.0;
   EmptySink sink;
-  const DynamicResults r = Case(d).results(sink);
+  const DynamicResults r = TimedLay(d).results(sink);
   const auto row = std::find_if(r.checks.rows.begin(), r.checks.rows.end(),
                                 [](const CheckRow& check) { return check.id == "fatigue"; });
   ASSERT_NE(row, r.checks.rows.end());

@@ -14,12 +14,12 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
+using testing::TimedLay;
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-const Case& example() {
-  static const Case c(testing::workable());
+const TimedLay& example() {
+  static const TimedLay c(testing::workable());
   return c;
 }
 

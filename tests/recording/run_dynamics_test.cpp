@@ -16,16 +16,16 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 using testing::workable;
 
 TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
   Description d = workable();
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
-  const Case c(d);
+  const TimedLay c(d);
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   // The static solver stops at 1e-9 of the weight of 1.2 MN, a step at 1e-6 of it: of the order of 1 N.
@@ -48,7 +48,7 @@ Description with_arrestor() {
 
 TEST(dynamics, the_recovery_in_time_agrees_with_that_of_statics) {
   for (const Description& d : {workable(), with_arrestor()}) {
-    const Case c(d);
+    const TimedLay c(d);
     MemorySink sink;
     const DynamicResults r = c.results(sink);
     ASSERT_TRUE(c.statics.overbend);
@@ -73,7 +73,7 @@ TEST(dynamics, the_recovery_in_time_agrees_with_that_of_statics) {
 }
 
 TEST(dynamics, tension_passes_a_change_of_section_without_a_ripple) {
-  const Case c(with_arrestor());
+  const TimedLay c(with_arrestor());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   const std::vector<double>& largest = r.effective_tension.max;
@@ -86,7 +86,7 @@ TEST(dynamics, tension_passes_a_change_of_section_without_a_ripple) {
 }
 
 TEST(dynamics, at_a_change_of_section_stresses_are_those_of_the_softer_side) {
-  const Case c(with_arrestor());
+  const TimedLay c(with_arrestor());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   const Section& pipe = c.model.sections.front();
@@ -120,7 +120,7 @@ Description hanging(TensionerMode mode) {
 
 TEST(tensioner_in_time, on_a_guide_that_lets_the_pipe_turn_it_acts_along_the_pipe) {
   for (const TensionerMode mode : {TensionerMode::constant, TensionerMode::controlled, TensionerMode::locked}) {
-    const Case c(hanging(mode));
+    const TimedLay c(hanging(mode));
     MemorySink sink;
     const DynamicResults r = c.results(sink);
     EXPECT_NEAR(r.tensioner.tension.max, r.top_tension.max, 1e-3 * r.top_tension.max);
@@ -135,7 +135,7 @@ TEST(tensioner_in_time, on_a_guide_that_lets_the_pipe_turn_it_acts_along_the_pip
 }
 
 TEST(dynamics, percentiles_of_reactions_agree_with_the_share_of_time_in_contact) {
-  const Case c(workable());
+  const TimedLay c(workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   int lifting = 0;
@@ -153,7 +153,7 @@ TEST(dynamics, percentiles_of_reactions_agree_with_the_share_of_time_in_contact)
 }
 
 TEST(dynamics, energy_in_is_energy_stored_and_lost) {
-  const Case c(workable());
+  const TimedLay c(workable());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_LT(std::abs(r.energy.drift()), 1e-3);
@@ -167,7 +167,7 @@ TEST(dynamics, energy_in_is_energy_stored_and_lost) {
 TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
   Description d = workable();
   d.tensioner.mode = TensionerMode::locked;  // the moments at which a machine moves depend on single peaks
-  const Case c(d);
+  const TimedLay c(d);
   MemorySink a, b;
   DynamicOptions options = dynamic_options(c.model);
   const DynamicResults coarse = c.run(a, options).results.value();
@@ -185,9 +185,9 @@ TEST(dynamics, envelopes_hold_between_coarse_and_fine_steps) {
 TEST(impacts_in_time, are_as_many_and_as_hard_as_with_steps_that_are_short_throughout) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-workable-sea.yaml").description.value();
   d.dynamics->duration = 120.0;
-  const Case chosen(d);
+  const TimedLay chosen(d);
   d.dynamics->max_step = 0.01;
-  const Case short_steps(d);
+  const TimedLay short_steps(d);
   const auto sum = [](const MemorySink& sink) {
     return std::accumulate(sink.impacts.begin(), sink.impacts.end(), 0.0,
                            [](double so_far, const Impact& impact) { return so_far + impact.peak_force; });
@@ -217,7 +217,7 @@ Description hauling(TensionerMode mode) {
 }
 
 TEST(tensioner_in_time, constant_keeps_the_tension_and_pays_out_and_in) {
-  const Case c(hauling(TensionerMode::constant));
+  const TimedLay c(hauling(TensionerMode::constant));
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_NEAR(r.tensioner.tension.min, 250e3, 5.0);  // what a step may leave out of balance
@@ -228,7 +228,7 @@ TEST(tensioner_in_time, constant_keeps_the_tension_and_pays_out_and_in) {
 }
 
 TEST(tensioner_in_time, controlled_lies_between_the_brake_and_the_ideal) {
-  const Case on(hauling(TensionerMode::controlled)), off(hauling(TensionerMode::locked));
+  const TimedLay on(hauling(TensionerMode::controlled)), off(hauling(TensionerMode::locked));
   MemorySink a, b;
   const DynamicResults controlled = on.results(a), locked = off.results(b);
   EXPECT_LT(controlled.tensioner.time_out_of_range, 0.6 * locked.tensioner.time_out_of_range);
@@ -242,7 +242,7 @@ TEST(tensioner_in_time, controlled_lies_between_the_brake_and_the_ideal) {
 }
 
 TEST(tensioner_in_time, moves_no_faster_than_it_can_and_waits_its_delay) {
-  const Case c(hauling(TensionerMode::controlled));
+  const TimedLay c(hauling(TensionerMode::controlled));
   MemorySink sink;
   c.results(sink);
   const std::vector<double> time = sink.column("time"), tension = sink.column("tensioner/tension"),
@@ -263,7 +263,7 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   d.tensioner.travel = 0.05;
   d.tensioner.delay = 0.5;
   d.dynamics->max_step = 0.02;  // follows the vibrations along the pipe that make the machine act
-  const Case c(d);
+  const TimedLay c(d);
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_NEAR(r.tensioner.travel.max, 0.05, 1e-4);  // while it is governed its speed is what is bounded, not its place
@@ -279,7 +279,7 @@ TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
   Description d = hauling(TensionerMode::controlled);
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
-  const Case c(d);
+  const TimedLay c(d);
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_EQ(r.tensioner.travel.max, 0.0);
@@ -289,7 +289,7 @@ TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
 
 /// Runs whole, and once stopped at the first row from `stop` on and taken up again.
 void expect_same_bits_when_taken_up(const Description& description, double stop) {
-  const Case c(description);
+  const TimedLay c(description);
   const DynamicOptions options = dynamic_options(c.model);
   MemorySink whole, first, second;
   const DynamicResults expected = c.run(whole, options).results.value();
@@ -319,7 +319,7 @@ TEST(dynamics, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
 TEST(tensioner_in_time, a_run_taken_up_in_every_state_gives_the_same_bits) {
   const Description d = hauling(TensionerMode::controlled);
   MemorySink sink;
-  Case(d).results(sink);
+  TimedLay(d).results(sink);
   const std::vector<double> time = sink.column("time"), state = sink.column("tensioner/state");
   std::vector<double> seen;
   for (std::size_t i = 0; i + 1 < state.size(); ++i) {  // at the first row of each state
@@ -345,7 +345,7 @@ TEST(yielding_in_time, a_run_taken_up_at_a_checkpoint_gives_the_same_bits) {
 }
 
 TEST(yielding_in_time, energy_in_is_energy_stored_and_lost) {
-  const Case c(yielding());
+  const TimedLay c(yielding());
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_GT(r.energy.yielding_loss, 10.0);
@@ -356,7 +356,7 @@ TEST(yielding_in_time, at_rest_the_pipe_stays_where_statics_put_it) {
   Description d = yielding();
   d.environment.waves.type = WaveType::none;
   d.vessel.motion = VesselMotion::fixed;
-  const Case c(d);
+  const TimedLay c(d);
   MemorySink sink;
   const DynamicResults r = c.results(sink);
   EXPECT_LT(r.energy.yielding_loss, 0.1);  // [J]; what settling from the tolerance of statics makes
@@ -370,13 +370,13 @@ TEST(yielding_in_time, steps_stay_as_long_as_with_linear_steel) {
   Description linear = yields;
   linear.pipe.section.steel.material = {};
   MemorySink a, b;
-  const DynamicResults with = Case(yields).results(a), without = Case(linear).results(b);
+  const DynamicResults with = TimedLay(yields).results(a), without = TimedLay(linear).results(b);
   EXPECT_GT(with.energy.yielding_loss, 10.0);
   EXPECT_LT(static_cast<double>(with.run.steps), 1.1 * static_cast<double>(without.run.steps));
 }
 
 TEST(dynamics, writing_checkpoints_does_not_change_the_run) {
-  const Case c(workable());
+  const TimedLay c(workable());
   const DynamicOptions options = dynamic_options(c.model);
   MemorySink plain, written;
   c.run(plain, options);
@@ -386,7 +386,7 @@ TEST(dynamics, writing_checkpoints_does_not_change_the_run) {
 
 TEST(dynamics, the_time_loop_allocates_nothing) {
   for (const Description& d : {workable(), yielding()}) {
-    const Case c(d);
+    const TimedLay c(d);
     EmptySink sink;
     long at_first = 0, at_last = 0;
     c.run(sink, dynamic_options(c.model), nullptr, [&](const DynamicProgress& at) {

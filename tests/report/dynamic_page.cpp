@@ -1,5 +1,6 @@
 /// Writes the report of made-up results: dynamic_page FILE.html
-/// rough|calm|jlay|moored|moorings|pull_ahead|lines|abandonment|start_up|study_SHAPE
+/// rough|calm|jlay|moored|moored_in_time|moorings|pull_ahead|lines|abandonment|start_up|study_SHAPE
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -50,6 +51,7 @@ int main(int count, char** words) {
       {"jlay", [](const std::string& file) { write_lay("jlay", file); }},
       {"moored", [](const std::string& file) { write_lay("moored", file); }},
       {"moorings", [](const std::string& file) { write_moorings(synthetic_stages(), file); }},
+      {"moored_in_time", [](const std::string& file) { std::ofstream(file) << moored_page_in_time(); }},
       {"pull_ahead", [](const std::string& file) { write_moorings(synthetic_pull_ahead(), file); }},
       {"lines", [](const std::string& file) { write_report(synthetic_lines(true), example_text("jumper"), file); }},
       {"abandonment",
@@ -62,7 +64,8 @@ int main(int count, char** words) {
     return 0;
   }
   if (count != 3 || kinds.count(words[2]) == 0) {
-    std::cerr << "dynamic_page FILE.html rough|calm|jlay|moored|moorings|pull_ahead|lines|abandonment|start_up|"
+    std::cerr << "dynamic_page FILE.html "
+                 "rough|calm|jlay|moored|moored_in_time|moorings|pull_ahead|lines|abandonment|start_up|"
                  "study_SHAPE\n";
     return 2;
   }

@@ -25,9 +25,31 @@ TEST(report_without_pipe, of_moorings_begins_with_a_verdict_and_has_what_applies
   EXPECT_EQ(page.find("Report.side_view"), std::string::npos);
 }
 
+TEST(report_without_pipe, of_moorings_in_time_begins_with_the_run_and_has_no_pipe) {
+  const std::string page = testing::moored_page_in_time();
+  const std::string text = visible(page);
+  EXPECT_NE(text.find("Dynamic mooring analysis"), std::string::npos);
+  EXPECT_NE(text.find("Maxima of a single run of"), std::string::npos);
+  std::size_t last = 0;
+  for (const char* id : {"dynamic-moorings", "dynamic-figures", "statistics", "moorings", "hull", "inputs",
+                         "assumptions", "run", "model"}) {
+    EXPECT_EQ(count(text, "<section id=\"" + std::string(id) + "\">"), 1u) << id;
+    const std::size_t at = text.find("<section id=\"" + std::string(id) + "\">");
+    EXPECT_GT(at, last) << id;
+    last = at;
+  }
+  EXPECT_NE(text.find("Across the hull, to port"), std::string::npos);
+  EXPECT_NE(text.find("work done on hull and lines"), std::string::npos);
+  for (const char* pipe : {"Tensioner", "Sagbend", "the route", "stern shoe", "the pipe"}) {
+    EXPECT_EQ(text.substr(0, text.find("<section id=\"inputs\">")).find(pipe), std::string::npos) << pipe;
+  }
+  EXPECT_EQ(page.find("Report.side_view"), std::string::npos);
+}
+
 TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {
-  for (const std::string& page : {report_html(testing::synthetic_stages(), example_text("moored-barge")),
-                                  report_html(synthetic_lines(true), example_text("jumper"))}) {
+  for (const std::string& page :
+       {report_html(testing::synthetic_stages(), example_text("moored-barge")), testing::moored_page_in_time(),
+        report_html(synthetic_lines(true), example_text("jumper"))}) {
     std::size_t at = 0;
     int number = 0;
     while ((at = page.find("<figcaption>Figure ", at)) != std::string::npos) {

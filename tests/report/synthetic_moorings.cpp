@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/constants.h"
+#include "report/report.h"
 
 namespace overbend::testing {
 namespace {
@@ -208,6 +209,29 @@ void add_moored_dynamics(DynamicResults& results) {
   }
   results.moorings[6].events = {{1234.5, "brake renders"}};
   results.moorings[6].brake_rendered = 0.42;
+}
+
+std::string moored_page_in_time() {
+  MooringResults rest = synthetic_moorings();
+  rest.hull = synthetic_hull();
+  DynamicResults results;
+  results.duration = 3600.0;
+  results.build_up = 240.0;
+  results.output_step = 0.5;
+  results.seed = 7;
+  results.energy.kinetic = 8.2e5;
+  results.energy.fluid = 4.1e7;
+  results.energy.error = -3.1e4;
+  results.energy.throughput = 2.2e8;
+  results.run = {52'000, 12, 121'000, 24'000, 0.0008, 0.125, 8.1, 474.0, "generalized-alpha, spectral radius 0.6"};
+  for (const auto& [name, units, slow, wave] :
+       {std::tuple{"elevation", "m", 0.0, 1.0}, {"heave", "m", 0.001, 0.25}, {"pitch", "rad", 0.0002, 0.01}}) {
+    results.histories.push_back(history_of(name, units, 0.0, slow, wave));
+  }
+  results.spectra.push_back({"heave", "m", {0.0, 0.05, 0.1, 0.15, 0.2}, {0.0, 0.1, 0.9, 0.2, 0.0}});
+  results.extremes.push_back({"vessel/offset", "m", false, 210, 3.4, 3.9, 3.6, 4.4, 4.0, 3.6, 4.5, true});
+  add_moored_dynamics(results);
+  return report_html(of_hull_alone(std::move(rest)), results, example_text("moored-barge"));
 }
 
 LinesResults synthetic_lines(bool moved) {

@@ -22,6 +22,9 @@ HullResults synthetic_hull();
 /// Adds what a run of an hour tells of vessel and moorings, with histories.
 void add_moored_dynamics(DynamicResults& results);
 
+/// The report of such a run of the barge without a pipe.
+std::string moored_page_in_time();
+
 /// A jumper between two ends, at rest or moved.
 LinesResults synthetic_lines(bool moved);
 

@@ -4,10 +4,12 @@
 
 #include "modelfile/yaml_reader.h"
 #include "moorings/mooring_fixtures.h"
-#include "statics/moored_statics.h"
+#include "support/moored_lay.h"
 
 namespace overbend {
 namespace {
+
+using testing::rest_of_hull;
 
 /// The eight wires with the pull of a pipe; the port bow anchor goes 600 m ahead.
 Description shifted() {
@@ -21,15 +23,8 @@ Description shifted() {
   return d;
 }
 
-MooringResults solved(const Description& d) {
-  const auto outcome = solve_moored_hull(build_model(d));
-  const StaticFailure* failure = std::get_if<StaticFailure>(&outcome);
-  EXPECT_EQ(failure, nullptr) << failure->why;
-  return failure != nullptr ? MooringResults{} : std::get<MooringResults>(outcome);
-}
-
 TEST(anchor_move, goes_through_its_stages_with_the_tensions_asked_for) {
-  const MooringResults results = solved(shifted());
+  const MooringResults results = rest_of_hull(shifted());
   ASSERT_EQ(results.stages.size(), 5U);
   const double before = results.rest.moorings[4].fairlead_tension;
   const double tension[] = {50e3, 0.0, 50e3, before, 600e3};
@@ -46,12 +41,12 @@ TEST(anchor_move, goes_through_its_stages_with_the_tensions_asked_for) {
 
 TEST(anchor_move, without_its_line_is_the_rest_of_the_other_seven) {
   const Description d = shifted();
-  const MooringResults moved = solved(d);
+  const MooringResults moved = rest_of_hull(d);
   Description parted = d;
   parted.operation = {};
   parted.operation.type = OperationType::moored;
   parted.operation.stages = {{"parted", {}, {"P1"}}};
-  const MooringResults seven = solved(parted);
+  const MooringResults seven = rest_of_hull(parted);
   EXPECT_NEAR(moved.stages[1].vessel.surge, seven.stages[0].vessel.surge, 1e-6);
   EXPECT_NEAR(moved.stages[1].vessel.sway, seven.stages[0].vessel.sway, 1e-6);
   EXPECT_NEAR(moved.stages[1].vessel.yaw, seven.stages[0].vessel.yaw, 1e-8);
@@ -63,7 +58,7 @@ TEST(anchor_move, back_to_the_same_place_changes_nothing) {
   d.operation.anchor.to.reset();
   d.operation.anchor.bearing = *d.moorings->lines[4].azimuth - d.vessel.heading;
   d.operation.anchor.anchor_distance = d.moorings->lines[4].anchor_distance;
-  const MooringResults results = solved(d);
+  const MooringResults results = rest_of_hull(d);
   ASSERT_EQ(results.stages.size(), 4U);
   EXPECT_NEAR(results.stages[3].vessel.surge, results.rest.vessel.surge, 1e-6);
   EXPECT_NEAR(results.stages[3].vessel.yaw, results.rest.vessel.yaw, 1e-8);

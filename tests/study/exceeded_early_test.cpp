@@ -11,9 +11,9 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::EmptySink;
 using testing::MemorySink;
+using testing::TimedLay;
 using testing::workable;
 
 /// A sea in which all checks are passed but that of a tension which the waves exceed.
@@ -37,10 +37,10 @@ FatigueDescription tired() {
 
 TEST(exceeded_early, a_run_ends_where_a_check_is_exceeded_and_the_whole_run_exceeds_it_too) {
   EmptySink none;
-  const DynamicResults free = Case(workable()).results(none);
-  const double top = free.top_tension.max, still = Case(workable()).statics.top_tension;
+  const DynamicResults free = TimedLay(workable()).results(none);
+  const double top = free.top_tension.max, still = TimedLay(workable()).statics.top_tension;
   ASSERT_GT(top, still);
-  const Case c(with_tension_limit(0.5 * (top + still)));
+  const TimedLay c(with_tension_limit(0.5 * (top + still)));
   const DynamicResults whole = c.results(none);
   EXPECT_EQ(worst_check(whole.checks)->id, "tensioner_load");
   EXPECT_EQ(worst_check(whole.checks)->status, CheckStatus::exceeded);
@@ -61,7 +61,7 @@ TEST(exceeded_early, a_run_ends_where_a_check_is_exceeded_and_the_whole_run_exce
 }
 
 TEST(exceeded_early, a_run_that_passes_goes_to_its_end_and_gives_the_same_bits) {
-  const Case c(workable());
+  const TimedLay c(workable());
   MemorySink plain, watched;
   const DynamicOptions options = dynamic_options(c.model);
   const DynamicOutcome alone = c.run(plain, options);
@@ -78,7 +78,7 @@ TEST(exceeded_early, a_run_that_passes_goes_to_its_end_and_gives_the_same_bits) 
 TEST(exceeded_early, fatigue_which_may_fall_again_ends_no_run) {
   Description d = workable();
   d.fatigue = tired();
-  const Case c(d);
+  const TimedLay c(d);
   EmptySink none;
   ExceededEarly exceeded(c.model, c.statics, 1.0);
   int looks_at_tired_welds = 0;

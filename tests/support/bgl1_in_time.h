@@ -28,8 +28,8 @@ inline Description workable() {
 }
 
 /// A model with its static state, to be run in time.
-struct Case {
-  explicit Case(const Description& d)
+struct TimedLay {
+  explicit TimedLay(const Description& d)
       : model(build_model(d)),
         start(solve_statics(model).solution.value()),
         statics(checked_statics(model, {start, {}, {}})) {}

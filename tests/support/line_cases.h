@@ -108,12 +108,12 @@ inline std::vector<LineHistory> run_lines(const Description& description, const 
   const WavesDescription& waves = model.description.environment.waves;
   const Sea sea = make_sea(waves, model.description.environment.water_depth, options.duration, options.seed);
   System system = std::move(rest.setup.system);
-  system.surroundings = moving_ends(model, system.attachments, make_vessel_motion(model, sea), options.build_up);
   LineRecorder recorder(system);
   SystemState start = resting_lines(system, rest.state, rest.rest, -options.build_up);
-  SystemRun run(std::move(system), sea, std::move(start), options);
+  SystemRun run(std::move(system), moving_ends(model, make_vessel_motion(model, sea), options.build_up), sea,
+                std::move(start), options);
   run.observe(recorder);
-  if (!run.advance(run.end())) throw std::runtime_error(*run.failure());
+  if (!run.advance(run.end())) throw std::runtime_error(run.failure()->what);
   return recorder.histories();
 }
 

@@ -1,5 +1,7 @@
-/// BGL-1 on its moorings for tests in time: coarse, and solved.
+/// BGL-1 on its moorings for tests: coarse, and solved.
 #pragma once
+
+#include <gtest/gtest.h>
 
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
@@ -25,5 +27,21 @@ struct SolvedLay {
   LayOutcome lay;
   double tension() const { return model.description.tensioner.tension.value(); }
 };
+
+/// A hull without a pipe.
+struct SolvedHull {
+  explicit SolvedHull(const Description& d) : model(build_model(d)), rest(solve_moored_hull(model)) {
+    EXPECT_FALSE(rest.failure) << rest.failure->why;
+  }
+  const StaticSolution& start() const { return *rest.solution; }
+
+  Model model;
+  LayOutcome rest;
+};
+
+/// Its results.
+inline MooringResults rest_of_hull(const Description& d) {
+  return SolvedHull(d).rest.moorings.value_or(MooringResults{});
+}
 
 }  // namespace overbend::testing

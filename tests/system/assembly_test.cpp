@@ -29,7 +29,7 @@ class StandingPipe {
   double sunk = 0.0;  ///< The barge, and its rollers with it [m].
 
  private:
-  testing::Case at_;
+  testing::TimedLay at_;
   RunSetup setup_;
 };
 

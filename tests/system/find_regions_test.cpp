@@ -14,8 +14,8 @@
 namespace overbend {
 namespace {
 
-using testing::Case;
 using testing::solved_case;
+using testing::TimedLay;
 
 /// A line of 100 m, a station every metre.
 struct Profile {
@@ -105,7 +105,7 @@ Description clamped() {
 }
 
 TEST(find_regions, the_moment_at_a_clamped_guide_of_a_j_lay_is_the_towers) {
-  const Case c(clamped());
+  const TimedLay c(clamped());
   const StaticResults& r = c.statics;
   expect_one_story(r);
   ASSERT_TRUE(r.tower);
@@ -129,7 +129,7 @@ TEST(find_regions, a_run_at_rest_has_the_regions_of_statics) {
     d.environment.waves = {};
     d.dynamics = DynamicSettings{};
     d.dynamics->duration = d.dynamics->build_up = 1.0;
-    const Case c(d);
+    const TimedLay c(d);
     testing::EmptySink sink;
     const DynamicResults r = c.results(sink);
     const DynamicRegion& upper = j_lay ? r.tower : r.overbend;

@@ -35,8 +35,7 @@ void range(const std::string& name, const Spread& spread, double scale, const ch
                            digits, unit);
 }
 
-void print_results(const StaticResults& statics, const DynamicResults& r) {
-  std::cout << statics.title << "\n";
+void print_pipe(const StaticResults& statics, const DynamicResults& r) {
   range("top tension", r.top_tension, 1e-3, "kN");
   if (statics.overbend) number("overbend von Mises, largest", r.overbend.von_mises.over_time.max / 1e6, "MPa");
   if (statics.tower) number("tower von Mises, largest", r.tower.von_mises.over_time.max / 1e6, "MPa");
@@ -49,10 +48,15 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
                       ? std::string("\n")
                       : fmt::format(", the hardest {:.1f} kN\n", r.hardest_impacts.front().peak_force / 1e3));
   }
+}
+
+void print_results(const StaticResults& statics, const DynamicResults& r) {
+  std::cout << statics.title << "\n";
+  if (statics.has_pipe()) print_pipe(statics, r);
   std::cout << moored_dynamics_lines(r);
-  if (statics.hull) std::cout << hull_lines(*statics.hull);
-  std::cout << fatigue_lines(r);
-  std::cout << check_lines(r.checks);
+  const std::optional<HullResults>& hull = statics.has_pipe() ? statics.hull : statics.moorings->hull;
+  if (hull) std::cout << hull_lines(*hull);
+  if (statics.has_pipe()) std::cout << fatigue_lines(r) << check_lines(r.checks);
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);

@@ -15,6 +15,7 @@
 #include "base/constants.h"
 #include "report/places.h"
 #include "runstore/staged_folder.h"
+#include "statics/moored_lay.h"
 #include "statics/moored_statics.h"
 #include "statics/statics.h"
 #include "study/lines_run.h"
@@ -91,10 +92,10 @@ fs::path default_folder(const std::string& model_file) {
 }
 
 /// A hull and its mooring lines, without a pipe.
-int run_static_moorings(const Description& description, const Model& model, const fs::path& folder) {
-  const std::variant<MooringResults, StaticFailure> outcome = solve_moored_hull(model);
-  if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) return tell(failed_end(*failure));
-  MooringResults results = std::get<MooringResults>(outcome);
+int run_static_moorings(const Description& description, Model& model, const fs::path& folder) {
+  LayOutcome outcome = solve_moored_hull(model);
+  if (outcome.failure) return tell(failed_end(*outcome.failure));
+  MooringResults& results = *outcome.moorings;
   tell_hull(model, results);
   try {
     write_mooring_run(results, description, folder);

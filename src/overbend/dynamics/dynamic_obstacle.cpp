@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "statics/moored_statics.h"
 #include "statics/static_obstacle.h"
 
 namespace overbend {
@@ -95,12 +96,8 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
 
 std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
-  if (!d.has_pipe && d.moorings && !d.moorings->lines.empty()) {
-    return StaticFailure{"a hull on its moorings without a pipe cannot be followed in time yet", "",
-                         "overbend static finds it at rest", true};
-  }
-  if (std::optional<StaticFailure> obstacle = static_obstacle(d)) {
-    return obstacle;
+  if (!is_moored_hull(d)) {
+    if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
   }
   if (!d.dynamics) {
     return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};

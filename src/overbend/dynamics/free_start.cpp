@@ -1,5 +1,6 @@
 #include "dynamics/free_start.h"
 
+#include "dynamics/mooring_lines.h"
 #include "statics/rest_together.h"
 
 #include <algorithm>
@@ -28,6 +29,12 @@ StaticFailure no_rest(const char* what, const RestReport& report, const char* re
           report.worst_place.first == kBodyPlace ? "the forces on the hull do not balance"
                                                  : "the forces on a line do not balance",
           remedy};
+}
+
+/// An offset along and about the axes of the hull as drawn, of its coordinates.
+Vec6 in_world(Vec6 offset, const Vec6& drawn) {
+  offset.head<3>() = turned_about_z(drawn(5)) * offset.head<3>();
+  return offset;
 }
 
 }  // namespace
@@ -78,6 +85,15 @@ std::optional<StaticFailure> displace_hull(Assembly& assembly, const Vec6& offse
     return std::nullopt;
   }
   return no_rest("pipe and lines do not come to rest where the hull is let go", report, "let it go nearer to its rest");
+}
+
+std::optional<StaticFailure> let_hull_go(const System& system, Ballast ballast, Hull& hull, const Vec6& release,
+                                         SystemState& state) {
+  const System pulled = pulled_in(system, state);
+  Assembly resting(pulled);
+  std::optional<StaticFailure> failure = rest_afloat(resting, ballast, hull, state);
+  if (!failure && !release.isZero()) failure = displace_hull(resting, in_world(release, hull.drawn), state);
+  return failure;
 }
 
 }  // namespace overbend

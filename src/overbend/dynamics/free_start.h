@@ -18,4 +18,9 @@ std::optional<StaticFailure> rest_afloat(Assembly& assembly, Ballast ballast, Hu
 /// come to rest again, the tensioner keeping its tension. Says why where they do not.
 std::optional<StaticFailure> displace_hull(Assembly& assembly, const Vec6& offset, SystemState& state);
 
+/// Lets a hull go as rest_afloat() does, its mooring lines pulled in over the bed (mooring_lines.h), and moves it by
+/// `release`, along and about the axes of the hull as drawn, where that is not zero.
+std::optional<StaticFailure> let_hull_go(const System& system, Ballast ballast, Hull& hull, const Vec6& release,
+                                         SystemState& state);
+
 }  // namespace overbend

@@ -32,17 +32,16 @@ void add_swing(const Swing& swing, double time, const BuildUp& b, EndMotion& end
 
 }  // namespace
 
-SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
-                           double build_up) {
+LeadEnds moving_ends(const Model& model, VesselMotionModel vessel, double build_up) {
   std::vector<Swing> swings;
   for (const FreeLineDescription& line : model.description.lines) {
     swings.push_back(swing_of(line.first));
     swings.push_back(swing_of(line.second));
   }
-  return [attachments, swings, vessel = std::move(vessel), build_up](double time, Surroundings& now) {
+  return [swings, vessel = std::move(vessel), build_up](const System& system, double time, Surroundings& now) {
     const BuildUp b = half_cosine(time, build_up);
     now.bodies.front() = vessel_motion(vessel, time, b);
-    lead_attachments(attachments, now);
+    lead_attachments(system, now);
     for (std::size_t i = 0; i < swings.size(); ++i) add_swing(swings[i], time, b, now.ends[i]);
   };
 }

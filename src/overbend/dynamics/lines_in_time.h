@@ -9,8 +9,7 @@ namespace overbend {
 
 /// Sets bodies and ends of a system of `lines_setup`: the vessel moves as the model says, an end that is not on it
 /// about its place by its harmonic motion; both are brought in with the sea over `build_up` seconds before t = 0.
-SurroundingsAt moving_ends(const Model& model, const std::vector<Attachment>& attachments, VesselMotionModel vessel,
-                           double build_up);
+LeadEnds moving_ends(const Model& model, VesselMotionModel vessel, double build_up);
 
 /// The lines at rest as a state of motion: accelerations zero, the bed's friction stretched as it holds them.
 SystemState resting_lines(const System& system, const SystemState& at_rest, const LinesRest& rest, double time);

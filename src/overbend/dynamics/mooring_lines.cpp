@@ -135,7 +135,7 @@ double winch_range(const Line& line) {
 
 System pulled_in(const System& system, SystemState& state) {
   System pulled = system;
-  for (std::size_t i = 1; i < pulled.lines.size(); ++i) {
+  for (std::size_t i = first_mooring(system); i < pulled.lines.size(); ++i) {
     stretch_as_pulled_in(system.lines[i], state.lines[i]);
     pulled.lines[i].environment.bed_friction_lateral = 0.0;
   }
@@ -144,18 +144,19 @@ System pulled_in(const System& system, SystemState& state) {
 
 std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
                                                 const std::vector<std::string>& names, SystemState& state) {
+  const auto first = static_cast<std::ptrdiff_t>(first_mooring(system));
   System alone = pulled_in(system, state);
-  alone.lines.erase(alone.lines.begin());
+  alone.lines.erase(alone.lines.begin(), alone.lines.begin() + first);
   alone.bodies.assign(bodies.size(), Body{});
   alone.attachments.clear();
   alone.machine = -1;
   SystemState at;
   at.time = state.time;
-  at.lines.assign(state.lines.begin() + 1, state.lines.end());
+  at.lines.assign(state.lines.begin() + first, state.lines.end());
   for (std::size_t i = 0; i < system.attachments.size(); ++i) {
-    if (system.attachments[i].line == 0) continue;
+    if (system.attachments[i].line < first) continue;
     alone.attachments.push_back(system.attachments[i]);
-    --alone.attachments.back().line;
+    alone.attachments.back().line -= static_cast<int>(first);
     at.attachments.push_back(state.attachments[i]);
   }
   alone.surroundings = [&](double, Surroundings& now) {
@@ -164,7 +165,7 @@ std::optional<StaticFailure> rest_mooring_lines(const System& system, const std:
   };
   Assembly assembly(alone);
   const RestReport report = rest_together(assembly, at);
-  std::copy(at.lines.begin(), at.lines.end(), state.lines.begin() + 1);
+  std::copy(at.lines.begin(), at.lines.end(), state.lines.begin() + first);
   if (report.converged) {
     return std::nullopt;
   }

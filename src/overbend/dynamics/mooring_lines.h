@@ -1,4 +1,4 @@
-/// The mooring lines of a lay as lines of its system: elements with mass, drag and the bed's friction.
+/// Mooring lines as lines of a system: elements with mass, drag and the bed's friction.
 #pragma once
 
 #include "moorings/spread.h"
@@ -18,9 +18,9 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
 /// How much a winch at the last end of a line may pay out and haul in: its last element gives it [m].
 double winch_range(const Line& line);
 
-/// The system in which its mooring lines, all behind the first line, come to rest as what has been pulled in over a bed
-/// that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the friction
-/// of `state` so that it slides that way; across their course nothing holds them until they rest.
+/// The system in which its mooring lines, all from first_mooring() on, come to rest as what has been pulled in over a
+/// bed that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the
+/// friction of `state` so that it slides that way; across their course nothing holds them until they rest.
 System pulled_in(const System& system, SystemState& state);
 
 /// Brings the mooring lines of a state to rest, pulled in, on bodies that stay where they are; or says which does not.

@@ -1,4 +1,4 @@
-/// Tensions of the mooring lines of a lay in time, whatever the lines are made of.
+/// Tensions of mooring lines in time, whatever they are made of.
 #pragma once
 
 #include "system/assembly.h"
@@ -9,8 +9,8 @@ namespace overbend {
 bool moored_quasi_statically(const Assembly& assembly);
 
 /// Of the mooring line of that number: at its fairlead (LineEnd::last) or its anchor, in the state evaluated last [N].
-/// Lines of elements follow the pipe among the lines of the system; quasi-static ones are springs of the first free
-/// body.
+/// Lines of elements stand among the lines of the system from first_mooring() on; quasi-static ones are springs of the
+/// first free body.
 double mooring_tension(const Assembly& assembly, const SystemState& state, std::size_t mooring, LineEnd end);
 
 }  // namespace overbend

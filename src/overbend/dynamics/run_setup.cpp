@@ -7,8 +7,57 @@
 #include "dynamics/quasi_static_lines.h"
 #include "dynamics/stinger_setup.h"
 #include "dynamics/water_field.h"
+#include "moorings/equilibrium.h"
 
 namespace overbend {
+namespace {
+
+bool is_quasi_static(const Description& d) {
+  return d.moorings && d.moorings->model == MooringModel::quasi_static;
+}
+
+void add_moorings(const Model& model, const StaticSolution& start, RunSetup& setup) {
+  if (!start.moorings) return;
+  setup.mooring_names = mooring_names(*start.moorings);
+  if (is_quasi_static(model.description)) return;
+  setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
+  follow_programs(*start.moorings, winch_programs(start), setup.system);
+}
+
+/// Of the lines that the hull holds.
+double weight_of(const StaticSolution& start, const RunSetup& setup) {
+  return setup.system.machine < 0 ? weight_of_lines(*start.moorings) : setup.system.lines.front().force_scale;
+}
+
+/// The vessel's motion: told, or that of a hull that floats free.
+void add_motion(const Model& model, const StaticSolution& start, const DynamicOptions& options, RunSetup& setup) {
+  const Description& d = model.description;
+  if (d.vessel.motion != VesselMotion::coupled) {
+    setup.motion = make_vessel_motion(model, setup.sea);
+    if (d.vessel.motion == VesselMotion::raos) setup.wave_numbers_ahead = wave_numbers_ahead(setup.motion, setup.sea);
+    return;
+  }
+  setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
+  setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
+  setup.ballast = d.vessel.coupled->ballast;
+  FreeBody& body =
+      setup.system.bodies.front().free.emplace(free_hull(setup.hull->hull, weight_of(start, setup), d.vessel.length));
+  if (start.moorings && is_quasi_static(d)) {
+    body.springs = quasi_static_lines(*start.moorings, winch_programs(start));
+  }
+}
+
+void add_move(const Description& d, const StaticSolution& start, RunSetup& setup) {
+  if (d.operation.type != OperationType::pull_ahead) return;
+  setup.move = start.winches ? start.winches->profile : move_profile(d.operation, 0.0);
+  const std::optional<JointDescription>& joint = d.pipe.section.joint;
+  setup.joint = joint ? joint->length : std::abs(d.operation.distance);
+  if (setup.system.machine < 0) return;
+  setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
+      std::numeric_limits<double>::infinity();  // a track tensioner feeds without end
+}
+
+}  // namespace
 
 RunSetup make_setup(const Model& model, const StaticSolution& start, double static_tension,
                     const DynamicOptions& options) {
@@ -16,40 +65,25 @@ RunSetup make_setup(const Model& model, const StaticSolution& start, double stat
   const Description& d = model.description;
   setup.sea =
       make_sea(d.environment.waves, d.environment.water_depth, options.build_up + options.duration, options.seed);
-  setup.system = pipe_system(model, start, static_tension);
-  setup.rollers = setup.system.bodies.front().rollers;
-  hang_stinger(model, setup.sea, options.build_up, setup.system);
-  const bool quasi_static = d.moorings && d.moorings->model == MooringModel::quasi_static;
-  if (start.moorings) {
-    setup.mooring_names = mooring_names(*start.moorings);
-    if (!quasi_static) {
-      setup.moorings = add_mooring_lines(model, *start.moorings, setup.system);
-      follow_programs(*start.moorings, winch_programs(start), setup.system);
-    }
-  }
-  if (d.vessel.motion == VesselMotion::coupled) {
-    setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
-    setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
-    setup.ballast = d.vessel.coupled->ballast;
-    setup.system.bodies.front().free =
-        free_hull(setup.hull->hull, setup.system.lines.front().force_scale, d.vessel.length);
-    if (start.moorings && quasi_static) {
-      setup.system.bodies.front().free->springs = quasi_static_lines(*start.moorings, winch_programs(start));
-    }
+  if (d.has_pipe) {
+    setup.system = pipe_system(model, start, static_tension);
+    setup.rollers = setup.system.bodies.front().rollers;
+    hang_stinger(model, setup.sea, options.build_up, setup.system);
   } else {
-    setup.motion = make_vessel_motion(model, setup.sea);
-    if (d.vessel.motion == VesselMotion::raos) setup.wave_numbers_ahead = wave_numbers_ahead(setup.motion, setup.sea);
+    setup.system.bodies.emplace_back();  // the vessel
   }
-  if (d.operation.type == OperationType::pull_ahead) {
-    setup.move = start.winches ? start.winches->profile : move_profile(d.operation, 0.0);
-    const std::optional<JointDescription>& joint = d.pipe.section.joint;
-    setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
-        std::numeric_limits<double>::infinity();  // a track tensioner feeds without end
-    setup.joint = joint ? joint->length : std::abs(d.operation.distance);
-  }
+  add_moorings(model, start, setup);
+  add_motion(model, start, options, setup);
+  add_move(d, start, setup);
   setup.system.build_up = options.build_up;
   setup.interval = water_interval(setup.sea, options.output_step);
   return setup;
+}
+
+void move_vessel(const RunSetup& setup, double time, Surroundings& now) {
+  if (setup.hull) return;
+  const MoveAhead ahead{setup.move ? setup.move->at(time) : WayPoint{}, setup.wave_numbers_ahead};
+  now.bodies.front() = vessel_motion(setup.motion, ahead, time, half_cosine(time, setup.system.build_up));
 }
 
 }  // namespace overbend

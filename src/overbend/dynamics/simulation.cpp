@@ -9,51 +9,16 @@
 #include "dynamics/hull_limits.h"
 #include "dynamics/laid_tail.h"
 #include "dynamics/parting.h"
+#include "dynamics/step_failure.h"
 #include "dynamics/step_loop.h"
 #include "dynamics/stinger_setup.h"
+#include "dynamics/wall_time.h"
 
 namespace overbend {
 namespace {
 
 constexpr double kShortestToEvent = 1e-3;  ///< Steps are not cut further to meet a change of the tensioner [s].
 constexpr double kUnlimited = 1e300;
-
-std::string place_text(double time, double s) {
-  return "at t = " + std::to_string(time) + " s, " + std::to_string(s) + " m from the anchor";
-}
-
-StaticFailure step_failure(const StepReport& report, const System& system, double time) {
-  const auto [line, node] = report.worst_place;
-  const char* const why = report.end == StepEnd::singular ? "the equations have no solution there"
-                                                          : "the forces do not balance even with the shortest step";
-  if (line == kBodyPlace) {
-    const int body = free_bodies(system)[static_cast<std::size_t>(node)];
-    const bool hinged = system.bodies[static_cast<std::size_t>(body)].free->hinge.has_value();
-    const std::string what = hinged ? "the moments about the stinger's hinge" : "the forces on the hull";
-    return {"the time step cannot be solved", "at t = " + std::to_string(time) + " s, " + what, why};
-  }
-  const double s = system.lines[static_cast<std::size_t>(line)].mesh.s[static_cast<std::size_t>(node)];
-  return {"the time step cannot be solved", place_text(time, s), why};
-}
-
-/// Adds the wall time from its making to its end [s].
-class WallTime {
- public:
-  explicit WallTime(double& sum) : sum_(sum) {}
-  WallTime(const WallTime&) = delete;
-  WallTime& operator=(const WallTime&) = delete;
-  ~WallTime() { sum_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
-
- private:
-  double& sum_;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-};
-
-/// An offset along and about the axes of the hull as drawn, of its coordinates.
-Vec6 in_world(Vec6 offset, const Vec6& drawn) {
-  offset.head<3>() = turned_about_z(drawn(5)) * offset.head<3>();
-  return offset;
-}
 
 }  // namespace
 
@@ -88,10 +53,7 @@ Simulation::Simulation(const Model& model, const DynamicOptions& options, const 
 }
 
 void Simulation::surroundings(double time, Surroundings& now) {
-  if (!setup_.hull) {
-    const MoveAhead ahead{setup_.move ? setup_.move->at(time) : WayPoint{}, setup_.wave_numbers_ahead};
-    now.bodies.front() = vessel_motion(setup_.motion, ahead, time, half_cosine(time, options_.build_up));
-  }
+  move_vessel(setup_, time, now);
   lead_attachments(setup_.system, now);
   for (std::size_t i = 0; i < water_.size(); ++i) {
     if (water_[i].calm()) continue;
@@ -135,12 +97,7 @@ bool Simulation::begin() {
 
 /// Hull, lines and pipe to rest. What the tensioner has paid out for that is where it begins.
 void Simulation::let_hull_go() {
-  const System pulled = pulled_in(setup_.system, state_);
-  Assembly resting(pulled);
-  failure_ = rest_afloat(resting, setup_.ballast, setup_.hull->hull, state_);
-  if (!failure_ && !options_.release.isZero()) {
-    failure_ = displace_hull(resting, in_world(options_.release, setup_.hull->hull.drawn), state_);
-  }
+  failure_ = overbend::let_hull_go(setup_.system, setup_.ballast, setup_.hull->hull, options_.release, state_);
   Attachment& top = setup_.system.attachments[machine()];
   top.place -= tensioner(state_).travel.q * top.direction;
   tensioner(state_).travel = {};

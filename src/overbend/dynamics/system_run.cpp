@@ -2,8 +2,11 @@
 
 #include <algorithm>
 
+#include "dynamics/hull_limits.h"
 #include "dynamics/parting.h"
+#include "dynamics/step_failure.h"
 #include "dynamics/step_loop.h"
+#include "dynamics/wall_time.h"
 
 namespace overbend {
 namespace {
@@ -12,9 +15,9 @@ constexpr double kUnlimited = 1e300;
 
 }  // namespace
 
-SystemRun::SystemRun(System system, const Sea& sea, SystemState start, const DynamicOptions& options)
+SystemRun::SystemRun(System system, LeadEnds lead, const Sea& sea, SystemState start, const DynamicOptions& options)
     : system_(std::move(system)),
-      lead_(system_.surroundings),
+      lead_(std::move(lead)),
       options_(options),
       clock_(make_clock(options, water_interval(sea, options.output_step))),
       water_memory_(system_.lines.size()),
@@ -28,11 +31,12 @@ SystemRun::SystemRun(System system, const Sea& sea, SystemState start, const Dyn
   stepper_.emplace(*assembly_, options.step);
   state_.time = clock_.time();
   chooser_.wanted = options.fixed_step.value_or(std::min(chooser_.wanted, options.max_step));
-  if (!begin()) failure_ = "the masses of the lines are singular";
+  report_.smallest_step = options.max_step;
+  if (!begin()) failure_ = StaticFailure{"the masses of the lines are singular", "", "a section without mass"};
 }
 
 void SystemRun::surroundings(double time, Surroundings& now) {
-  lead_(time, now);
+  lead_(system_, time, now);
   for (std::size_t i = 0; i < water_.size(); ++i) {
     if (water_[i].calm()) continue;
     now.water[i].resize(static_cast<std::size_t>(kWaterValues) *
@@ -89,24 +93,32 @@ bool SystemRun::part_lines() {
   return begin_motion(*assembly_, state_);
 }
 
+/// Tries a step of `h` towards the tick at `target`.
 bool SystemRun::attempt(double h, double target) {
   const StepReport step = stepper_->step(state_, h, next_);
+  report_.newton_iterations += step.iterations;
+  report_.factorisations += step.factorisations;
   if (!step.converged()) {
+    ++report_.rejected_steps;
     chooser_.wanted = 0.5 * h;
-    if (chooser_.wanted < kSmallestStep) {
-      const auto [line, node] = step.worst_place;
-      failure_ = "the time step cannot be solved at t = " + std::to_string(state_.time) + " s, line " +
-                 std::to_string(line + 1) + ", node " + std::to_string(node);
-    }
+    if (chooser_.wanted < kSmallestStep) failure_ = step_failure(step, system_, state_.time);
     return false;
   }
+  failure_ = hull_failure(system_, next_);
+  if (failure_) return false;
   if (target - state_.time - h < 1e-6 * h) next_.time = target;
+  accept(h);
+  return true;
+}
+
+void SystemRun::accept(double h) {
   adapt(h);
   energy_.add(assembly_->energy(next_), h);
   std::swap(state_, next_);
-  ++steps_;
+  ++report_.steps;
+  report_.smallest_step = std::min(report_.smallest_step, h);
+  report_.largest_step = std::max(report_.largest_step, h);
   for (SystemObserver* observer : observers_) observer->stepped(*this);
-  return true;
 }
 
 void SystemRun::reach_tick() {
@@ -121,7 +133,8 @@ void SystemRun::reach_tick() {
 
 bool SystemRun::step() {
   if (failure_ || finished()) return false;
-  if (!part_lines()) failure_ = "the masses of a line that parts are singular";
+  const WallTime measured(report_.wall_time);
+  if (!part_lines()) failure_ = StaticFailure{"the masses of a line that parts are singular", "", ""};
   const double target = static_cast<double>(clock_.tick + 1) * clock_.interval;
   const double to_parting = options_.fixed_step ? kUnlimited : time_to_parting(system_, state_);
   do {

@@ -12,6 +12,7 @@
 #include "dynamics/time_step.h"
 #include "dynamics/water_field.h"
 #include "results/dynamic_sink.h"
+#include "statics/statics.h"
 
 namespace overbend {
 
@@ -30,11 +31,14 @@ class SystemObserver {
   virtual void restore(const DynamicCheckpoint& /*checkpoint*/) {}
 };
 
+/// Moves bodies whose motion is told, and the ends of the lines of a system as it is at a time: lines may have parted.
+using LeadEnds = std::function<void(const System& system, double time, Surroundings& now)>;
+
 class SystemRun {
  public:
-  /// `system.surroundings` sets bodies and ends; waves at the nodes are added here, of `sea`, which must outlive the
+  /// `lead` moves what the state does not; waves at the nodes are added here, of `sea`, which must outlive the
   /// run. `start` is the state at rest from which the build-up goes; its time is set here.
-  SystemRun(System system, const Sea& sea, SystemState start, const DynamicOptions& options);
+  SystemRun(System system, LeadEnds lead, const Sea& sea, SystemState start, const DynamicOptions& options);
   SystemRun(const SystemRun&) = delete;
   SystemRun& operator=(const SystemRun&) = delete;
 
@@ -49,13 +53,16 @@ class SystemRun {
   double end() const { return static_cast<double>(clock_.last_tick) * clock_.interval; }        ///< [s]
   double next_row() const { return static_cast<double>(clock_.next_row()) * clock_.interval; }  ///< [s]
   bool finished() const { return clock_.tick >= clock_.last_tick; }
-  const std::optional<std::string>& failure() const { return failure_; }
+  /// Why it cannot go on; it stays at the last accepted instant.
+  const std::optional<StaticFailure>& failure() const { return failure_; }
+  const DynamicOptions& options() const { return options_; }
+  std::int64_t row_number() const { return clock_.tick / clock_.ticks_per_row; }  ///< Of the last row; 0 at t = 0.
   const System& system() const { return system_; }
   const SystemState& state() const { return state_; }
   /// Evaluated at the state.
   const Assembly& assembly() const { return *assembly_; }
   const EnergyBalance& energy() const { return energy_.balance(); }
-  int steps() const { return steps_; }
+  const DynamicRunReport& report() const { return report_; }  ///< Without what a driver knows: ratio and integrator.
   /// Everything that a run of the same arguments and observers needs to go on from here, bit for bit; at a row of
   /// output.
   DynamicCheckpoint checkpoint() const;
@@ -68,11 +75,12 @@ class SystemRun {
   bool begin();
   bool part_lines();
   bool attempt(double h, double target);
+  void accept(double h);
   void adapt(double h);
   void reach_tick();
 
   System system_;
-  SurroundingsAt lead_;  ///< Bodies and ends.
+  LeadEnds lead_;
   DynamicOptions options_;
   Clock clock_;
   std::vector<WaterField> water_;  ///< Line by line.
@@ -83,8 +91,8 @@ class SystemRun {
   SystemState state_, next_;
   StepChooser chooser_;
   std::vector<TensionWatch> watches_;  ///< Two for every line.
-  int steps_ = 0;
-  std::optional<std::string> failure_;
+  DynamicRunReport report_;
+  std::optional<StaticFailure> failure_;
   std::vector<SystemObserver*> observers_;
 };
 

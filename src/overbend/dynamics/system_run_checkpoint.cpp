@@ -19,7 +19,8 @@ DynamicCheckpoint SystemRun::checkpoint() const {
   save_water(c, water_memory_);
   c.arrays.push_back({"energy", energy_.save()});
   c.arrays.push_back({"steps", chooser_.save()});
-  c.arrays.push_back({"control", {static_cast<double>(clock_.tick), static_cast<double>(steps_)}});
+  c.arrays.push_back({"control", {static_cast<double>(clock_.tick)}});
+  save_report(c, report_);
   std::vector<double> watches;
   for (const TensionWatch& watch : watches_) {
     watches.insert(watches.end(), {watch.last, watch.slope, watch.least, watch.most});
@@ -33,9 +34,8 @@ void SystemRun::restore(const DynamicCheckpoint& checkpoint) {
   restore_state(checkpoint, state_);
   restore_water(checkpoint, water_memory_);
   energy_.restore(checkpoint_array(checkpoint, "energy"));
-  const std::vector<double>& control = checkpoint_array(checkpoint, "control");
-  clock_.tick = std::llround(control.at(0));
-  steps_ = static_cast<int>(std::llround(control.at(1)));
+  clock_.tick = std::llround(checkpoint_array(checkpoint, "control").at(0));
+  restore_report(checkpoint, report_);
   chooser_.restore(checkpoint_array(checkpoint, "steps"));
   const std::vector<double>& watches = checkpoint_array(checkpoint, "watches");
   for (std::size_t i = 0; i < watches_.size(); ++i) {

@@ -8,11 +8,10 @@
 #include "recording/control_columns.h"
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/move_record.h"
+#include "recording/snapshots.h"
 
 namespace overbend {
 namespace {
-
-constexpr double kMostSnapshots = 2400.0;  ///< Of a run.
 
 Vec3 node_place(const LineState& state, int node) {
   return Vec3(Eigen::Map<const Vec3>(state.q.data() + 6 * node));
@@ -58,12 +57,6 @@ int last_stinger_roller(const Supports& supports) {
 /// Whether the vessel floats free or lies on mooring lines.
 bool afloat(const Simulation& simulation) {
   return simulation.system().bodies.front().free || !simulation.moorings().empty();
-}
-
-/// Rows from one snapshot of a run to the next.
-std::int64_t snapshot_stride(const DynamicOptions& options) {
-  const double rows = options.duration / options.output_step;
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(rows / kMostSnapshots)));
 }
 
 /// What carries a box: the vessel, or its section of a stinger that turns in time, whose body follows the vessel's.
@@ -142,7 +135,7 @@ void DynamicRecorder::begun(const Instant& at) {
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
   const std::size_t recorded = places().size() - first_;
-  snapshot_.resize(5 * recorded + 12 + 4 * static_cast<std::size_t>(moorings_.points()));
+  snapshot_.resize(5 * recorded + kPoseNumbers + 4 * static_cast<std::size_t>(moorings_.points()));
   sink_->begin(columns, {static_cast<int>(recorded), moorings_.points()});
 }
 
@@ -340,15 +333,7 @@ std::span<const double> DynamicRecorder::snapshot(const Instant& at) {
                               nodes_.von_mises[node]};
     out = std::copy_n(values, 5, out);
   }
-  const VesselPose& pose = at.vessel().pose;
-  for (int i = 0; i < 3; ++i) {
-    *out++ = pose.p_WV(i);
-  }
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      *out++ = pose.R_WV(i, j);
-    }
-  }
+  out = put_pose(at.vessel().pose, out);
   moorings_.film(*at.state, *at.assembly, out);
   return snapshot_;
 }

@@ -26,6 +26,13 @@ using Columns = std::vector<RecordedColumn>;
 
 // A column's flags: wanted among the extremes, among the spectra, among the smallest values.
 
+void add_time(Columns& columns, const std::string& over) {
+  columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
+                     [](const RowSource& row) { return row.now.state->time; }});
+  columns.push_back({{"elevation", "m", "Water surface above the mean position of " + over, false, true},
+                     [](const RowSource& row) { return row.now.elevation; }});
+}
+
 void add_vessel(Columns& columns) {
   columns.push_back({{"surge", "m", "Vessel, forward", false, true}, freedom(0)});
   columns.push_back({{"sway", "m", "Vessel, to port", false, true}, freedom(1)});
@@ -81,6 +88,14 @@ void add_tension(Columns& columns) {
                      [](const RowSource& row) { return static_cast<double>(row.now.tensioner->machine.state); }});
 }
 
+void add_solver(Columns& columns) {
+  columns.push_back(
+      {{"step", "s", "Preceding time step", false, false}, [](const RowSource& row) { return row.now.step; }});
+  columns.push_back(
+      {{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", false, false},
+       [](const RowSource& row) { return row.now.drift; }});
+}
+
 void add_box(Columns& columns, const std::string& name, std::size_t box) {
   columns.push_back({{"support/" + name + "/reaction", "N", "Largest resultant since the previous row", true, false},
                      [box](const RowSource& row) { return row.largest_reaction[box]; }});
@@ -104,7 +119,6 @@ void add_floating(Columns& columns) {
                      [](const RowSource& row) { return row.floating->offset(); }});
 }
 
-/// Lines follow the pipe in the system: anchor first, fairlead last.
 void add_mooring(Columns& columns, const std::string& name, std::size_t line) {
   const auto tension = [line](LineEnd end) {
     return [line, end](const RowSource& row) { return mooring_tension(*row.now.assembly, *row.now.state, line, end); };
@@ -136,24 +150,27 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
                                              bool floating, const std::vector<std::string>& sections,
                                              const Vec3& astern_W) {
   Columns columns;
-  columns.push_back({{"time", "s", "Time from the end of the build-up", false, false},
-                     [](const RowSource& row) { return row.now.state->time; }});
-  columns.push_back({{"elevation", "m", "Water surface above the mean position of the stern shoe", false, true},
-                     [](const RowSource& row) { return row.now.elevation; }});
+  add_time(columns, "the stern shoe");
   add_vessel(columns);
   add_lay(columns);
   add_region(columns, supports.boxes.empty() ? "tower" : "overbend", kUpper);
   add_region(columns, "sagbend", kSagbend);
   add_tension(columns);
-  columns.push_back(
-      {{"step", "s", "Preceding time step", false, false}, [](const RowSource& row) { return row.now.step; }});
-  columns.push_back(
-      {{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", false, false},
-       [](const RowSource& row) { return row.now.drift; }});
+  add_solver(columns);
   for (std::size_t box = 0; box < supports.boxes.size(); ++box) add_box(columns, supports.boxes[box].name, box);
   if (floating) add_floating(columns);
   for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
   for (std::size_t i = 0; i < sections.size(); ++i) add_section(columns, sections[i], i, astern_W);
+  return columns;
+}
+
+std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings) {
+  Columns columns;
+  add_time(columns, "midship");
+  add_vessel(columns);
+  add_solver(columns);
+  add_floating(columns);
+  for (std::size_t i = 0; i < moorings.size(); ++i) add_mooring(columns, moorings[i], i);
   return columns;
 }
 

@@ -33,4 +33,7 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
                                              bool floating = false, const std::vector<std::string>& sections = {},
                                              const Vec3& astern_W = Vec3::UnitX());
 
+/// The columns of a run of a vessel on these mooring lines, without a pipe.
+std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings);
+
 }  // namespace overbend

@@ -113,8 +113,8 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
       now[kUplift] = line.anchor_uplift;
       now[kLength] = line.length;
     } else {
-      const LineAssembly& line = assembly.line(i + 1);
-      now[kOnBed] = bearing_length(line.line(), state.lines[i + 1]);
+      const LineAssembly& line = line_of(assembly, i);
+      now[kOnBed] = bearing_length(line.line(), state.lines[first_ + i]);
       now[kUplift] = now[kOnBed] > 0.0 ? 0.0 : uplift_at(line);
       now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
     }
@@ -125,9 +125,11 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
 
 void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
   quasi_static_ = moored_quasi_statically(assembly);
+  first_ = first_mooring(assembly.system());
   for (std::size_t i = 0; i < (quasi_static_ ? 0 : lines_.size()); ++i) {
-    find_ends(assembly.system().attachments, static_cast<int>(i) + 1, lines_[i].fairlead_end, lines_[i].anchor_end);
-    const LineMesh& mesh = assembly.line(i + 1).line().mesh;
+    find_ends(assembly.system().attachments, static_cast<int>(first_ + i), lines_[i].fairlead_end,
+              lines_[i].anchor_end);
+    const LineMesh& mesh = line_of(assembly, i).line().mesh;
     lines_[i].points.clear();
     for (const double s : mesh.s) lines_[i].points.push_back((s - mesh.s.front()) / mesh.total_length());
     lines_[i].last_element = mesh.length.back();
@@ -147,9 +149,9 @@ int MooringWatch::points() const {
 
 double* MooringWatch::film(const SystemState& state, const Assembly& assembly, double* out) const {
   for (std::size_t i = 0; i < (quasi_static_ ? 0 : lines_.size()); ++i) {
-    const LineAssembly& line = assembly.line(i + 1);
+    const LineAssembly& line = line_of(assembly, i);
     for (const double share : lines_[i].points) {
-      const Eigen::Vector4d point = point_of(line, state.lines[i + 1].q, share);
+      const Eigen::Vector4d point = point_of(line, state.lines[first_ + i].q, share);
       out = std::copy_n(point.data(), 4, out);
     }
   }
@@ -169,7 +171,7 @@ void MooringWatch::add(const SystemState& state, const Assembly& assembly, doubl
     keep(kUplift, lines_[i].uplift);
     if (!quasi_static_) {
       watch_ends(i, state);
-      watch_element(i, state.attachments[lines_[i].fairlead_end].way, assembly.line(i + 1).line().mesh);
+      watch_element(i, state.attachments[lines_[i].fairlead_end].way, line_of(assembly, i).line().mesh);
     }
     if (!lines_[i].parted_at) watch_slack(i, state.time);
   }

@@ -11,7 +11,7 @@
 
 namespace overbend {
 
-/// Counts from t = 0 on. The mooring lines follow the pipe among the lines of the system.
+/// Counts from t = 0 on. The mooring lines stand among the lines of the system from first_mooring() on.
 class MooringWatch {
  public:
   /// `names`: of the lines of the run, which `moorings` describes; none without moorings.
@@ -68,9 +68,11 @@ class MooringWatch {
   static void warn_of_winch(const Watched& line, std::vector<std::string>& list);
   void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
   void look(const SystemState& state, const Assembly& assembly);
+  const LineAssembly& line_of(const Assembly& assembly, std::size_t i) const { return assembly.line(first_ + i); }
   double sample(std::size_t line, Quantity quantity) const { return sample_[kQuantities * line + quantity]; }
 
   std::vector<Watched> lines_;
+  std::size_t first_ = 0;      ///< Number of the first among the lines of the system.
   bool quasi_static_ = false;  ///< No ends that give way, no points in snapshots.
   std::vector<double> sample_;
   RunningStatistics statistics_;

@@ -4,13 +4,12 @@
 #include <string>
 
 #include "recording/dynamic_recorder.h"
+#include "recording/moored_recorder.h"
 
 namespace overbend {
 namespace {
 
-DynamicRunReport report_of(const Simulation& simulation, double simulated) {
-  DynamicRunReport report = simulation.report();
-  const DynamicOptions& options = simulation.options();
+DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options, double simulated) {
   report.real_time_ratio = report.wall_time > 0.0 ? simulated / report.wall_time : 0.0;
   report.integrator = "generalized-alpha, spectral radius " +
                       std::to_string(options.step.spectral_radius).substr(0, 4) +
@@ -18,15 +17,22 @@ DynamicRunReport report_of(const Simulation& simulation, double simulated) {
   return report;
 }
 
-DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& recorder) {
-  const DynamicOptions& options = simulation.options();
+/// What results of all runs have in common; `Run`: a Simulation or a SystemRun.
+template <class Run>
+DynamicResults begun_results(const Run& run) {
+  const DynamicOptions& options = run.options();
   DynamicResults r;
-  r.duration = simulation.time();
+  r.duration = run.time();
   r.build_up = options.build_up;
   r.output_step = options.output_step;
   r.seed = options.seed;
-  r.energy = simulation.energy();
-  r.run = report_of(simulation, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
+  r.energy = run.energy();
+  r.run = finished(run.report(), options, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
+  return r;
+}
+
+DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& recorder) {
+  DynamicResults r = begun_results(simulation);
   recorder.fill(r);
   for (std::string& words : simulation.controllers().assumptions()) r.assumptions.push_back(std::move(words));
   for (std::string& words : simulation.controllers().warnings(simulation.system())) {
@@ -35,11 +41,52 @@ DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& r
   return r;
 }
 
+DynamicResults results_of(const SystemRun& run, const MooredRecorder& recorder) {
+  DynamicResults r = begun_results(run);
+  recorder.fill(r);
+  return r;
+}
+
+/// To the end, unless `control` stops it. `so_far` gives the results at the present, `tension` that to tell [N].
+template <class Run>
+DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicControl(const DynamicProgress&)>& control,
+                      const std::function<DynamicResults()>& so_far, const std::function<double()>& tension) {
+  while (!run.finished()) {
+    if (!run.advance(run.next_row())) return {std::nullopt, run.failure(), false};
+    const DynamicControl wanted = control({run.time(), run.end(), run.report().steps, tension(), so_far});
+    if (wanted != DynamicControl::go_on) sink.checkpoint(run.checkpoint());
+    if (wanted == DynamicControl::stop && !run.finished()) {
+      if (run.time() <= 0.0) return {std::nullopt, std::nullopt, true};
+      return {so_far(), std::nullopt, true};
+    }
+  }
+  return {so_far(), std::nullopt, false};
+}
+
+/// A hull on its mooring lines, without a pipe.
+DynamicOutcome run_moored(const Model& model, const StaticSolution& start, const DynamicOptions& options,
+                          DynamicSink& sink, const DynamicCheckpoint* from,
+                          const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  MooredSimulation moored(model, start, options);
+  if (moored.failure()) return {std::nullopt, moored.failure(), false};
+  SystemRun& run = moored.run();
+  MooredRecorder recorder(model, moored, sink);
+  run.observe(recorder);
+  if (from != nullptr) {
+    run.restore(*from);
+  } else {
+    recorder.row(run);
+  }
+  return follow(
+      run, sink, control, [&] { return results_of(run, recorder); }, [&] { return recorder.largest_tension(); });
+}
+
 }  // namespace
 
 DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, const StaticResults& statics,
                             const DynamicOptions& options, DynamicSink& sink, const DynamicCheckpoint* from,
                             const std::function<DynamicControl(const DynamicProgress&)>& control) {
+  if (!model.description.has_pipe) return run_moored(model, start, options, sink, from, control);
   Simulation simulation(model, start, statics.top_tension, options);
   if (simulation.failure()) return {std::nullopt, simulation.failure(), false};
   DynamicRecorder recorder(model, statics, simulation, sink);
@@ -49,18 +96,9 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
   } else {
     recorder.row(simulation.now(), simulation.row_number());
   }
-  const auto so_far = [&] { return results_of(simulation, recorder); };
-  while (!simulation.finished()) {
-    if (!simulation.advance(simulation.next_row())) return {std::nullopt, simulation.failure(), false};
-    const DynamicControl wanted =
-        control({simulation.time(), simulation.end(), simulation.report().steps, recorder.top_tension(), so_far});
-    if (wanted != DynamicControl::go_on) sink.checkpoint(simulation.checkpoint());
-    if (wanted == DynamicControl::stop && !simulation.finished()) {
-      if (simulation.time() <= 0.0) return {std::nullopt, std::nullopt, true};
-      return {results_of(simulation, recorder), std::nullopt, true};
-    }
-  }
-  return {results_of(simulation, recorder), std::nullopt, false};
+  return follow(
+      simulation, sink, control, [&] { return results_of(simulation, recorder); },
+      [&] { return recorder.top_tension(); });
 }
 
 }  // namespace overbend

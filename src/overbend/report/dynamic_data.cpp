@@ -136,4 +136,15 @@ Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& res
   return data.take();
 }
 
+Json moored_figure_data(const MooringResults& rest, const DynamicResults& results) {
+  const StaticResults statics = of_hull_alone(rest);
+  const ReportStyle style(statics);
+  JsonWriter data(style);
+  visit_dynamic_settings(results, data);
+  data["histories"] = history_data(statics, results);
+  data["spectra"] = spectrum_data(results);
+  data["vessel"] = results.vessel ? vessel_figure_data(*results.vessel) : Json(nullptr);
+  return data.take();
+}
+
 }  // namespace overbend

@@ -10,4 +10,7 @@ namespace overbend {
 /// report/quantity.h, contacts and impacts. Only what the figures show: of all supports the hardest pressed.
 Json dynamic_figure_data(const StaticResults& statics, const DynamicResults& results);
 
+/// Of a hull on its mooring lines without a pipe: histories, spectra, where the vessel was.
+Json moored_figure_data(const MooringResults& rest, const DynamicResults& results);
+
 }  // namespace overbend

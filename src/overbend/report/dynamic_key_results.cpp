@@ -150,11 +150,8 @@ void judge(std::vector<std::string>& all, const StaticResults& statics, const ch
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
-                                                                 const DynamicResults& results,
-                                                                 const std::optional<Description>& description,
-                                                                 const std::string& written) {
-  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
+void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
+                     std::vector<std::pair<std::string, std::string>>& entries) {
   if (description) {
     entries.emplace_back("Sea", sea_words(description->environment.waves));
     entries.emplace_back("Vessel motion", motion_words(description->vessel));
@@ -163,6 +160,14 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
   entries.emplace_back("Duration",
                        duration_words(results.duration) + " after a build-up of " + duration_words(results.build_up));
   entries.emplace_back("Integrator", results.run.integrator);
+}
+
+std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticResults& statics,
+                                                                 const DynamicResults& results,
+                                                                 const std::optional<Description>& description,
+                                                                 const std::string& written) {
+  std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
+  add_run_entries(results, description, entries);
   entries.emplace_back("Tensioner", results.tensioner.mode);
   entries.emplace_back("Status", status_words("completed", dynamic_remarks(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);

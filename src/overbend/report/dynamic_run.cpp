@@ -24,11 +24,12 @@ html::Table energy_listing(const std::string& caption) {
   return html::Table(caption, {{"Energy", "", true}, {"Value", "kJ"}}, "plain");
 }
 
-std::string energy_tables(const EnergyBalance& e) {
+/// `on`: what the work is done on.
+std::string energy_tables(const EnergyBalance& e, const std::string& on) {
   const auto row = [](html::Table& table, const char* name, double value, const char* css = "") {
     table.row({name, quantity("energy", "J").text(value, 3)}, css);
   };
-  html::Table in = energy_listing("Energy: work done on the pipe, and losses");
+  html::Table in = energy_listing("Energy: work done on " + on + ", and losses");
   row(in, "Work of the water", e.fluid);
   row(in, "Work of the rollers' motion", e.rollers);
   row(in, "Work at the tensioner", e.top);
@@ -103,9 +104,10 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
 
 std::string dynamic_run_section(const DynamicResults& results) {
   return html::section("run", "Appendix: energy balance and run",
-                       "<div class=\"columns\">\n" + energy_tables(results.energy) + run_table(results) +
-                           "</div>\n<p class=\"small\">Time integration: " + html::escape(results.run.integrator) +
-                           ".</p>\n");
+                       "<div class=\"columns\">\n" +
+                           energy_tables(results.energy, results.station_s.empty() ? "hull and lines" : "the pipe") +
+                           run_table(results) + "</div>\n<p class=\"small\">Time integration: " +
+                           html::escape(results.run.integrator) + ".</p>\n");
 }
 
 }  // namespace overbend

@@ -16,6 +16,9 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
                                                                  const DynamicResults& results,
                                                                  const std::optional<Description>& description,
                                                                  const std::string& written);
+/// Of them what every run has: sea, motion, seed, duration, integrator.
+void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
+                     std::vector<std::pair<std::string, std::string>>& entries);
 /// Warnings of both runs, and what the numbers call for in words.
 std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results);
 std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results);

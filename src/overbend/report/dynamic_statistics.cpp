@@ -64,8 +64,7 @@ class Statistics {
   html::Table table_;
 };
 
-std::string statistics_table(const StaticResults& statics, const DynamicResults& r) {
-  Statistics table(statics, r);
+void add_pipe(Statistics& table, const StaticResults& statics, const DynamicResults& r) {
   table.add("top_tension", "N", r.top_tension);
   table.add("bottom_tension", "N", r.bottom_tension);
   if (statics.overbend) {
@@ -86,6 +85,11 @@ std::string statistics_table(const StaticResults& statics, const DynamicResults&
     table.add(of + "stop_moment", "N m", section.stop_moment);
     table.add(of + "draught", "m", section.draught);
   }
+}
+
+std::string statistics_table(const StaticResults& statics, const DynamicResults& r) {
+  Statistics table(statics, r);
+  if (statics.has_pipe()) add_pipe(table, statics, r);
   for (const char* name : {"elevation", "surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     table.add_history(name);
   }

@@ -41,7 +41,12 @@ Quantity metres() {
   return {"", "m", 1.0, 3};
 }
 
-std::string vessel_table(const VesselDynamics& v) {
+/// What the shifts ahead and to port are along and across: a hull without a pipe has no route.
+const char* course(const DynamicResults& results) {
+  return results.station_s.empty() ? "hull" : "route";
+}
+
+std::string vessel_table(const VesselDynamics& v, const std::string& along) {
   html::Table table("Motion of the vessel: slow and wave part", spread_head(), "dense summary");
   table.groups(spread_groups());
   add_row(table, "Surge, forward", metres(), 3, v.surge);
@@ -50,8 +55,8 @@ std::string vessel_table(const VesselDynamics& v) {
   add_row(table, "Roll, starboard down", angles(), 3, v.roll);
   add_row(table, "Pitch, bow down", angles(), 3, v.pitch);
   add_row(table, "Yaw, bow to port", angles(), 3, v.yaw);
-  add_row(table, "Along the route, ahead", metres(), 3, v.along);
-  add_row(table, "Across the route, to port", metres(), 3, v.across);
+  add_row(table, "Along the " + along + ", ahead", metres(), 3, v.along);
+  add_row(table, "Across the " + along + ", to port", metres(), 3, v.across);
   add_row(table, "Horizontal offset", metres(), 3, v.offset);
   std::string note = fmt::format(
       "<p class=\"small\">Surge to yaw from the hull as drawn; along, across and offset from where midship lay at the "
@@ -148,9 +153,10 @@ std::string tiles(const DynamicResults& results) {
     const VesselDynamics& v = *results.vessel;
     out += tile("Largest offset", fixed(v.offset.whole.max, 2), "m",
                 "horizontal, from the start of the run; most probable in 3 h " + fixed(v.offset.most_probable_max, 2));
-    out += tile("Across the route", spread_text(metres(), 2, v.across.whole), "m",
+    const std::string along = course(results);
+    out += tile("Across the " + along, spread_text(metres(), 2, v.across.whole), "m",
                 fmt::format("std slow {}, waves {}", fixed(v.across.slow.std, 2), fixed(v.across.wave.std, 2)));
-    out += tile("Along the route", spread_text(metres(), 2, v.along.whole), "m",
+    out += tile("Along the " + along, spread_text(metres(), 2, v.along.whole), "m",
                 fmt::format("std slow {}, waves {}", fixed(v.along.slow.std, 2), fixed(v.along.wave.std, 2)));
   }
   const auto hardest = std::max_element(results.moorings.begin(), results.moorings.end(),
@@ -188,7 +194,7 @@ std::string moored_dynamics_section(const DynamicResults& results, int& figure) 
     return std::string(shown.id) == "mooring_offsets" ? results.vessel.has_value() : groups.count(part) != 0;
   };
   std::string body = tiles(results) + figure_list(all_figures(), makes_sense, figure);
-  if (results.vessel) body += vessel_table(*results.vessel);
+  if (results.vessel) body += vessel_table(*results.vessel, course(results));
   if (!results.moorings.empty()) {
     body += tension_table(results.moorings) + use_table(results.moorings) + event_table(results.moorings);
   }

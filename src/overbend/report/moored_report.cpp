@@ -1,26 +1,70 @@
 // The report of a hull on its mooring lines, without a pipe.
+#include <algorithm>
+
+#include "report/dynamic_sections.h"
+#include "report/figure_list.h"
 #include "report/front_of.h"
+#include "report/history_data.h"
 #include "report/hull_section.h"
+#include "report/moored_dynamics_section.h"
+#include "report/moored_report.h"
 #include "report/mooring_verdict.h"
 #include "report/moorings_section.h"
 #include "report/page.h"
+#include "report/quantity.h"
 #include "report/report.h"
 #include "report/report_data.h"
+#include "report/sea_words.h"
 #include "report/sections.h"
 
 namespace overbend {
 namespace {
 
+constexpr const char* kBarNote = "The mark on the bar is the full capacity, without safety factors.";
+
+void add_subject(const MooringResults& results, const std::optional<Description>& description, FrontPage& front) {
+  if (description) front.entries.emplace_back("Vessel", description->vessel.name);
+  front.entries.emplace_back("Mooring lines", std::to_string(results.rest.moorings.size()));
+}
+
+void add_closing(const MooringResults& results, const std::string& status, FrontPage& front) {
+  front.entries.emplace_back("Status", status_words(status, front.warnings.size()));
+  front.entries.emplace_back("Program", "Overbend " + results.version);
+  front.entries.emplace_back("Written", written_now());
+}
+
 FrontPage moored_front(const MooringResults& results, const std::optional<Description>& description) {
   FrontPage front = front_of("Mooring analysis", results.title, description, results.warnings);
   front.reach = "Static states only: the effect of waves needs a dynamic analysis.";
   front.more = mooring_bars(results, working_load_of(description));
-  if (description) front.entries.emplace_back("Vessel", description->vessel.name);
-  front.entries.emplace_back("Mooring lines", std::to_string(results.rest.moorings.size()));
-  front.entries.emplace_back("Status", status_words("converged", front.warnings.size()));
-  front.entries.emplace_back("Program", "Overbend " + results.version);
-  front.entries.emplace_back("Written", written_now());
+  add_subject(results, description, front);
+  add_closing(results, "converged", front);
   return front;
+}
+
+FrontPage front_in_time(const MooringResults& rest, const DynamicResults& results,
+                        const std::optional<Description>& description) {
+  FrontPage front =
+      front_of("Dynamic mooring analysis", rest.title, description, together(results.warnings, rest.warnings));
+  front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
+  front.more = mooring_bars(results.moorings, working_load_of(description));
+  add_subject(rest, description, front);
+  add_run_entries(results, description, front.entries);
+  add_closing(rest, "completed", front);
+  return front;
+}
+
+std::string figures_in_time(const StaticResults& statics, const DynamicResults& results, int& number) {
+  static const std::vector<Figure> kFigures = {
+      {"history", "Time histories of the vessel's motion; the build-up is shaded", {"motions"}, true},
+      {"history", "Time history of wave elevation at midship", {"wave"}},
+      {"spectra", "Spectra of motions and tensions; the upper scale is the period", {"all"}, true}};
+  const Json histories = history_data(statics, results);
+  const auto makes_sense = [&](const Figure& figure, const std::string& part) {
+    if (std::string(figure.id) == "spectra") return !spectrum_data(results).empty();
+    return std::any_of(histories.begin(), histories.end(), [&](const Json& one) { return one["group"] == part; });
+  };
+  return figure_section("dynamic-figures", "Motion of the vessel and sea", figure_list(kFigures, makes_sense, number));
 }
 
 }  // namespace
@@ -35,9 +79,28 @@ std::string report_html(const MooringResults& results, const std::string& model_
                            assumptions_section(results.assumptions) + model_text_section(model_text);
   const FrontPage front = moored_front(results, description);
   return page_without_pipe(results.title + " - mooring analysis",
-                           front_page(front, load_verdict(front.more, front.warnings),
-                                      "The mark on the bar is the full capacity, without safety factors.", rest),
-                           report_data(results, description));
+                           front_page(front, load_verdict(front.more, front.warnings), kBarNote, rest),
+                           report_data(results, nullptr, description));
+}
+
+std::string moored_report_in_time(const StaticResults& statics, const DynamicResults& results,
+                                  const std::string& model_text) {
+  const std::optional<Description> description = description_of(model_text);
+  const MooringResults& rest = *statics.moorings;
+  int figure = 0;
+  const std::string moved = moored_dynamics_section(results, figure);
+  const std::string figures = figures_in_time(statics, results, figure);
+  const std::string statistics = dynamic_statistics_section(statics, results);
+  const std::string before =
+      moorings_section(rest, figure) + operation_section(rest, figure) + (rest.hull ? hull_section(*rest.hull) : "");
+  const std::string closing = (description ? inputs_section(*description) : "") +
+                              assumptions_section(together(rest.assumptions, results.assumptions)) +
+                              dynamic_run_section(results) + model_text_section(model_text);
+  const FrontPage front = front_in_time(rest, results, description);
+  return page_without_pipe(rest.title + " - dynamic mooring analysis",
+                           front_page(front, load_verdict(front.more, front.warnings), kBarNote,
+                                      moved + figures + statistics + before + closing),
+                           report_data(rest, &results, description));
 }
 
 void write_report(const MooringResults& results, const std::string& model_text, const std::filesystem::path& file) {

@@ -12,6 +12,7 @@
 #include "report/html.h"
 #include "report/hull_section.h"
 #include "report/moored_dynamics_section.h"
+#include "report/moored_report.h"
 #include "report/mooring_verdict.h"
 #include "report/moorings_section.h"
 #include "report/page.h"
@@ -36,16 +37,6 @@ std::string static_tables(const StaticResults& results) {
          (results.supports.empty() ? "" : html::section("supports", "Supports", support_table(results))) +
          stinger_section(results) + structures_section(results) + laid_pipe_section(results) +
          friction_section(results);
-}
-
-/// Each once, in the order in which they come.
-std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more) {
-  for (const std::string& text : more) {
-    if (std::find(all.begin(), all.end(), text) == all.end()) {
-      all.push_back(text);
-    }
-  }
-  return all;
 }
 
 std::string hull_part(const StaticResults& results) {
@@ -90,6 +81,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
 }
 
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text) {
+  if (!statics.has_pipe()) return moored_report_in_time(statics, results, model_text);
   require_stations(!statics.stations.empty() && !results.station_s.empty());
   const std::optional<Description> description = description_of(model_text);
   int figure = 0;

@@ -26,7 +26,8 @@ struct StaticExtras {
 /// `extras` get sections of their own.
 std::string report_html(const StaticResults& results, const std::string& model_text, const StaticExtras& extras = {});
 
-/// The page of a dynamic run: its own results first, then the static state that it starts from.
+/// The page of a dynamic run, also of a hull without a pipe: its own results first, then the static state that it
+/// starts from.
 std::string report_html(const StaticResults& statics, const DynamicResults& results, const std::string& model_text);
 
 /// Of a hull on its mooring lines, and of lines by themselves at rest or in a run: models without a pipe.

@@ -153,8 +153,11 @@ std::string report_data(const StaticResults& results, const DynamicResults* dyna
   return text(data);
 }
 
-std::string report_data(const MooringResults& results, const std::optional<Description>& description) {
-  return text({{"moorings", mooring_figure_data(results, mooring_scene(description))}});
+std::string report_data(const MooringResults& results, const DynamicResults* dynamic,
+                        const std::optional<Description>& description) {
+  Json data = {{"moorings", mooring_figure_data(results, mooring_scene(description))}};
+  if (dynamic != nullptr) data["dynamic"] = moored_figure_data(results, *dynamic);
+  return text(data);
 }
 
 std::string report_data(const LinesResults& results, const std::optional<Description>& description) {

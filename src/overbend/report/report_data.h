@@ -20,7 +20,8 @@ std::string report_data(const StaticResults& results, const DynamicResults* dyna
                         const SeekResults* seek = nullptr);
 
 /// Of models without a pipe.
-std::string report_data(const MooringResults& results, const std::optional<Description>& description);
+std::string report_data(const MooringResults& results, const DynamicResults* dynamic,
+                        const std::optional<Description>& description);
 std::string report_data(const LinesResults& results, const std::optional<Description>& description);
 
 /// The static data with those of a comparison under "comparison".

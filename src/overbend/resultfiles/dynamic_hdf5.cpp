@@ -4,6 +4,7 @@
 #include "resultfiles/fatigue_files.h"
 #include "resultfiles/hdf5_visitors.h"
 #include "resultfiles/moored_dynamics_hdf5.h"
+#include "resultfiles/mooring_hdf5.h"
 #include "results/fields/dynamic_values.h"
 #include "results/fields/static_values.h"
 #include "results/fields/stinger_dynamics_fields.h"
@@ -121,23 +122,11 @@ void write_spectra(Hdf5Writer& file, const std::vector<Spectrum>& spectra) {
   }
 }
 
-}  // namespace
-
-void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
-                        const Description& description, const std::filesystem::path& path) {
-  Hdf5Writer file(path);
-  write_static_groups(file, statics, description);
-  const bool tip = statics.stinger_tip_clearance.has_value();
-  const auto keys = [&](const auto& part, auto& visit) { visit_dynamic_keys(part, visit, tip); };
-  const auto energy = [](const auto& part, auto& visit) { visit_energy(part, visit); };
+/// What a run with a pipe has besides.
+void write_pipe_in_time(Hdf5Writer& file, const StaticResults& statics, const DynamicResults& dynamics) {
   const auto tensioner = [](const auto& part, auto& visit) { visit_tensioner(part, visit); };
-  const auto run = [](const auto& part, auto& visit) { visit_dynamic_run(part, visit); };
   const auto impacts = [](const auto& part, auto& visit) { visit_impact(part, visit); };
-  const auto extremes = [](const auto& part, auto& visit) { visit_estimate(part, visit); };
-  write_part(file, "/dynamic", "Time domain: settings and key results", keys, dynamics);
-  write_part(file, "/dynamic/energy", "Energy balance of the run", energy, dynamics.energy);
   write_part(file, "/dynamic/tensioner", "Tensioner behaviour", tensioner, dynamics.tensioner);
-  write_part(file, "/dynamic/run", "Solver statistics", run, dynamics.run);
   if (statics.overbend) {
     write_region(file, "/dynamic/overbend", "Extremes from the tensioner to the inflection below the last support",
                  dynamics.overbend);
@@ -155,18 +144,42 @@ void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dyna
   write_supports(file, dynamics.supports);
   write_rows(file, "/dynamic/hardest_impacts", "The impacts with the largest peak force, hardest first",
              dynamics.hardest_impacts, impacts);
-  write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
-             extremes);
-  write_moored_dynamics(file, dynamics);
   if (!dynamics.stinger.empty()) {
     write_rows(file, "/dynamic/stinger", "Sections of the stinger on their hinges over time", dynamics.stinger,
                [](const auto& part, auto& visit) { visit_stinger_dynamics(part, visit); });
   }
   write_fatigue(file, dynamics);
-  write_summaries(file, dynamics.histories);
-  write_spectra(file, dynamics.spectra);
   if (!dynamics.design.load.empty()) write_design(file, dynamics.design);
   write_checks(file, "/dynamic/checks", dynamics.checks);
+}
+
+void write_groups_at_rest(Hdf5Writer& file, const StaticResults& statics, const Description& description) {
+  if (statics.has_pipe()) return write_static_groups(file, statics, description);
+  write_mooring_groups(file, *statics.moorings, description);
+}
+
+}  // namespace
+
+void write_dynamic_hdf5(const StaticResults& statics, const DynamicResults& dynamics, const RunStore& store,
+                        const Description& description, const std::filesystem::path& path) {
+  Hdf5Writer file(path);
+  write_groups_at_rest(file, statics, description);
+  const bool tip = statics.stinger_tip_clearance.has_value();
+  const auto keys = [&](const auto& part, auto& visit) {
+    statics.has_pipe() ? visit_dynamic_keys(part, visit, tip) : visit_dynamic_settings(part, visit);
+  };
+  const auto energy = [](const auto& part, auto& visit) { visit_energy(part, visit); };
+  const auto run = [](const auto& part, auto& visit) { visit_dynamic_run(part, visit); };
+  const auto extremes = [](const auto& part, auto& visit) { visit_estimate(part, visit); };
+  write_part(file, "/dynamic", "Time domain: settings and key results", keys, dynamics);
+  write_part(file, "/dynamic/energy", "Energy balance of the run", energy, dynamics.energy);
+  write_part(file, "/dynamic/run", "Solver statistics", run, dynamics.run);
+  if (statics.has_pipe()) write_pipe_in_time(file, statics, dynamics);
+  write_rows(file, "/dynamic/extremes", "Most probable largest or smallest values in three hours", dynamics.extremes,
+             extremes);
+  write_moored_dynamics(file, dynamics);
+  write_summaries(file, dynamics.histories);
+  write_spectra(file, dynamics.spectra);
   write_long_data(file, store);
   file.close();
 }

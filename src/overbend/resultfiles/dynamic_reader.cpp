@@ -87,16 +87,10 @@ void read_spectra(const Hdf5Reader& file, std::vector<Spectrum>& spectra) {
   });
 }
 
-DynamicResults read_dynamics(const Hdf5Reader& file) {
-  DynamicResults results;
-  ValueReader visit{file, "/dynamic"};
-  visit_dynamic_keys(results, visit, file.has("/dynamic/stinger_tip_clearance_min"));
-  visit.group = "/dynamic/energy";
-  visit_energy(results.energy, visit);
-  visit.group = "/dynamic/tensioner";
+/// What a run with a pipe has besides.
+void read_pipe_in_time(const Hdf5Reader& file, DynamicResults& results) {
+  ValueReader visit{file, "/dynamic/tensioner"};
   visit_tensioner(results.tensioner, visit);
-  visit.group = "/dynamic/run";
-  visit_dynamic_run(results.run, visit);
   if (file.has("/dynamic/overbend")) read_region(file, "/dynamic/overbend", results.overbend);
   visit.group = "/dynamic/smallest_tension";
   visit_dynamic_extreme(smallest_tension_field(), results.smallest_tension, visit);
@@ -107,17 +101,43 @@ DynamicResults read_dynamics(const Hdf5Reader& file) {
   read_supports(file, results.supports);
   read_rows(file, "/dynamic/hardest_impacts", results.hardest_impacts,
             [](auto& row, auto& t) { visit_impact(row, t); });
-  read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
-  read_moored_dynamics(file, results);
   if (file.has("/dynamic/stinger")) {
     read_rows(file, "/dynamic/stinger", results.stinger, [](auto& row, auto& t) { visit_stinger_dynamics(row, t); });
   }
   read_fatigue(file, results);
-  read_summaries(file, results.histories);
-  read_spectra(file, results.spectra);
   results.design = read_design(file);
   results.checks = read_checks(file, "/dynamic/checks");
+}
+
+DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
+  DynamicResults results;
+  ValueReader visit{file, "/dynamic"};
+  if (pipe) {
+    visit_dynamic_keys(results, visit, file.has("/dynamic/stinger_tip_clearance_min"));
+    read_pipe_in_time(file, results);
+  } else {
+    visit_dynamic_settings(results, visit);
+  }
+  visit.group = "/dynamic/energy";
+  visit_energy(results.energy, visit);
+  visit.group = "/dynamic/run";
+  visit_dynamic_run(results.run, visit);
+  read_rows(file, "/dynamic/extremes", results.extremes, [](auto& row, auto& t) { visit_estimate(row, t); });
+  read_moored_dynamics(file, results);
+  read_summaries(file, results.histories);
+  read_spectra(file, results.spectra);
   return results;
+}
+
+/// Of a hull alone in the place of those of a lay.
+StoredStatics read_rest(const std::filesystem::path& h5) {
+  if (!has_moorings_alone(h5)) return read_static_results(h5);
+  StoredMoorings rest = read_mooring_results(h5);
+  StoredStatics stored;
+  stored.results = of_hull_alone(std::move(rest.results));
+  stored.model_text = std::move(rest.model_text);
+  stored.model_file = std::move(rest.model_file);
+  return stored;
 }
 
 }  // namespace
@@ -127,7 +147,9 @@ bool has_dynamic(const std::filesystem::path& h5) {
 }
 
 StoredDynamics read_dynamic_results(const std::filesystem::path& h5) {
-  return {read_static_results(h5), read_dynamics(Hdf5Reader(h5))};
+  StoredStatics statics = read_rest(h5);
+  const bool pipe = statics.results.has_pipe();
+  return {std::move(statics), read_dynamics(Hdf5Reader(h5), pipe)};
 }
 
 }  // namespace overbend

@@ -9,7 +9,7 @@
 namespace overbend {
 
 struct StoredDynamics {
-  StoredStatics statics;
+  StoredStatics statics;  ///< Of a hull without a pipe as of_hull_alone().
   DynamicResults results;
 };
 

@@ -6,6 +6,7 @@
 namespace overbend {
 
 Json dynamic_summary_json(const StaticResults& statics, const DynamicResults& results) {
+  if (!statics.has_pipe()) return moored_dynamic_summary_json(*statics.moorings, results);
   Json summary = static_summary_json(statics);
   summary["dynamic"] = dynamic_part(SummaryStyle{}, statics, results);
   add_moored_dynamics(results, summary);

@@ -4,6 +4,7 @@
 #include "resultfiles/fatigue_files.h"
 #include "resultfiles/finite_check.h"
 #include "resultfiles/mooring_writer.h"
+#include "resultfiles/move_table.h"
 #include "resultfiles/rechecked_hdf5.h"
 #include "resultfiles/results_writer.h"
 #include "runstore/append_file.h"
@@ -12,18 +13,38 @@ namespace overbend {
 
 namespace {
 
-void write_tables(const StaticResults& statics, const DynamicResults& dynamics, const std::filesystem::path& folder) {
+/// Of a hull and its lines without a pipe.
+void write_moored_tables(const MooringResults& statics, const DynamicResults& dynamics,
+                         const std::filesystem::path& folder) {
+  write_text(folder / "moorings.csv", moorings_table(statics, dynamics.moorings));
+  if (!statics.steps.empty()) write_text(folder / "pull_ahead.csv", move_table(statics));
+}
+
+void write_pipe_tables(const StaticResults& statics, const DynamicResults& dynamics,
+                       const std::filesystem::path& folder) {
   write_text(folder / "pipe.csv", dynamic_pipe_table(statics, dynamics));
   write_text(folder / "supports.csv", dynamic_supports_table(statics, dynamics));
   write_text(folder / "impacts.csv", impacts_table(dynamics));
   if (statics.moorings) write_text(folder / "moorings.csv", moorings_table(*statics.moorings, dynamics.moorings));
   if (dynamics.fatigue) write_text(folder / "fatigue.csv", fatigue_table(dynamics));
   write_text(folder / "checks.csv", checks_table(dynamics.checks));
+}
+
+void write_tables(const StaticResults& statics, const DynamicResults& dynamics, const std::filesystem::path& folder) {
+  if (statics.has_pipe()) {
+    write_pipe_tables(statics, dynamics, folder);
+  } else {
+    write_moored_tables(*statics.moorings, dynamics, folder);
+  }
   write_text(folder / "summary.json", dynamic_summary(statics, dynamics));
 }
 
 void require_results(const StaticResults& statics, const DynamicResults& dynamics) {
-  require_finite(statics);
+  if (statics.has_pipe()) {
+    require_finite(statics);
+  } else {
+    require_finite(*statics.moorings);
+  }
   require_finite(dynamics);
 }
 

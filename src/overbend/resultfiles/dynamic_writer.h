@@ -1,4 +1,5 @@
-/// Writes what a dynamic analysis found: summary.json, pipe.csv, supports.csv, impacts.csv, checks.csv, results.h5.
+/// Writes what a dynamic analysis found: summary.json, pipe.csv, supports.csv, impacts.csv, checks.csv, results.h5; of
+/// a hull without a pipe summary.json, moorings.csv, results.h5.
 #pragma once
 
 #include <filesystem>

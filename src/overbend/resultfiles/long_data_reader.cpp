@@ -29,7 +29,6 @@ SnapshotBlock read_snapshots(const std::filesystem::path& h5, std::int64_t first
   SnapshotBlock block;
   if (!file.has("/dynamic/snapshots")) return block;
   block.total = static_cast<std::int64_t>(file.lines("/dynamic/snapshots/time"));
-  block.stations = static_cast<std::int64_t>(file.lines("/dynamic/stations/s"));
   const auto from = static_cast<hsize_t>(std::clamp<std::int64_t>(first, 0, block.total));
   const auto most =
       static_cast<hsize_t>(std::clamp<std::int64_t>(count, 0, block.total - static_cast<std::int64_t>(from)));
@@ -37,11 +36,14 @@ SnapshotBlock read_snapshots(const std::filesystem::path& h5, std::int64_t first
     return file.doubles(std::string("/dynamic/snapshots/") + name, from, most);
   };
   block.time = read("time");
-  block.x = read("x");
-  block.y = read("y");
-  block.z = read("z");
-  block.effective_tension = read("effective_tension");
-  block.von_mises = read("von_mises");
+  if (file.has("/dynamic/stations/s")) {  // else there is no pipe
+    block.stations = static_cast<std::int64_t>(file.lines("/dynamic/stations/s"));
+    block.x = read("x");
+    block.y = read("y");
+    block.z = read("z");
+    block.effective_tension = read("effective_tension");
+    block.von_mises = read("von_mises");
+  }
   block.vessel_position = read("vessel_position");
   block.vessel_axes = read("vessel_axes");
   if (!file.has("/dynamic/snapshots/line_x")) return block;

@@ -262,4 +262,10 @@ std::optional<MooringResults> read_moorings(const Hdf5Reader& file) {
   return results;
 }
 
+void write_mooring_groups(DatasetSink& file, const MooringResults& results, const Description& description) {
+  write_results_heading(file, results.title, description);
+  write_moorings(file, results);
+  if (results.hull) write_hull(file, *results.hull);
+}
+
 }  // namespace overbend

@@ -148,6 +148,21 @@ Json mooring_summary_json(const MooringResults& results) {
   return summary;
 }
 
+Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicResults& results) {
+  const SummaryStyle style;
+  Json summary = mooring_summary_json(statics);
+  JsonWriter json(style);
+  visit_dynamic_settings(results, json);
+  json["extremes"] = style.rows(results.extremes, [&](const ExtremeEstimate& estimate) {
+    return object_of(style, [&](auto& one) { visit_estimate(estimate, one); });
+  });
+  json["energy_drift"] = style.number(results.energy.drift());
+  visit_dynamic_run(results.run, json);
+  summary["dynamic"] = json.take();
+  add_moored_dynamics(results, summary);
+  return summary;
+}
+
 std::string mooring_summary(const MooringResults& results) {
   return summary_text(mooring_summary_json(results));
 }

@@ -40,9 +40,7 @@ void visit_table_row(const std::string& state, const MooringLineResult& line, Vi
 
 void write_hdf5(const MooringResults& results, const Description& description, const std::filesystem::path& path) {
   Hdf5Writer file(path);
-  write_results_heading(file, results.title, description);
-  write_moorings(file, results);
-  if (results.hull) write_hull(file, *results.hull);
+  write_mooring_groups(file, results, description);
   file.close();
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "resultfiles/summary_fields.h"
+#include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
 
 namespace overbend {
@@ -133,9 +134,13 @@ void add_mooring_units(const UnitStyle& style, Json& statics) {
   })});
 }
 
-}  // namespace
-
-namespace {
+/// What it adds to a run in time.
+void add_mooring_units_in_time(const UnitStyle& style, Json& dynamic) {
+  const VesselDynamics vessel;
+  const MooringLineDynamics line;
+  dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(vessel, one); });
+  dynamic["moorings"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); })});
+}
 
 Json static_summary_told(const UnitStyle& style) {
   const StaticResults any;
@@ -152,6 +157,7 @@ Json dynamic_summary_told(const UnitStyle& style) {
   any.supports.resize(1);
   Json told = static_summary_told(style);
   told["dynamic"] = dynamic_part(style, statics, any);
+  add_mooring_units_in_time(style, told["dynamic"]);
   return told;
 }
 

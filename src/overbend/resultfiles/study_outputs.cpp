@@ -47,6 +47,25 @@ std::optional<std::string> unit_of(StudyAnalysis analysis, const std::string& na
   return analysis == StudyAnalysis::dynamic ? dynamic_result_unit(name) : result_unit(name);
 }
 
+std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
+  if (analysis == StudyAnalysis::dynamic) {
+    return {"dynamic.vessel.offset",
+            "dynamic.vessel.roll",
+            "dynamic.vessel.pitch",
+            "max(dynamic.moorings[*].fairlead_tension.max)",
+            "min(dynamic.moorings[*].fairlead_tension.min)",
+            "max(dynamic.moorings[*].utilisation)"};
+  }
+  std::vector<std::string> names = {"static.vessel.surge",
+                                    "static.vessel.sway",
+                                    "static.vessel.yaw",
+                                    "max(static.moorings[*].fairlead_tension)",
+                                    "min(static.moorings[*].fairlead_tension)",
+                                    "max(static.moorings[*].utilisation)"};
+  if (analysis == StudyAnalysis::seek) names.insert(names.begin(), "seek.answer");
+  return names;
+}
+
 }  // namespace
 
 std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
@@ -69,7 +88,8 @@ std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
   return nearest_word(parsed_result_name(name).path, dynamic ? dynamic_result_paths() : result_paths());
 }
 
-std::vector<std::string> usual_outputs(StudyAnalysis analysis) {
+std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe) {
+  if (!pipe) return usual_outputs_of_hull(analysis);
   if (analysis == StudyAnalysis::dynamic) {
     return {"dynamic.top_tension.min",        "dynamic.top_tension.max",       "dynamic.smallest_tension",
             "dynamic.overbend.max_von_mises", "dynamic.sagbend.max_von_mises", "checks.governing"};

@@ -22,8 +22,8 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
 /// The known path that is nearest to what was meant; empty where none is near.
 std::string nearest_output(StudyAnalysis analysis, const std::string& name);
 
-/// What is gathered where the study does not say.
-std::vector<std::string> usual_outputs(StudyAnalysis analysis);
+/// What is gathered of a lay, or of a hull on mooring lines without a pipe, where the study does not say.
+std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe);
 
 /// The value of an output [SI]; nothing where the summary has none.
 std::optional<double> output_value(const Json& summary, StudyAnalysis analysis, const std::string& name);

@@ -14,6 +14,9 @@ Json static_summary_json(const StaticResults& results);
 /// What a static analysis of a vessel on mooring lines without a pipe writes.
 Json mooring_summary_json(const MooringResults& results);
 
+/// What a dynamic analysis of it writes.
+Json moored_dynamic_summary_json(const MooringResults& statics, const DynamicResults& results);
+
 /// Where a moored vessel lies and its lines, into the part of the statics; stages of its operation beside it.
 void add_moorings(const MooringResults& results, Json& summary);
 /// static.hull.

@@ -265,6 +265,12 @@ struct StaticResults {
 
   std::optional<HullResults> hull;         ///< Of a hull with hydrodynamic coefficients.
   std::optional<MooringResults> moorings;  ///< Of a vessel on mooring lines: where it lies, and the lines.
+
+  /// Else they are those of a hull alone: title, and `moorings` with all the rest.
+  bool has_pipe() const { return !moorings || !stations.empty(); }
 };
+
+/// The results of a hull alone in the place of those of a lay.
+StaticResults of_hull_alone(MooringResults rest);
 
 }  // namespace overbend

@@ -28,24 +28,46 @@ double surge_period(const MooredState& rest) {
   return 0.0;
 }
 
-LayOutcome solved(const Model& model, StaticSolution pipe, const MooredHull& moored, const Vec6& load) {
-  std::variant<MooringResults, StaticFailure> outcome =
-      moored_results(model, moored, pipe_on_hull(model, pipe, moored.hull, load));
+/// `start`: of the pipe, or without one; what the hull's lines do is added.
+LayOutcome solved(const Model& model, StaticSolution start, const MooredHull& moored, const PipeOnHull& pipe) {
+  std::variant<MooringResults, StaticFailure> outcome = moored_results(model, moored, pipe);
   if (const StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
     return fail(*failure);
   }
   MooringResults& results = std::get<MooringResults>(outcome);
-  pipe.moorings = moored.spread;
+  start.moorings = moored.spread;
   if (!results.steps.empty()) {
-    pipe.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
+    start.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
   }
-  return {std::move(pipe), std::move(results), std::nullopt};
+  return {std::move(start), std::move(results), std::nullopt};
+}
+
+StaticFailure no_rest(const MooredHull& moored) {
+  return {"no rest of the moored hull", "static", *moored.rest.fault};
 }
 
 }  // namespace
 
 bool is_moored_lay(const Description& description) {
   return description.has_pipe && description.moorings && !description.moorings->lines.empty();
+}
+
+LayOutcome solve_moored_hull(Model& model) {
+  model.mean_pose = model.drawn_pose;
+  std::variant<MooredHull, StaticFailure> made = moored_hull(model);
+  if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) {
+    return fail(*failure);
+  }
+  MooredHull& moored = std::get<MooredHull>(made);
+  find_rest_at_start(model.description, moored);
+  if (moored.rest.fault) {
+    return fail(no_rest(moored));
+  }
+  const HullPlace place = place_of(moored.hull, moored.rest.offset);
+  model.mean_pose = {place.p_W, place.R_WV};
+  StaticSolution start;
+  start.pose = model.mean_pose;
+  return solved(model, std::move(start), moored, {});
 }
 
 LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
@@ -73,13 +95,14 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& 
     moored.hull.steady += load;
     find_rest_at_start(model.description, moored);
     if (moored.rest.fault) {
-      return fail({"no rest of the moored hull", "static", *moored.rest.fault});
+      return fail(no_rest(moored));
     }
     const HullPlace place = place_of(moored.hull, moored.rest.offset);
     const VesselPose pose{place.p_W, place.R_WV};
     if (way_between(place, place_of(model.mean_pose), model.description.vessel.length) < kStill) {
       measure_stinger(model, *pipe.solution);
-      return solved(model, std::move(*pipe.solution), moored, load);
+      const PipeOnHull on_hull = pipe_on_hull(model, *pipe.solution, moored.hull, load);
+      return solved(model, std::move(*pipe.solution), moored, on_hull);
     }
     model.mean_pose = pose;
     pipe = rest_with_stinger(model, &*pipe.solution, past);

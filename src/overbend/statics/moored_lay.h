@@ -1,4 +1,4 @@
-/// Statics of a lay whose barge lies on mooring lines: pipe, hull and lines.
+/// Statics of a hull on mooring lines: with the pipe of a lay, or without one.
 #pragma once
 
 #include "results/mooring_results.h"
@@ -11,9 +11,13 @@ bool is_moored_lay(const Description& description);
 
 struct LayOutcome {
   std::optional<StaticSolution> solution;
-  std::optional<MooringResults> moorings;  ///< Of a moored lay.
+  std::optional<MooringResults> moorings;  ///< Of a hull on mooring lines.
   std::optional<StaticFailure> failure;
 };
+
+/// Rest of a hull on its lines without a pipe, and the stages of its operation; sets `model.mean_pose` to where it
+/// lies. The solution has no more than what a run in time starts from: pose, lines, what the winches do.
+LayOutcome solve_moored_hull(Model& model);
 
 /// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie and `model.supports`
 /// to where a stinger on hinges comes to rest (statics/stinger_rest.h). Without mooring lines

@@ -179,12 +179,4 @@ std::variant<MooringResults, StaticFailure> moored_results(const Model& model, c
   return results;
 }
 
-std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model) {
-  std::variant<MooredHull, StaticFailure> made = moored_hull(model);
-  if (const StaticFailure* failure = std::get_if<StaticFailure>(&made)) return *failure;
-  MooredHull& moored = std::get<MooredHull>(made);
-  find_rest_at_start(model.description, moored);
-  return moored_results(model, moored);
-}
-
 }  // namespace overbend

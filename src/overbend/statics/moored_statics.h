@@ -1,4 +1,4 @@
-/// Statics of a hull and its mooring lines, without a pipe.
+/// Results of a hull and its mooring lines at rest.
 #pragma once
 
 #include <variant>
@@ -17,8 +17,5 @@ bool is_moored_hull(const Description& description);
 /// none. `pipe`: of a lay.
 std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,
                                                            const PipeOnHull& pipe = {});
-
-/// Rest of the hull on its lines and the stages of its operation; results, or why there are none.
-std::variant<MooringResults, StaticFailure> solve_moored_hull(const Model& model);
 
 }  // namespace overbend

@@ -83,7 +83,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
     begun->store.remove();
     return {{RunEnding::wrong_input, fault.what()}};
   }
-  if (outcome.results) fill_checks(shared.model, shared.statics, *outcome.results);
+  if (outcome.results && shared.statics.has_pipe()) fill_checks(shared.model, shared.statics, *outcome.results);
   if (outcome.stopped) {
     return {{RunEnding::interrupted, "interrupted"}, {}, std::move(outcome.results)};
   }

@@ -82,6 +82,20 @@ void take_dynamics(Read& read, const fs::path& h5) {
   add_curves(read.curves, stored.statics.results, stored.results);
 }
 
+void require_pipe(const fs::path& h5) {
+  if (has_moorings_alone(h5)) throw std::runtime_error("results of moorings without a pipe cannot be compared");
+}
+
+void take_lay(Read& read, const fs::path& h5) {
+  require_pipe(h5);
+  if (has_dynamic(h5)) {
+    read.folder.kind = ResultsKind::dynamics;
+    take_dynamics(read, h5);
+  } else {
+    take_statics(read, read_static_results(h5));
+  }
+}
+
 /// Names of the stages that can be compared: their key values.
 void take_operation(Read& read, const fs::path& h5) {
   const StoredOperation stored = read_operation_results(h5);
@@ -112,6 +126,7 @@ void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
   }
   if (seeds["runs"].empty()) throw std::runtime_error(folder.string() + ": none of its seeds has results");
   const fs::path first = folder / seeds["runs"][0]["folder"].get<std::string>() / "results.h5";
+  require_pipe(first);
   const std::vector<std::string> warnings = read.folder.warnings;
   take_statics(read, read_static_results(first));
   read.folder.warnings.insert(read.folder.warnings.end(), warnings.begin(), warnings.end());
@@ -151,13 +166,8 @@ Read read_folder(const fs::path& place) {
     if (has_lay_operation(h5)) {
       read.folder.kind = ResultsKind::operation;
       take_operation(read, h5);
-    } else if (has_moorings_alone(h5)) {
-      throw std::runtime_error("results of moorings without a pipe cannot be compared");
-    } else if (has_dynamic(h5)) {
-      read.folder.kind = ResultsKind::dynamics;
-      take_dynamics(read, h5);
     } else {
-      take_statics(read, read_static_results(h5));
+      take_lay(read, h5);
     }
   } catch (const std::runtime_error& fault) {
     const std::string what = fault.what();

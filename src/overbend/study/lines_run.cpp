@@ -93,25 +93,25 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   const EnvironmentDescription& around = model.description.environment;
   const Sea sea = make_sea(around.waves, around.water_depth, options.build_up + options.duration, options.seed);
   System system = std::move(found.setup.system);
-  system.surroundings = moving_ends(model, system.attachments, make_vessel_motion(model, sea), options.build_up);
+  LeadEnds lead = moving_ends(model, make_vessel_motion(model, sea), options.build_up);
   LineRecorder recorder(system);
   SystemState start = resting_lines(system, found.state, found.rest, -options.build_up);
-  SystemRun run(std::move(system), sea, std::move(start), options);
+  SystemRun run(std::move(system), std::move(lead), sea, std::move(start), options);
   run.observe(recorder);
   if (sitting.from != nullptr) run.restore(*sitting.from);
   while (!run.finished()) {
     if (!run.advance(run.next_row())) {
-      return {std::nullopt, StaticFailure{*run.failure(), "", "the forces do not balance even with the shortest step"}};
+      return {std::nullopt, run.failure()};
     }
     if (!sitting.control) continue;
     const DynamicControl wanted =
-        sitting.control({run.time(), run.end(), run.steps(), run.end_force(0, LineEnd::last).norm()});
+        sitting.control({run.time(), run.end(), run.report().steps, run.end_force(0, LineEnd::last).norm()});
     if (wanted != DynamicControl::go_on) sitting.keep(run.checkpoint());
     if (wanted == DynamicControl::stop && !run.finished()) return {std::nullopt, std::nullopt, true};
   }
   LinesResults& results = *found.outcome.results;
   results.moved = true;
-  results.steps = run.steps();
+  results.steps = static_cast<int>(run.report().steps);
   results.energy_drift = run.energy().drift();
   results.time = recorder.histories().front().time;
   for (std::size_t i = 0; i < results.lines.size(); ++i) add_history(recorder.histories()[i], results.lines[i]);

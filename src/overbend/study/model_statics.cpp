@@ -1,6 +1,7 @@
 #include "study/model_statics.h"
 
 #include "base/require.h"
+#include "statics/moored_lay.h"
 #include "statics/moored_statics.h"
 #include "study/lines_run.h"
 #include "study/mooring_run.h"
@@ -17,14 +18,11 @@ ModelStatics lines_alone(const Model& model) {
   return found;
 }
 
-ModelStatics hull_alone(const Model& model) {
+ModelStatics hull_alone(Model& model) {
   ModelStatics found;
-  std::variant<MooringResults, StaticFailure> outcome = solve_moored_hull(model);
-  if (StaticFailure* failure = std::get_if<StaticFailure>(&outcome)) {
-    found.failure = std::move(*failure);
-  } else {
-    found.moorings = std::get<MooringResults>(std::move(outcome));
-  }
+  LayOutcome outcome = solve_moored_hull(model);
+  found.moorings = std::move(outcome.moorings);
+  found.failure = std::move(outcome.failure);
   return found;
 }
 

@@ -9,6 +9,7 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
 #include "model/operation_words.h"
+#include "moorings/hull_at_rest.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -33,6 +34,26 @@ std::vector<std::string> named_files(const Description& d) {
   std::error_code fault;
   std::erase_if(files, [&](const std::string& file) { return !std::filesystem::is_regular_file(file, fault); });
   return files;
+}
+
+StaticResults of_hull(const Model& model, MooringResults rest) {
+  tell_hull(model, rest);
+  if (rest.operation == "moored" && !rest.stages.empty()) {
+    rest.warnings.emplace_back(
+        "the stages of the operation are states at rest: the run in time starts from the rest before them");
+  }
+  if (hull_is_free(model.description) && model.description.vessel.motion != VesselMotion::coupled) {
+    rest.warnings.emplace_back(
+        "in time the vessel moves as vessel.motion says, from where it lies at rest, and not as its lines pull: "
+        "vessel.hydrostatics serve statics alone, vessel.motion.coupled is a hull that floats free");
+  }
+  return of_hull_alone(std::move(rest));
+}
+
+StaticResults of_lay(const Model& model, const LayOutcome& outcome) {
+  StaticResults statics = checked_statics(model, outcome);
+  tell_hull(model, statics);
+  return statics;
 }
 
 }  // namespace
@@ -72,10 +93,9 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
     return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
   }
-  LayOutcome outcome = solve_lay(model);
+  LayOutcome outcome = description.has_pipe ? solve_lay(model) : solve_moored_hull(model);
   if (outcome.failure) return failed_end(*outcome.failure);
-  StaticResults statics = checked_statics(model, outcome);
-  tell_hull(model, statics);
+  StaticResults statics = description.has_pipe ? of_lay(model, outcome) : of_hull(model, std::move(*outcome.moorings));
   const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
       description, std::move(model), std::move(*outcome.solution), std::move(statics), input_text(description)});
   use_controllers(*prepared, controllers);

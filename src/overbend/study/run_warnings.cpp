@@ -48,8 +48,9 @@ void warn_of_still_vessel(DynamicResults& results) {
   for (const char* freedom : {"surge", "sway", "heave", "roll", "pitch", "yaw"}) {
     if (deviation(results, freedom) > kStandsStill) return;
   }
-  results.warnings.emplace_back(
-      "the vessel does not move in this sea: vessel.motion is fixed, and only the water acts on the pipe");
+  results.warnings.push_back(
+      std::string("the vessel does not move in this sea: vessel.motion is fixed, and only the water acts on the ") +
+      (results.station_s.empty() ? "mooring lines" : "pipe"));
 }
 
 void warn_of_tension(DynamicResults& results, std::span<const double> tension) {

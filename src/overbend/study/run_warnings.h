@@ -10,7 +10,7 @@ namespace overbend {
 
 /// Statistics of three hours from a shorter run; a vessel that does not move in a sea; a tension that does not stay
 /// where it is wanted; an energy balance that does not close. Reads the summaries of `results`; `tension` is that of
-/// the tensioner from t = 0 on [N], rows one output step apart.
+/// the tensioner from t = 0 on [N], rows one output step apart; none without a pipe.
 void warn_of_run(DynamicResults& results, std::span<const double> tension);
 
 /// A controlled tensioner in an irregular sea, whose travel (from t = 0 on, rows one output step apart [m]) another run

@@ -55,64 +55,83 @@ double fatigue_on_the_way(const DynamicResults& r) {
   return largest;
 }
 
-std::vector<Rule> rules(const StaticResults& statics, bool fatigue) {
-  constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
+using Rules = std::vector<Rule>;
+
+void add(Rules& list, const SeedQuantity& quantity, double (*value)(const DynamicResults&)) {
+  list.push_back({quantity, value});
+}
+
+constexpr SeedExtreme kLargest = SeedExtreme::largest, kSmallest = SeedExtreme::smallest, kNone = SeedExtreme::none;
+
+void add_pipe(Rules& list, const StaticResults& statics) {
   using Results = DynamicResults;
-  std::vector<Rule> list = {{{"top_tension_max", "N", "Largest effective tension at the tensioner", kLargest},
-                             [](const Results& r) { return r.top_tension.max; }},
-                            {{"top_tension_min", "N", "Smallest effective tension at the tensioner", kSmallest},
-                             [](const Results& r) { return r.top_tension.min; }}};
-  const auto add = [&](const SeedQuantity& quantity, double (*value)(const Results&)) {
-    list.push_back({quantity, value});
-  };
+  add(list, {"top_tension_max", "N", "Largest effective tension at the tensioner", kLargest},
+      [](const Results& r) { return r.top_tension.max; });
+  add(list, {"top_tension_min", "N", "Smallest effective tension at the tensioner", kSmallest},
+      [](const Results& r) { return r.top_tension.min; });
   if (statics.overbend) {
-    add({"overbend_max_bending_moment", "N m", "Largest bending moment of the overbend", kLargest},
+    add(list, {"overbend_max_bending_moment", "N m", "Largest bending moment of the overbend", kLargest},
         [](const Results& r) { return r.overbend.bending_moment.over_time.max; });
-    add({"overbend_max_von_mises", "Pa", "Largest von Mises stress of the overbend", kLargest},
+    add(list, {"overbend_max_von_mises", "Pa", "Largest von Mises stress of the overbend", kLargest},
         [](const Results& r) { return r.overbend.von_mises.over_time.max; });
-    add({"overbend_max_strain", "1", "Largest strain of the overbend", kLargest},
+    add(list, {"overbend_max_strain", "1", "Largest strain of the overbend", kLargest},
         [](const Results& r) { return r.overbend.strain.over_time.max; });
   }
-  add({"sagbend_max_bending_moment", "N m", "Largest bending moment of the sagbend", kLargest},
+  add(list, {"sagbend_max_bending_moment", "N m", "Largest bending moment of the sagbend", kLargest},
       [](const Results& r) { return r.sagbend.bending_moment.over_time.max; });
-  add({"sagbend_max_von_mises", "Pa", "Largest von Mises stress of the sagbend", kLargest},
+  add(list, {"sagbend_max_von_mises", "Pa", "Largest von Mises stress of the sagbend", kLargest},
       [](const Results& r) { return r.sagbend.von_mises.over_time.max; });
-  add({"sagbend_max_strain", "1", "Largest strain of the sagbend", kLargest},
+  add(list, {"sagbend_max_strain", "1", "Largest strain of the sagbend", kLargest},
       [](const Results& r) { return r.sagbend.strain.over_time.max; });
   if (statics.stinger_tip_clearance) {
-    add({"stinger_tip_clearance_min", "m", "Smallest separation at the last row of the stinger", kSmallest},
+    add(list, {"stinger_tip_clearance_min", "m", "Smallest separation at the last row of the stinger", kSmallest},
         [](const Results& r) { return r.stinger_tip_clearance.min; });
   }
   if (!statics.supports.empty()) {
-    add({"largest_reaction", "N", "Largest reaction of a support", kLargest}, largest_reaction);
-    add({"impact_count", "1", "Number of impacts", kNone},
+    add(list, {"largest_reaction", "N", "Largest reaction of a support", kLargest}, largest_reaction);
+    add(list, {"impact_count", "1", "Number of impacts", kNone},
         [](const Results& r) { return static_cast<double>(r.impact_count); });
   }
-  if (statics.moorings || statics.hull) {
-    add({"largest_offset", "m", "Largest horizontal offset of the vessel from its place at the start", kLargest},
-        [](const Results& r) { return r.vessel ? r.vessel->offset.whole.max : 0.0; });
-    add({"mean_surge", "m", "Mean surge of the vessel", kNone},
-        [](const Results& r) { return r.vessel ? r.vessel->surge.whole.mean : 0.0; });
-    add({"mean_sway", "m", "Mean sway of the vessel", kNone},
-        [](const Results& r) { return r.vessel ? r.vessel->sway.whole.mean : 0.0; });
-    add({"slow_surge_std", "m", "Standard deviation of the slow surge", kNone},
-        [](const Results& r) { return r.vessel ? r.vessel->surge.slow.std : 0.0; });
-    add({"slow_sway_std", "m", "Standard deviation of the slow sway", kNone},
-        [](const Results& r) { return r.vessel ? r.vessel->sway.slow.std : 0.0; });
+}
+
+void add_vessel(Rules& list) {
+  using Results = DynamicResults;
+  add(list, {"largest_offset", "m", "Largest horizontal offset of the vessel from its place at the start", kLargest},
+      [](const Results& r) { return r.vessel ? r.vessel->offset.whole.max : 0.0; });
+  add(list, {"mean_surge", "m", "Mean surge of the vessel", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->surge.whole.mean : 0.0; });
+  add(list, {"mean_sway", "m", "Mean sway of the vessel", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->sway.whole.mean : 0.0; });
+  add(list, {"slow_surge_std", "m", "Standard deviation of the slow surge", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->surge.slow.std : 0.0; });
+  add(list, {"slow_sway_std", "m", "Standard deviation of the slow sway", kNone},
+      [](const Results& r) { return r.vessel ? r.vessel->sway.slow.std : 0.0; });
+}
+
+void add_moorings(Rules& list) {
+  add(list, {"largest_mooring_tension", "N", "Largest tension of a mooring line", kLargest}, largest_mooring_tension);
+  add(list, {"smallest_mooring_tension", "N", "Smallest tension of a mooring line", kSmallest},
+      smallest_mooring_tension);
+  add(list, {"largest_mooring_utilisation", "1", "Largest tension of a mooring line over its breaking load", kLargest},
+      largest_mooring_utilisation);
+}
+
+Rules rules(const StaticResults& statics, bool fatigue) {
+  Rules list;
+  if (statics.has_pipe()) add_pipe(list, statics);
+  if (statics.moorings || statics.hull) add_vessel(list);
+  if (statics.moorings) add_moorings(list);
+  if (statics.has_pipe()) {
+    add(list, {"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest},
+        worst_utilisation);
   }
-  if (statics.moorings) {
-    add({"largest_mooring_tension", "N", "Largest tension of a mooring line", kLargest}, largest_mooring_tension);
-    add({"smallest_mooring_tension", "N", "Smallest tension of a mooring line", kSmallest}, smallest_mooring_tension);
-    add({"largest_mooring_utilisation", "1", "Largest tension of a mooring line over its breaking load", kLargest},
-        largest_mooring_utilisation);
-  }
-  add({"worst_check_utilisation", "1", "Largest utilisation of a governing code check", kLargest}, worst_utilisation);
   if (fatigue) {
-    add({"fatigue_path_damage", "1", "Fatigue damage of a weld on its way, of the worst spot; its mean counts", kNone},
+    add(list,
+        {"fatigue_path_damage", "1", "Fatigue damage of a weld on its way, of the worst spot; its mean counts", kNone},
         fatigue_on_the_way);
   }
-  add({"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},
-      [](const Results& r) { return r.energy.drift(); });
+  add(list, {"energy_drift", "1", "Error of the energy balance relative to the energy exchanged", kNone},
+      [](const DynamicResults& r) { return r.energy.drift(); });
   return list;
 }
 

@@ -72,4 +72,9 @@ double tensioner_authority(const System& system, double time);
 /// The law of the tensioner that acts; a locked brake where there is none.
 const TensionerLaw& tensioner_of(const System& system);
 
+/// Which of the lines is the first mooring line: they follow the pipe, where there is one.
+inline std::size_t first_mooring(const System& system) {
+  return system.machine < 0 ? 0 : 1;
+}
+
 }  // namespace overbend

@@ -6,9 +6,9 @@
 
 namespace overbend {
 
-/// What is directly in the group. `tip` is false where there is no stinger.
+/// What is directly in the group of every run.
 template <class Results, class Visit>
-void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
+void visit_dynamic_settings(Results& r, Visit& visit) {
   visit(
       ResultField{"duration", "s", "From t = 0, the end of the build-up; statistics count over it"}.summary().report(),
       r.duration);
@@ -18,6 +18,12 @@ void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
   visit(ResultField{"seed", "1", "Seed of the random phases of the sea"}.summary(), r.seed);
   visit(ResultField{"assumptions", "1", "Assumptions"}.summary(), r.assumptions);
   visit(ResultField{"warnings", "1", "Warnings"}.summary(), r.warnings);
+}
+
+/// What is directly in the group of a run with a pipe. `tip` is false where there is no stinger.
+template <class Results, class Visit>
+void visit_dynamic_keys(Results& r, Visit& visit, bool tip) {
+  visit_dynamic_settings(r, visit);
   visit(ResultField{"impact_count", "1", "Number of all impacts"}.summary(), r.impact_count);
   visit_spread(ResultField{"top_tension", "N", "Effective tension at the tensioner"}.summary(), r.top_tension, visit);
   visit_spread(ResultField{"bottom_tension", "N", "Horizontal tension at touchdown"}.summary(), r.bottom_tension,

@@ -1,0 +1,83 @@
+#include "recording/moored_recorder.h"
+
+#include <algorithm>
+
+#include "dynamics/dynamic_checkpoint.h"
+#include "dynamics/mooring_tension.h"
+#include "recording/snapshots.h"
+
+namespace overbend {
+namespace {
+
+const VesselPose& pose_of(const SystemRun& run) {
+  return run.assembly().surroundings().bodies.front().pose;
+}
+
+}  // namespace
+
+MooredRecorder::MooredRecorder(const Model& model, const MooredSimulation& simulation, DynamicSink& sink)
+    : simulation_(&simulation),
+      sink_(&sink),
+      moorings_(model.description.moorings, simulation.moorings()),
+      vessel_(model.drawn_pose),
+      columns_(moored_columns(simulation.moorings())),
+      snapshot_stride_(snapshot_stride(simulation.run().options())) {
+  const SystemRun& run = simulation.run();
+  moorings_.start(run.state(), run.assembly());
+  vessel_.start(pose_of(run));
+  row_.resize(columns_.size());
+  snapshot_.resize(kPoseNumbers + 4 * static_cast<std::size_t>(moorings_.points()));
+  std::vector<HistoryColumn> columns;
+  for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
+  sink_->begin(columns, {0, moorings_.points()});
+}
+
+void MooredRecorder::stepped(const SystemRun& run) {
+  const double step = run.state().last_step;
+  moorings_.add(run.state(), run.assembly(), step);
+  vessel_.add(pose_of(run), run.time(), step);
+}
+
+void MooredRecorder::row(const SystemRun& run) {
+  Instant now;
+  now.state = &run.state();
+  now.assembly = &run.assembly();
+  now.step = run.state().last_step;
+  now.elevation = simulation_->elevation();
+  now.drift = run.energy().drift();
+  const RowSource source{now, {}, {}, {}, {}, {}, &vessel_};
+  std::transform(columns_.begin(), columns_.end(), row_.begin(),
+                 [&](const RecordedColumn& recorded) { return recorded.value(source); });
+  sink_->row(row_);
+  const std::int64_t number = run.row_number();
+  if (number < 0 || number % snapshot_stride_ != 0) return;
+  moorings_.film(run.state(), run.assembly(), put_pose(pose_of(run), snapshot_.data()));
+  sink_->snapshot(run.time(), snapshot_);
+}
+
+double MooredRecorder::largest_tension() const {
+  const SystemRun& run = simulation_->run();
+  double largest = 0.0;
+  for (std::size_t i = 0; i < simulation_->moorings().size(); ++i) {
+    largest = std::max(largest, mooring_tension(run.assembly(), run.state(), i, LineEnd::last));
+  }
+  return largest;
+}
+
+void MooredRecorder::save(DynamicCheckpoint& checkpoint) const {
+  checkpoint.arrays.push_back({"record/moorings", moorings_.save()});
+  checkpoint.arrays.push_back({"record/vessel", vessel_.save()});
+}
+
+void MooredRecorder::restore(const DynamicCheckpoint& checkpoint) {
+  moorings_.restore(checkpoint_array(checkpoint, "record/moorings"));
+  vessel_.restore(checkpoint_array(checkpoint, "record/vessel"));
+}
+
+void MooredRecorder::fill(DynamicResults& results) const {
+  results.moorings = moorings_.results();
+  results.vessel = vessel_.results();
+  for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
+}
+
+}  // namespace overbend

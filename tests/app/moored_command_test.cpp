@@ -1,0 +1,127 @@
+/// The program on a hull on its mooring lines without a pipe, in time.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "app/program.h"
+#include "base/json.h"
+#include "resultfiles/dynamic_reader.h"
+#include "support/program_path.h"
+
+namespace overbend {
+namespace {
+
+using testing::ProgramRun;
+using testing::run_program;
+using testing::Scratch;
+
+/// The example with few waves, over a short time; `more` in its dynamic analysis.
+std::string barge(const std::string& more = "") {
+  std::ifstream in(testing::example("moored-barge.yaml"));
+  std::stringstream text;
+  text << in.rdbuf();
+  std::string model = text.str();
+  const auto put = [&](const std::string& old, const std::string& now) {
+    const std::size_t at = model.find(old);
+    ASSERT_NE(at, std::string::npos) << old;
+    model.replace(at, old.size(), now);
+  };
+  put("seed: 1}", "seed: 1, components: 30}");
+  put("../data/bgl1/bgl1", OVERBEND_SOURCE_DIR "/data/bgl1/bgl1");
+  return model + "\nanalysis:\n  dynamic: {duration: 20 s, build_up: 10 s" + more + "}\n";
+}
+
+ProgramRun run_barge(const Scratch& scratch, const std::string& model, const std::string& more = "") {
+  return run_program("dynamic " + scratch.write("barge.yaml", model) + " -o " + scratch.file("out") + " " + more);
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(moored_command, follows_the_barge_and_writes_what_it_found) {
+  const Scratch scratch;
+  const ProgramRun done = run_barge(scratch, barge());
+  ASSERT_EQ(done.code, 0) << done.err;
+  for (const char* said : {"offset m", "starboard bow", "slow sway", "energy drift", "fewer than 20"}) {
+    EXPECT_TRUE(has(done.out, said)) << said << "\n" << done.out;
+  }
+  EXPECT_FALSE(has(done.out, "top tension") || has(done.out, "sagbend")) << done.out;
+  for (const char* file : {"summary.json", "moorings.csv", "results.h5", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(scratch.file(std::string("out/") + file))) << file;
+  }
+  const Json summary = read_json(scratch.read("out/summary.json"));
+  const Json& dynamic = summary["dynamic"];
+  EXPECT_EQ(dynamic["duration"], 20.0);
+  ASSERT_EQ(dynamic["moorings"].size(), 8U);
+  const double start = summary["static"]["moorings"][0]["fairlead_tension"];
+  EXPECT_NEAR(dynamic["moorings"][0]["start_fairlead_tension"], start, 0.02 * start);
+  EXPECT_GT(dynamic["vessel"]["pitch"]["max"], dynamic["vessel"]["pitch"]["min"]);
+  EXPECT_FALSE(dynamic.contains("top_tension") || summary.contains("checks"));
+}
+
+TEST(moored_command, has_results_that_are_read_as_they_were_written) {
+  const Scratch scratch;
+  ASSERT_EQ(run_barge(scratch, barge()).code, 0);
+  const StoredDynamics stored = read_dynamic_results(scratch.file("out/results.h5"));
+  ASSERT_FALSE(stored.statics.results.has_pipe());
+  ASSERT_TRUE(stored.statics.results.moorings && stored.statics.results.moorings->hull);
+  const Json dynamic = read_json(scratch.read("out/summary.json"))["dynamic"];
+  EXPECT_EQ(stored.results.vessel->roll.whole.max, dynamic["vessel"]["roll"]["max"]);
+  EXPECT_EQ(stored.results.moorings[7].fairlead_tension.most_probable_max,
+            dynamic["moorings"][7]["fairlead_tension"]["most_probable_max"]);
+  EXPECT_EQ(stored.results.run.steps, dynamic["steps"]);
+  EXPECT_EQ(stored.results.extremes.size(), dynamic["extremes"].size());
+  const std::string before = scratch.read("out/report.html");
+  ASSERT_EQ(run_program("report " + scratch.file("out")).code, 0);
+  const auto without_date = [](std::string page) { return page.erase(page.find("Written"), 120); };
+  EXPECT_EQ(without_date(scratch.read("out/report.html")), without_date(before));
+}
+
+TEST(moored_command, is_not_run_again_where_it_is_finished) {
+  const Scratch scratch;
+  ASSERT_EQ(run_barge(scratch, barge()).code, 0);
+  const ProgramRun again = run_barge(scratch, barge(), "--resume");
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_TRUE(has(again.err, "is finished after 20 s")) << again.err;
+  EXPECT_TRUE(has(again.out, "starboard bow")) << again.out;
+}
+
+TEST(moored_command, gathers_seeds_by_offset_and_tension) {
+  const Scratch scratch;
+  const ProgramRun done = run_barge(scratch, barge(", seeds: [1, 2]"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  const Json seeds = read_json(scratch.read("out/summary.json"))["seeds"];
+  ASSERT_EQ(seeds["runs"].size(), 2U);
+  const Json two = read_json(scratch.read("out/seed-2/summary.json"))["dynamic"];
+  EXPECT_EQ(seeds["runs"][1]["largest_offset"], two["vessel"]["offset"]["max"]);
+  EXPECT_NE(seeds["runs"][0]["largest_mooring_tension"], seeds["runs"][1]["largest_mooring_tension"]);
+  EXPECT_FALSE(seeds["runs"][0].contains("top_tension_max"));
+}
+
+TEST(moored_command, has_no_code_checks_to_make_again_and_is_not_compared) {
+  const Scratch scratch;
+  ASSERT_EQ(run_barge(scratch, barge()).code, 0);
+  const ProgramRun checked = run_program("check-results " + scratch.file("out"));
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_TRUE(has(checked.err, "there are no code checks")) << checked.err;
+  const ProgramRun compared = run_program("compare " + scratch.file("out") + " " + scratch.file("out"));
+  EXPECT_EQ(compared.code, 2);
+  EXPECT_TRUE(has(compared.err, "without a pipe cannot be compared")) << compared.err;
+}
+
+TEST(moored_command, gives_studies_what_the_vessel_and_its_lines_did) {
+  const Scratch scratch;
+  scratch.write("barge.yaml", barge());
+  const std::string study = scratch.write("study.yaml",
+                                          "overbend_study: 1\nbase: barge.yaml\nanalysis: dynamic\n"
+                                          "axes: [{key: environment.waves.hs, values: [1 m, 2 m]}]\n");
+  const ProgramRun done = run_program("study " + study + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err << done.out;
+  EXPECT_TRUE(has(done.out, "dynamic.vessel.offset")) << done.out;
+  EXPECT_TRUE(has(done.out, "max(dynamic.moorings[*].fairlead_tension.max)")) << done.out;
+  EXPECT_FALSE(has(done.out, "none")) << done.out;
+}
+
+}  // namespace
+}  // namespace overbend
