@@ -10,6 +10,9 @@
 namespace overbend {
 namespace {
 
+/// Of the connection that a thread serves: how many came before it.
+thread_local std::uint64_t arrival_here = 0;
+
 /// A thread for each connection: none waits for the slowness of another. The doorkeeper bounds their number; some more
 /// are those that are being sent away.
 class ThreadPerConnection : public httplib::TaskQueue {
@@ -20,7 +23,8 @@ class ThreadPerConnection : public httplib::TaskQueue {
       changed_.wait(hold, [&] { return running_ < kMost; });
       ++running_;
     }
-    const auto run = [this, serve = std::move(serve)] {
+    const auto run = [this, serve = std::move(serve), arrival = arrivals_++] {
+      arrival_here = arrival;
       serve();
       const std::lock_guard<std::mutex> hold(mutex_);
       --running_;
@@ -44,6 +48,7 @@ class ThreadPerConnection : public httplib::TaskQueue {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::size_t running_ = 0;
+  std::uint64_t arrivals_ = 0;  ///< Told by one thread, that which accepts.
 };
 
 /// Size of the body according to the header; anything else is rejected.
@@ -89,7 +94,7 @@ void DoorServer::serve(Doorkeeper::Visit& visit, Connection& connection) {
 
 bool DoorServer::process_and_close_socket(int socket) {
   {
-    Doorkeeper::Visit visit(keeper_, socket);
+    Doorkeeper::Visit visit(keeper_, socket, arrival_here);
     Connection connection(socket, bounds_);
     serve(visit, connection);
     ::shutdown(socket, SHUT_RDWR);

@@ -15,9 +15,11 @@ void send_away(int socket) {
 
 }  // namespace
 
-Doorkeeper::Visit::Visit(Doorkeeper& keeper, int socket) : keeper_(keeper) {
+Doorkeeper::Visit::Visit(Doorkeeper& keeper, int socket, std::uint64_t arrival) : keeper_(keeper) {
   const std::lock_guard<std::mutex> hold(keeper_.mutex_);
-  place_ = keeper_.visitors_.insert(keeper_.visitors_.end(), {socket, true});
+  std::list<Visitor>& all = keeper_.visitors_;
+  const auto before = std::find_if(all.rbegin(), all.rend(), [&](const Visitor& v) { return v.arrival < arrival; });
+  place_ = all.insert(before.base(), {socket, arrival, true});
   if (keeper_.closed_) {
     send_away(socket);
   } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <list>
 #include <mutex>
 
@@ -18,7 +19,8 @@ class Doorkeeper {
   /// A connection is known while this lives; the socket must stay open as long.
   class Visit {
    public:
-    Visit(Doorkeeper& keeper, int socket);
+    /// `arrival`: of two the smaller came first, whichever is heard of first: threads begin in any order.
+    Visit(Doorkeeper& keeper, int socket, std::uint64_t arrival);
     ~Visit();
     Visit(const Visit&) = delete;
     Visit& operator=(const Visit&) = delete;
@@ -29,6 +31,7 @@ class Doorkeeper {
    private:
     struct Visitor {
       int socket = -1;
+      std::uint64_t arrival = 0;
       bool stranger = true;
     };
     friend class Doorkeeper;
