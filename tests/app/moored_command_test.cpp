@@ -28,7 +28,8 @@ std::string barge(const std::string& more = "") {
   };
   put("seed: 1}", "seed: 1, components: 30}");
   put("../data/bgl1/bgl1", OVERBEND_SOURCE_DIR "/data/bgl1/bgl1");
-  return model + "\nanalysis:\n  dynamic: {duration: 20 s, build_up: 10 s" + more + "}\n";
+  put("duration: 10800 s, build_up: 300 s", "duration: 20 s, build_up: 10 s" + more);
+  return model;
 }
 
 ProgramRun run_barge(const Scratch& scratch, const std::string& model, const std::string& more = "") {

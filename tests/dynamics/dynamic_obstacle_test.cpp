@@ -24,7 +24,6 @@ TEST(dynamic_obstacle, says_why_a_model_has_statics_but_no_dynamic_analysis) {
 
 TEST(dynamic_obstacle, of_a_hull_on_moorings_alone_is_what_it_is_of_a_lay) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/moored-barge.yaml").description.value();
-  d.dynamics = DynamicSettings{};
   EXPECT_FALSE(dynamic_obstacle(build_model(d)));
   d.vessel.coupled->data.reset();
   EXPECT_TRUE(dynamic_obstacle(build_model(d)));

@@ -163,6 +163,20 @@ class Dynamics(unittest.TestCase):
         self.assertEqual(run.history(name).shape, run.time.shape)
         self.assertGreater(float(run.history(name).values.max()), 0.0)
 
+    def test_a_hull_on_its_moorings_runs_without_a_pipe(self):
+        barge = ob.Model.read(ROOT / "examples" / "moored-barge.yaml").with_({"environment.waves.components": 30})
+        run = barge.dynamic(duration="5 s")
+        self.assertIn("mooring/port bow/fairlead_tension", run.histories)
+        tension = run.history("mooring/port bow/fairlead_tension")
+        self.assertEqual(tension.shape, run.time.shape)
+        line = run.moorings["port bow"]
+        self.assertLessEqual(line.fairlead_tension.min, float(tension.values[run.time >= 0.0].min()) * (1 + 1e-9))
+        self.assertEqual(line.fairlead_tension.max.units, "N")
+        self.assertGreater(run.vessel.pitch.max, run.vessel.pitch.min)
+        self.assertEqual(len(run.mooring_lines), 8)
+        self.assertEqual(run.static.moorings["port bow"].name, "port bow")
+        self.assertFalse(hasattr(run, "top_tension"))
+
     def test_a_duration_that_is_none_is_an_error(self):
         for duration in ("10 kN", "soon", -1.0, 0):
             with self.assertRaises(ob.ModelError):

@@ -118,6 +118,26 @@ TEST(serve_moored, a_run_of_a_moored_hull_is_looked_at_as_it_was_computed) {
   EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json, serving.get("/api/scene").json);
 }
 
+TEST(serve_moored, a_moored_hull_moves_in_time_and_its_lines_are_shown) {
+  const Serving serving(kMoored + "analysis:\n  dynamic: {duration: 4 s, build_up: 2 s, max_step: 0.1 s}\n");
+  const std::string id = serving.post("/api/runs", {{"kind", "dynamic"}}).json.value("id", "");
+  const Json ended = serving.wait_for(id);
+  ASSERT_EQ(ended["state"], "done") << ended;
+  EXPECT_TRUE(serving.get("/api/runs/" + id + "/envelopes").json["s"].empty());
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/statics").json["moorings"]["rest"]["moorings"].size(), 3u);
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/scene").json["vessel"]["pose"].size(), 12u);
+  const Json frames = serving.get("/api/runs/" + id + "/frames?from=0&count=3").json;
+  EXPECT_EQ(frames["stations"], 0);
+  EXPECT_EQ(frames["time"].size(), 3u);
+  EXPECT_EQ(frames["lines"].size(), 3u);
+  const Json columns = serving.get("/api/runs/" + id + "/columns").json;
+  EXPECT_TRUE(std::any_of(columns.begin(), columns.end(), [](const Json& column) {
+    return column["name"] == "mooring/stern/fairlead_tension";
+  })) << columns;
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/impacts").json["total"], 0);
+  EXPECT_EQ(serving.get("/api/runs/" + id + "/report.html").status, 200);
+}
+
 TEST(serve_moored, a_run_of_lines_is_looked_at_as_it_was_computed) {
   const Serving serving(kLines);
   const std::string id = serving.post("/api/runs", {{"kind", "static"}}).json.value("id", "");

@@ -24,6 +24,7 @@ std::vector<Case> variants_of(ComparisonOf of) {
 }
 
 std::optional<std::string> comparison_obstacle(ComparisonOf of, const Description& description) {
+  if (!description.has_pipe) return "the model has no pipe, so there is neither tensioner nor contact to compare";
   if (of == ComparisonOf::tensioner && !description.tensioner.range_low) {
     return "tensioner.range is missing: a controlled tensioner needs a range, for example [240 kN, 260 kN]";
   }

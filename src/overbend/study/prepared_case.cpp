@@ -93,6 +93,10 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
     return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
   }
+  if (!description.has_pipe && !controllers.empty()) {
+    return RunEnd{RunEnding::wrong_input,
+                  "controllers from outside need a pipe: a hull on its moorings alone has none"};
+  }
   LayOutcome outcome = description.has_pipe ? solve_lay(model) : solve_moored_hull(model);
   if (outcome.failure) return failed_end(*outcome.failure);
   StaticResults statics = description.has_pipe ? of_lay(model, outcome) : of_hull(model, std::move(*outcome.moorings));
