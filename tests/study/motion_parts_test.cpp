@@ -120,6 +120,15 @@ TEST(motion_parts, a_run_too_short_for_the_slow_motion_is_named) {
   EXPECT_TRUE(enough.warnings.empty());
 }
 
+TEST(motion_parts, of_a_cycle_or_two_no_error_is_told_that_would_be_none) {
+  const testing::TemporaryFolder folder;
+  RunStore store = run_of(folder.path(), 10.0, 100.0);
+  DynamicResults results = results_of(10.0, 100.0);
+  finish_motions({}, waves_of_ten_seconds(), results, store);
+  EXPECT_NE(results.vessel->confidence.find("too few to tell"), std::string::npos) << results.vessel->confidence;
+  EXPECT_EQ(results.vessel->confidence.find("0 %"), std::string::npos);
+}
+
 TEST(motion_parts, the_cut_off_lies_beyond_the_waves) {
   EXPECT_EQ(cut_off_period({}), 20.0);
   WavesDescription swell;

@@ -17,6 +17,7 @@ async function put(next: string, name?: string): Promise<void> {
   const { revision } = await (await bench.api('model')).json() as { revision: number };
   expect((await bench.api('model', { method: 'PUT', body: JSON.stringify({ text: next, revision, ...(name ? { name } : {}) }) })).status).toBe(200);
 }
+const newest = async (): Promise<string> => (await (await bench.api('runs')).json() as { id: string }[])[0]!.id;
 const rows = (): Promise<string[][]> => page.locator('.right table.moorings tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
 
 test('a moored barge without a pipe shows its lines, with the values of summary.json', async () => {
@@ -60,6 +61,34 @@ test('the plan names eight lines with their tensions, at three sizes', async () 
     expect(outside, name).toBe(0);
   }
   await page.setViewportSize({ width: 1440, height: 820 });
+});
+
+test('the barge moves on its lines in time, and is animated', async () => {
+  await page.click('#tab-runs');
+  await page.fill('#run-duration', '40 s');
+  await page.click('text=Start run');
+  await page.waitForSelector('.run.done', { timeout: 60_000 });
+  await page.waitForSelector('.animation');
+  const { dynamic } = await (await bench.api(`runs/${await newest()}/summary`)).json() as { dynamic: { vessel: { pitch: { max: number } }; moorings: { name: string; fairlead_tension: { max: number } }[] } };
+  const over = await page.locator('table[aria-label="Moorings over time"] tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
+  expect(over.length).toBe(14);
+  expect(Number(over.find((r) => r[0]!.startsWith('pitch'))![2])).toBeCloseTo(dynamic.vessel.pitch.max * 180 / Math.PI, 1);
+  expect(Number(over.find((r) => r[0]!.startsWith('port bow'))![2])).toBeCloseTo(dynamic.moorings[0]!.fairlead_tension.max / 1e3, 0);
+  expect(await page.locator('.standing').innerText()).toBe('40 s, seed 1');
+  await page.selectOption('[aria-label="Diagram 2"]', 'history:mooring/port bow/fairlead_tension');
+  await page.click('[aria-label=Play]');
+  const clock = async (): Promise<number> => Number.parseFloat(await page.locator('.clock').innerText());
+  const first = await clock();
+  await page.waitForTimeout(1000);
+  expect(await clock()).not.toBe(first);
+  await page.click('[aria-label=Pause]');
+  for (const [name, width, height] of [['large', 1920, 1080], ['middle', 1280, 720], ['small', 390, 780]] as const) {
+    await page.setViewportSize({ width, height });
+    await page.waitForTimeout(500);
+    await bench.shot(page, `moored-run-${name}`);
+  }
+  await page.setViewportSize({ width: 1440, height: 820 });
+  await page.click('text=Back to the model');
 });
 
 test('a stage of the operation is followed by plan and table', async () => {

@@ -111,6 +111,20 @@ bool matters(const MotionSpread& motion) {
   return motion.slow.std > kSlowShare * motion.whole.std && motion.slow.std > 0.0;
 }
 
+std::string confidence_of(const char* name, const MotionSpread& motion) {
+  if (motion.slow_cycles < 2.0 || motion.slow_std_error <= 0.0) {
+    return fmt::format(
+        "The run holds {:.0f} slow cycles of {}, too few to tell how far its slow standard deviation and extremes may "
+        "be "
+        "from those of another seed.",
+        motion.slow_cycles, name);
+  }
+  return fmt::format(
+      "The run holds {:.0f} slow cycles of {}; another seed may give a slow standard deviation that differs by {:.0f} "
+      "% (one standard error), and extremes accordingly.",
+      motion.slow_cycles, name, 100.0 * motion.slow_std_error);
+}
+
 void tell_confidence(DynamicResults& results) {
   VesselDynamics& vessel = *results.vessel;
   const auto [name, motion] = slowest(vessel);
@@ -118,11 +132,7 @@ void tell_confidence(DynamicResults& results) {
     vessel.confidence = "No slow motion to speak of.";
     return;
   }
-  vessel.confidence = fmt::format(
-      "The run holds {:.0f} slow cycles of {}; another seed may give a slow standard deviation that differs by {:.0f} "
-      "% "
-      "(one standard error), and extremes accordingly.",
-      motion->slow_cycles, name, 100.0 * motion->slow_std_error);
+  vessel.confidence = confidence_of(name, *motion);
   if (motion->slow_cycles >= kFewCycles) return;
   results.warnings.push_back(
       fmt::format("the run of {:.3g} min holds {:.0f} slow cycles of {}, fewer than {:.0f}: statistics of offsets and "

@@ -15,12 +15,12 @@ interface Shown { name: string; history: string; unit: string; parts: MotionSpre
 function Row({ name, history, unit, parts }: Shown) {
   const of = parts ?? extremes.value[history];
   if (!of) return null;
-  const [shown, factor] = display(unit), value = (v: number): string => tidy(Number((v * factor).toFixed(4)), 3);
+  const [shown, factor] = display(unit), value = (v: number, digits = 3): string => tidy(Number((v * factor).toFixed(3)), digits);
   const title = parts ? `Mean ${value(parts.mean)}, most probable in three hours ${value(parts.most_probable_min)} to ${value(parts.most_probable_max)} ${shown}. Show its history` : 'Show its history';
   return (
     <tr>
       <th scope="row"><button type="button" class="linkname" title={title} onClick={() => showHistory(history)}>{name}</button> <small>{shown}</small></th>
-      <td>{value(of.min)}</td><td>{value(of.max)}</td>{parts ? <><td>{value(parts.slow.std)}</td><td>{value(parts.wave.std)}</td></> : null}
+      <td>{value(of.min)}</td><td>{value(of.max)}</td>{parts ? <><td>{value(parts.slow.std, 2)}</td><td>{value(parts.wave.std, 2)}</td></> : null}
     </tr>
   );
 }
@@ -38,7 +38,7 @@ export function MooringsInTime() {
   const events = (run?.moorings ?? []).flatMap((m) => m.events.map((e) => ({ ...e, name: m.name }))).sort((a, b) => a.time - b.time);
   return (
     <>
-      <table class="minmax" aria-label="Moorings over time">
+      <table class="minmax overtime" aria-label="Moorings over time">
         <thead><tr><th scope="col">over time</th><th scope="col">min</th><th scope="col">max</th>{apart ? <><th scope="col" title="Standard deviation of the slow part">slow</th><th scope="col" title="Standard deviation of the part that waves move">wave</th></> : null}</tr></thead>
         <tbody>{rows.map((r) => <Row key={r.history} {...r} />)}</tbody>
       </table>

@@ -14,10 +14,11 @@ const tableWidth = 540, roomForTable = 1080; // px
 
 interface Screen { width: number; height: number; scale: number; x: (east: number) => number; y: (north: number) => number }
 
-function screenFor(points: [number, number][], width: number, height: number): Screen {
+/** `left`: of the width, for what stands beside the drawing. */
+function screenFor(points: [number, number][], width: number, height: number, left: number): Screen {
   const box = around(points);
-  const scale = Math.min(width / (box.east - box.west), height / (box.north - box.south));
-  const west = (box.west + box.east) / 2 - width / 2 / scale, north = (box.north + box.south) / 2 + height / 2 / scale;
+  const scale = Math.min((width - left) / (box.east - box.west), height / (box.north - box.south));
+  const west = (box.west + box.east) / 2 - (width + left) / 2 / scale, north = (box.north + box.south) / 2 + height / 2 / scale;
   return { width, height, scale, x: (east) => (east - west) * scale, y: (at) => (north - at) * scale };
 }
 
@@ -86,11 +87,12 @@ export function PlanView() {
     return () => observer.disconnect();
   }, []);
   const state = calmState.value, lay = calmLay.value, scene = drawnAt(shownScene.value);
-  const offsets = offsetsInTime.value;
+  const offsets = stage.value < 0 && width > 420 ? offsetsInTime.value : null;
+  const inset = offsets ? Math.min(170, Math.round(0.3 * height)) : 0;
   const hull = scene?.vessel ? outline(scene.vessel) : [];
   const pipe = lay ? pipeTrack(lay) : [];
   const lines = state?.moorings ?? [];
-  const on = screenFor([...hull, ...lines.flatMap((l) => [flat(l.anchor), flat(l.fairlead)])], width, Math.max(60, height - 40));
+  const on = screenFor([...hull, ...lines.flatMap((l) => [flat(l.anchor), flat(l.fairlead)])], width, Math.max(60, height - 40), inset);
   const bar = scaleLength(width / (on.scale || 1));
   const save = (): void => { if (svg.current) download('plan-of-moorings.svg', new Blob([alone(new XMLSerializer().serializeToString(svg.current))], { type: 'image/svg+xml' })); };
   return (
@@ -107,12 +109,12 @@ export function PlanView() {
             {lines.map((l) => <Line key={l.name} line={l} on={on} chosen={chosenLine.value === l.name} />)}
             {hull.length ? <path class="planhull" d={`${path(hull, on)}Z`}><title>{scene!.vessel!.name}</title></path> : null}
           </g>
-          <path class="north" d={`M${width - 26} 74l7 -26l7 26l-7 -5z`} /><text class="north" x={width - 19} y="44" text-anchor="middle">N</text>
+          <path class="north" d={`M${width - 26} 122l7 -26l7 26l-7 -5z`} /><text class="north" x={width - 19} y="92" text-anchor="middle">N</text>
           <path class="bar" d={`M14 ${height - 14}v-6v6h${bar * on.scale}v-6`} /><text x={20 + bar * on.scale} y={height - 12}>{tidy(bar)} m</text>
         </svg>
       ) : null}
       {state && whole >= roomForTable ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide /></div> : null}
-      {offsets && stage.value < 0 && width > 420 ? <Offsets of={offsets} size={Math.min(170, Math.round(0.3 * height))} /> : null}
+      {offsets ? <Offsets of={offsets} size={inset} /> : null}
       <div class="planacts"><StageChoice /><button type="button" class="tiny" title="Save the plan as SVG" onClick={save}>svg</button></div>
     </div>
   );
