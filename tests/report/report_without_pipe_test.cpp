@@ -44,6 +44,7 @@ TEST(report_without_pipe, of_moorings_in_time_begins_with_the_run_and_has_no_pip
     EXPECT_EQ(text.substr(0, text.find("<section id=\"inputs\">")).find(pipe), std::string::npos) << pipe;
   }
   EXPECT_EQ(page.find("Report.side_view"), std::string::npos);
+  EXPECT_NE(page.find("\"title\":\"starboard forward breast\",\"unit\":\"kN\",\"frequency\""), std::string::npos);
 }
 
 TEST(report_without_pipe, numbers_its_figures_in_the_order_of_the_page) {

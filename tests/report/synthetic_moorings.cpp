@@ -229,6 +229,10 @@ std::string moored_page_in_time() {
     results.histories.push_back(history_of(name, units, 0.0, slow, wave));
   }
   results.spectra.push_back({"heave", "m", {0.0, 0.05, 0.1, 0.15, 0.2}, {0.0, 0.1, 0.9, 0.2, 0.0}});
+  results.spectra.push_back({"mooring/starboard forward breast/fairlead_tension",
+                             "N",
+                             {0.0, 0.05, 0.1, 0.15, 0.2},
+                             {1e9, 2e8, 8e8, 3e8, 1e7}});
   results.extremes.push_back({"vessel/offset", "m", false, 210, 3.4, 3.9, 3.6, 4.4, 4.0, 3.6, 4.5, true});
   add_moored_dynamics(results);
   return report_html(of_hull_alone(std::move(rest)), results, example_text("moored-barge"));

@@ -77,6 +77,13 @@ bool moves(const Spectrum& spectrum, double total, const Quantity& q) {
   return q.shown(std::sqrt(total * step)) > 0.5 * std::pow(10.0, -q.digits);
 }
 
+/// Of a mooring line its name, which is long, and which its tension's unit makes clear.
+std::string spectrum_title(const std::string& history, const Quantity& q) {
+  const std::string mooring = "mooring/", tension = "/fairlead_tension";
+  if (!history.starts_with(mooring) || !history.ends_with(tension)) return q.name;
+  return history.substr(mooring.size(), history.size() - mooring.size() - tension.size());
+}
+
 /// The picker of histories: each once, only those with values.
 class Histories {
  public:
@@ -235,7 +242,10 @@ Json spectrum_data(const DynamicResults& results) {
       frequency.push_back(json_number(spectrum.frequency[static_cast<std::size_t>(peak - spectrum.density.begin())]));
       density.push_back(json_number(q.factor * q.factor * *peak));
     }
-    all.push_back({{"title", q.name}, {"unit", q.unit}, {"frequency", frequency}, {"density", density}});
+    all.push_back({{"title", spectrum_title(spectrum.name, q)},
+                   {"unit", q.unit},
+                   {"frequency", frequency},
+                   {"density", density}});
   }
   return all;
 }
