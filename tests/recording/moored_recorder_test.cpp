@@ -99,5 +99,25 @@ TEST(moored_recorder, warns_of_a_line_that_parts) {
   }));
 }
 
+TEST(moored_recorder, follows_a_pull_ahead_and_warns_where_the_run_ends_before_it) {
+  Description d = in_a_sea();
+  d.moorings->model = MooringModel::quasi_static;
+  d.operation.type = OperationType::pull_ahead;
+  d.operation.distance = 3.0;
+  d.operation.start = 4.0;
+  const testing::SolvedHull hull(d);
+  MemorySink sink;
+  const DynamicResults r = run(hull, sink).results.value();
+  const std::vector<double> advance = sink.column("operation/advance");
+  EXPECT_EQ(advance.front(), 0.0);
+  EXPECT_GT(advance.back(), 0.3);
+  EXPECT_TRUE(sink.column("tensioner/paid_out").empty());
+  ASSERT_EQ(r.assumptions.size(), 1U);
+  EXPECT_NE(r.assumptions.front().find("is pulled 3.00 m ahead in one move from t = 4 s on."), std::string::npos);
+  EXPECT_TRUE(std::any_of(r.warnings.begin(), r.warnings.end(), [](const std::string& warning) {
+    return warning.find("too short for the operation") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace overbend

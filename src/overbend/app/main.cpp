@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "app/command_line.h"
+#include "app/exit_code.h"
 
 namespace {
 
@@ -22,5 +23,9 @@ int main(int count, char** words) {
   open_standard_streams();
   // A limit on the size of files is told as a full disk is; the signal would end the program without a word.
   std::signal(SIGXFSZ, SIG_IGN);
-  return overbend::run_command_line(count, words);
+  try {
+    return overbend::run_command_line(count, words);
+  } catch (...) {  // in the middle of telling of another fault: there is nothing left to tell it with
+    return overbend::kInternalFault;
+  }
 }

@@ -100,7 +100,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   key_statistics_ = RunningStatistics(key_sample_.size());
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
-  if (move_ != nullptr) add_move_columns(columns_);
+  if (move_ != nullptr) add_move_columns(columns_, true);
   add_control_columns(simulation.controllers(), columns_);
   row_.resize(columns_.size());
   impacts_.resize(rollers_);

@@ -4,6 +4,7 @@
 
 #include "dynamics/dynamic_checkpoint.h"
 #include "dynamics/mooring_tension.h"
+#include "recording/move_record.h"
 #include "recording/snapshots.h"
 
 namespace overbend {
@@ -16,12 +17,14 @@ const VesselPose& pose_of(const SystemRun& run) {
 }  // namespace
 
 MooredRecorder::MooredRecorder(const Model& model, const MooredSimulation& simulation, DynamicSink& sink)
-    : simulation_(&simulation),
+    : model_(&model),
+      simulation_(&simulation),
       sink_(&sink),
       moorings_(model.description.moorings, simulation.moorings()),
       vessel_(model.drawn_pose),
       columns_(moored_columns(simulation.moorings())),
       snapshot_stride_(snapshot_stride(simulation.run().options())) {
+  if (simulation.move() != nullptr) add_move_columns(columns_, false);
   const SystemRun& run = simulation.run();
   moorings_.start(run.state(), run.assembly());
   vessel_.start(pose_of(run));
@@ -45,6 +48,7 @@ void MooredRecorder::row(const SystemRun& run) {
   now.step = run.state().last_step;
   now.elevation = simulation_->elevation();
   now.drift = run.energy().drift();
+  if (const MoveProfile* move = simulation_->move()) now.move.way = move->at(run.time());
   const RowSource source{now, {}, {}, {}, {}, {}, &vessel_};
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
@@ -78,6 +82,10 @@ void MooredRecorder::fill(DynamicResults& results) const {
   results.moorings = moorings_.results();
   results.vessel = vessel_.results();
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
+  if (const MoveProfile* move = simulation_->move()) {
+    assume_of_move(*model_, *move, results);
+    warn_of_move(*model_, *move, results);
+  }
 }
 
 }  // namespace overbend

@@ -25,6 +25,7 @@ class MooredRecorder : public SystemObserver {
   void fill(DynamicResults& results) const;
 
  private:
+  const Model* model_;
   const MooredSimulation* simulation_;
   DynamicSink* sink_;
   MooringWatch moorings_;

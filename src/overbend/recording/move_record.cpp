@@ -6,31 +6,9 @@
 
 namespace overbend {
 
-void add_move_columns(std::vector<RecordedColumn>& columns) {
-  columns.push_back({{"operation/advance", "m", "Way of the vessel's mean place ahead, as planned", false, false},
-                     [](const RowSource& row) { return row.now.move.way.way; }});
-  columns.push_back({{"tensioner/paid_out", "m", "Pipe paid out by the tensioner since the start", false, false},
-                     [](const RowSource& row) { return row.now.move.paid_out; }});
-  columns.push_back({{"operation/joints", "1", "Pipe joints that came in at the tensioner", false, false},
-                     [](const RowSource& row) { return row.now.move.joints; }});
-}
+namespace {
 
-void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
-  const bool told = model.description.vessel.motion != VesselMotion::coupled;
-  results.assumptions.push_back(
-      fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on; pipe that is paid out joins the line in "
-                  "elements, and its weight between the guide and the last of them is left out.",
-                  told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
-                  move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start));
-}
-
-void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
-  const TensionerDescription& tensioner = model.description.tensioner;
-  if (move.end() > results.duration) {
-    results.warnings.push_back(
-        fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
-                    results.duration, move.moves, move.end()));
-  }
+void warn_of_tensioner(const TensionerDescription& tensioner, const MoveProfile& move, DynamicResults& results) {
   const Spread& travel = results.tensioner.travel;
   if (results.tensioner.mode == word_of(TensionerMode::locked) && travel.max == travel.min) {
     results.warnings.emplace_back(
@@ -46,6 +24,38 @@ void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& r
         "the tensioner's travel of {:.2f} m is not applied: while the vessel moves it feeds pipe without end",
         *tensioner.travel));
   }
+}
+
+}  // namespace
+
+void add_move_columns(std::vector<RecordedColumn>& columns, bool pipe) {
+  columns.push_back({{"operation/advance", "m", "Way of the vessel's mean place ahead, as planned", false, false},
+                     [](const RowSource& row) { return row.now.move.way.way; }});
+  if (!pipe) return;
+  columns.push_back({{"tensioner/paid_out", "m", "Pipe paid out by the tensioner since the start", false, false},
+                     [](const RowSource& row) { return row.now.move.paid_out; }});
+  columns.push_back({{"operation/joints", "1", "Pipe joints that came in at the tensioner", false, false},
+                     [](const RowSource& row) { return row.now.move.joints; }});
+}
+
+void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
+  const bool told = model.description.vessel.motion != VesselMotion::coupled;
+  results.assumptions.push_back(
+      fmt::format("The vessel {} {:.2f} m ahead in {} from t = {:.0f} s on{}.",
+                  told ? "moves as told, whatever the tension," : "is pulled", move.whole_way(),
+                  move.moves == 1 ? "one move" : fmt::format("{} moves", move.moves), move.start,
+                  model.description.has_pipe ? "; pipe that is paid out joins the line in elements, and its weight "
+                                               "between the guide and the last of them is left out"
+                                             : ""));
+}
+
+void warn_of_move(const Model& model, const MoveProfile& move, DynamicResults& results) {
+  if (move.end() > results.duration) {
+    results.warnings.push_back(
+        fmt::format("the run is too short for the operation: it ends at t = {:.0f} s, the last of {} moves at {:.0f} s",
+                    results.duration, move.moves, move.end()));
+  }
+  if (model.description.has_pipe) warn_of_tensioner(model.description.tensioner, move, results);
 }
 
 }  // namespace overbend

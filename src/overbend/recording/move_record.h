@@ -10,8 +10,8 @@
 
 namespace overbend {
 
-/// Way of the vessel, pipe paid out, joints.
-void add_move_columns(std::vector<RecordedColumn>& columns);
+/// Way of the vessel and, with a pipe, what of it is paid out, and joints.
+void add_move_columns(std::vector<RecordedColumn>& columns, bool pipe);
 
 /// What the results hold of the move by assumption.
 void assume_of_move(const Model& model, const MoveProfile& move, DynamicResults& results);

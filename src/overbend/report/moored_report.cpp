@@ -56,6 +56,7 @@ FrontPage front_in_time(const MooringResults& rest, const DynamicResults& result
 
 std::string figures_in_time(const StaticResults& statics, const DynamicResults& results, int& number) {
   static const std::vector<Figure> kFigures = {
+      {"history", "Pull-ahead in time: the vessel from as drawn; the build-up is shaded", {"operation"}},
       {"history", "Time histories of the vessel's motion; the build-up is shaded", {"motions"}, true},
       {"history", "Time history of wave elevation at midship", {"wave"}},
       {"spectra", "Spectra of motions and tensions; the upper scale is the period", {"all"}, true}};
