@@ -7,6 +7,7 @@
 
 #include "dynamics/mooring_tension.h"
 #include "dynamics/simulation.h"
+#include "recording/vessel_watch.h"
 #include "support/allocation_count.h"
 #include "support/moored_lay.h"
 
@@ -35,7 +36,7 @@ double period(const SolvedHull& moored, Eigen::Index freedom, double release) {
   // The hull is drawn where it lies.
   const auto off = [&] {
     const HullState& hull = simulation.run().state().bodies.front();
-    return hull.h(freedom) - simulation.run().system().bodies.front().free->drawn(freedom);
+    return hull.h(freedom) - simulation.run().system().bodies.front().free->origin(freedom);
   };
   double before = off(), first = 0.0;
   int passages = 0;
@@ -60,6 +61,25 @@ TEST(moored_simulation, swings_with_the_periods_of_hull_water_and_lines) {
   EXPECT_NEAR(period(moored, 5, 0.001), 44.64, 0.005 * 44.64);
 }
 
+/// A tenth of critical: one swing after the other is smaller by exp(-2 pi 0.1/sqrt(1 - 0.01)), 0.532.
+TEST(moored_simulation, is_damped_by_the_share_of_critical_that_is_asked_for) {
+  Description d = calm(MooringModel::quasi_static);
+  d.vessel.coupled->damping.push_back({"surge", 0.1, std::nullopt, std::nullopt});
+  const SolvedHull moored(d);
+  DynamicOptions options = dynamic_options(moored.model);
+  options.fixed_step = 0.25;
+  options.release(0) = 0.1;
+  MooredSimulation simulation(moored.model, moored.start(), options);
+  ASSERT_FALSE(simulation.failure());
+  const double rest = simulation.run().system().bodies.front().free->origin(0);
+  double largest = 0.0;  // of the second swing to the same side, around 67 s
+  while (simulation.run().step()) {
+    const double off = simulation.run().state().bodies.front().h(0) - rest;
+    if (simulation.run().time() > 45.0) largest = std::max(largest, off);
+  }
+  EXPECT_NEAR(largest, 0.1 * 0.532, 0.1 * 0.02);
+}
+
 TEST(moored_simulation, stays_where_statics_put_it_in_calm_water) {
   Description d = calm(MooringModel::elements);
   d.dynamics->duration = 20.0;
@@ -75,6 +95,25 @@ TEST(moored_simulation, stays_where_statics_put_it_in_calm_water) {
     const double now = mooring_tension(simulation.run().assembly(), simulation.run().state(), i, LineEnd::last);
     EXPECT_NEAR(now, tension, 2e-3 * tension) << i;
   }
+}
+
+/// A hull whose crew does not ballast for the pull of its lines sinks by it, once, and in time as in statics.
+TEST(moored_simulation, sinks_under_its_lines_as_in_statics_where_it_is_not_ballasted) {
+  Description d = calm(MooringModel::quasi_static);
+  d.dynamics->duration = 2.0;
+  d.vessel.coupled->ballast = Ballast::as_given;
+  d.vessel.loads = {{"crane", Vec3(0.0, 10.0, 0.0), Vec3(0.0, 0.0, -2e6), Vec3::Zero()}};
+  const SolvedHull moored(d);
+  const VesselResult& statics = moored.rest.moorings->rest.vessel;
+  EXPECT_LT(statics.heave, -0.05);
+  EXPECT_LT(statics.roll, -0.005);
+  MooredSimulation simulation(moored.model, moored.start(), dynamic_options(moored.model));
+  ASSERT_FALSE(simulation.failure());
+  EXPECT_TRUE(simulation.run().advance(2.0));
+  const auto shift = shift_between(moored.model.drawn_pose, simulation.run().assembly().surroundings().bodies[0].pose);
+  EXPECT_NEAR(shift[2], statics.heave, 1e-3 * std::abs(statics.heave));
+  EXPECT_NEAR(shift[3], statics.roll, 1e-3 * std::abs(statics.roll));
+  EXPECT_NEAR(shift[1], statics.sway, 1e-3 * std::abs(statics.sway) + 1e-5);
 }
 
 /// The vessel's motion told, lines know nothing of a pipe: there they move as in the system of a lay.

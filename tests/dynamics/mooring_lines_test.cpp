@@ -7,6 +7,7 @@
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/simulation.h"
+#include "recording/vessel_watch.h"
 #include "support/line_cases.h"
 #include "support/moored_lay.h"
 
@@ -43,6 +44,23 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   }
   ASSERT_FALSE(simulation.failure());
   EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
+}
+
+/// Lines and pipe pull it down by 0.026 m and heel and trim it, in time as in statics: once.
+TEST(mooring_lines, sink_a_barge_that_is_not_ballasted_for_them_as_in_statics) {
+  Description d = moored();
+  d.environment.waves.type = WaveType::none;
+  d.environment.current.clear();
+  d.vessel.coupled->ballast = Ballast::as_given;
+  const testing::SolvedLay at(d);
+  ASSERT_FALSE(at.lay.failure) << at.lay.failure->why;
+  const VesselResult& statics = at.lay.moorings->rest.vessel;
+  EXPECT_NEAR(statics.heave, -0.026, 0.002);
+  const Simulation simulation(at.model, *at.lay.solution, at.tension(), dynamic_options(at.model));
+  ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
+  const auto shift = shift_between(at.model.drawn_pose, simulation.now().vessel().pose);
+  EXPECT_NEAR(shift[2], statics.heave, 0.01 * std::abs(statics.heave));
+  EXPECT_NEAR(shift[4], statics.pitch, 0.03 * std::abs(statics.pitch));
 }
 
 TEST(mooring_lines, let_the_barge_start_at_rest_under_the_mean_drift_of_its_sea) {

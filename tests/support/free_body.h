@@ -18,7 +18,7 @@ struct SpringBody {
 inline FreeBody free_body(const SpringBody& springs, const Vec3& reference_V = Vec3::Zero()) {
   FreeBody free;
   free.reference_V = reference_V;
-  free.drawn = springs.drawn;
+  free.origin = springs.drawn;
   free.force_scale = springs.body.mass * kGravity;
   free.inertia << Vec3::Constant(springs.body.mass), springs.body.inertia.diagonal();
   free.balance = [springs](const HullState& at, const HullState& /*before*/, const Weights& weights, double /*time*/,

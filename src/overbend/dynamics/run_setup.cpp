@@ -37,7 +37,7 @@ void add_motion(const Model& model, const StaticSolution& start, const DynamicOp
     if (d.vessel.motion == VesselMotion::raos) setup.wave_numbers_ahead = wave_numbers_ahead(setup.motion, setup.sea);
     return;
   }
-  setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up));
+  setup.hull = std::make_unique<MadeHull>(make_hull(model, setup.sea, options.build_up, start.station_stiffness));
   setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
   setup.ballast = d.vessel.coupled->ballast;
   FreeBody& body =

@@ -50,7 +50,7 @@ double critical_damping(const HydrodynamicData& data, int mode, double mass, dou
 
 std::array<ModeDamping, 3> horizontal_damping(const Hull& hull, const HydrodynamicData& data,
                                               const Mat6& station_stiffness) {
-  const CurrentForce current = current_force(hull.current, hull.drawn(5), Vec6::Zero(), StripWater{});
+  const CurrentForce current = current_force(hull.current, hull.lies(5), Vec6::Zero(), StripWater{});
   std::array<ModeDamping, 3> modes;
   const std::array<int, 3> freedoms = {0, 1, 5};
   for (std::size_t i = 0; i < 3; ++i) {

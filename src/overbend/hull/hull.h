@@ -46,7 +46,8 @@ struct ViscousDamping {
 /// Made by make_hull; constant in an analysis.
 struct Hull {  // NOLINT(clang-analyzer-optin.performance.Padding): there is one of it; in the order of subjects
   Vec3 reference_V = Vec3::Zero();  ///< Reference point in V: the centre of gravity [m].
-  Vec6 drawn = Vec6::Zero();        ///< Coordinates with the hull as drawn.
+  Vec6 drawn = Vec6::Zero();        ///< Coordinates with the hull as drawn, where its water balances its weight.
+  Vec6 lies = Vec6::Zero();         ///< Coordinates where it lies in statics: of its heading in sea, current and wind.
   RigidBody body;
   Mat6 hydrostatics = Mat6::Zero();  ///< On the distance from `drawn`; heave, roll and pitch alone. [N/m, N, N m]
   RadiationModel radiation;

@@ -25,7 +25,7 @@ double sideways(HullCurrent current, double coefficient, double psi) {
 
 void tell_current(const Hull& hull, const UfcHull& shape, double depth, HullReport& out) {
   if (!by_strips(hull.current) || hull.current.velocity.isZero()) return;
-  const double psi = hull.drawn(5);
+  const double psi = hull.lies(5);
   out.current_now = current_force(hull.current, psi, Vec6::Zero(), StripWater{}).force(1);
   out.current_least = sideways(hull.current, ufc_transverse_coefficient(shape, depth), psi);
   out.current_most = sideways(hull.current, kSharp, psi);
@@ -80,8 +80,8 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
   }
   tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);
   tell_waves(made.hull, model.description.environment.waves, sea, out);
-  out.steady = steady_forces(made.hull, made.hull.drawn(5));
-  out.steady.drift = mean_drift(made.hull.waves, made.hull.drawn(5));
+  out.steady = steady_forces(made.hull, made.hull.lies(5));
+  out.steady.drift = mean_drift(made.hull.waves, made.hull.lies(5));
   return out;
 }
 

@@ -30,9 +30,15 @@ Eigen::Vector2d current_at(const CurrentProfile& profile, double z) {
 }
 
 void place(Hull& hull, const Model& model, const Vec3& centre_of_gravity) {
+  const auto coordinates = [&](const VesselPose& pose) {
+    return coordinates_of(pose.p_WV + pose.R_WV * centre_of_gravity, pose.R_WV);
+  };
   hull.reference_V = centre_of_gravity;
-  const VesselPose& pose = model.mean_pose;
-  hull.drawn = coordinates_of(pose.p_WV + pose.R_WV * centre_of_gravity, pose.R_WV);
+  hull.drawn = coordinates(model.drawn_pose);
+  hull.lies = coordinates(model.mean_pose);
+  if (const auto& dp = model.description.station_keeping) {
+    hull.station_keeping = StationKeeping{Vec3(hull.drawn(0), hull.drawn(1), hull.drawn(5)), *dp};
+  }
 }
 
 /// A table of the model with the areas it refers to: where they are not given those of a box that stands `height` high
@@ -88,13 +94,9 @@ HullWind wind_on(const VesselDescription& vessel, const CoupledHullDescription& 
 }
 
 void put_loads(Hull& hull, const Model& model) {
-  const Mat3& R = model.mean_pose.R_WV;
+  const Mat3& R = model.drawn_pose.R_WV;
   for (const VesselLoadDescription& load : model.description.vessel.loads) {
     hull.loads.push_back({load.at - hull.reference_V, R * load.force, R * load.moment});
-  }
-  if (model.description.station_keeping) {
-    hull.station_keeping =
-        StationKeeping{Vec3(hull.drawn(0), hull.drawn(1), hull.drawn(5)), *model.description.station_keeping};
   }
 }
 
@@ -104,13 +106,19 @@ std::size_t mode_of(const std::string& name) {
   return static_cast<std::size_t>(found - kFreedomNames.begin());
 }
 
+/// Of dynamic positioning, in surge, sway and yaw.
+double positioning_stiffness(const Hull& hull, Eigen::Index mode) {
+  if (!hull.station_keeping || (mode > 1 && mode < 5)) return 0.0;
+  return hull.station_keeping->law.stiffness(mode == 5 ? 2 : mode);
+}
+
 void put_damping(Hull& hull, const CoupledHullDescription& given, const Mat6& station_stiffness) {
   for (const ModeDampingDescription& mode : given.damping) {
     const auto k = static_cast<Eigen::Index>(mode_of(mode.mode));
     hull.damping.linear(k, k) += mode.linear.value_or(0.0);
     hull.damping.quadratic(k) += mode.quadratic.value_or(0.0);
     if (!mode.ratio) continue;
-    const double stiffness = hull.hydrostatics(k, k) + station_stiffness(k, k);
+    const double stiffness = hull.hydrostatics(k, k) + station_stiffness(k, k) + positioning_stiffness(hull, k);
     const double mass = k < 3 ? hull.body.mass : hull.body.inertia(k - 3, k - 3);
     if (!(stiffness > 0.0)) {
       throw std::invalid_argument("a share of critical damping in " + mode.mode +
@@ -122,9 +130,9 @@ void put_damping(Hull& hull, const CoupledHullDescription& given, const Mat6& st
 
 void put_waves(Hull& hull, const Model& model, const Sea& sea, const CoupledHullDescription& given) {
   const HydrodynamicData& data = *given.data;
-  hull.waves = make_hull_waves(data, sea, given.wave_drift, model.description.vessel.draught, hull.drawn(5));
+  hull.waves = make_hull_waves(data, sea, given.wave_drift, model.description.vessel.draught, hull.lies(5));
   if (given.wave_drift_damping == WaveDriftDamping::aranha) {
-    hull.drift_damping = wave_drift_damping(data, sea, hull.drawn(5));
+    hull.drift_damping = wave_drift_damping(data, sea, hull.lies(5));
   }
   if (given.current.form == HullCurrentForm::strips || given.current.form == HullCurrentForm::ufc) {
     const Mat6 A = added_mass_at(data, kMunkFrequency);

@@ -20,15 +20,6 @@ std::string names_of(const std::vector<int>& modes) {
   return names;
 }
 
-/// Of the lines about the centre of gravity; zero without lines or with a hull that is held.
-Mat6 station_stiffness(const MooredState* rest, const Vec3& centre_of_gravity) {
-  if (rest == nullptr || rest->mooring_stiffness.size() != 36 || rest->mooring_force.size() != 6) return Mat6::Zero();
-  using Rows = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-  const Mat6 about_midship = Eigen::Map<const Rows>(rest->mooring_stiffness.data());
-  const Vec3 pull = Eigen::Map<const Vec3>(rest->mooring_force.data());
-  return stiffness_about(about_midship, pull, centre_of_gravity);
-}
-
 void tell_radiation(const RadiationReport& report, HullResults& out) {
   out.states = report.states;
   for (const RadiationEntryReport& entry : report.entries) {
@@ -71,6 +62,14 @@ SteadyLoad horizontal(const Vec6& force) {
 
 }  // namespace
 
+Mat6 station_stiffness(const MooredState* rest, const Vec3& centre_of_gravity) {
+  if (rest == nullptr || rest->mooring_stiffness.size() != 36 || rest->mooring_force.size() != 6) return Mat6::Zero();
+  using Rows = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+  const Mat6 about_midship = Eigen::Map<const Rows>(rest->mooring_stiffness.data());
+  const Vec3 pull = Eigen::Map<const Vec3>(rest->mooring_force.data());
+  return stiffness_about(about_midship, pull, centre_of_gravity);
+}
+
 std::optional<HullAccount> hull_account(const Model& model, const MooredState* rest) {
   const Description& d = model.description;
   const std::optional<CoupledHullDescription>& given = d.vessel.coupled;
@@ -84,7 +83,7 @@ std::optional<HullAccount> hull_account(const Model& model, const MooredState* r
   HullResults& out = account.results;
   tell_radiation(report.radiation, out);
   tell_damping(report, *given->data, out);
-  const double heading = made.hull.drawn(5);
+  const double heading = made.hull.lies(5);
   out.drift = horizontal(mean_drift(made.hull.waves, heading));
   out.current = horizontal(current_force(made.hull.current, heading, Vec6::Zero(), StripWater{}).force);
   out.wind = horizontal(wind_force(made.hull.wind, heading));

@@ -20,4 +20,8 @@ struct HullAccount {
 /// second. Throws std::invalid_argument for a sea or a hull that cannot be made.
 std::optional<HullAccount> hull_account(const Model& model, const MooredState* rest);
 
+/// Of the lines about the hull's centre of gravity, horizontal axes along the drawn hull; zero without lines (null) or
+/// with a hull that is held [N/m, N, N m].
+Mat6 station_stiffness(const MooredState* rest, const Vec3& centre_of_gravity);
+
 }  // namespace overbend

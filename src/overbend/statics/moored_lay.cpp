@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statics/hull_account.h"
 #include "statics/moored_statics.h"
 #include "statics/pipe_on_hull.h"
 #include "statics/stinger_rest.h"
@@ -36,6 +37,9 @@ LayOutcome solved(const Model& model, StaticSolution start, const MooredHull& mo
   }
   MooringResults& results = std::get<MooringResults>(outcome);
   start.moorings = moored.spread;
+  if (const auto& hull = model.description.vessel.coupled) {
+    start.station_stiffness = station_stiffness(&results.rest, hull->centre_of_gravity);
+  }
   if (!results.steps.empty()) {
     start.winches = winch_plan(model.description.operation, results.steps, surge_period(results.rest));
   }

@@ -44,6 +44,7 @@ struct StaticSolution {
   std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
   VesselPose pose;                     ///< Of the vessel.
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
+  Mat6 station_stiffness = Mat6::Zero();  ///< Of these about the centre of gravity of a hull that floats [N/m, N, N m].
   std::optional<WinchPlan> winches;       ///< What they do when it is pulled ahead.
   LinePast past;                          ///< What it was solved from.
   StingerAtRest stinger;                  ///< Of a stinger on hinges, see statics/stinger_rest.h.

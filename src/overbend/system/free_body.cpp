@@ -17,12 +17,12 @@ FreeBody free_hull(const Hull& hull, double line_weight, double length) {
   constexpr double kShareOfWeight = 1e-3;
   FreeBody body;
   body.reference_V = hull.reference_V;
-  body.drawn = hull.drawn;
+  body.origin = hull.lies;
   body.force_scale = std::max(line_weight, kShareOfWeight * hull.body.mass * kGravity);
   body.arm = 0.5 * length;
   body.inertia << Vec3::Constant(hull.body.mass), hull.body.inertia.diagonal();
   body.inertia += hull.radiation.added_mass.diagonal();
-  body.rest = hull_at_rest(hull, hull.drawn);
+  body.rest = hull_at_rest(hull, hull.lies);
   body.balance = [&hull](const HullState& at, const HullState& before, const Weights& weights, double time,
                          HullBalance& out) {
     const bool rests = weights.acceleration == 0.0;  // statics, in which friction alone remembers
@@ -70,7 +70,7 @@ BodyEnergy spring_energy(const FreeBody& body, const HullState& at, double time)
 }
 
 RigidMotion rigid_motion(const FreeBody& body, const HullState& at) {
-  return rigid_motion(motion_of(at.h, at.v, at.acc), body.reference_V, body.drawn);
+  return rigid_motion(motion_of(at.h, at.v, at.acc), body.reference_V, body.origin);
 }
 
 Mat36 point_rows(const BodyPose& pose, const Vec3& r) {

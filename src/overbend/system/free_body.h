@@ -54,12 +54,12 @@ struct HingedBody {
 /// loop and must not allocate.
 struct FreeBody {
   Vec3 reference_V = Vec3::Zero();  ///< Point whose place is unknown: the centre of gravity [m].
-  Vec6 drawn = Vec6::Zero();        ///< Coordinates that surge, sway, heave, roll, pitch and yaw are counted from.
+  Vec6 origin = Vec6::Zero();       ///< Coordinates that surge, sway, heave, roll, pitch and yaw are counted from.
   double force_scale = 1.0;         ///< What unbalanced forces are measured against [N].
   double arm = 1.0;                 ///< Moments and angles are measured by it: half the length [m].
   Vec6 inertia = Vec6::Ones();      ///< Mass and moments, with those of the water, for the estimate of errors.
   std::vector<BodySpring> springs;  ///< Quasi-static lines.
-  HullState rest;                   ///< As drawn, its memories of their sizes.
+  HullState rest;                   ///< There, its memories of their sizes.
   std::optional<HingedBody> hinge;  ///< Of a body that hangs on another: its angle alone is free.
 
   /// Balance of the body by itself, as balance_hull().

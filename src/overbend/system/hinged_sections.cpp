@@ -56,7 +56,7 @@ std::span<const int> HingedSections::chain(int number) const {
 void HingedSections::move(const Coordinates& to) {
   if (vessel_ >= 0) {
     const FreeBody& vessel = *system_->bodies[to_size(sections_.front().body->carrier)].free;
-    barge_ = rigid_motion(motion_of(to.h, to.v, to.a), vessel.reference_V, vessel.drawn);
+    barge_ = rigid_motion(motion_of(to.h, to.v, to.a), vessel.reference_V, vessel.origin);
     vessel_pose_ = pose_of(to.h);
   }
   for (std::size_t i = 0; i < sections_.size(); ++i) {
