@@ -100,15 +100,29 @@ TEST(moored_command, gathers_seeds_by_offset_and_tension) {
   EXPECT_FALSE(seeds["runs"][0].contains("top_tension_max"));
 }
 
-TEST(moored_command, has_no_code_checks_to_make_again_and_is_not_compared) {
+TEST(moored_command, has_no_code_checks_to_make_again) {
   const Scratch scratch;
   ASSERT_EQ(run_barge(scratch, barge()).code, 0);
   const ProgramRun checked = run_program("check-results " + scratch.file("out"));
   EXPECT_EQ(checked.code, 2);
   EXPECT_TRUE(has(checked.err, "there are no code checks")) << checked.err;
-  const ProgramRun compared = run_program("compare " + scratch.file("out") + " " + scratch.file("out"));
-  EXPECT_EQ(compared.code, 2);
-  EXPECT_TRUE(has(compared.err, "without a pipe cannot be compared")) << compared.err;
+}
+
+TEST(moored_command, is_compared_by_offsets_and_tensions_with_another_run) {
+  const Scratch scratch;
+  ASSERT_EQ(run_barge(scratch, barge()).code, 0);
+  std::string rougher = barge();
+  rougher.replace(rougher.find("hs: 1.5 m"), 9, "hs: 2.5 m");
+  ASSERT_EQ(run_program("dynamic " + scratch.write("rough.yaml", rougher) + " -o " + scratch.file("rough")).code, 0);
+  const ProgramRun compared =
+      run_program("compare " + scratch.file("out") + " " + scratch.file("rough") + " -o " + scratch.file("compared"));
+  ASSERT_EQ(compared.code, 0) << compared.err;
+  const std::string table = scratch.read("compared/comparison.csv");
+  EXPECT_TRUE(has(table, "input,environment.waves.hs,,1.5 m,2.5 m")) << table;
+  EXPECT_TRUE(has(table, "result,dynamic.vessel.pitch.max,deg,")) << table;
+  EXPECT_TRUE(has(table, "result,dynamic.moorings[port bow].fairlead_tension.max,kN,")) << table;
+  EXPECT_TRUE(has(table, "result,static.moorings[port bow].fairlead_tension,kN,")) << table;
+  EXPECT_TRUE(has(scratch.read("compared/comparison.html"), "Fairlead tension of port bow"));
 }
 
 TEST(moored_command, gives_studies_what_the_vessel_and_its_lines_did) {

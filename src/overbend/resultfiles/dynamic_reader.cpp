@@ -129,17 +129,6 @@ DynamicResults read_dynamics(const Hdf5Reader& file, bool pipe) {
   return results;
 }
 
-/// Of a hull alone in the place of those of a lay.
-StoredStatics read_rest(const std::filesystem::path& h5) {
-  if (!has_moorings_alone(h5)) return read_static_results(h5);
-  StoredMoorings rest = read_mooring_results(h5);
-  StoredStatics stored;
-  stored.results = of_hull_alone(std::move(rest.results));
-  stored.model_text = std::move(rest.model_text);
-  stored.model_file = std::move(rest.model_file);
-  return stored;
-}
-
 }  // namespace
 
 bool has_dynamic(const std::filesystem::path& h5) {

@@ -195,4 +195,14 @@ StoredMoorings read_mooring_results(const std::filesystem::path& h5) {
   return stored;
 }
 
+StoredStatics read_rest(const std::filesystem::path& h5) {
+  if (!has_moorings_alone(h5)) return read_static_results(h5);
+  StoredMoorings rest = read_mooring_results(h5);
+  StoredStatics stored;
+  stored.results = of_hull_alone(std::move(rest.results));
+  stored.model_text = std::move(rest.model_text);
+  stored.model_file = std::move(rest.model_file);
+  return stored;
+}
+
 }  // namespace overbend

@@ -37,4 +37,7 @@ bool has_moorings_alone(const std::filesystem::path& h5);
 /// Gives back what write_mooring_files wrote, bit for bit; throws likewise.
 StoredMoorings read_mooring_results(const std::filesystem::path& h5);
 
+/// Of either: of a hull alone as of_hull_alone().
+StoredStatics read_rest(const std::filesystem::path& h5);
+
 }  // namespace overbend

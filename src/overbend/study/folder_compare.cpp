@@ -13,6 +13,7 @@
 #include "results/fields/check_fields.h"
 #include "study/dynamic_values.h"
 #include "study/folder_figures.h"
+#include "study/moored_values.h"
 #include "study/result_values.h"
 
 namespace overbend {
@@ -55,26 +56,33 @@ void take_checks(Read& read, const std::string& front, const CheckTable& checks)
   }
 }
 
+void append(std::vector<ResultValue>& values, std::vector<ResultValue>&& more) {
+  std::ranges::move(more, std::back_inserter(values));
+}
+
+void take_pipe(Read& read, const StaticResults& results) {
+  if (const CheckRow* worst = worst_check(results.checks)) read.folder.governing = worst->name;
+  read.values = result_values(results);
+  std::erase_if(read.values, [](const ResultValue& value) { return value.name.starts_with("checks.list["); });
+  take_checks(read, "", results.checks);
+  add_curves(read.curves, results);
+}
+
 void take_statics(Read& read, const StoredStatics& stored) {
   read.model_text = stored.model_text;
   read.folder.title = stored.results.title;
   read.folder.version = stored.results.version;
-  read.folder.warnings = stored.results.warnings;
-  if (const CheckRow* worst = worst_check(stored.results.checks)) read.folder.governing = worst->name;
-  read.values = result_values(stored.results);
-  std::erase_if(read.values, [](const ResultValue& value) { return value.name.starts_with("checks.list["); });
-  take_checks(read, "", stored.results.checks);
-  add_curves(read.curves, stored.results);
-}
-
-void append(std::vector<ResultValue>& values, std::vector<ResultValue>&& more) {
-  std::ranges::move(more, std::back_inserter(values));
+  const bool pipe = stored.results.has_pipe();
+  read.folder.warnings = pipe ? stored.results.warnings : stored.results.moorings->warnings;
+  if (pipe) take_pipe(read, stored.results);
+  if (stored.results.moorings) append(read.values, mooring_values(*stored.results.moorings));
 }
 
 void take_dynamics(Read& read, const fs::path& h5) {
   const StoredDynamics stored = read_dynamic_results(h5);
   take_statics(read, stored.statics);
-  append(read.values, dynamic_values(stored.statics.results, stored.results));
+  if (stored.statics.results.has_pipe()) append(read.values, dynamic_values(stored.statics.results, stored.results));
+  append(read.values, moored_dynamic_values(stored.results));
   take_checks(read, "dynamic.", stored.results.checks);
   read.folder.warnings.insert(read.folder.warnings.end(), stored.results.warnings.begin(),
                               stored.results.warnings.end());
@@ -82,17 +90,12 @@ void take_dynamics(Read& read, const fs::path& h5) {
   add_curves(read.curves, stored.statics.results, stored.results);
 }
 
-void require_pipe(const fs::path& h5) {
-  if (has_moorings_alone(h5)) throw std::runtime_error("results of moorings without a pipe cannot be compared");
-}
-
-void take_lay(Read& read, const fs::path& h5) {
-  require_pipe(h5);
+void take_run(Read& read, const fs::path& h5) {
   if (has_dynamic(h5)) {
     read.folder.kind = ResultsKind::dynamics;
     take_dynamics(read, h5);
   } else {
-    take_statics(read, read_static_results(h5));
+    take_statics(read, read_rest(h5));
   }
 }
 
@@ -126,9 +129,8 @@ void take_seeds(Read& read, const fs::path& folder, const Json& summary) {
   }
   if (seeds["runs"].empty()) throw std::runtime_error(folder.string() + ": none of its seeds has results");
   const fs::path first = folder / seeds["runs"][0]["folder"].get<std::string>() / "results.h5";
-  require_pipe(first);
   const std::vector<std::string> warnings = read.folder.warnings;
-  take_statics(read, read_static_results(first));
+  take_statics(read, read_rest(first));
   read.folder.warnings.insert(read.folder.warnings.end(), warnings.begin(), warnings.end());
   for (const auto& item : seeds["statistics"].items()) {
     const std::string& name = item.key();
@@ -167,7 +169,7 @@ Read read_folder(const fs::path& place) {
       read.folder.kind = ResultsKind::operation;
       take_operation(read, h5);
     } else {
-      take_lay(read, h5);
+      take_run(read, h5);
     }
   } catch (const std::runtime_error& fault) {
     const std::string what = fault.what();

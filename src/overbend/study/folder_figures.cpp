@@ -84,6 +84,11 @@ void add_curves(FolderCurves& curves, const StaticResults& statics, const Dynami
   envelope("Smallest effective tension over time", "tension [kN]", results.effective_tension.min, "N");
   envelope("Largest bending moment over time", "bending moment [kN m]", results.bending_moment.max, "N m");
   envelope("Largest von Mises stress over time", "von Mises stress [MPa]", results.von_mises.max, "Pa");
+  add_history(curves, results, "vessel/offset", "History of the vessel's offset", "offset [m]", 1.0);
+  for (const MooringLineDynamics& line : results.moorings) {
+    add_history(curves, results, "mooring/" + line.name + "/fairlead_tension", "Fairlead tension of " + line.name,
+                "tension [kN]", factor_of("N"));
+  }
   add_history(curves, results, "top_tension", "History of the top tension", "tension [kN]", factor_of("N"));
   add_history(curves, results, "overbend_von_mises", "History of the largest stress of the overbend",
               "von Mises stress [MPa]", factor_of("Pa"));
