@@ -31,6 +31,8 @@ TEST(dynamics, without_waves_the_pipe_stays_where_statics_put_it) {
   // The static solver stops at 1e-9 of the weight of 1.2 MN, a step at 1e-6 of it: of the order of 1 N.
   EXPECT_NEAR(r.top_tension.min, c.statics.top_tension, 15.0);
   EXPECT_NEAR(r.top_tension.max, c.statics.top_tension, 15.0);
+  EXPECT_NEAR(r.departure_angle.max, c.statics.departure_angle, 1e-5);
+  EXPECT_NEAR(r.departure_angle.min, c.statics.departure_angle, 1e-5);
   for (std::size_t i = 0; i < r.station_s.size(); ++i) {
     EXPECT_LT(r.z.max[i] - r.z.min[i], 5e-5);  // a twentieth of what a roller gives under the pipe
   }

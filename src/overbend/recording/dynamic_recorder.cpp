@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mechanics/contact_damage.h"
+#include "mechanics/rod_element.h"
 #include "recording/control_columns.h"
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/move_record.h"
@@ -25,10 +26,12 @@ double inclination(const Vec3& t) {
   return std::atan2(t.z(), std::hypot(t.x(), t.y()));
 }
 
-/// Node at the lower end of the element that holds `s`.
-int node_below(const LineMesh& mesh, double s) {
-  const auto after = std::upper_bound(mesh.s.begin(), mesh.s.end(), s);
-  return std::max(0, static_cast<int>(after - mesh.s.begin()) - 1);
+/// Of the centreline at arc length `s`, the tangent.
+Vec3 tangent_at(const LineState& state, const LineMesh& mesh, double s) {
+  const auto after = std::upper_bound(mesh.s.begin() + 1, mesh.s.end() - 1, s);
+  const std::size_t e = static_cast<std::size_t>(after - mesh.s.begin()) - 1;
+  const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+  return centreline(q, std::clamp((s - mesh.s[e]) / mesh.length[e], 0.0, 1.0), mesh.length[e]).a.normalized();
 }
 
 /// Clear distance of pipe and roller; not a number where the pipe does not pass it [m].
@@ -181,8 +184,8 @@ void DynamicRecorder::find_key_values(const Instant& at) {
   key_.bottom_tension = recovery_.at_nodes(nodes_).effective_tension[static_cast<std::size_t>(touchdown)] *
                         std::cos(inclination(node_tangent(state, touchdown)));
   const std::optional<double> leaving = departure(at);
-  key_.departure_angle = inclination(
-      node_tangent(state, node_below(line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back())))));
+  key_.departure_angle =
+      inclination(tangent_at(state, line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back()))));
   key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.contacts()[static_cast<std::size_t>(tip_roller_)]);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
   find_region_peaks(find_regions({places(), nodes_.bending_moment, nodes_.vertical_moment},
