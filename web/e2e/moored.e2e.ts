@@ -69,6 +69,7 @@ test('the barge moves on its lines in time, and is animated', async () => {
   await page.click('text=Start run');
   await page.waitForSelector('.run.done', { timeout: 60_000 });
   await page.waitForSelector('.animation');
+  await page.waitForSelector('table[aria-label="Moorings over time"] tbody tr');  // comes with the summary, picture or not
   const { dynamic } = await (await bench.api(`runs/${await newest()}/summary`)).json() as { dynamic: { vessel: { pitch: { max: number } }; moorings: { name: string; fairlead_tension: { max: number } }[] } };
   const over = await page.locator('table[aria-label="Moorings over time"] tbody tr').evaluateAll((all) => all.map((row) => [...row.children].map((cell) => (cell as HTMLElement).innerText.trim())));
   expect(over.length).toBe(14);
