@@ -102,6 +102,23 @@ test('a run is given a name and a note', async () => {
   expect(await page.locator('.runhead b').first().innerText()).toBe('Workable limit');
 });
 
+test('a note that is written while the name is still on its way is kept, and so is the name', async () => {
+  let first = true;
+  await page.route('**/annotate', async (r) => {
+    if (first) { first = false; await new Promise((w) => setTimeout(w, 1000)); }
+    await r.continue();
+  });
+  await page.fill('[aria-label="Name of the run"]', 'Hs 2.5 m');
+  await page.keyboard.press('Enter');
+  await page.fill('[aria-label="Note on the run"]', 'as agreed');
+  await page.locator('.startrun h3').click();
+  await page.waitForFunction(() => document.querySelector('section[aria-label="Results of the run"] .note')?.textContent === 'as agreed');
+  await page.waitForTimeout(1000);  // for words that would come after
+  const kept = (await (await bench.api('runs')).json() as { id: string; name: string; note: string }[]).find((r) => r.note === 'as agreed');
+  expect(kept?.name).toBe('Hs 2.5 m');
+  await page.unroute('**/annotate');
+});
+
 test('the report is downloaded', async () => {
   const [file] = await Promise.all([page.waitForEvent('download'), page.click('.run >> text=Report')]);
   const text = readFileSync(await file.path(), 'utf8');

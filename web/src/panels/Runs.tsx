@@ -1,5 +1,5 @@
 // Runs: watch one, look at earlier ones; the cases of a study lie within it.
-import { useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { duration as inWords } from '../logic/show';
 import { isStudy } from '../logic/runs';
 import { tidy } from '../logic/units';
@@ -20,7 +20,13 @@ function when(seconds: number): string {
 function Words({ run }: { run: Run }) {
   const [name, setName] = useState(run.name);
   const [note, setNote] = useState(run.note);
-  const keep = (): void => { if (name !== run.name || note !== run.note) void annotate(run.id, { name: name.trim(), note: note.trim() }); };
+  const kept = useRef({ name: run.name, note: run.note });  // as last sent: `run` has it only with the answer
+  const keep = (): void => {
+    const words = { ...(name === kept.current.name ? {} : { name: name.trim() }), ...(note === kept.current.note ? {} : { note: note.trim() }) };
+    const before = kept.current;
+    kept.current = { name, note };
+    if (Object.keys(words).length) void annotate(run.id, words).then((done) => { if (!done) kept.current = before; });
+  };
   return (
     <div class="words">
       <input aria-label="Name of the run" placeholder={run.title || 'name'} value={name} onInput={(e) => setName(e.currentTarget.value)} onBlur={keep} onKeyDown={(e) => { if (e.key === 'Enter') keep(); }} />

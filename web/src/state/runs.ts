@@ -39,8 +39,16 @@ export async function startRun(order: Order): Promise<void> {
 
 export const runName = (run: Run): string => run.name || run.title || run.id;
 
-export async function annotate(id: string, words: { name?: string; note?: string }): Promise<void> {
-  try { await post(`runs/${id}/annotate`, words); await fetchRuns(); } catch (error) { sayError(error); }
+let annotated: Promise<boolean> = Promise.resolve(true);
+
+/** One after another, so that no earlier words arrive after later ones. Gives whether they were taken. */
+export function annotate(id: string, words: { name?: string; note?: string }): Promise<boolean> {
+  annotated = annotated.then(async () => {
+    try { await post(`runs/${id}/annotate`, words); } catch (error) { sayError(error); return false; }
+    await fetchRuns();
+    return true;
+  });
+  return annotated;
 }
 
 export async function deleteRun(id: string): Promise<void> {
