@@ -2,7 +2,7 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { afterAll, beforeAll, expect, test } from 'vitest';
-import type { Page } from 'playwright-core';
+import type { Dialog, Page } from 'playwright-core';
 import { solved, start, type Bench } from './harness';
 
 let bench: Bench;
@@ -129,6 +129,27 @@ test('what is typed while a save is on its way stays, unsaved, and goes into the
   await page.keyboard.press('Control+s');
   await page.waitForSelector('h1 i', { state: 'detached' });
   expect(file()).toContain('# typed meanwhile');
+});
+
+test('the browser asks before the page is left with words on their way, and does not afterwards', async () => {
+  const asked: string[] = [];
+  const answer = (d: Dialog): void => { asked.push(d.type()); void d.dismiss(); };
+  page.on('dialog', answer);
+  await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 1500)); await route.continue().catch(() => undefined); });
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type(' and before leaving');
+  await page.evaluate(() => { location.reload(); });
+  await expect.poll(() => asked).toEqual(['beforeunload']);
+  await expect.poll(async () => (await model()).text).toContain('and before leaving');
+  await page.unroute('**/api/model');
+  await page.keyboard.press('Control+s');
+  await page.waitForSelector('h1 i', { state: 'detached' });
+  await page.reload();
+  await solved(page);
+  expect(asked).toHaveLength(1);
+  expect((await model()).text).toContain('and before leaving');
+  page.off('dialog', answer);
 });
 
 test('nothing was complained about', () => expect(bench.complaints.filter((c) => !/409/.test(c))).toEqual([]));

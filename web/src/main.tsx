@@ -8,11 +8,12 @@ import { dialog, startLook } from './state/look';
 import { startMoorings } from './state/moorings';
 import { startOffsets } from './state/offsets';
 import { startOperation } from './state/operation';
-import { hasModel, start } from './state/model';
+import { guardLeaving, hasModel, start } from './state/model';
 import { fetchRuns, startRuns } from './state/runs';
 import { startStudies } from './state/studies';
 
 startLook();
+guardLeaving();
 startLive();
 startAnimation();
 startRuns();

@@ -192,6 +192,11 @@ export async function takeFile(name: string): Promise<void> {
 /** Text that is being typed and has not been sent yet. */
 export const typing = signal(false);
 
+/** The browser asks before the page is left with changes that the program has not taken yet. */
+export function guardLeaving(): void {
+  addEventListener('beforeunload', (e) => { if (typing.value || writing.value > 0) e.preventDefault(); });
+}
+
 /** `unasked`: only where no change of this tab is under way, which would be lost. */
 export async function takeTheirs(unasked = false): Promise<void> {
   try {
