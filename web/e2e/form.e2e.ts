@@ -172,4 +172,23 @@ test('what is typed while the answer to the value before is on its way stays, wi
   await solved(page);
 });
 
+test('an answer to the value before last leaves alone what was typed since, and a value gone back to is sent', async () => {
+  await late(() => undefined);
+  const depth = page.locator(id('environment.water_depth'));
+  for (const value of ['80 m', '81 m']) { await depth.fill(value); await depth.press('Enter'); }
+  await depth.fill('82');
+  for (const value of ['80 m', '81 m']) {
+    await expect.poll(() => depth.getAttribute('data-written'), { interval: 20 }).toBe(value);
+    expect(await depth.inputValue()).toBe('82');
+  }
+  await depth.press('Enter');
+  await depth.fill('81 m');
+  await depth.press('Enter');
+  await expect.poll(() => depth.getAttribute('data-written'), { interval: 20 }).toBe('82 m');
+  await expect.poll(() => depth.getAttribute('data-written'), { timeout: 5000 }).toBe('81 m');
+  expect(await depth.inputValue()).toBe('81 m');
+  await page.unrouteAll();
+  await solved(page);
+});
+
 test('nothing was complained about', () => expect(bench.complaints).toEqual([]));

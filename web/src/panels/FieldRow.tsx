@@ -10,16 +10,20 @@ function value(field: Field): string {
   return field.value === null || field.value === undefined ? '' : String(field.value);
 }
 
+interface Sent { typed: string; value: string; answered: boolean }
+
 export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const written = value(field);
   const [typed, setTyped] = useState(written);
   const [fault, setFault] = useState('');
-  // what is on its way into the model: its arrival does not take away what was typed meanwhile
-  const sent = useRef<{ typed: string; value: string } | null>(null);
+  // What was sent into the model, in order, until the model shows it: its arrival does not take away what was typed meanwhile.
+  const sent = useRef<Sent[]>([]);
   useEffect(() => {
-    const own = sent.current;
-    sent.current = null;
-    setTyped((now) => (own && written === own.value && now !== own.typed ? now : written));
+    const at = sent.current.findIndex((s) => s.value === written);
+    const own = sent.current[at];
+    const later = own ? sent.current.slice(at + 1) : [];
+    sent.current = later;
+    setTyped((now) => (own && (later.length > 0 || now !== own.typed) ? now : written));
     setFault('');
   }, [written, field.path]);
 
@@ -32,23 +36,26 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
   const left = field.default !== null && field.default !== undefined ? String(field.default) : field.left_out ?? (field.required ? 'required' : '');
 
   const send = async (text: string): Promise<void> => {
-    if (text.trim() === written.trim()) { setFault(''); return; }
+    const last = sent.current.findLast((s) => !s.answered);
+    if (last ? text === last.typed : text.trim() === written.trim()) { setFault(''); return; }
     let next: unknown = text.trim();
     if (next === '') next = null;
     else if (field.kind === 'quantity') {
       if (!parseQuantity(text)) { setFault('A number and a unit, like "12 m".'); return; }
-      next = complete(text, parseQuantity(sent.current?.value ?? written)?.unit || field.unit);
+      next = complete(text, parseQuantity(last?.value ?? written)?.unit || field.unit);
     } else if (field.kind === 'number' || field.kind === 'integer') {
       const n = Number(text);
       if (!Number.isFinite(n)) { setFault('A number, without unit.'); return; }
       next = n;
     }
-    sent.current = { typed: text, value: String(next ?? '') };
+    const own: Sent = { typed: text, value: String(next ?? ''), answered: false };
+    sent.current.push(own);
     try {
       setFault('');
       await setKeys([{ path: field.path, value: next }]);
+      own.answered = true;
     } catch (error) {
-      sent.current = null;
+      sent.current = sent.current.filter((s) => s !== own);
       setFault(error instanceof ApiError ? error.message : String(error));
     }
   };
