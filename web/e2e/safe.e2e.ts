@@ -110,6 +110,19 @@ test('changes of two tabs at the same time: the user says which stays', async ()
   }
 });
 
+test('a field shows what the model has once the newer text is taken, also where that changed another key', async () => {
+  const before = await page.locator(depth).inputValue();
+  await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 800)); await route.continue().catch(() => undefined); });
+  const { revision } = await model();
+  expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.tension', value: '255 kN' }], revision }) })).status).toBe(200);
+  await type(page, '101 m');
+  await page.click('dialog >> text=Take the newer');
+  await page.unroute('**/api/model');
+  await expect.poll(() => page.locator('#f-tensioner\\.tension').getAttribute('data-written')).toBe('255 kN');
+  await holds(page, before);
+  expect((await model()).text).toContain(`water_depth: ${before}`);
+});
+
 test('what is typed while a save is on its way stays, unsaved, and goes into the next one', async () => {
   await type(page, '90 m');
   await page.waitForSelector('h1 i');

@@ -4,7 +4,7 @@ import { ApiError } from '../api/client';
 import type { Field } from '../api/types';
 import { complete, parseQuantity, twin } from '../logic/units';
 import { label as nameOf, parts } from '../logic/formTree';
-import { diagnostics, setKeys } from '../state/model';
+import { diagnostics, newerChosen, setKeys } from '../state/model';
 
 function value(field: Field): string {
   return field.value === null || field.value === undefined ? '' : String(field.value);
@@ -26,6 +26,7 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
     setTyped((now) => (own && (later.length > 0 || now !== own.typed) ? now : written));
     setFault('');
   }, [written, field.path]);
+  useEffect(() => { sent.current = []; setTyped(written); setFault(''); }, [newerChosen.value]);
 
   const about = diagnostics.value.filter((d) => d.key === field.path);
   const told = about.find((d) => d.severity === 'error') ?? about[0];
@@ -49,13 +50,14 @@ export function FieldRow({ field, name }: { field: Field; name?: string }) {
       next = n;
     }
     const own: Sent = { typed: text, value: String(next ?? ''), answered: false };
+    const drop = (): void => { sent.current = sent.current.filter((s) => s !== own); };
     sent.current.push(own);
     try {
       setFault('');
-      await setKeys([{ path: field.path, value: next }]);
-      own.answered = true;
+      if (await setKeys([{ path: field.path, value: next }])) own.answered = true;
+      else drop();
     } catch (error) {
-      sent.current = sent.current.filter((s) => s !== own);
+      drop();
       setFault(error instanceof ApiError ? error.message : String(error));
     }
   };

@@ -132,9 +132,10 @@ export async function putText(next: string, origin: string, name?: string): Prom
   } catch (error) { sayError(error); }
 }
 
-/** Sets keys in the YAML; throws with the program's reason where that cannot be done. */
-export async function setKeys(changes: Change[]): Promise<void> {
-  await guarded(async () => {
+/** Sets keys in the YAML, unless another change came before: then the user is asked, and this gives false. Throws with the
+ * program's reason where the keys cannot be set. */
+export async function setKeys(changes: Change[]): Promise<boolean> {
+  return guarded(async () => {
     const answer = await post<ModelAnswer>('model/set', { changes, revision: revision.value });
     take(answer);
     undoStack.push(answer.text, 'form', performance.now());
@@ -197,6 +198,9 @@ export function guardLeaving(): void {
   addEventListener('beforeunload', (e) => { if (typing.value || writing.value > 0) e.preventDefault(); });
 }
 
+/** How often the newer text was chosen: a field then shows that, also where it is what the model had before. */
+export const newerChosen = signal(0);
+
 /** `unasked`: only where no change of this tab is under way, which would be lost. */
 export async function takeTheirs(unasked = false): Promise<void> {
   try {
@@ -206,6 +210,7 @@ export async function takeTheirs(unasked = false): Promise<void> {
     undoStack.push(theirs.text, 'other', performance.now());
     if (another) takeOpened(theirs, undoStack);
     else { take(theirs); hasModel.value = theirs.text.trim() !== ''; noteUndo(); }
+    if (!unasked) ++newerChosen.value;
     conflict.value = null;
   } catch (error) { sayError(error); }
 }
