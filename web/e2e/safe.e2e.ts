@@ -123,6 +123,23 @@ test('a field shows what the model has once the newer text is taken, also where 
   expect((await model()).text).toContain(`water_depth: ${before}`);
 });
 
+test('of two values that meet a change of another tab both stay when the user keeps them', async () => {
+  await page.route('**/api/model/set', async (route) => { await new Promise((done) => setTimeout(done, 600)); await route.continue().catch(() => undefined); });
+  const { revision } = await model();
+  await page.route('**/api/model', async (route) => { await new Promise((done) => setTimeout(done, 1500)); await route.continue().catch(() => undefined); });
+  expect((await bench.api('model/set', { method: 'POST', body: JSON.stringify({ changes: [{ path: 'tensioner.delay', value: '3 s' }], revision }) })).status).toBe(200);
+  await type(page, '94 m');
+  await page.fill('#f-tensioner\\.tension', '256 kN');
+  await page.keyboard.press('Enter');
+  await page.waitForSelector('dialog >> text=Keep mine');
+  await page.waitForTimeout(1500);  // for the second refusal
+  await page.unrouteAll();
+  await page.click('dialog >> text=Keep mine');
+  await expect.poll(async () => (await model()).text).toMatch(/water_depth: 94 m[\s\S]*tension: 256 kN/);
+  await holds(page, '94 m');
+  await solved(page);
+});
+
 test('what is typed while a save is on its way stays, unsaved, and goes into the next one', async () => {
   await type(page, '90 m');
   await page.waitForSelector('h1 i');

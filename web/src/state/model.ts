@@ -110,7 +110,7 @@ async function guarded(act: () => Promise<void>, mine: () => string, changes: Ch
       return false;
     }
     if (error instanceof ApiError && error.status === 409) {
-      conflict.value = { mine: mine(), changes };
+      conflict.value = { mine: mine(), changes: [...(conflict.value?.changes ?? []), ...changes] };
       return false;
     }
     throw error;
