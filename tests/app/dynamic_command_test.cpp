@@ -7,6 +7,7 @@
 #include "app/program.h"
 #include "app/small_lay.h"
 #include "base/json.h"
+#include "report/warning_weight.h"
 #include "support/program_path.h"
 #include "support/solved_case.h"
 
@@ -40,6 +41,20 @@ std::string differences(const fs::path& one, const fs::path& two) {
   const std::string command = "/usr/bin/python3 " OVERBEND_SOURCE_DIR "/tests/app/same_results.py " + one.string() +
                               " " + two.string() + " > " + (told / "out").string() + " 2>&1";
   return std::system(command.c_str()) == 0 ? "" : "different: " + file_text(told / "out");
+}
+
+TEST(dynamic_command, prints_what_the_run_warns_of_and_what_its_statics_do) {
+  const TemporaryFolder folder;
+  const ProgramRun run = run_dynamic_model(folder, with(kSmallLay, "yield_stress: 414 MPa", "yield_stress: 60 MPa"));
+  ASSERT_EQ(run.code, 0) << run.err;
+  const Json summary = summary_of(folder / "out");
+  ASSERT_FALSE(summary.at("warnings").empty());
+  for (const Json& warnings : {summary.at("warnings"), summary.at("dynamic").at("warnings")}) {
+    for (const Json& warning : warnings) {
+      EXPECT_NE(run.out.find("  warning: " + without_mark(warning.get<std::string>()) + "\n"), std::string::npos)
+          << warning;
+    }
+  }
 }
 
 TEST(dynamic_command, writes_all_files_and_prints_the_key_results) {

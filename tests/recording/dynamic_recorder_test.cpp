@@ -1,9 +1,12 @@
 #include "recording/dynamic_recorder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "recording/dynamic_warnings.h"
 #include "support/bgl1_in_time.h"
@@ -84,6 +87,38 @@ TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size
   ASSERT_EQ(r.warnings.size(), 1U);
   EXPECT_NE(r.warnings[0].find("falls to -8.00 kN at t = 12.5 s"), std::string::npos) << r.warnings[0];
   EXPECT_NE(r.warnings[0].find("from the tensioner (sagbend)"), std::string::npos) << r.warnings[0];
+}
+
+TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_the_time_where_that_is_known) {
+  DynamicResults r;
+  const TimedLay c(testing::workable());
+  const double s = c.statics.touchdown.s;
+  warn_of_yield(c.statics, {s, 500e6, 414e6}, r);
+  r.sagbend.von_mises.s = s;
+  r.sagbend.von_mises.time = 12.5;
+  r.sagbend.von_mises.over_time.max = 500e6;
+  warn_of_yield(c.statics, {s, 500e6, 414e6}, r);
+  ASSERT_EQ(r.warnings.size(), 2U);
+  const std::string place = fmt::format("{:.1f} m from the tensioner (sagbend)", c.statics.total_length - s);
+  EXPECT_EQ(r.warnings[0].find("the von Mises stress of 500 MPa " + place + " exceeds the yield stress of 414 MPa"), 0U)
+      << r.warnings[0];
+  EXPECT_EQ(r.warnings[1].find("the von Mises stress of 500 MPa at t = 12.5 s, " + place), 0U) << r.warnings[1];
+}
+
+TEST(dynamic_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {
+  DynamicResults r;
+  r.supports.resize(4);
+  for (std::size_t i = 0; i < 4; ++i) r.supports[i].name = "stinger " + std::to_string(i + 1);
+  r.supports[1].left_to_port = 9.25;
+  r.supports[2].left_to_port = 7.5;
+  r.supports[3].left_to_port = 3.0;
+  r.supports[0].left_to_starboard = 40.0;
+  warn_of_left_boxes(r);
+  const std::vector<std::string> told = {
+      "the pipe left 'stinger 4' and 2 more boxes over their sides to port, the first at t = 3.0 s, the last at t = "
+      "9.2 s",
+      "the pipe left 'stinger 1' over its side to starboard at t = 40.0 s"};
+  EXPECT_EQ(r.warnings, told);
 }
 
 }  // namespace

@@ -140,14 +140,24 @@ TEST(dynamic_report, of_a_calm_run_claims_no_impacts_and_no_fits) {
   EXPECT_NE(text.find("<div class=\"name\">Rollers that lose contact</div><div class=\"value\">0 "), std::string::npos);
 }
 
-TEST(dynamic_report, warns_of_stress_beyond_yield_in_the_dynamic_run_only_then) {
-  const char* warning = "Overbend von Mises stress in the dynamic run: 200.0 % of yield";
+TEST(dynamic_report, marks_the_tile_of_stress_beyond_yield_and_only_then) {
   DynamicResults results = example();
-  EXPECT_EQ(page_of(results).find("in the dynamic run"), std::string::npos);
+  EXPECT_EQ(page_of(results).find("class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
   results.overbend.von_mises.over_time.max = 2.0 * bgl1().results.stations.back().yield_stress;
   const std::string page = page_of(results);
-  EXPECT_NE(page.find(warning), std::string::npos);
+  EXPECT_NE(page.find("200.0 % of yield, at "), std::string::npos);
   EXPECT_NE(page.find("<div class=\"tile over\"><div class=\"name\">Overbend von Mises"), std::string::npos);
+}
+
+TEST(dynamic_report, lists_the_boxes_that_the_pipe_left_in_the_order_of_time) {
+  DynamicResults results = example();
+  EXPECT_EQ(page_of(results).find("left over their sides"), std::string::npos);
+  results.supports[0].left_to_starboard = 12.0;
+  results.supports[1].left_to_port = 3.0;
+  const std::string first = results.supports[1].name, second = results.supports[0].name;
+  EXPECT_NE(page_of(results).find("<p>The pipe left over their sides: " + first + " to port at t = 3.0 s, " + second +
+                                  " to starboard at t = 12.0 s.</p>"),
+            std::string::npos);
 }
 
 TEST(dynamic_report, hostile_words_of_the_user_are_harmless) {

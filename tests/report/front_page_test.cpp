@@ -90,8 +90,8 @@ TEST(warning_weight, the_heaviest_stand_first_and_no_folder_is_told) {
 
 TEST(warning_weight, a_kind_that_is_told_many_times_stands_before_no_other_kind) {
   const std::vector<WeighedWarning> all =
-      weighed({"at t = 3.1 s the pipe left 'stinger 7' over its side to port",
-               "at t = 3.4 s the pipe left 'stinger 6' over its side to port",
+      weighed({"the pipe left 'stinger 7' over its side to port at t = 3.1 s",
+               "the pipe left 'stinger 6' over its side to starboard at t = 3.4 s",
                "compression: the effective tension falls to -3.10 kN at the seabed"});
   ASSERT_EQ(all.size(), 3u);
   EXPECT_NE(all[0].text.find("stinger 7"), std::string::npos) << all[0].text;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "results/fields/check_fields.h"
 #include "results/fields/dynamic_values.h"
@@ -17,6 +18,7 @@ namespace overbend::testing {
 struct FillVisitor {
   int next = 0;
   void operator()(const ResultField&, double& value) { value = std::sqrt(2.0 + ++next); }
+  void operator()(const ResultField&, std::optional<double>& value) { value = std::sqrt(2.0 + ++next); }
   void operator()(const ResultField&, int& value) { value = ++next; }
   void operator()(const ResultField&, std::int64_t& value) { value = (std::int64_t{1} << 40) + ++next; }
   void operator()(const ResultField&, std::uint64_t& value) {

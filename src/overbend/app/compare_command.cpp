@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/follow_study.h"
+#include "app/warning_lines.h"
 #include "report/warning_weight.h"
 #include "resultfiles/seeds_writer.h"
 #include "study/compare_variants.h"
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void print(const Comparison& comparison) {
+void print(const StaticResults& statics, const Comparison& comparison) {
   std::cout << fmt::format("  {:<42}", "");
   for (const ComparedRun& run : comparison.runs) std::cout << fmt::format("{:>13}", run.name);
   std::cout << "\n";
@@ -30,6 +31,7 @@ void print(const Comparison& comparison) {
       std::cout << "  warning: " << run.name << ": " << without_mark(warning) << "\n";
     }
   }
+  std::cout << warning_lines(statics.warnings);
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ int run_compare(const CompareArguments& arguments) {
   for (const FailedCase& failed : end.failed) std::cerr << "overbend: " << failed.name << ": " << failed.why << "\n";
   if (!end.comparison) return tell(end);
   std::cout << end.statics.title << "\n";
-  print(*end.comparison);
+  print(end.statics, *end.comparison);
   std::cout << "The comparison is " << (folder / "comparison.html").string() << "\n";
   return kDone;
 }

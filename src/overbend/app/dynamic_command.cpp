@@ -13,6 +13,7 @@
 #include "app/seeds_lines.h"
 #include "app/warning_lines.h"
 #include "resultfiles/dynamic_reader.h"
+#include "results/warnings.h"
 #include "study/lines_run.h"
 #include "study/run_folder.h"
 #include "study/stage_choice.h"
@@ -60,7 +61,7 @@ void print_results(const StaticResults& statics, const DynamicResults& r) {
   std::cout << fmt::format("  {:<28}{:>12.1e} of the energy exchanged\n", "energy drift", r.energy.drift());
   std::cout << fmt::format("  {:<28}{:>12.2f} s, {} steps, {:.0f} times real time\n", "time loop", r.run.wall_time,
                            r.run.steps, r.run.real_time_ratio);
-  std::cout << warning_lines(r.warnings);
+  std::cout << warning_lines(all_warnings(statics, r));
 }
 
 /// Where there is nothing left to run: says so and shows what it gave.

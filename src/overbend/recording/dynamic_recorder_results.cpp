@@ -56,6 +56,7 @@ void DynamicRecorder::fill_supports(DynamicResults& results) const {
     out.contact_share = spread(at + 5).mean;
     out.static_reaction = static_supports_[at];
     out.static_separation = static_supports_[at + 4];
+    if (left_[box].time < kNever) (left_[box].side > 0.0 ? out.left_to_port : out.left_to_starboard) = left_[box].time;
     for (; roller < rollers_ && model_->supports.rollers[roller].box == static_cast<int>(box); ++roller) {
       const Roller& placed = model_->supports.rollers[roller];
       const Section& pipe = model_->section_over(placed);
@@ -135,25 +136,15 @@ void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
 }
 
 void DynamicRecorder::fill_warnings(DynamicResults& results) const {
-  for (std::size_t box = 0; box < boxes_; ++box) {
-    if (left_[box].time < kNever) {
-      results.warnings.push_back(fmt::format("at t = {:.1f} s the pipe left '{}' over its side to {}", left_[box].time,
-                                             model_->supports.boxes[box].name,
-                                             left_[box].side > 0.0 ? "port" : "starboard"));
-    }
-  }
-  bool yields = false;
+  warn_of_left_boxes(results);
+  std::optional<YieldingPlace> worst;
   for (std::size_t node = 0; node < results.von_mises.max.size(); ++node) {
     const Section& pipe = model_->sections[static_cast<std::size_t>(recovery_.sections()[first_ + node])];
-    yields = yields || (pipe.yield_stress > 0.0 && results.von_mises.max[node] > pipe.yield_stress && !pipe.bending);
+    if (pipe.yield_stress <= 0.0 || pipe.bending) continue;
+    const YieldingPlace place{results.station_s[node], results.von_mises.max[node], pipe.yield_stress};
+    if (place.share() > (worst ? worst->share() : 1.0)) worst = place;
   }
-  if (yields) {
-    results.warnings.emplace_back(
-        "the von Mises stress exceeds the yield stress in the dynamic analysis; the steel is linear elastic here, so "
-        "stresses and moments "
-        "beyond "
-        "it are those of a pipe that does not yield (see pipe.steel.material)");
-  }
+  if (worst) warn_of_yield(*statics_, *worst, results);
   fill_tensioner_warnings(results);
   if (move_ != nullptr) warn_of_move(*model_, *move_, results);
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <string>
+
 #include "statics/static_warnings.h"
 
 namespace overbend {
@@ -14,6 +17,45 @@ void warn_of_slack(const StaticResults& statics, DynamicResults& results) {
                   "may buckle, which the model represents only as far as its mesh allows",
                   1e-3 * least.over_time.min, least.time, pipe_place(statics, least.s),
                   results.top_tension.min < 0.0 ? ", and below zero at the tensioner" : ""));
+}
+
+void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, DynamicResults& results) {
+  std::string time;
+  for (const DynamicRegion* region : {&results.overbend, &results.tower, &results.sagbend}) {
+    const DynamicExtreme& extreme = region->von_mises;
+    if (extreme.s == worst.s && extreme.over_time.max == worst.von_mises) {
+      time = fmt::format(" at t = {:.1f} s,", extreme.time);
+    }
+  }
+  results.warnings.push_back(fmt::format(
+      "the von Mises stress of {:.0f} MPa{} {} exceeds the yield stress of {:.0f} MPa in the dynamic analysis; the "
+      "steel is linear elastic here, so stresses and moments beyond yield are those of a pipe that does not yield (see "
+      "pipe.steel.material)",
+      1e-6 * worst.von_mises, time, pipe_place(statics, worst.s), 1e-6 * worst.yield_stress));
+}
+
+void warn_of_left_boxes(DynamicResults& results) {
+  const auto warn = [&](std::optional<double> SupportDynamics::*left, const char* side) {
+    const SupportDynamics *first = nullptr, *last = nullptr;
+    int count = 0;
+    for (const SupportDynamics& box : results.supports) {
+      if (!(box.*left)) continue;
+      ++count;
+      if (first == nullptr || *(box.*left) < *(first->*left)) first = &box;
+      if (last == nullptr || *(box.*left) > *(last->*left)) last = &box;
+    }
+    if (count == 1) {
+      results.warnings.push_back(
+          fmt::format("the pipe left '{}' over its side to {} at t = {:.1f} s", first->name, side, *(first->*left)));
+    } else if (count > 1) {
+      results.warnings.push_back(fmt::format(
+          "the pipe left '{}' and {} more box{} over their sides to {}, the first at t = {:.1f} s, the last "
+          "at t = {:.1f} s",
+          first->name, count - 1, count > 2 ? "es" : "", side, *(first->*left), *(last->*left)));
+    }
+  };
+  warn(&SupportDynamics::left_to_port, "port");
+  warn(&SupportDynamics::left_to_starboard, "starboard");
 }
 
 }  // namespace overbend

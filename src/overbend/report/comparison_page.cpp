@@ -13,6 +13,7 @@
 #include "report/report_data.h"
 #include "report/sections.h"
 #include "resultfiles/seeds_writer.h"
+#include "results/warnings.h"
 
 namespace overbend {
 namespace {
@@ -87,18 +88,19 @@ std::string links_section(const Comparison& comparison) {
   return html::section("reports", "Reports of the variants", "<ul>\n" + items + "</ul>\n");
 }
 
-std::vector<std::string> all_warnings(const Comparison& comparison) {
+/// Of the variants by name, then of the static state that all begin from.
+std::vector<std::string> warnings_of(const StaticResults& statics, const Comparison& comparison) {
   std::vector<std::string> all;
   for (const ComparedRun& run : comparison.runs) {
     for (const std::string& warning : run.results.warnings) all.push_back(run.name + ": " + warning);
   }
-  return all;
+  return together(std::move(all), statics.warnings);
 }
 
 }  // namespace
 
 std::string comparison_html(const StaticResults& statics, const Comparison& comparison, const std::string& model_text) {
-  const std::vector<WeighedWarning> warnings = weighed(all_warnings(comparison));
+  const std::vector<WeighedWarning> warnings = weighed(warnings_of(statics, comparison));
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   entries.emplace_back("Simulated", duration_words(comparison.duration) + " each");
   entries.emplace_back("Status", status_words("completed", warnings.size()));

@@ -10,6 +10,7 @@
 #include "report/sea_words.h"
 #include "report/sections.h"
 #include "results/fields/dynamic_values.h"
+#include "results/warnings.h"
 
 namespace overbend {
 namespace {
@@ -138,16 +139,6 @@ std::string region_table(const StaticResults& statics, const std::string& captio
   return table.str();
 }
 
-void judge(std::vector<std::string>& all, const StaticResults& statics, const char* name,
-           const DynamicExtreme& extreme) {
-  if (yields(statics, extreme)) {
-    all.push_back(
-        fmt::format("{} von Mises stress in the dynamic run: {}. The steel is assumed linear elastic: a stress beyond "
-                    "yield only indicates that the lay is not feasible as given",
-                    name, stress_note(statics, extreme)));
-  }
-}
-
 }  // namespace
 
 void add_run_entries(const DynamicResults& results, const std::optional<Description>& description,
@@ -169,20 +160,10 @@ std::vector<std::pair<std::string, std::string>> dynamic_entries(const StaticRes
   std::vector<std::pair<std::string, std::string>> entries = subject_entries(statics);
   add_run_entries(results, description, entries);
   entries.emplace_back("Tensioner", results.tensioner.mode);
-  entries.emplace_back("Status", status_words("completed", dynamic_remarks(statics, results).size()));
+  entries.emplace_back("Status", status_words("completed", all_warnings(statics, results).size()));
   entries.emplace_back("Program", "Overbend " + statics.version);
   entries.emplace_back("Written", written);
   return entries;
-}
-
-std::vector<std::string> dynamic_remarks(const StaticResults& statics, const DynamicResults& results) {
-  std::vector<std::string> all = results.warnings;
-  if (has_overbend(statics)) judge(all, statics, "overbend", results.overbend.von_mises);
-  judge(all, statics, "sagbend", results.sagbend.von_mises);
-  for (const std::string& remark : static_remarks(statics)) {
-    if (std::find(all.begin(), all.end(), remark) == all.end()) all.push_back(remark);
-  }
-  return all;
 }
 
 std::string dynamic_key_results(const StaticResults& statics, const DynamicResults& results) {

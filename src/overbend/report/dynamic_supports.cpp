@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "report/dynamic_contacts.h"
 #include "report/dynamic_sections.h"
@@ -17,6 +20,22 @@ std::string share(double part) {
   if (part <= 0.0) return "0";
   if (part >= 1.0) return "100";
   return fixed(std::min(std::max(100.0 * part, 0.1), 99.9), 1);
+}
+
+/// The boxes that the pipe left, in the order of time; empty where it stayed on all.
+std::string left_boxes(const DynamicResults& results) {
+  std::vector<std::pair<double, std::string>> left;
+  for (const SupportDynamics& box : results.supports) {
+    if (box.left_to_port) left.emplace_back(*box.left_to_port, box.name + " to port");
+    if (box.left_to_starboard) left.emplace_back(*box.left_to_starboard, box.name + " to starboard");
+  }
+  if (left.empty()) return "";
+  std::stable_sort(left.begin(), left.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::string text;
+  for (const auto& [time, words] : left) {
+    text += (text.empty() ? "" : ", ") + fmt::format("{} at t = {:.1f} s", html::escape(words), time);
+  }
+  return "<p>The pipe left over their sides: " + text + ".</p>\n";
 }
 
 std::string support_table(const DynamicResults& results) {
@@ -58,7 +77,8 @@ std::string support_table(const DynamicResults& results) {
          "<p class=\"small\">99 %: 99th percentile over time. Lateral: positive to port. Separation: clear distance "
          "between pipe and roller, the smallest of the box's bottom rollers; negative is penetration due to the "
          "contact stiffness. Contact: any roller of the box "
-         "carries.</p>\n";
+         "carries.</p>\n" +
+         left_boxes(results);
 }
 
 std::string roller_table(const DynamicResults& results) {

@@ -1,7 +1,5 @@
 #include "report/front_of.h"
 
-#include <algorithm>
-
 #include "modelfile/yaml_reader.h"
 
 namespace overbend {
@@ -22,13 +20,6 @@ FrontPage front_of(const std::string& kind, const std::string& title, const std:
 
 std::optional<double> working_load_of(const std::optional<Description>& description) {
   return description && description->moorings ? description->moorings->working_load : std::nullopt;
-}
-
-std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more) {
-  for (const std::string& text : more) {
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-  }
-  return all;
 }
 
 }  // namespace overbend

@@ -19,7 +19,4 @@ FrontPage front_of(const std::string& kind, const std::string& title, const std:
 /// The working load of the mooring lines, where the model gives one [N].
 std::optional<double> working_load_of(const std::optional<Description>& description);
 
-/// All sentences, then those of `more` that are not among them.
-std::vector<std::string> together(std::vector<std::string> all, const std::vector<std::string>& more);
-
 }  // namespace overbend

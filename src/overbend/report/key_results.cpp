@@ -124,21 +124,6 @@ std::string region_table(const StaticResults& results, const std::string& captio
 
 }  // namespace
 
-std::vector<std::string> static_remarks(const StaticResults& results) {
-  std::vector<std::string> all = results.warnings;
-  const auto judge = [&](const char* name, const RegionResult& region) {
-    if (utilisation(results, region.von_mises) > 100.0) {
-      all.push_back(
-          fmt::format("{} von Mises stress: {}. The steel is assumed linear elastic: a stress beyond yield only "
-                      "indicates that the lay is not feasible as given",
-                      name, stress_note(results, region.von_mises)));
-    }
-  };
-  if (results.overbend) judge("overbend", *results.overbend);
-  judge("sagbend", results.sagbend);
-  return all;
-}
-
 std::string title_block(const std::string& kind, const std::string& title,
                         const std::vector<std::pair<std::string, std::string>>& entries, const std::string& control) {
   return "<header>\n<div class=\"kind\">" + html::escape(kind) + "</div>\n<h1>" + html::escape(title) + "</h1>\n" +

@@ -16,6 +16,7 @@
 #include "report/report_data.h"
 #include "report/sea_words.h"
 #include "report/sections.h"
+#include "results/warnings.h"
 
 namespace overbend {
 namespace {
@@ -42,10 +43,10 @@ FrontPage moored_front(const MooringResults& results, const std::optional<Descri
   return front;
 }
 
-FrontPage front_in_time(const MooringResults& rest, const DynamicResults& results,
+FrontPage front_in_time(const StaticResults& statics, const DynamicResults& results,
                         const std::optional<Description>& description) {
-  FrontPage front =
-      front_of("Dynamic mooring analysis", rest.title, description, together(results.warnings, rest.warnings));
+  const MooringResults& rest = *statics.moorings;
+  FrontPage front = front_of("Dynamic mooring analysis", rest.title, description, all_warnings(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
   front.more = mooring_bars(results.moorings, working_load_of(description));
   add_subject(rest, description, front);
@@ -97,7 +98,7 @@ std::string moored_report_in_time(const StaticResults& statics, const DynamicRes
   const std::string closing = (description ? inputs_section(*description) : "") +
                               assumptions_section(together(rest.assumptions, results.assumptions)) +
                               dynamic_run_section(results) + model_text_section(model_text);
-  const FrontPage front = front_in_time(rest, results, description);
+  const FrontPage front = front_in_time(statics, results, description);
   return page_without_pipe(rest.title + " - dynamic mooring analysis",
                            front_page(front, load_verdict(front.more, front.warnings), kBarNote,
                                       moved + figures + statistics + before + closing),

@@ -126,7 +126,7 @@ std::vector<WeighedWarning> operation_warnings(const OperationResults& results) 
     if (stage.failure) all.push_back({WarningWeight::serious, failure_words(results, i)});
     for (const std::string& warning : stage.warnings) tell(told, warning, number);
     if (!stage.lay) continue;
-    for (const std::string& warning : static_remarks(*stage.lay)) tell(told, warning, number);
+    for (const std::string& warning : stage.lay->warnings) tell(told, warning, number);
   }
   std::vector<std::string> texts, weighed_as;
   for (const Told& one : told) {

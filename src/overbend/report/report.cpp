@@ -22,6 +22,7 @@
 #include "report/seek_section.h"
 #include "report/sensitivity_section.h"
 #include "report/stinger_section.h"
+#include "results/warnings.h"
 
 namespace overbend {
 namespace {
@@ -69,7 +70,7 @@ std::string report_html(const StaticResults& results, const std::string& model_t
                            inputs_section(results, description, nullptr) + assumptions_section(results.assumptions) +
                            rollers_section(results) + check_inputs_section(results.checks) + balance_section(results) +
                            model_text_section(model_text);
-  FrontPage front = front_of("Static pipelay analysis", results.title, description, static_remarks(results));
+  FrontPage front = front_of("Static pipelay analysis", results.title, description, results.warnings);
   front.reach = "Checks of the static state only: the effect of waves needs a dynamic analysis.";
   if (results.moorings) front.more = mooring_bars(*results.moorings, working_load_of(description));
   front.entries = subject_entries(results);
@@ -103,7 +104,7 @@ std::string report_html(const StaticResults& statics, const DynamicResults& resu
                               check_inputs_section(results.checks) + dynamic_run_section(results) +
                               balance_section(statics) + model_text_section(model_text);
   const std::string rest = dynamic + before + closing;
-  FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, dynamic_remarks(statics, results));
+  FrontPage front = front_of("Dynamic pipelay analysis", statics.title, description, all_warnings(statics, results));
   front.reach = "Maxima of a single run of " + duration_words(results.duration) + ".";
   front.more = mooring_bars(results.moorings, working_load_of(description));
   front.entries = dynamic_entries(statics, results, description, written_now());

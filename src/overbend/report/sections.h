@@ -19,8 +19,6 @@ std::string title_block(const std::string& kind, const std::string& title,
 std::vector<std::pair<std::string, std::string>> subject_entries(const StaticResults& results);
 /// "converged", or "converged, 2 warnings": they are further down and must not be missed.
 std::string status_words(const std::string& state, std::size_t warnings);
-/// The warnings of the run, and what its numbers call for in words.
-std::vector<std::string> static_remarks(const StaticResults& results);
 std::string key_results(const StaticResults& results, const std::string& id, const std::string& heading);
 /// Inputs as read by the program; without a description (a model text that cannot be read) what results tell.
 /// `dynamic`, not null for the report of a dynamic run, adds what applies only there.

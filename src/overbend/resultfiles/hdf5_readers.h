@@ -58,6 +58,7 @@ class TableReader {
 
   void operator()(const ResultField& f, double& value) { value = number(f.name); }
   void operator()(const ResultField& f, std::optional<double>& value) {
+    if (!file_.has(path(f.name))) return;
     const double found = number(f.name);
     value = std::isnan(found) ? std::nullopt : std::optional(found);
   }

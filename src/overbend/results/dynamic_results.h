@@ -78,6 +78,8 @@ struct SupportDynamics {
   double static_reaction = 0.0, static_separation = 0.0;
   double contact_share = 0.0;  ///< Share of time in which any of its rollers carries.
   std::int64_t impact_count = 0;
+  /// When the pipe was first off the box over its end on that side [s]; none where it stayed on it.
+  std::optional<double> left_to_port, left_to_starboard;
   std::vector<RollerDynamics> rollers;
 };
 

@@ -8,6 +8,7 @@
 #include "dynamics/dynamics.h"
 #include "modelfile/seek_reader.h"
 #include "resultfiles/case_summary.h"
+#include "results/warnings.h"
 #include "results/worst_stage.h"
 #include "runstore/run_store.h"
 #include "runstore/staged_folder.h"
@@ -104,7 +105,7 @@ CaseAnswer answer_dynamics(const CaseBase& base, const CaseQuestion& question, C
   CaseAnswer answer{static_cast<const RunEnd&>(end)};
   if (end.ending != RunEnding::done) return answer;
   judge(end.results->checks, answer);
-  answer.warnings = end.results->warnings;
+  answer.warnings = all_warnings(prepared.statics, *end.results);
   answer.peaks = std::move(end.peaks);
   answer.summary = dynamic_summary_json(prepared.statics, *end.results);
   return answer;

@@ -11,6 +11,7 @@
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/operation_reader.h"
 #include "results/fields/check_fields.h"
+#include "results/warnings.h"
 #include "study/dynamic_values.h"
 #include "study/folder_figures.h"
 #include "study/moored_values.h"
@@ -72,9 +73,8 @@ void take_statics(Read& read, const StoredStatics& stored) {
   read.model_text = stored.model_text;
   read.folder.title = stored.results.title;
   read.folder.version = stored.results.version;
-  const bool pipe = stored.results.has_pipe();
-  read.folder.warnings = pipe ? stored.results.warnings : stored.results.moorings->warnings;
-  if (pipe) take_pipe(read, stored.results);
+  read.folder.warnings = static_warnings(stored.results);
+  if (stored.results.has_pipe()) take_pipe(read, stored.results);
   if (stored.results.moorings) append(read.values, mooring_values(*stored.results.moorings));
 }
 
@@ -84,8 +84,7 @@ void take_dynamics(Read& read, const fs::path& h5) {
   if (stored.statics.results.has_pipe()) append(read.values, dynamic_values(stored.statics.results, stored.results));
   append(read.values, moored_dynamic_values(stored.results));
   take_checks(read, "dynamic.", stored.results.checks);
-  read.folder.warnings.insert(read.folder.warnings.end(), stored.results.warnings.begin(),
-                              stored.results.warnings.end());
+  read.folder.warnings = all_warnings(stored.statics.results, stored.results);
   if (const CheckRow* worst = worst_check(stored.results.checks)) read.folder.governing = worst->name;
   add_curves(read.curves, stored.statics.results, stored.results);
 }

@@ -1,12 +1,11 @@
 #include "study/static_run.h"
 
-#include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 #include "checks/run_checks.h"
 #include "report/report.h"
 #include "resultfiles/results_writer.h"
+#include "results/warnings.h"
 #include "runstore/staged_folder.h"
 #include "statics/current_effect.h"
 #include "statics/friction_cases.h"
@@ -15,21 +14,12 @@
 #include "statics/side_rollers.h"
 
 namespace overbend {
-namespace {
-
-void add_missing(const std::vector<std::string>& sentences, std::vector<std::string>& list) {
-  std::copy_if(sentences.begin(), sentences.end(), std::back_inserter(list), [&](const std::string& sentence) {
-    return std::find(list.begin(), list.end(), sentence) == list.end();
-  });
-}
-
-}  // namespace
 
 StaticResults unjudged_statics(const Model& model, const LayOutcome& lay) {
   StaticResults results = recover_in_current(model, *lay.solution);
   if (lay.moorings) {
-    add_missing(lay.moorings->warnings, results.warnings);
-    add_missing(lay.moorings->assumptions, results.assumptions);
+    results.warnings = together(std::move(results.warnings), lay.moorings->warnings);
+    results.assumptions = together(std::move(results.assumptions), lay.moorings->assumptions);
     if (std::optional<std::string> warning = warn_of_side_rollers(model.description, results)) {
       results.warnings.push_back(std::move(*warning));
     }
@@ -64,8 +54,8 @@ std::optional<HullResults> told_hull(const Model& model, const MooredState* rest
   try {
     std::optional<HullAccount> account = hull_account(model, rest);
     if (!account) return std::nullopt;
-    add_missing(account->warnings, into.warnings);
-    add_missing(account->assumptions, into.assumptions);
+    into.warnings = together(std::move(into.warnings), account->warnings);
+    into.assumptions = together(std::move(into.assumptions), account->assumptions);
     return std::move(account->results);
   } catch (const std::invalid_argument& fault) {  // statics stand without it; a run in time will be refused
     into.warnings.push_back(std::string("nothing is told of the hull's radiation and damping: ") + fault.what());

@@ -6,6 +6,7 @@
 #include "resultfiles/comparison_writer.h"
 #include "resultfiles/dynamic_reader.h"
 #include "resultfiles/seeds_writer.h"
+#include "results/warnings.h"
 #include "runstore/staged_folder.h"
 #include "study/compare_gather.h"
 #include "study/compare_variants.h"
@@ -59,8 +60,8 @@ SeedsResults seeds_of(const std::vector<CaseRun>& runs, CheckTable& worst) {
     DynamicResults read = read_dynamic_results(h5).results;
     peaks.push_back(peaks_of_run(h5));
     results.duration = read.duration;
-    results.runs.push_back(
-        {run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()), read.warnings});
+    results.runs.push_back({run.seed, run.name, seed_values(shared.statics, read, read.fatigue.has_value()),
+                            all_warnings(shared.statics, read)});
     keep_worse(worst, std::move(read.checks));
   }
   fill_statistics(results);

@@ -376,6 +376,8 @@ export interface SupportSummary {
   separation: Spread;
   contact_share: number;
   impacts: number;
+  left_to_port: number | null;
+  left_to_starboard: number | null;
   structure: 'ramp' | 'stinger';
   rows: unknown[];
 }

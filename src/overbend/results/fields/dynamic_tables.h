@@ -48,6 +48,10 @@ void visit_dynamic_support(Row& r, Visit& visit) {
   visit_spread(ResultField{"lateral", "N", "Part of the resultant across, port positive", kBoxFrame}.summary(),
                r.lateral, visit);
   visit_contact_over_time(r, visit);
+  visit(ResultField{"left_to_port", "s", "When the pipe was first off the box over its port end"}.summary(),
+        r.left_to_port);
+  visit(ResultField{"left_to_starboard", "s", "When the pipe was first off the box over its starboard end"}.summary(),
+        r.left_to_starboard);
 }
 
 /// The worst that a roller saw.
