@@ -72,12 +72,12 @@ class Results:
 
     @property
     def warnings(self) -> list[str]:
-        """What an engineer should know about these results."""
+        """What an engineer should know about these results, and of a run in time about the static state it began from."""
         return self._sentences("warnings")
 
     @property
     def assumptions(self) -> list[str]:
-        """What was assumed."""
+        """What was assumed, in statics as well."""
         return self._sentences("assumptions")
 
     @functools.cached_property
@@ -98,8 +98,9 @@ class Results:
         return json.dumps(self._quick)
 
     def _sentences(self, name: str) -> list[str]:
-        part = self.summary.get(self._part, {})
-        return list(part[name] if name in part else self.summary.get(name, []))
+        """Its own, then those of the static state that it began from; each once."""
+        of_part, of_statics = (told.get(name, []) for told in (self.summary.get(self._part, {}), self.summary))
+        return list(dict.fromkeys([*of_part, *of_statics]))
 
     def _part_of(self, summary: dict[str, Any]) -> Record:
         told = summary_units().get(self._part), summary_descriptions().get(self._part)

@@ -106,6 +106,13 @@ class Dynamics(unittest.TestCase):
             with self.assertRaises(ob.ResultsError):
                 kept.save(place)
 
+    def test_warnings_are_those_of_the_run_and_of_its_statics(self):
+        of_statics = self.told["warnings"]
+        self.assertTrue(of_statics)
+        self.assertEqual(self.run_.warnings, self.told["dynamic"]["warnings"] + of_statics)
+        self.assertTrue(set(self.told["assumptions"]) <= set(self.run_.assumptions))
+        self.assertEqual(len(self.run_.assumptions), len(set(self.run_.assumptions)))
+
     def test_progress_is_told_and_another_thread_goes_on(self):
         told, ticks, done = [], [], threading.Event()
 
