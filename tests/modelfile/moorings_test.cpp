@@ -212,6 +212,8 @@ TEST(moorings, every_slip_is_told_once_with_key_and_remedy) {
        "997.453 m from its fairlead to its anchor"},
       {"segments too short", "{type: wire64, length: 700 m}", "{type: wire64, length: 600 m}",
        "moorings.lines[1].segments", "too short to reach"},
+      {"no segment in the list", "[{type: wire64, length: 700 m}, {name: chain, type: chain76, length: 310 m}]", "[]",
+       "moorings.lines[1].segments", "at least 1"},
       {"fairlead in mm", "fairlead: {x: -57 m,", "fairlead: {x: -57 km,", "moorings.lines[2].fairlead.x",
        "far outside the vessel"},
       {"two of a name", "name: starboard bow", "name: port bow", "moorings.lines[1].name", "already in line"},

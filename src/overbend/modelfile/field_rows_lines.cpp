@@ -239,8 +239,8 @@ std::vector<Field> line_body_rows(const std::string& p) {
       otherwise(quantity_row(p + ".length", taken_by<Line>(take_length), "Unstressed length of a line of one kind.",
                              kLength, kPositive),
                 "segments are given, or a tension"),
-      list_row(p + ".segments", enters(&Line::segments),
-               "Segments from the first end on, the fairlead of a mooring line.", "one of type and length")};
+      at_least(1, list_row(p + ".segments", enters(&Line::segments),
+                           "Segments from the first end on, the fairlead of a mooring line.", "one of type and length"))};
   append(rows, segments(p));
   append(rows, clumps<Line>(p));
   append(rows, buoys<Line>(p));

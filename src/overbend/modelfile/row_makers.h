@@ -48,6 +48,12 @@ inline Field required(Field row) {
   return row;
 }
 
+/// Of a list that is of no use with fewer.
+inline Field at_least(int entries, Field row) {
+  row.least = entries;
+  return row;
+}
+
 /// What leaving the key out means.
 inline Field otherwise(Field row, std::string words) {
   row.fallback_text = std::move(words);
