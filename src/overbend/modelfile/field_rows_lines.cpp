@@ -232,15 +232,15 @@ template <typename Line>
 std::vector<Field> line_body_rows(const std::string& p) {
   const auto take_type = [](Line& line, const FieldValue& name) { name_type(only_segment(line), name); };
   const auto take_length = [](Line& line, const FieldValue& length) { only_segment(line).length = length.number; };
-  std::vector<Field> rows = {
-      otherwise(row_of_kind(FieldKind::text, p + ".type", taken_by<Line>(take_type),
-                            "Type of a line of one kind, a name under moorings.types."),
-                "segments are given"),
-      otherwise(quantity_row(p + ".length", taken_by<Line>(take_length), "Unstressed length of a line of one kind.",
-                             kLength, kPositive),
-                "segments are given, or a tension"),
-      at_least(1, list_row(p + ".segments", enters(&Line::segments),
-                           "Segments from the first end on, the fairlead of a mooring line.", "one of type and length"))};
+  std::vector<Field> rows = {otherwise(row_of_kind(FieldKind::text, p + ".type", taken_by<Line>(take_type),
+                                                   "Type of a line of one kind, a name under moorings.types."),
+                                       "segments are given"),
+                             otherwise(quantity_row(p + ".length", taken_by<Line>(take_length),
+                                                    "Unstressed length of a line of one kind.", kLength, kPositive),
+                                       "segments are given, or a tension"),
+                             at_least(1, list_row(p + ".segments", enters(&Line::segments),
+                                                  "Segments from the first end on, the fairlead of a mooring line.",
+                                                  "one of type and length"))};
   append(rows, segments(p));
   append(rows, clumps<Line>(p));
   append(rows, buoys<Line>(p));
