@@ -12,7 +12,9 @@
 namespace overbend {
 namespace {
 
-constexpr double kTensionStep = 1.08;        ///< Between the tensions that are tried until a limit is bracketed.
+constexpr double kTensionStep = 1.08;  ///< Between the tensions that are tried until a limit is bracketed.
+constexpr double kCoarseStep = 1.36;   ///< Between those at which a stage that fell is tried, before it is narrowed.
+constexpr int kMostCoarse = 10;        ///< Of them: up to twenty times the weight that hangs plumb.
 constexpr double kTensionAccuracy = 2.5e-3;  ///< Of a sought tension.
 constexpr double kAboveWeight = 1.2;         ///< Least tension that is tried, over the weight that hangs plumb.
 constexpr int kMostTries = 40;
@@ -215,12 +217,18 @@ std::vector<PlannedStage> StageSolver::plan(const std::vector<LayStageDescriptio
 }
 
 std::optional<double> StageSolver::tension_that_stands(const LayStageDescription& stage) {
-  double tension = std::max(1.02 * least_weight(stage), 1.0);
-  for (int i = 0; i < kMostTries && tension <= 2.0 * most_tension(); ++i) {
-    if (solve_at(stage, tension).lay) return tension;
-    tension *= kTensionStep;
+  const double from = std::max(1.02 * least_weight(stage), 1.0), to = 2.0 * most_tension();
+  double falls = 0.0, stands = from;
+  for (int i = 0; !solve_at(stage, stands).lay; ++i) {
+    falls = stands;
+    stands *= kCoarseStep;
+    if (stands > to || i == kMostCoarse) return std::nullopt;
   }
-  return std::nullopt;
+  while (falls > 0.0 && stands > kTensionStep * falls) {
+    const double between = std::sqrt(falls * stands);
+    (solve_at(stage, between).lay ? stands : falls) = between;
+  }
+  return stands;
 }
 
 StageResult StageSolver::solve(const PlannedStage& planned) {
