@@ -263,14 +263,16 @@ TEST(dynamic_command, refuses_what_it_can_not_run_in_one_clear_line_and_writes_n
   const std::string dynamic = "  dynamic: {duration: 10 s, build_up: 5 s, output_step: 0.5 s}\n";
   const std::string duration = "duration: 10 s, build_up";
   const std::vector<Refusal> refusals = {
-      {"no dynamics", with(kSmallLay, dynamic, ""), "", "no analysis.dynamic"},
+      {"no dynamics", with(kSmallLay, dynamic, ""), "", "lay.yaml:22: analysis.dynamic: "},
       {"coupled", with(kSmallLay, kMoving, "motion: {coupled: barge.1}"), "", "coupled"},
       {"no RAO file", with(kSmallLay, kMoving, "motion: {raos: nowhere.csv}"), "", "nowhere.csv could not be read"},
       {"no record", with(kSmallLay, kMoving, "motion: {history: nowhere.csv}"), "", "nowhere.csv could not be read"},
-      {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN]"), "", "tensioner.range"},
+      {"range", with(kSmallLay, "tension: 300 kN", "tension: 300 kN, range: [310 kN, 320 kN]"), "",
+       "lay.yaml:13: tensioner.range: "},
       {"short record", with(kSmallLay, kMoving, "motion: {history: motion.csv}"), "", "to 9 s"},
       {"late record", with(kSmallLay, kMoving, "motion: {history: late.csv}"), "", "from t = 2 s"},
-      {"spectrum", with(kSmallLay, kWaves, "waves: {type: user, spectrum_file: nowhere.csv}"), "", "nowhere.csv"},
+      {"spectrum", with(kSmallLay, kWaves, "waves: {type: user, spectrum_file: nowhere.csv}"), "",
+       "lay.yaml:6: environment.waves.spectrum_file: "},
       {"seed twice", with(kSmallLay, duration, "seeds: [4, 5, 4], " + duration), "", "4 is given twice"},
       {"no unit", kSmallLay, "--duration 600", "--duration"},
       {"no time", kSmallLay, "--duration '6 m'", "--duration"},

@@ -41,7 +41,7 @@ TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {
   d.operation.acceleration_time = 0.0;
   const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
   ASSERT_TRUE(obstacle);
-  EXPECT_EQ(obstacle->where, "operation.acceleration_time");
+  EXPECT_EQ(obstacle->key, "operation.acceleration_time");
 }
 
 }  // namespace

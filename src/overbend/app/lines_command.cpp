@@ -10,6 +10,7 @@
 #include "app/interruption.h"
 #include "app/progress.h"
 #include "app/warning_lines.h"
+#include "dynamics/dynamic_obstacle.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
@@ -70,7 +71,7 @@ int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const
     const std::string name = "seed-" + std::to_string(seed);
     LinesOutcome outcome = run_seed(model, seed, folder / name, resume, checkpoint_every);
     if (outcome.stopped) return kInterrupted;
-    if (outcome.failure) return tell(failed_end(*outcome.failure));
+    if (outcome.failure) return tell(failed_end(*outcome.failure, model.description));
     runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->warnings});
     last = std::move(*outcome.results);
   }
@@ -88,7 +89,7 @@ int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const
 
 int run_static_lines(const Description& description, const fs::path& folder) {
   const LinesOutcome outcome = solve_lines(build_model(description));
-  if (outcome.failure) return tell(failed_end(*outcome.failure));
+  if (outcome.failure) return tell(failed_end(*outcome.failure, description));
   try {
     write_lines_run(*outcome.results, description, folder);
   } catch (const UnusableFolder& fault) {  // a folder that cannot be is the user's to mend
@@ -100,9 +101,7 @@ int run_static_lines(const Description& description, const fs::path& folder) {
 
 int run_dynamic_lines(const Description& described, std::optional<double> duration, const fs::path& folder,
                       const TakeUp& take_up, double checkpoint_every) {
-  if (!described.dynamics) {
-    return tell({RunEnding::wrong_input, "the model has no analysis.dynamic, which says for how long it is to run"});
-  }
+  if (!described.dynamics) return tell(failed_end(without_dynamics(), described));
   Description description = described;
   description.dynamics->duration = duration.value_or(description.dynamics->duration);
   const Model model = build_model(description);
@@ -119,7 +118,7 @@ int run_dynamic_lines(const Description& described, std::optional<double> durati
     if (seeds.size() > 1) return run_seeds(model, seeds, folder, *resume, checkpoint_every);
     const LinesOutcome outcome = run_seed(model, dynamic_options(model).seed, folder, *resume, checkpoint_every);
     if (outcome.stopped) return kInterrupted;
-    if (outcome.failure) return tell(failed_end(*outcome.failure));
+    if (outcome.failure) return tell(failed_end(*outcome.failure, description));
     print(*outcome.results);
     return told_folder(folder);
   } catch (const std::invalid_argument& fault) {  // a sea or a motion that cannot be made

@@ -94,7 +94,7 @@ fs::path default_folder(const std::string& model_file) {
 /// A hull and its mooring lines, without a pipe.
 int run_static_moorings(const Description& description, Model& model, const fs::path& folder) {
   LayOutcome outcome = solve_moored_hull(model);
-  if (outcome.failure) return tell(failed_end(*outcome.failure));
+  if (outcome.failure) return tell(failed_end(*outcome.failure, description));
   MooringResults& results = *outcome.moorings;
   tell_hull(model, results);
   try {
@@ -123,7 +123,7 @@ int run_static(const StaticArguments& arguments) {
   Model model = build_model(*description);
   if (is_moored_hull(*description)) return run_static_moorings(*description, model, folder);
   const LayOutcome outcome = solve_lay(model);
-  if (outcome.failure) return tell(failed_end(*outcome.failure));
+  if (outcome.failure) return tell(failed_end(*outcome.failure, *description));
   StaticResults results = checked_statics(model, outcome);
   tell_friction(model, outcome, results);
   tell_hull(model, results);

@@ -8,6 +8,10 @@
 namespace overbend {
 namespace {
 
+StaticFailure refused(const char* key, std::string what, std::string why) {
+  return {std::move(what), "", std::move(why), true, key};
+}
+
 bool is_moored(const Description& d) {
   return d.moorings && !d.moorings->lines.empty();
 }
@@ -15,7 +19,7 @@ bool is_moored(const Description& d) {
 /// Quasi-static lines pull at a hull and follow lengths; what takes a line of elements is said by name.
 std::optional<StaticFailure> quasi_static_obstacle(const Description& d) {
   const auto refuse = [](const std::string& what) {
-    return StaticFailure{"quasi-static mooring lines " + what, "moorings.model", "leave out moorings.model"};
+    return refused("moorings.model", "quasi-static mooring lines " + what, "leave out moorings.model");
   };
   if (d.vessel.motion != VesselMotion::coupled) {
     return refuse("have nothing to pull at where the vessel's motion is told");
@@ -40,11 +44,11 @@ std::optional<StaticFailure> mooring_obstacle(const Description& d) {
     if (std::optional<StaticFailure> obstacle = quasi_static_obstacle(d)) return obstacle;
   }
   if (d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
-    return StaticFailure{"loads of a pull-ahead act in statics alone", "operation.loads",
-                         "give them under vessel.loads, or leave them out where there is a pipe"};
+    return refused("operation.loads", "loads of a pull-ahead act in statics alone",
+                   "give them under vessel.loads, or leave them out where there is a pipe");
   }
   if (d.operation.type == OperationType::anchor_move) {
-    return StaticFailure{"an anchor cannot be moved in time", "operation.type", "overbend static has its stages"};
+    return refused("operation.type", "an anchor cannot be moved in time", "overbend static has its stages");
   }
   return std::nullopt;
 }
@@ -52,12 +56,12 @@ std::optional<StaticFailure> mooring_obstacle(const Description& d) {
 /// A hull that floats free needs its coefficients, and something that holds its place.
 std::optional<StaticFailure> coupled_obstacle(const Description& d) {
   if (!d.vessel.coupled || !d.vessel.coupled->data) {
-    return StaticFailure{"the hull that floats free has no hydrodynamic coefficients", "",
-                         "vessel.motion.coupled names their files"};
+    return refused("vessel.motion.coupled", "the hull that floats free has no hydrodynamic coefficients",
+                   "name their files");
   }
   if (!d.station_keeping && !is_moored(d)) {
-    return StaticFailure{"nothing holds the hull that floats free in its place", "",
-                         "give moorings or station_keeping"};
+    return refused("vessel.motion.coupled", "nothing holds the hull that floats free in its place",
+                   "give moorings or station_keeping");
   }
   return std::nullopt;
 }
@@ -72,47 +76,50 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
     return coupled_obstacle(d);
   }
   if (d.operation.type == OperationType::pull_ahead && d.operation.acceleration_time <= 0.0) {
-    return StaticFailure{"the vessel cannot be at its speed at once", "operation.acceleration_time",
-                         "a told motion without time to reach its speed strikes the pipe; give some seconds"};
+    return refused("operation.acceleration_time", "the vessel cannot be at its speed at once",
+                   "a told motion without time to reach its speed strikes the pipe; give some seconds");
   }
   if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
       (vessel.motion == VesselMotion::history && !vessel.history)) {
-    return StaticFailure{"the vessel motion cannot be used", "",
-                         "the file " + vessel.motion_file + " could not be read"};
+    return refused("vessel.motion", "the vessel motion cannot be used",
+                   "the file " + vessel.motion_file + " could not be read");
   }
   if (vessel.motion != VesselMotion::history) {
     return std::nullopt;
   }
   const double first = vessel.history->time.front(), last = vessel.history->time.back();
   if (first > 0.0 || last < d.dynamics->duration * (1.0 - 1e-9)) {
-    return StaticFailure{"the record of the vessel's motion does not cover the run", "",
-                         fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s",
-                                     vessel.motion_file, first, last, d.dynamics->duration)};
+    return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run",
+                   fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s", vessel.motion_file,
+                               first, last, d.dynamics->duration));
   }
   return std::nullopt;
 }
 
 }  // namespace
 
+StaticFailure without_dynamics() {
+  return refused("analysis.dynamic", "the model says nothing of a dynamic analysis",
+                 "give its duration, for example 10800 s");
+}
+
 std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
   const Description& d = model.description;
   if (!is_moored_hull(d)) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
   }
-  if (!d.dynamics) {
-    return StaticFailure{"the model has no analysis.dynamic", "", "give its duration, for example 10800 s"};
-  }
+  if (!d.dynamics) return without_dynamics();
   if (std::optional<StaticFailure> obstacle = motion_obstacle(d)) {
     return obstacle;
   }
   if (d.environment.waves.type == WaveType::user && d.environment.waves.spectrum.empty()) {
-    return StaticFailure{"the sea cannot be generated", "",
-                         "the file " + d.environment.waves.spectrum_file + " could not be read"};
+    return refused("environment.waves.spectrum_file", "the sea cannot be generated",
+                   "the file " + d.environment.waves.spectrum_file + " could not be read");
   }
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
-    return StaticFailure{"tensioner.range does not contain tensioner.tension", "",
-                         "the tensioner would move from the start"};
+    return refused("tensioner.range", "the range does not contain tensioner.tension",
+                   "the tensioner would move from the start");
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 
 #include "base/units.h"
 #include "dynamics/controllers.h"
+#include "dynamics/dynamic_obstacle.h"
 #include "python/bindings.h"
 #include "python/given_controller.h"
 #include "python/python_errors.h"
@@ -13,6 +14,7 @@
 #include "python/without_lock.h"
 #include "runstore/run_store.h"
 #include "study/lines_run.h"
+#include "study/prepared_case.h"
 #include "study/study.h"
 
 namespace overbend {
@@ -61,9 +63,7 @@ void require_wish(const std::vector<fs::path>& folders, const RunWish& wish) {
 
 /// Lines by themselves: one run.
 RunEnd run_lines_alone(Description description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
-  if (!description.dynamics) {
-    return {RunEnding::wrong_input, "the model has no analysis.dynamic, which says for how long it is to run"};
-  }
+  if (!description.dynamics) return failed_end(without_dynamics(), description);
   description.dynamics->duration = wish.duration.value_or(description.dynamics->duration);
   require_wish({folder}, wish);
   const Model model = build_model(description);

@@ -66,7 +66,7 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
 std::string run_lines_into(const std::filesystem::path& folder, const Description& description, const RunInfo& run,
                            FileLock& files) {
   if (run.is_study()) return "lines by themselves are run one at a time";
-  if (!description.dynamics) return "the model has no analysis.dynamic";
+  if (!description.dynamics) return failure_line(without_dynamics());
   const Model model = build_model(description);
   DynamicOptions options = dynamic_options(model);
   if (run.duration > 0.0) options.duration = run.duration;

@@ -60,6 +60,7 @@ struct StaticFailure {
   std::string where;   ///< Place along the line, empty where it is the whole.
   std::string why;     ///< The reason, and what would mend it.
   bool input = false;  ///< The model asks for what is not computed: to be told as a fault of the file.
+  std::string key{};   ///< Of an input: the key of the model that it is about, empty where it is about none.
 };
 
 struct StaticOutcome {

@@ -50,7 +50,7 @@ CaseAnswer answer_statics(const CaseBase& base, const CaseQuestion& question, Ca
   std::vector<const LayStart*> starts = {neighbour.start.get(), neighbour.other.get()};
   if (conduct.keep) starts.clear();
   ModelStatics found = solve_beside(model, starts, &neighbour.found);
-  if (found.failure) return {failed_end(*found.failure)};
+  if (found.failure) return {failed_end(*found.failure, description)};
   CaseAnswer answer;
   answer.passed = true;
   if (found.lay) {

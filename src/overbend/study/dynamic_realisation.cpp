@@ -89,7 +89,7 @@ RealisationEnd run_realisation(const PreparedCase& shared, const fs::path& folde
   }
   if (outcome.failure) {
     begun->store.remove();
-    return {failed_end(*outcome.failure)};
+    return {failed_end(*outcome.failure, shared.description)};
   }
   finish_motions(shared.statics, shared.description, *outcome.results, begun->store);
   finish_histories(shared.description, *outcome.results, begun->store);

@@ -9,6 +9,7 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
 #include "model/operation_words.h"
+#include "modelfile/input_place.h"
 #include "moorings/hull_at_rest.h"
 #include "study/static_run.h"
 
@@ -82,7 +83,11 @@ std::string failure_line(const StaticFailure& failure) {
   return failure.what + where + ": " + failure.why;
 }
 
-RunEnd failed_end(const StaticFailure& failure) {
+RunEnd failed_end(const StaticFailure& failure, const Description& description) {
+  if (failure.input && !failure.key.empty()) {
+    return {RunEnding::wrong_input,
+            input_place(description.source_file, description.source_text, failure.key) + ": " + failure_line(failure)};
+  }
   if (failure.input) return {RunEnding::wrong_input, failure_line(failure)};
   return {RunEnding::no_solution, "no solution: " + failure_line(failure)};
 }
@@ -91,14 +96,14 @@ std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(const Des
                                                                        const std::vector<ControllerUse>& controllers) {
   Model model = build_model(description);
   if (const std::optional<StaticFailure> obstacle = dynamic_obstacle(model)) {
-    return RunEnd{RunEnding::wrong_input, failure_line(*obstacle)};
+    return failed_end(*obstacle, description);
   }
   if (!description.has_pipe && !controllers.empty()) {
     return RunEnd{RunEnding::wrong_input,
                   "controllers from outside need a pipe: a hull on its moorings alone has none"};
   }
   LayOutcome outcome = description.has_pipe ? solve_lay(model) : solve_moored_hull(model);
-  if (outcome.failure) return failed_end(*outcome.failure);
+  if (outcome.failure) return failed_end(*outcome.failure, description);
   StaticResults statics = description.has_pipe ? of_lay(model, outcome) : of_hull(model, std::move(*outcome.moorings));
   const auto prepared = std::make_shared<PreparedCase>(PreparedCase{
       description, std::move(model), std::move(*outcome.solution), std::move(statics), input_text(description)});

@@ -37,7 +37,7 @@ void use_controllers(PreparedCase& prepared, std::vector<ControllerUse> controll
 std::string failure_line(const StaticFailure& failure);
 
 /// The same as the end of a run.
-RunEnd failed_end(const StaticFailure& failure);
+RunEnd failed_end(const StaticFailure& failure, const Description& description);
 
 /// Builds the model and solves its statics; where it cannot be run, why.
 std::variant<std::shared_ptr<const PreparedCase>, RunEnd> prepare_case(

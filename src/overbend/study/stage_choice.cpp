@@ -53,7 +53,7 @@ std::variant<LayStageDescription, RunEnd> solved_stage(const Description& d, std
   const StageResult& stage = results.stages.at(index);
   if (stage.lay) return stage.stage;
   const StageFailure& failure = *stage.failure;
-  return failed_end({failure.what, failure.where, failure.why});
+  return failed_end({failure.what, failure.where, failure.why}, d);
 }
 
 bool yields(const Description& d) {
