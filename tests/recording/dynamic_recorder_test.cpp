@@ -77,6 +77,34 @@ TEST(dynamic_recorder, the_size_of_slamming_stands_among_the_assumptions_of_a_ru
   EXPECT_TRUE(std::any_of(r.assumptions.begin(), r.assumptions.end(), says));
 }
 
+// Beyond a metre or so the pipe touches no roller, whatever it does within a step; but clearances are wanted.
+TEST(dynamic_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_statics_do) {
+  Description d = testing::workable();
+  d.environment.waves = WavesDescription{};
+  d.vessel.motion = VesselMotion::fixed;
+  d.tensioner.range_low.reset();
+  d.tensioner.range_high.reset();
+  for (BoxDescription& box : d.supports.boxes) box.rows = 1;
+  d.dynamics->duration = 1.0;
+  d.dynamics->build_up = 0.5;
+  double clearance = 0.0;
+  for (const double tension : {350e3, 375e3, 400e3, 425e3, 450e3, 500e3, 600e3}) {
+    SCOPED_TRACE(tension);
+    d.tensioner.tension = tension;
+    const TimedLay c(d);
+    MemorySink sink;
+    const DynamicResults r = c.results(sink);
+    ASSERT_GT(c.statics.stinger_tip_clearance.value(), clearance);
+    clearance = *c.statics.stinger_tip_clearance;
+    EXPECT_NEAR(r.stinger_tip_clearance.min, clearance, 1e-6);
+    EXPECT_NEAR(r.stinger_tip_clearance.max, clearance, 1e-6);
+    for (std::size_t i = 0; i < r.supports.size(); ++i) {
+      EXPECT_NEAR(r.supports[i].separation.max, c.statics.supports[i].separation, 1e-6) << r.supports[i].name;
+    }
+  }
+  EXPECT_GT(clearance, 2.0);
+}
+
 TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
   DynamicResults r;
   r.smallest_tension.over_time.min = -8e3;

@@ -199,6 +199,7 @@ void RollerContacts::complete(const double* q, const double* v, std::vector<Cont
   reference_.placed = placed_;
   for (std::size_t i = 0; i < rollers_.size(); ++i) {
     reference_.gap[i] = contacts_[i].at.found ? -contacts_[i].penetration : 0.0;
+    if (!contacts_[i].at.found) look_beyond_reach(i, q, v, after[i]);
   }
 }
 
@@ -259,6 +260,14 @@ RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeet
             Vec3::Zero(),
             Eigen::Map<const Eigen::Vector4d>(seen.shape)};
   }
+  return search_along(index, range, q, v, memory);
+}
+
+/// Where the line is closest among some elements, from where it was outwards.
+RollerContacts::Meeting RollerContacts::search_along(std::size_t index, const ElementRange& range, const double* q,
+                                                     const double* v, const ContactMemory& memory) {
+  ClosestPoint& at = contacts_[index].at;
+  const std::vector<double>& length = line_->mesh.length;
   at = closest_point_near(placed_[index], q, length.data(), range.first, range.last, memory.element, memory.xi);
   Meeting meeting;
   if (at.found) {
@@ -267,6 +276,25 @@ RollerContacts::Meeting RollerContacts::find(std::size_t index, const RollerMeet
     meeting.velocity = at_point(meeting.shape, dofs_of(v, at.element));
   }
   return meeting;
+}
+
+/// How far the pipe is from a roller that it passes, and how fast it comes nearer.
+void RollerContacts::regard(std::size_t index, Meeting& meeting) {
+  RollerContact& contact = contacts_[index];
+  measure(index, meeting.distance, false);
+  const RigidMotion& body = motions_[rollers_[index].body];
+  const double radius = line_->elements.radius[static_cast<std::size_t>(contact.at.element)];
+  const Vec3 arm = contact.at.place - radius * meeting.distance.direction - body.pose.p_WV;
+  contact.roller_velocity = body.velocity + body.omega.cross(arm);
+  meeting.slip_rate = meeting.velocity - contact.roller_velocity;
+  contact.rate = -meeting.slip_rate.dot(meeting.distance.direction);
+}
+
+/// Beyond all elements that a roller may meet: only how far it is is of interest.
+void RollerContacts::look_beyond_reach(std::size_t index, const double* q, const double* v,
+                                       const ContactMemory& memory) {
+  Meeting meeting = search_along(index, {0, line_->mesh.elements()}, q, v, memory);
+  if (contacts_[index].at.found) regard(index, meeting);
 }
 
 /// Where the pipe meets a roller and how fast; nothing where it does not pass it or is out of reach, when the
@@ -284,13 +312,7 @@ std::optional<RollerContacts::Meeting> RollerContacts::meet(std::size_t index, c
   after.element = contact.at.element;
   after.xi = contact.at.xi;
   after.passing = contact.at.passing - contact.at.element;
-  measure(index, meeting.distance, false);
-  const RigidMotion& body = motions_[rollers_[index].body];
-  const double radius = line_->elements.radius[static_cast<std::size_t>(contact.at.element)];
-  const Vec3 arm = contact.at.place - radius * meeting.distance.direction - body.pose.p_WV;
-  contact.roller_velocity = body.velocity + body.omega.cross(arm);
-  meeting.slip_rate = meeting.velocity - contact.roller_velocity;
-  contact.rate = -meeting.slip_rate.dot(meeting.distance.direction);
+  regard(index, meeting);
   const ElementRange reachable = within_reach(rollers_[index]);
   if (reachable.first >= reachable.last) {
     return std::nullopt;

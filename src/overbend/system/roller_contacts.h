@@ -88,7 +88,8 @@ class RollerContacts {
   void evaluate(const double* q, const double* v, const Weights& weights, const std::vector<ContactMemory>& before,
                 std::vector<ContactMemory>& after, ContactMode mode, const ContactTarget& target);
 
-  /// Looks at what the last evaluation passed over, of the same state.
+  /// Looks at what the last evaluation passed over, of the same state, and for rollers out of reach along the whole
+  /// line, so that every contact tells its distance.
   void complete(const double* q, const double* v, std::vector<ContactMemory>& after);
   /// Nothing is passed over before complete() is called again.
   void forget() {
@@ -170,6 +171,10 @@ class RollerContacts {
   void look(const double* q, const double* v, const std::vector<ContactMemory>& memory);
   Meeting find(std::size_t index, const RollerMeeting& seen, const double* q, const double* v,
                const ContactMemory& memory);
+  Meeting search_along(std::size_t index, const ElementRange& range, const double* q, const double* v,
+                       const ContactMemory& memory);
+  void regard(std::size_t index, Meeting& meeting);
+  void look_beyond_reach(std::size_t index, const double* q, const double* v, const ContactMemory& memory);
   std::optional<Meeting> meet(std::size_t index, const RollerMeeting& seen, const double* q, const double* v,
                               ContactMemory& after);
   void evaluate_one(std::size_t index, const std::optional<Meeting>& meeting, const Weights& weights,
