@@ -105,6 +105,25 @@ TEST(dynamic_recorder, rollers_far_below_the_pipe_tell_the_clearance_that_static
   EXPECT_GT(clearance, 2.0);
 }
 
+// The edge beyond which the bed falls away bends the pipe most where it lands, between two nodes.
+TEST(dynamic_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_tell) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/validation/bed_cases/BP16-slope.yaml").description.value();
+  d.environment.seabed.profile.at(4).depth = 118.0;
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 1.0;
+  d.dynamics->build_up = 0.5;
+  const TimedLay c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  const auto is_as_at_rest = [](const DynamicExtreme& in_time, const Extreme& at_rest) {
+    EXPECT_NEAR(in_time.over_time.max, at_rest.value, 2e-3 * at_rest.value);
+    EXPECT_NEAR(in_time.s, at_rest.s, 0.1);
+  };
+  EXPECT_NEAR(c.statics.sagbend.bending_moment.s, c.statics.touchdown.s, 1e-6);
+  is_as_at_rest(r.sagbend.bending_moment, c.statics.sagbend.bending_moment);
+  is_as_at_rest(r.sagbend.strain, c.statics.sagbend.strain);
+}
+
 TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {
   DynamicResults r;
   r.smallest_tension.over_time.min = -8e3;

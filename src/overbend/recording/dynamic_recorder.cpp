@@ -226,6 +226,15 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
       keep_peak(peaks[i], (*quantity[i])[node], s, time);
     }
   }
+  // On an edge of an uneven bed the sagbend is bent most where it ends, between two nodes.
+  const auto after = std::ranges::upper_bound(places(), regions.touchdown);
+  if (after == places().begin() || after == places().end()) return;
+  const std::size_t upper = static_cast<std::size_t>(after - places().begin()), lower = upper - 1;
+  const double share = (regions.touchdown - places()[lower]) / (*after - places()[lower]);
+  for (std::size_t i = 0; i < kRegionQuantities; ++i) {
+    const std::vector<double>& values = *quantity[i];
+    keep_peak(key_.sagbend[i], values[lower] + share * (values[upper] - values[lower]), regions.touchdown, time);
+  }
 }
 
 /// Where the effective tension is least.
