@@ -186,25 +186,25 @@ void note_runoff(StaticResults& results, const SupportResult& box) {
   }
 }
 
-/// Boxes that the pipe lies beside.
+/// Boxes that the pipe lies beside, on one side of them.
 struct BoxesLeft {
-  std::string first;    ///< Seen from the tensioner.
-  int more = 0;         ///< After it.
-  double beside = 0.0;  ///< The furthest, port positive [m].
+  const char* side;
+  std::string first = {};  ///< Seen from the tensioner.
+  int more = 0;            ///< After it.
+  double beside = 0.0;     ///< The furthest [m].
 
   void add(const std::string& box, double distance) {
-    if (distance == 0.0) return;
+    if (distance <= 0.0) return;
     more += first.empty() ? 0 : 1;
     first = first.empty() ? box : first;
-    beside = std::abs(distance) > std::abs(beside) ? distance : beside;
+    beside = std::max(beside, distance);
   }
   void note(StaticResults& results) const {
     if (first.empty()) return;
     results.warnings.push_back(fmt::format(
         "the pipe has left '{}'{} over the side to {}: it lies up to {:.2f} m beyond the ends of the bottom rollers, "
         "which no longer hold it",
-        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "",
-        beside > 0.0 ? "port" : "starboard", std::abs(beside)));
+        first, more > 0 ? fmt::format(" and {} more box{}", more, more > 1 ? "es" : "") : "", side, beside));
   }
 };
 
@@ -235,7 +235,7 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
   const Model& model = system.model();
   Departure departure;
   departure.s = kInfinity;
-  BoxesLeft left;
+  BoxesLeft to_port{"port"}, to_starboard{"starboard"};
   for (const SupportBox& box : model.supports.boxes) {
     const Axes axes{direction_from_ramp(model.mean_pose, box.direction_S),
                     direction_from_ramp(model.mean_pose, Vec3(0.0, -1.0, 0.0))};
@@ -266,14 +266,16 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     smallest_separations(result);
     pipe_over_box(result, results.stations);
     note_runoff(results, result);
-    left.add(box.name, beside);
+    to_port.add(box.name, beside);
+    to_starboard.add(box.name, -beside);
     if (result.stinger) {
       const auto& last = result.rows.back().rollers;
       results.stinger_tip_clearance = last.front().separation;
     }
     results.supports.push_back(std::move(result));
   }
-  left.note(results);
+  to_port.note(results);
+  to_starboard.note(results);
   note_extremes(results, system);
   return departure;
 }
