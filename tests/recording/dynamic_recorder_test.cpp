@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "model/lay_stage.h"
 #include "recording/dynamic_warnings.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
@@ -122,6 +123,22 @@ TEST(dynamic_recorder, the_sagbend_over_an_edge_of_the_bed_is_bent_as_statics_te
   EXPECT_NEAR(c.statics.sagbend.bending_moment.s, c.statics.touchdown.s, 1e-6);
   is_as_at_rest(r.sagbend.bending_moment, c.statics.sagbend.bending_moment);
   is_as_at_rest(r.sagbend.strain, c.statics.sagbend.strain);
+}
+
+// Over a roller a cable has a kink, of which the tangent of its elements knows little.
+TEST(dynamic_recorder, a_cable_leaves_its_last_roller_at_the_angle_that_statics_tell) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-abandonment.yaml").description.value();
+  d = at_stage(d, lay_stages(d).at(2));
+  d.environment.waves = WavesDescription{};
+  d.vessel.motion = VesselMotion::fixed;
+  d.dynamics->duration = 1.0;
+  d.dynamics->build_up = 0.5;
+  const TimedLay c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  ASSERT_EQ(c.statics.last_support, "stinger 8");
+  EXPECT_NEAR(r.departure_angle.min, c.statics.departure_angle, 1e-5);
+  EXPECT_NEAR(r.departure_angle.max, c.statics.departure_angle, 1e-5);
 }
 
 TEST(dynamic_recorder, compression_in_time_is_warned_of_with_place_time_and_size) {

@@ -10,6 +10,7 @@
 #include "recording/dynamic_recorder_layout.h"
 #include "recording/move_record.h"
 #include "recording/snapshots.h"
+#include "system/cut_forces.h"
 
 namespace overbend {
 namespace {
@@ -32,6 +33,20 @@ Vec3 tangent_at(const LineState& state, const LineMesh& mesh, double s) {
   const std::size_t e = static_cast<std::size_t>(after - mesh.s.begin()) - 1;
   const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
   return centreline(q, std::clamp((s - mesh.s[e]) / mesh.length[e], 0.0, 1.0), mesh.length[e]).a.normalized();
+}
+
+/// How a cable without bending stiffness is pulled where it meets a roller: between the directions either side of it,
+/// by what works along its element up to there.
+Vec3 pull_at(const LineAssembly& line, const LineState& state, const RollerContact& roller) {
+  const std::size_t e = static_cast<std::size_t>(roller.at.element);
+  Vec3 pull = cut_at_node(line.cuts(), state.q, e).force;
+  Vec3 spread = pull - cut_at_node(line.cuts(), state.q, e + 1).force;
+  for (const RollerContact& other : line.contacts().contacts()) {
+    if (!(other.normal > 0.0) || other.at.element != roller.at.element) continue;
+    spread -= other.force();
+    if (other.at.xi < roller.at.xi) pull -= other.force();
+  }
+  return pull - 0.5 * roller.force() - roller.at.xi * spread;
 }
 
 /// Clear distance of pipe and roller; not a number where the pipe does not pass it [m].
@@ -126,7 +141,7 @@ void DynamicRecorder::tell_current() {
 
 void DynamicRecorder::begun(const Instant& at) {
   tell_current();
-  static_departure_ = departure(at);
+  if (const RollerContact* last = last_contact(at)) static_departure_ = place_of(*last);
   recover(at);
   static_nodes_ = nodes_;
   static_supports_ = support_sample_;
@@ -183,9 +198,12 @@ void DynamicRecorder::find_key_values(const Instant& at) {
   key_.lay_back = (landing - shoe).dot(astern_direction(model_->mean_pose));
   key_.bottom_tension = recovery_.at_nodes(nodes_).effective_tension[static_cast<std::size_t>(touchdown)] *
                         std::cos(inclination(node_tangent(state, touchdown)));
-  const std::optional<double> leaving = departure(at);
+  const RollerContact* last = last_contact(at);
+  const std::optional<double> leaving = last != nullptr ? place_of(*last) : static_departure_;
   key_.departure_angle =
-      inclination(tangent_at(state, line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back()))));
+      inclination(last != nullptr && is_cable(*last)
+                      ? pull_at(at.assembly->line(0), state, *last).normalized()
+                      : tangent_at(state, line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back()))));
   key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.contacts()[static_cast<std::size_t>(tip_roller_)]);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
   find_region_peaks(find_regions({places(), nodes_.bending_moment, nodes_.vertical_moment},
@@ -198,17 +216,24 @@ void DynamicRecorder::find_key_values(const Instant& at) {
                  key_.sagbend[3].now, -key_.slack.now};
 }
 
-/// Place of the last contact with a support. Where the pipe has jumped off all of them it is that of the static
-/// state; none where no support carries in either.
-std::optional<double> DynamicRecorder::departure(const Instant& at) const {
-  std::optional<double> last;
+/// Place of a contact along the line.
+double DynamicRecorder::place_of(const RollerContact& contact) const {
+  const std::size_t e = static_cast<std::size_t>(contact.at.element);
+  return recovery_.place_of(line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e]);
+}
+
+bool DynamicRecorder::is_cable(const RollerContact& contact) const {
+  const int section = line_->mesh.section[static_cast<std::size_t>(contact.at.element)];
+  return model_->sections[static_cast<std::size_t>(section)].kind == SectionKind::cable;
+}
+
+/// The last contact with a support, seen from the top; null where the pipe has jumped off all of them.
+const RollerContact* DynamicRecorder::last_contact(const Instant& at) const {
+  const RollerContact* last = nullptr;
   for (const RollerContact& contact : at.contacts()) {
-    if (contact.normal <= 0.0) continue;
-    const std::size_t e = static_cast<std::size_t>(contact.at.element);
-    const double s = recovery_.place_of(line_->mesh.s[e] + contact.at.xi * line_->mesh.length[e]);
-    last = last ? std::min(*last, s) : s;
+    if (contact.normal > 0.0 && (last == nullptr || place_of(contact) < place_of(*last))) last = &contact;
   }
-  return last ? last : static_departure_;
+  return last;
 }
 
 void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {

@@ -69,7 +69,9 @@ class DynamicRecorder : public SimulationObserver {
   void find_key_values(const Instant& at);
   void find_region_peaks(const Regions& regions, double time);
   void find_slack(double time);
-  std::optional<double> departure(const Instant& at) const;
+  const RollerContact* last_contact(const Instant& at) const;
+  double place_of(const RollerContact& contact) const;
+  bool is_cable(const RollerContact& contact) const;
   void find_support_values(const Instant& at);
   void find_passed(const Instant& at);
   void fill_assumptions(DynamicResults& results) const;
