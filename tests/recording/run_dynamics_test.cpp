@@ -9,6 +9,8 @@
 
 #include "modelfile/yaml_reader.h"
 #include "numerics/running_quantiles.h"
+#include "recording/dynamic_stations.h"
+#include "statics/static_system.h"
 #include "support/allocation_count.h"
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
@@ -101,6 +103,26 @@ TEST(dynamics, at_a_change_of_section_stresses_are_those_of_the_softer_side) {
     EXPECT_NEAR(r.bending_stress.max[i], by_hand, 1e-9 * by_hand) << from_top;
   }
   EXPECT_EQ(ends, 2);
+}
+
+TEST(dynamics, where_grades_of_the_same_wall_meet_stresses_are_held_against_the_lower) {
+  for (const double grade : {360e6, 450e6}) {
+    Description d = with_arrestor();
+    d.pipe.segments[1].section.steel = d.pipe.section.steel;
+    d.pipe.segments[1].section.steel.yield_stress = grade;
+    const TimedLay c(d);
+    const StaticSystem system = system_with_past(c.model, c.start.mesh, {});
+    const NodeRecovery recovery(c.model, system.line());
+    int ends = 0;
+    for (std::size_t node = 0; node < c.start.mesh.s.size(); ++node) {
+      const double from_top = c.start.mesh.total_length() - c.start.mesh.s[node];
+      if (std::abs(from_top - 60.0) > 1e-6 && std::abs(from_top - 62.0) > 1e-6) continue;
+      ++ends;
+      const std::size_t section = static_cast<std::size_t>(recovery.sections()[node]);
+      EXPECT_EQ(c.model.sections[section].yield_stress, std::min(grade, 414e6)) << from_top;
+    }
+    EXPECT_EQ(ends, 2);
+  }
 }
 
 /// A pipe hanging from a guide that lets it turn, under a barge that heaves.
