@@ -46,6 +46,19 @@ TEST(lines_command, dynamic_finds_the_published_extremes) {
   EXPECT_NEAR(line["second_tension"]["min"], 41.48e3, 0.02 * 41.48e3);
 }
 
+TEST(lines_command, dynamic_takes_the_duration_that_is_given_where_the_model_has_none) {
+  const Scratch scratch;
+  std::string model = kJumper;
+  model.erase(model.find("analysis:"));
+  const std::string file = scratch.write("jumper.yaml", model);
+  const auto refused = run_program("dynamic " + file + " -o " + scratch.file("out"));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("jumper.yaml:1: analysis.dynamic: "), std::string::npos) << refused.err;
+  const auto done = run_program("dynamic " + file + " --duration '2 s' -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  EXPECT_GT(read_json(scratch.read("out/summary.json"))["dynamic"]["steps"], 0);
+}
+
 TEST(lines_command, dynamic_runs_every_seed_and_tells_them_together) {
   const Scratch scratch;
   std::string model = kJumper.substr(0, kJumper.find("lines:"));

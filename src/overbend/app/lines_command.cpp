@@ -14,6 +14,7 @@
 #include "resultfiles/lines_writer.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
+#include "study/case.h"
 #include "study/lines_run.h"
 #include "study/prepared_case.h"
 
@@ -101,9 +102,9 @@ int run_static_lines(const Description& description, const fs::path& folder) {
 
 int run_dynamic_lines(const Description& described, std::optional<double> duration, const fs::path& folder,
                       const TakeUp& take_up, double checkpoint_every) {
-  if (!described.dynamics) return tell(failed_end(without_dynamics(), described));
   Description description = described;
-  description.dynamics->duration = duration.value_or(description.dynamics->duration);
+  set_duration(description, duration);
+  if (!description.dynamics) return tell(failed_end(without_dynamics(), description));
   const Model model = build_model(description);
   const std::vector<std::uint64_t>& seeds = description.dynamics->seeds;
   std::vector<fs::path> folders = {folder};

@@ -13,6 +13,7 @@
 #include "python/statics_handle.h"
 #include "python/without_lock.h"
 #include "runstore/run_store.h"
+#include "study/case.h"
 #include "study/lines_run.h"
 #include "study/prepared_case.h"
 #include "study/study.h"
@@ -63,8 +64,8 @@ void require_wish(const std::vector<fs::path>& folders, const RunWish& wish) {
 
 /// Lines by themselves: one run.
 RunEnd run_lines_alone(Description description, const RunWish& wish, const fs::path& folder, RunWatch& watch) {
+  set_duration(description, wish.duration);
   if (!description.dynamics) return failed_end(without_dynamics(), description);
-  description.dynamics->duration = wish.duration.value_or(description.dynamics->duration);
   require_wish({folder}, wish);
   const Model model = build_model(description);
   DynamicOptions options = dynamic_options(model);

@@ -6,6 +6,7 @@
 
 #include "python/python_errors.h"
 #include "python/statics_handle.h"
+#include "study/case.h"
 
 namespace overbend {
 namespace {
@@ -21,10 +22,7 @@ std::shared_ptr<const PreparedCase> prepared_of(const ModelHandle& model, const 
   if (!description.has_pipe) {
     throw std::invalid_argument("a simulation needs a pipe; model.dynamic() runs lines by themselves");
   }
-  if (duration) {
-    if (!description.dynamics) description.dynamics.emplace();
-    description.dynamics->duration = *duration;
-  }
+  set_duration(description, duration);
   return taken(prepare_case(description, uses_of(controllers)));
 }
 

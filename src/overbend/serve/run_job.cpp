@@ -7,6 +7,7 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "modelfile/yaml_reader.h"
 #include "serve/run_queue.h"
+#include "study/case.h"
 #include "study/compare_variants.h"
 #include "study/lines_run.h"
 #include "study/model_statics.h"
@@ -63,14 +64,13 @@ std::string command_of(const ModelText& model, const RunInfo& run, const std::st
 }
 
 /// Lines by themselves in time: one seed, without progress on the way. Why there are no results; empty where there are.
-std::string run_lines_into(const std::filesystem::path& folder, const Description& description, const RunInfo& run,
+std::string run_lines_into(const std::filesystem::path& folder, Description description, const RunInfo& run,
                            FileLock& files) {
   if (run.is_study()) return "lines by themselves are run one at a time";
+  if (run.duration > 0.0) set_duration(description, run.duration);
   if (!description.dynamics) return failure_line(without_dynamics());
   const Model model = build_model(description);
-  DynamicOptions options = dynamic_options(model);
-  if (run.duration > 0.0) options.duration = run.duration;
-  const LinesOutcome outcome = run_lines(model, options);
+  const LinesOutcome outcome = run_lines(model, dynamic_options(model));
   if (outcome.failure) return failure_line(*outcome.failure);
   const std::lock_guard hold(files);
   write_lines_run(*outcome.results, description, folder);

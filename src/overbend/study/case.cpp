@@ -23,12 +23,15 @@ Description edited(const Description& base, const Case& one) {
 
 }  // namespace
 
+void set_duration(Description& description, const std::optional<double>& duration) {
+  if (!duration) return;
+  if (!description.dynamics) description.dynamics.emplace();
+  description.dynamics->duration = *duration;
+}
+
 Description describe(const Description& base, const Case& one) {
   Description description = one.changes.empty() ? base : edited(base, one);
-  if (one.duration) {
-    if (!description.dynamics) description.dynamics.emplace();
-    description.dynamics->duration = *one.duration;
-  }
+  set_duration(description, one.duration);
   return description;
 }
 

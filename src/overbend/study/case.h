@@ -22,6 +22,10 @@ struct Case {
   std::vector<ControllerUse> controllers{};  ///< Of its run alone: they remember.
 };
 
+/// The simulated time in the place of the model's [s], of a model without analysis.dynamic as well; without one nothing
+/// changes.
+void set_duration(Description& description, const std::optional<double>& duration);
+
 /// The model with the case's keys set in its text, and its duration. Throws std::runtime_error where a key cannot be
 /// set or the model is none any more.
 Description describe(const Description& base, const Case& one);

@@ -4,6 +4,7 @@
 
 #include "modelfile/chosen_keys.h"
 #include "modelfile/yaml_reader.h"
+#include "study/case.h"
 #include "study/case_evaluation.h"
 
 namespace overbend {
@@ -49,10 +50,7 @@ Description CaseBase::described(const std::vector<KeySetting>& keys, bool still)
     if (edit_tree(tree, list)) return taken(read_still_model(tree, base_.source_file));
   }
   Description model = taken(read_model_text(edit_yaml(base_.source_text, list), base_.source_file));
-  if (study_.duration) {
-    if (!model.dynamics) model.dynamics.emplace();
-    model.dynamics->duration = *study_.duration;
-  }
+  set_duration(model, study_.duration);
   return model;
 }
 
