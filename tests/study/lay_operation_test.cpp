@@ -152,6 +152,24 @@ TEST(lay_operation, elements_of_another_length_give_the_same_stage) {
   }
 }
 
+// On a bed without friction the tension is the same all along the laid line.
+TEST(lay_operation, where_the_tension_is_least_does_not_hang_on_rounding) {
+  const auto least_of_stages = [](double turned) {
+    Description d = read("/examples/bgl1-start-up.yaml");
+    d.vessel.heading += turned;
+    for (CurrentPoint& point : d.environment.current) point.towards += turned;
+    std::vector<double> places;
+    for (const StageResult& stage : solve_operation(d).stages) {
+      if (stage.lay) places.push_back(stage.lay->total_length - stage.lay->smallest_tension.s);
+    }
+    return places;
+  };
+  const std::vector<double> north = least_of_stages(0.0), turned = least_of_stages(0.65);
+  ASSERT_GE(north.size(), 4U);
+  ASSERT_EQ(turned.size(), north.size());
+  for (std::size_t i = 0; i < north.size(); ++i) EXPECT_NEAR(turned[i], north[i], 1e-3) << i;
+}
+
 TEST(lay_operation, a_stage_below_its_weight_says_which_tension_would_do_and_leaves_the_others_standing) {
   Description d = stages_of_lay(60.0, 160.0, 1);
   d.operation.lay.program->values = {20e3, 250e3};

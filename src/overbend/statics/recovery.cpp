@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/version.h"
 #include "mechanics/point_load.h"
@@ -203,9 +202,16 @@ Regions regions_of(const std::vector<Station>& stations, double touchdown, std::
   return find_regions({s, moment, vertical}, touchdown, departure, clamped);
 }
 
-void keep_smaller(Extreme& extreme, const Station& at) {
-  if (at.effective_tension < extreme.value) {
-    extreme = {at.effective_tension, at.s, at.p_W, at.astern};
+/// Where the tension is the same along a stretch, as on a bed without friction, its end towards the top counts: which
+/// of its places is least is a matter of rounding.
+void find_smallest_tension(StaticResults& results) {
+  constexpr double kSame = 1e-7;  // of the largest tension
+  const auto less = [](const Station& a, const Station& b) { return a.effective_tension < b.effective_tension; };
+  const double least = std::ranges::min_element(results.stations, less)->effective_tension;
+  for (const Station& at : results.stations) {
+    if (at.effective_tension <= least + kSame * std::abs(results.largest_tension)) {
+      results.smallest_tension = {least, at.s, at.p_W, at.astern};
+    }
   }
 }
 
@@ -215,7 +221,6 @@ void find_extremes(StaticResults& results, const Regions& regions) {
   results.inflection_s = regions.inflection;
   if (regions.carried) results.overbend.emplace();
   results.largest_tension = results.stations.front().effective_tension;
-  results.smallest_tension.value = std::numeric_limits<double>::infinity();
   bool pipe_over_supports = false;
   for (Station& station : results.stations) {
     station.region = regions.of(station.s);
@@ -226,8 +231,8 @@ void find_extremes(StaticResults& results, const Regions& regions) {
     if (station.region == Region::overbend) keep_larger(*results.overbend, station);
     if (station.region == Region::sagbend) keep_larger(results.sagbend, station);
     results.largest_tension = std::max(results.largest_tension, station.effective_tension);
-    keep_smaller(results.smallest_tension, station);
   }
+  find_smallest_tension(results);
   if (!pipe_over_supports) results.overbend.reset();  // only cable lies there
 }
 
