@@ -235,6 +235,20 @@ TEST(statics, strain_gathers_at_bare_field_joints) {
   EXPECT_GE(joints, 2);
 }
 
+// Boxes of one row that the pipe does not touch may have no station over them.
+TEST(statics, what_the_pipe_bears_over_a_box_does_not_hang_on_where_stations_lie) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/validation/bed_cases/BP24-sleeper.yaml").description.value();
+  const StaticResults whole = solve_results(d);
+  d.pipe.segments = {SegmentDescription{"same", 100.0, d.pipe.section}};  // which puts nodes elsewhere
+  const StaticResults parted = solve_results(d);
+  for (std::size_t i = 0; i < whole.supports.size(); ++i) {
+    const SupportResult &a = whole.supports[i], &b = parted.supports[i];
+    EXPECT_GT(a.effective_tension, 0.9 * whole.bottom_tension) << a.name;
+    EXPECT_NEAR(a.effective_tension, b.effective_tension, 1e-3 * a.effective_tension) << a.name;
+    EXPECT_NEAR(a.bending_moment, b.bending_moment, 5e-3 * whole.overbend->bending_moment.value) << a.name;
+  }
+}
+
 TEST(statics, too_little_tension_is_refused_with_the_least_that_would_do) {
   Description d = reference_bgl1();
   d.tensioner.tension = 40e3;

@@ -74,7 +74,7 @@ const CheckStation* most_used(const CheckStations& all, CheckRegion region, Used
   const CheckStation* worst = nullptr;
   double largest = 0.0;
   for (const CheckStation& station : all.stations) {
-    if (region != CheckRegion::line && station.region != region) continue;
+    if (!counts_in(station, region)) continue;
     const double value = used(station);
     if (worst == nullptr || value > largest) {
       worst = &station;

@@ -114,6 +114,7 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
     const Station& at = statics.stations[i];
     if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
     CheckStation station = station_of(model, limits, statics.stations.back().s, at.s, at.p_W);
+    station.leaves = i > 0 && limits.leaves(statics.stations[i - 1].s, at.s);
     const CheckSection& section = out.section_of(station);
     if (section.cable) continue;
     const StillEffects still = still_effects(at, model.sections[station.section], out.current_separate);
@@ -144,6 +145,7 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
     CheckStation station =
         station_of(model, limits, dynamics.station_s.back(), dynamics.station_s[i], dynamics.static_place[i]);
     if (out.section_of(station).cable) continue;
+    station.leaves = i > 0 && limits.leaves(dynamics.station_s[i - 1], station.s);
     station.moment = dynamics.static_moment[i];
     station.force = dynamics.static_tension[i];
     if (out.current_separate) {

@@ -19,6 +19,7 @@ struct Timed {
 struct CheckStation {
   std::size_t section = 0;
   CheckRegion region = CheckRegion::sagbend;
+  bool leaves = false;  ///< The last over the supports: of the stinger tip as well.
   double s = 0.0, from_top = 0.0;
   Vec3 p_W = Vec3::Zero();
   double overpressure = 0.0;  ///< External over internal pressure at the static place [Pa].
@@ -33,6 +34,11 @@ struct CheckStation {
   // Without load factors: the largest of static state or run.
   Timed largest_von_mises, largest_strain, largest_tension;
 };
+
+/// Whether a station counts in a region.
+inline bool counts_in(const CheckStation& station, CheckRegion region) {
+  return region == CheckRegion::line || station.region == region || (region == CheckRegion::tip && station.leaves);
+}
 
 struct CheckStations {
   std::vector<CheckSection> sections;

@@ -30,11 +30,10 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
   CheckAlong along;
   const bool dnv = settings.codes != CheckCodes::api, api = settings.codes != CheckCodes::dnv;
   for (const CheckStation& station : all.stations) {
-    const bool supported = station.region == CheckRegion::overbend;
+    const bool supported = station.region == CheckRegion::overbend, free = !supported || station.leaves;
     const double load = dnv ? station.load.value : 0.0;
     const double strain = dnv && supported ? station.bend.value : 0.0;
-    const double stress =
-        dnv && !supported ? station.largest_von_mises.value / all.section_of(station).stress_limit : 0.0;
+    const double stress = dnv && free ? station.largest_von_mises.value / all.section_of(station).stress_limit : 0.0;
     const double laying = dnv && supported ? laying_at(all, station) : 0.0;
     const double bending = api ? api_bending_at(all, station, settings) : 0.0;
     along.s.push_back(station.s);
@@ -43,7 +42,7 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
     along.stress.push_back(stress);
     along.laying.push_back(laying);
     along.api.push_back(bending);
-    along.governing.push_back(std::max({supported ? strain : std::max(load, stress), laying, bending}));
+    along.governing.push_back(std::max({strain, free ? std::max(load, stress) : 0.0, laying, bending}));
   }
   return along;
 }

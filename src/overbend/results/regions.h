@@ -22,6 +22,12 @@ struct Regions {
   /// Whether the place lies over the supports, where they give the pipe its shape.
   bool supported(double s) const { return carried && s >= departure; }
 
+  /// Whether the station is the last over the supports before a free end, `below` being the place of the next. It is of
+  /// the free end as well: however close below the last contact, the pipe bears what it does there.
+  bool leaves(double below, double s) const {
+    return carried && inflection < departure && below < departure && s >= departure;
+  }
+
   /// The same for the code checks, which tell the overbend over the supports from its free end.
   CheckRegion check_of(double s) const {
     switch (of(s)) {

@@ -148,17 +148,28 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSyst
   return totals;
 }
 
-/// Largest pipe loads over the box's length.
+/// Largest pipe loads over the box's length, which may lie between two stations: at its ends and in its middle they are
+/// linear between those. Nothing where the pipe does not pass the box.
 void pipe_over_box(SupportResult& box, const std::vector<Station>& stations) {
-  for (const Station& at : stations) {
-    if (std::abs(at.s - box.s) <= 0.5 * box.length + 0.3) {
-      box.effective_tension = std::max(box.effective_tension, at.effective_tension);
-      box.bending_moment = std::max(box.bending_moment, at.bending_moment);
-      box.bending_stress = std::max(box.bending_stress, at.bending_stress);
-      box.von_mises = std::max(box.von_mises, at.von_mises);
-      box.strain = std::max(box.strain, at.strain);
+  if (box.s < 0.0) return;
+  const auto take = [&](double Station::*load, double SupportResult::*largest) {
+    const auto at_place = [&](double s) {
+      const auto after = std::ranges::lower_bound(stations, s, {}, &Station::s);
+      if (after == stations.begin() || after == stations.end()) return 0.0;
+      const Station &above = *after, &below = *(after - 1);
+      return below.*load + (s - below.s) / (above.s - below.s) * (above.*load - below.*load);
+    };
+    const double reach = 0.5 * box.length + 0.3;
+    for (const double s : {box.s - reach, box.s, box.s + reach}) box.*largest = std::max(box.*largest, at_place(s));
+    for (const Station& at : stations) {
+      if (std::abs(at.s - box.s) <= reach) box.*largest = std::max(box.*largest, at.*load);
     }
-  }
+  };
+  take(&Station::effective_tension, &SupportResult::effective_tension);
+  take(&Station::bending_moment, &SupportResult::bending_moment);
+  take(&Station::bending_stress, &SupportResult::bending_stress);
+  take(&Station::von_mises, &SupportResult::von_mises);
+  take(&Station::strain, &SupportResult::strain);
 }
 
 void smallest_separations(SupportResult& box) {

@@ -1,0 +1,42 @@
+/// Where the checks' regions end.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "modelfile/yaml_reader.h"
+#include "study/static_run.h"
+
+namespace overbend {
+namespace {
+
+const CheckRow& row_of(const CheckTable& table, const std::string& id, CheckRegion region) {
+  const auto at =
+      std::ranges::find_if(table.rows, [&](const CheckRow& row) { return row.id == id && row.region == region; });
+  EXPECT_NE(at, table.rows.end()) << id;
+  return *at;
+}
+
+StaticResults checked(const Description& d) {
+  const Model model = build_model(d);
+  return checked_statics(model, {solve_statics(model).solution.value(), {}, {}});
+}
+
+// Right below the last contact the pipe bears what it does there; how far below the next station lies is the mesh's.
+TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever_the_mesh) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
+  for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
+    double least = 1e9, most = 0.0;
+    for (const double element : {0.5, 1.0, 2.0}) {
+      d.mesh.overbend_element = element;
+      const StaticResults results = checked(d);
+      const CheckRow& tip = row_of(results.checks, id, CheckRegion::tip);
+      EXPECT_NEAR(tip.s, results.departure_s, 1e-6) << id;
+      least = std::min(least, tip.utilisation);
+      most = std::max(most, tip.utilisation);
+    }
+    EXPECT_LT(most, 1.005 * least) << id;
+  }
+}
+
+}  // namespace
+}  // namespace overbend
