@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "modelfile/yaml_reader.h"
@@ -137,6 +138,35 @@ TEST(yielding_statics, bending_once_leaves_the_sagbend_as_it_was) {
                       once = as_printed(ramberg_osgood(), LayHistory::monotonic);
   EXPECT_NEAR(once.sagbend.bending_moment.value, linear.sagbend.bending_moment.value,
               0.01 * linear.sagbend.bending_moment.value);
+}
+
+// Where one section ends and the next begins is no matter of what bent the pipe on its way.
+TEST(yielding_statics, a_pipe_of_several_sections_keeps_what_the_stinger_did_to_it) {
+  const auto solved = [](const std::function<void(PipeDescription&)>& part) {
+    Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1-as-printed.yaml").description.value();
+    d.pipe.section.steel.material = ramberg_osgood();
+    part(d.pipe);
+    const Model model = build_model(d);
+    return recover_statics(model, solve_statics(model).solution.value());
+  };
+  const StaticResults whole = solved([](PipeDescription&) {});
+  const StaticResults parted = solved([](PipeDescription& pipe) {
+    pipe.segments = {SegmentDescription{"same", 100.0, pipe.section}};
+  });
+  const StaticResults coated = solved([](PipeDescription& pipe) { pipe.section.joint->coated_stiffness = 1.0001; });
+  const StaticResults below_linear =
+      solved([](PipeDescription& pipe) {  // which hardly changes the shape over the boxes
+        pipe.segments = {SegmentDescription{"linear", 75.0, pipe.section}};
+        pipe.segments[0].section.steel.material = {};
+      });
+  EXPECT_GT(below_linear.residual_curvature, 0.5 * whole.residual_curvature);
+  ASSERT_GT(whole.residual_curvature, 1e-3);
+  for (const StaticResults* of : {&parted, &coated}) {
+    EXPECT_NEAR(of->residual_curvature, whole.residual_curvature, 0.03 * whole.residual_curvature);
+    EXPECT_NEAR(of->sagbend.bending_moment.value, whole.sagbend.bending_moment.value,
+                0.02 * whole.sagbend.bending_moment.value);
+    EXPECT_NEAR(of->overbend->strain.value, whole.overbend->strain.value, 0.02 * whole.overbend->strain.value);
+  }
 }
 
 // Steel that stays below yield is linear steel.

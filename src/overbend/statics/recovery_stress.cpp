@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "mechanics/plastic_bending.h"
 #include "mechanics/quadrature.h"
@@ -37,36 +39,57 @@ void lay_straight(StationCut& at) {
   at.bend = Vec3::Zero();
 }
 
-/// A section of pipe on its way from the tensioner.
-class Traveller {
+/// Pipe of every section on its way from the tensioner, bent by every place that it has passed, whatever lies there
+/// now.
+class Travellers {
  public:
-  explicit Traveller(LayHistory history) : history_(history) {}
+  explicit Travellers(const Model& model) : model_(&model), on_way_(model.sections.size()) {}
 
-  /// A section that has been there before, with what it remembers.
-  void is_at(const Section& section, const BendingMemory& memory) {
-    memory_ = memory;
-    section_ = &section;
+  /// Pipe that has been there before, with what it remembers.
+  void is_at(std::size_t section, const BendingMemory& memory) {
+    on_way_[section] = memory;
     known_ = true;
   }
 
-  void bend_to(const Section& section, StationCut& at) {
-    if (!known_ && (&section != section_ || history_ == LayHistory::monotonic)) {
-      memory_ = fresh_memory(at.tangent);
-      section_ = &section;
-    }
-    bring_along(memory_, at.tangent);
-    const LevelMix mix = level_at(*section.bending, at.station.p_W.z());
-    const Vec2 moment = in_axes(memory_, at.bend);
-    at.station.curvature = curvature_for(*section.bending, mix, section.EI, moment, memory_).norm();
-    at.station.residual_curvature = residual_curvature(*section.bending, mix, section.EI, memory_).norm();
+  /// At a place of linear steel.
+  void pass(const Section& section, const StationCut& at) {
+    if (known_ || model_->description.statics.history != LayHistory::laying) return;
+    pass_others(on_way_.size(), at, at.bend / section.EI);
   }
-  double largest_curvature() const { return memory_.largest; }
+
+  /// Returns the largest curvature at which the pipe there has yielded [1/m].
+  double bend_to(std::size_t index, StationCut& at) {
+    const Section& section = model_->sections[index];
+    const bool laying = model_->description.statics.history == LayHistory::laying;
+    if (!known_ && !laying) on_way_[index].reset();
+    BendingMemory& memory = arrived(index, at.tangent);
+    const LevelMix mix = level_at(*section.bending, at.station.p_W.z());
+    const Vec2 curvature = curvature_for(*section.bending, mix, section.EI, in_axes(memory, at.bend), memory);
+    at.station.curvature = curvature.norm();
+    at.station.residual_curvature = residual_curvature(*section.bending, mix, section.EI, memory).norm();
+    if (!known_ && laying) pass_others(index, at, from_axes(memory, curvature));
+    return memory.largest;
+  }
 
  private:
-  LayHistory history_;
-  const Section* section_ = nullptr;
+  BendingMemory& arrived(std::size_t index, const Vec3& tangent) {
+    std::optional<BendingMemory>& memory = on_way_[index];
+    if (!memory) memory = fresh_memory(tangent);
+    bring_along(*memory, tangent);
+    return *memory;
+  }
+  void pass_others(std::size_t index, const StationCut& at, const Vec3& curvature) {
+    for (std::size_t other = 0; other < on_way_.size(); ++other) {
+      const std::optional<BendingLaw>& law = model_->sections[other].bending;
+      if (other == index || !law) continue;
+      BendingMemory& memory = arrived(other, at.tangent);
+      bend(*law, level_at(*law, at.station.p_W.z()), in_axes(memory, curvature), memory);
+    }
+  }
+
+  const Model* model_;
+  std::vector<std::optional<BendingMemory>> on_way_;  ///< By section; none has set out yet.
   bool known_ = false;
-  BendingMemory memory_;
 };
 
 }  // namespace
@@ -88,11 +111,12 @@ std::size_t nearest_gauss_point(const LineMesh& mesh, double s) {
 
 std::vector<Station> finish_stations(const Model& model, std::vector<StationCut> cuts, const LineMesh& mesh,
                                      const std::vector<BendingMemory>& memory) {
-  Traveller traveller(model.description.statics.history);
+  Travellers travellers(model);
   std::vector<Station> stations(cuts.size());
   for (std::size_t i = cuts.size(); i-- > 0;) {
     StationCut& at = cuts[i];
-    const Section& section = model.sections[static_cast<std::size_t>(at.section)];
+    const std::size_t index = static_cast<std::size_t>(at.section);
+    const Section& section = model.sections[index];
     if (section.kind == SectionKind::cable) {
       lay_straight(at);
       stations[i] = at.station;
@@ -100,10 +124,11 @@ std::vector<Station> finish_stations(const Model& model, std::vector<StationCut>
     }
     at.station.curvature = at.station.bending_moment / section.EI;
     if (section.bending && !memory.empty()) {
-      traveller.is_at(section, memory[nearest_gauss_point(mesh, at.station.s)]);
+      travellers.is_at(index, memory[nearest_gauss_point(mesh, at.station.s)]);
     }
-    if (section.bending) traveller.bend_to(section, at);
-    set_stress(model, section, section.bending ? traveller.largest_curvature() : 0.0, at.station);
+    const double yielded = section.bending ? travellers.bend_to(index, at) : 0.0;
+    if (!section.bending && section.kind == SectionKind::pipe) travellers.pass(section, at);
+    set_stress(model, section, yielded, at.station);
     stations[i] = at.station;
   }
   return stations;

@@ -82,6 +82,27 @@ HermiteValues gauss_shape(int point, double h) {
   return shape;
 }
 
+/// One for each law of the line.
+void set_out(const YieldingElements& elements, std::vector<PassingPipe>& passing) {
+  passing.clear();
+  for (std::size_t e = 0; e < elements.law.size(); ++e) {
+    const BendingLaw* law = elements.law[e];
+    const auto same = [&](const PassingPipe& pipe) { return pipe.law == law; };
+    if (law != nullptr && std::ranges::none_of(passing, same)) passing.push_back({law, e});
+  }
+}
+
+/// The pipe comes to a place as it was bent before.
+BendingMemory& arrive(PassingPipe& pipe, const Vec3& tangent) {
+  if (pipe.begun) {
+    bring_along(pipe.memory, tangent);
+  } else {
+    pipe.memory = fresh_memory(tangent);
+    pipe.begun = true;
+  }
+  return pipe.memory;
+}
+
 /// Derivatives of the centreline there.
 CentrelinePoint point_at(const ElementVector& q, const HermiteValues& shape) {
   const Eigen::Map<const Eigen::Matrix<double, 3, 4>> nodes(q.data());
@@ -96,6 +117,7 @@ YieldingElements yielding_elements(const Model& model, const LineMesh& mesh) {
     const Section& of = model.sections[static_cast<std::size_t>(section)];
     elements.law.push_back(of.bending ? &*of.bending : nullptr);
     elements.any = elements.any || of.bending;
+    elements.linear_pipe.push_back(!of.bending && of.kind == SectionKind::pipe);
   }
   elements.mix.resize(mesh.section.size());
   return elements;
@@ -125,34 +147,38 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
   const std::size_t count = elements.law.size();
   points.plastic_moment.assign(kGaussPoints * count, Vec3::Zero());
   points.memory.resize(keep_memory ? kGaussPoints * count : 0);
-  const BendingLaw* last = nullptr;
-  BendingMemory memory;
+  const bool laying = how.before == nullptr && how.history == LayHistory::laying;
+  points.passing.clear();
+  if (laying) set_out(elements, points.passing);
   for (std::size_t e = count; e-- > 0;) {
     const BendingLaw* law = elements.law[e];
     const ElementVector at_nodes = dofs(q, e);
+    const double z = 0.5 * (q.q[6 * e + 2] + q.q[6 * e + 8]);
     ElementSum sum(target.tangent != nullptr);
     for (int i = kGaussPoints - 1; i >= 0; --i) {
       const HermiteValues shape = gauss_shape(i, mesh.length[e]);
       const CentrelinePoint at = point_at(at_nodes, shape);
-      const Vec3 tangent = at.a.normalized();
+      const Vec3 tangent = at.a.normalized(), curvature = curvature_vector(at);
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      if (how.before != nullptr) {
-        memory = how.before[index];
-        bring_along(memory, tangent);
-      } else if (law == nullptr || law != last || how.history == LayHistory::monotonic) {
-        memory = fresh_memory(tangent);
-        last = law;
-      } else {
-        bring_along(memory, tangent);
+      BendingMemory own = how.before != nullptr ? how.before[index] : fresh_memory(tangent);
+      if (how.before != nullptr) bring_along(own, tangent);
+      BendingMemory* memory = &own;
+      for (PassingPipe& pipe : points.passing) {
+        if (!elements.bends_passing(e) || e < pipe.last) continue;
+        BendingMemory& passed = arrive(pipe, tangent);
+        if (pipe.law == law) {
+          memory = &passed;
+        } else {
+          bend(*pipe.law, level_at(*pipe.law, z), in_axes(passed, curvature), passed);
+        }
       }
       if (law != nullptr) {
-        const Vec2 k = in_axes(memory, curvature_vector(at));
-        BendingAnswer answer = bend(*law, elements.mix[e], k, memory);
+        BendingAnswer answer = bend(*law, elements.mix[e], in_axes(*memory, curvature), *memory);
         answer.plastic_moment *= how.share;
         answer.plastic_tangent *= how.share;
-        sum.add(shape, at, kGaussWeight[i] * mesh.length[e], memory, answer, points.plastic_moment[index]);
+        sum.add(shape, at, kGaussWeight[i] * mesh.length[e], *memory, answer, points.plastic_moment[index]);
       }
-      if (keep_memory) points.memory[index] = memory;
+      if (keep_memory) points.memory[index] = *memory;
     }
     sum.scatter_to(static_cast<int>(e), target);
   }

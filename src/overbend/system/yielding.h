@@ -18,6 +18,11 @@ struct YieldingElements {
   std::vector<const BendingLaw*> law;  ///< Null for linear steel.
   std::vector<LevelMix> mix;           ///< Between the levels of the law.
   bool any = false;
+  std::vector<bool> linear_pipe = {};  ///< Pipe of linear steel, whose places bend what passes them all the same.
+
+  bool bends_passing(std::size_t element) const {
+    return law[element] != nullptr || (!linear_pipe.empty() && linear_pipe[element]);
+  }
 };
 YieldingElements yielding_elements(const Model& model, const LineMesh& mesh);
 
@@ -42,15 +47,25 @@ struct StaticYield {
   const BendingMemory* before = nullptr;
 };
 
+/// Pipe of one law on its way from the tensioner down the line.
+struct PassingPipe {
+  const BendingLaw* law = nullptr;
+  std::size_t last = 0;  ///< The element furthest from the tensioner that is of it.
+  bool begun = false;
+  BendingMemory memory = {};
+};
+
 /// What the Gauss points of a line in statics came to, kGaussPoints per element. In use only where steel yields.
 struct StaticYielding {
   std::vector<Vec3> plastic_moment;   ///< World axes [N m].
   std::vector<BendingMemory> memory;  ///< Empty unless asked for.
+  std::vector<PassingPipe> passing;   ///< One for each law.
 };
 
 /// Adds the plastic moments of a line at rest. With LayHistory::laying every section is what came to its place from
-/// the tensioner without twist, through all curvatures in between: the shape stands still while the pipe moves through
-/// it. The tangent takes what happened upstream as given.
+/// the tensioner without twist, through all curvatures in between, whatever pipe lies there now: the shape stands still
+/// while the pipe moves through it. Cables and structures in between bend nothing. The tangent takes what happened
+/// upstream as given.
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
                          const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
