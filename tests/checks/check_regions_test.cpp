@@ -21,7 +21,8 @@ StaticResults checked(const Description& d) {
   return checked_statics(model, {solve_statics(model).solution.value(), {}, {}});
 }
 
-// Right below the last contact the pipe bears what it does there; how far below the next station lies is the mesh's.
+// Right below the last contact the pipe bears what it does there; how far below the next station lies is the mesh's,
+// and would be worth 2 %. Between these meshes the moment itself differs by 0.2 %.
 TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever_the_mesh) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
   for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
