@@ -22,7 +22,7 @@ StaticResults checked(const Description& d) {
 }
 
 // Right below the last contact the pipe bears what it does there; how far below the next station lies is the mesh's,
-// and would be worth 2 %. Between these meshes the moment itself differs by 0.2 %.
+// and was worth 3 to 34 % of these utilisations. Without it they differ by less than 0.05 % between the meshes.
 TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever_the_mesh) {
   Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
   for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
@@ -35,7 +35,7 @@ TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever
       least = std::min(least, tip.utilisation);
       most = std::max(most, tip.utilisation);
     }
-    EXPECT_LT(most, 1.005 * least) << id;
+    EXPECT_LT(most, 1.0005 * least) << id;
   }
 }
 
