@@ -150,6 +150,7 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
   const bool laying = how.before == nullptr && how.history == LayHistory::laying;
   points.passing.clear();
   if (laying) set_out(elements, points.passing);
+  BendingMemory own;
   for (std::size_t e = count; e-- > 0;) {
     const BendingLaw* law = elements.law[e];
     const ElementVector at_nodes = dofs(q, e);
@@ -160,9 +161,7 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
       const CentrelinePoint at = point_at(at_nodes, shape);
       const Vec3 tangent = at.a.normalized(), curvature = curvature_vector(at);
       const std::size_t index = kGaussPoints * e + static_cast<std::size_t>(i);
-      BendingMemory own = how.before != nullptr ? how.before[index] : fresh_memory(tangent);
-      if (how.before != nullptr) bring_along(own, tangent);
-      BendingMemory* memory = &own;
+      BendingMemory* memory = nullptr;
       for (PassingPipe& pipe : points.passing) {
         if (!elements.bends_passing(e) || e < pipe.last) continue;
         BendingMemory& passed = arrive(pipe, tangent);
@@ -171,6 +170,11 @@ void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh,
         } else {
           bend(*pipe.law, level_at(*pipe.law, z), in_axes(passed, curvature), passed);
         }
+      }
+      if (memory == nullptr && (law != nullptr || keep_memory)) {  // it came here otherwise than from the tensioner
+        own = how.before != nullptr ? how.before[index] : fresh_memory(tangent);
+        bring_along(own, tangent);
+        memory = &own;
       }
       if (law != nullptr) {
         BendingAnswer answer = bend(*law, elements.mix[e], in_axes(*memory, curvature), *memory);
