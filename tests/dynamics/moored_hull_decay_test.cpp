@@ -51,7 +51,7 @@ class Decay {
 
   const System& made() {
     system_.bodies.resize(1);
-    FreeBody& body = system_.bodies[0].free.emplace(free_hull(hull_, weight_of_lines(lines_.spread), 120.0));
+    FreeBody& body = system_.bodies[0].free.emplace(free_hull(hull_, force_scale(lines_.spread, std::nullopt), 120.0));
     body.springs = quasi_static_lines(lines_.spread, {});
     system_.surroundings = still(system_);
     return system_;

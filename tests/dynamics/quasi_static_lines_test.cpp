@@ -61,7 +61,7 @@ class SurgingBarge {
     system_.bodies.resize(1);
     FreeBody& body = system_.bodies[0].free.emplace(free_body(barge));
     body.springs = quasi_static_lines(spread, programs);
-    body.force_scale = weight_of_lines(spread);
+    body.force_scale = force_scale(spread, std::nullopt);
     system_.surroundings = still(system_);
     return system_;
   }

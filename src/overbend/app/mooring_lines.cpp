@@ -26,6 +26,11 @@ std::string state_lines(const MooredState& state) {
   for (const PeriodResult& period : v.natural_periods) {
     text += fmt::format("  natural period {:<6} {:>9.1f} s\n", period.mode, period.period);
   }
+  if (!state.thrust.empty()) {
+    text += fmt::format("  thrust ahead {:.1f} kN, to port {:.1f} kN, bow to port {:.1f} kN m\n",
+                        shown(1e-3 * state.thrust[0]), shown(1e-3 * state.thrust[1]), shown(1e-3 * state.thrust[2]));
+  }
+  if (state.moorings.empty()) return text;
   text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line", "tension kN", "length m", "on bed m",
                       "anchor kN", "of MBL");
   for (const MooringLineResult& line : state.moorings) {
@@ -64,9 +69,11 @@ std::string hull_lines(const HullResults& hull) {
   for (const ModeDampingResult& mode : hull.damping) {
     text += fmt::format(
         "  slow {:<6} {:>9.1f} s alone, damping {:.2f} % of critical: radiation {:.2f}, drift {:.2f}, current {:.2f}, "
-        "viscous {:.2f}\n",
+        "viscous {:.2f}",
         mode.mode, mode.period, 100.0 * mode.total, 100.0 * mode.radiation, 100.0 * mode.drift, 100.0 * mode.current,
         100.0 * mode.viscous);
+    if (mode.station_keeping != 0.0) text += fmt::format(", positioning {:.2f}", 100.0 * mode.station_keeping);
+    text += "\n";
   }
   return text;
 }

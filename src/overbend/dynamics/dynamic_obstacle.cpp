@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "model/station.h"
 #include "statics/moored_statics.h"
 #include "statics/static_obstacle.h"
 
@@ -10,10 +11,6 @@ namespace {
 
 StaticFailure refused(const char* key, std::string what, std::string why) {
   return {std::move(what), "", std::move(why), true, key};
-}
-
-bool is_moored(const Description& d) {
-  return d.moorings && !d.moorings->lines.empty();
 }
 
 /// Quasi-static lines pull at a hull and follow lengths; what takes a line of elements is said by name.
@@ -43,10 +40,6 @@ std::optional<StaticFailure> mooring_obstacle(const Description& d) {
   if (moorings.model == MooringModel::quasi_static) {
     if (std::optional<StaticFailure> obstacle = quasi_static_obstacle(d)) return obstacle;
   }
-  if (d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
-    return refused("operation.loads", "loads of a pull-ahead act in statics alone",
-                   "give them under vessel.loads, or leave them out where there is a pipe");
-  }
   if (d.operation.type == OperationType::anchor_move) {
     return refused("operation.type", "an anchor cannot be moved in time", "overbend static has its stages");
   }
@@ -59,7 +52,7 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
     return refused("vessel.motion.coupled", "the hull that floats free has no hydrodynamic coefficients",
                    "name their files");
   }
-  if (!d.station_keeping && !is_moored(d)) {
+  if (!has_station(d)) {
     return refused("vessel.motion.coupled", "nothing holds the hull that floats free in its place",
                    "give moorings or station_keeping");
   }
@@ -69,7 +62,11 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
 /// A motion that cannot be followed over the whole run.
 std::optional<StaticFailure> motion_obstacle(const Description& d) {
   const VesselDescription& vessel = d.vessel;
-  if (is_moored(d)) {
+  if (has_station(d) && d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
+    return refused("operation.loads", "loads of a pull-ahead act in statics alone",
+                   "give them under vessel.loads, or leave them out where there is a pipe");
+  }
+  if (has_mooring_lines(d)) {
     if (std::optional<StaticFailure> obstacle = mooring_obstacle(d)) return obstacle;
   }
   if (vessel.motion == VesselMotion::coupled) {

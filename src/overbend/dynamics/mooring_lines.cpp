@@ -7,6 +7,7 @@
 #include "mechanics/ground.h"
 #include "mechanics/quadrature.h"
 #include "mechanics/rod_element.h"
+#include "model/station.h"
 #include "statics/cable_start.h"
 #include "statics/rest_together.h"
 
@@ -106,7 +107,7 @@ void stretch_as_pulled_in(const Line& line, LineState& state) {
 
 LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
   LineShapes shapes;
-  const MooringsDescription& moorings = *model.description.moorings;
+  const MooringsDescription& moorings = moorings_of(model.description);
   const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
   for (std::size_t i = 0; i < spread.lines.size(); ++i) {
     const MooredLine& moored = spread.lines[i];

@@ -24,9 +24,10 @@ void add_moorings(const Model& model, const StaticSolution& start, RunSetup& set
   follow_programs(*start.moorings, winch_programs(start), setup.system);
 }
 
-/// Of the lines that the hull holds.
-double weight_of(const StaticSolution& start, const RunSetup& setup) {
-  return setup.system.machine < 0 ? weight_of_lines(*start.moorings) : setup.system.lines.front().force_scale;
+/// Of the balance of a hull: of its pipe, else of what keeps it in its place.
+double scale_of(const Description& d, const StaticSolution& start, const RunSetup& setup) {
+  if (setup.system.machine >= 0) return setup.system.lines.front().force_scale;
+  return force_scale(*start.moorings, d.station_keeping);
 }
 
 /// The vessel's motion: told, or that of a hull that floats free.
@@ -41,7 +42,7 @@ void add_motion(const Model& model, const StaticSolution& start, const DynamicOp
   setup.hull->hull.mean_drift_from_start = d.statics.mean_drift.value_or(true);
   setup.ballast = d.vessel.coupled->ballast;
   FreeBody& body =
-      setup.system.bodies.front().free.emplace(free_hull(setup.hull->hull, weight_of(start, setup), d.vessel.length));
+      setup.system.bodies.front().free.emplace(free_hull(setup.hull->hull, scale_of(d, start, setup), d.vessel.length));
   if (start.moorings && is_quasi_static(d)) {
     body.springs = quasi_static_lines(*start.moorings, winch_programs(start));
   }
@@ -52,6 +53,11 @@ void add_move(const Description& d, const StaticSolution& start, RunSetup& setup
   setup.move = start.winches ? start.winches->profile : move_profile(d.operation, 0.0);
   const std::optional<JointDescription>& joint = d.pipe.section.joint;
   setup.joint = joint ? joint->length : std::abs(d.operation.distance);
+  if (setup.hull && setup.hull->hull.station_keeping) {
+    StationKeeping& keeping = *setup.hull->hull.station_keeping;
+    keeping.move = setup.move;
+    keeping.ahead_W = (start.pose.R_WV * Vec3::UnitX()).head<2>().normalized();
+  }
   if (setup.system.machine < 0) return;
   setup.system.attachments[static_cast<std::size_t>(setup.system.machine)].tensioner.limit =
       std::numeric_limits<double>::infinity();  // a track tensioner feeds without end

@@ -41,9 +41,11 @@ Mat6 turning_of(const Mat6& A, double r) {
 
 // What acts at the slow place and heading, in H ----------------------------------------------------------------------
 
-Vec6 station_force(const StationKeeping& keeping, const SlowMotion& slow) {
+Vec6 station_force(const StationKeeping& keeping, const SlowMotion& slow, double time) {
   const Mat3 to_h = turned_about_z(-slow.value.z());
-  const Vec3 off = to_h * (keeping.wanted - slow.value), rate = to_h * slow.rate;
+  const WayPoint at = keeping.move ? keeping.move->at(time) : WayPoint{};
+  const Vec3 ahead(keeping.ahead_W.x(), keeping.ahead_W.y(), 0.0);
+  const Vec3 off = to_h * (keeping.wanted + at.way * ahead - slow.value), rate = to_h * (slow.rate - at.speed * ahead);
   const Vec3 wanted = keeping.law.stiffness.cwiseProduct(off) - keeping.law.damping.cwiseProduct(rate);
   const Vec3 thrust = wanted.cwiseMax(-keeping.law.limit).cwiseMin(keeping.law.limit);
   return (Vec6() << thrust.x(), thrust.y(), 0.0, 0.0, 0.0, thrust.z()).finished();
@@ -81,7 +83,7 @@ HullSurroundings surroundings_at(const Hull& hull, const SlowMotion& slow, doubl
   s.water = water_at_strips(hull, slow, time, s.built_up);
   s.munk = munk_moment(hull, slow);
   s.wind = wind_force(hull.wind, slow.value.z());
-  if (hull.station_keeping) s.station = station_force(*hull.station_keeping, slow);
+  if (hull.station_keeping) s.station = station_force(*hull.station_keeping, slow, time);
   return s;
 }
 

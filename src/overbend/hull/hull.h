@@ -20,6 +20,7 @@
 #include "hull/radiation.h"
 #include "hull/rigid_body.h"
 #include "hull/slow_motion.h"
+#include "mechanics/move_profile.h"
 #include "mechanics/sea.h"
 #include "model/hull_description.h"
 
@@ -33,8 +34,10 @@ struct HullLoad {
 
 /// Dynamic positioning towards a place and heading, on the slow motion.
 struct StationKeeping {
-  Vec3 wanted = Vec3::Zero();     ///< x, y, psi [m, m, rad].
-  StationKeepingDescription law;  ///< Surge, sway and yaw of the slow heading.
+  Vec3 wanted = Vec3::Zero();                         ///< x, y, psi, before it moves ahead [m, m, rad].
+  StationKeepingDescription law;                      ///< Surge, sway and yaw of the slow heading.
+  std::optional<MoveProfile> move = std::nullopt;     ///< How the wanted place moves ahead, if it does.
+  Eigen::Vector2d ahead_W = Eigen::Vector2d::Zero();  ///< Which way.
 };
 
 /// Damping besides radiation, on the rates of H: F = -linear v - quadratic |v| v by component.

@@ -37,7 +37,8 @@ void place(Hull& hull, const Model& model, const Vec3& centre_of_gravity) {
   hull.drawn = coordinates(model.drawn_pose);
   hull.lies = coordinates(model.mean_pose);
   if (const auto& dp = model.description.station_keeping) {
-    hull.station_keeping = StationKeeping{Vec3(hull.drawn(0), hull.drawn(1), hull.drawn(5)), *dp};
+    hull.station_keeping.emplace(
+        StationKeeping{.wanted = Vec3(hull.drawn(0), hull.drawn(1), hull.drawn(5)), .law = *dp});
   }
 }
 

@@ -61,7 +61,8 @@ std::vector<Field> operation() {
   Field type = required(
       row_of_kind(FieldKind::choice, "operation.type", fills(&Operation::type),
                   "moored: the vessel on its lines in several stages; pull_ahead: it moves ahead on its "
-                  "winches; anchor_move: an anchor is taken up and laid down elsewhere; anchor_plan: which "
+                  "winches, or by dynamic positioning; anchor_move: an anchor is taken up and laid down elsewhere; "
+                  "anchor_plan: which "
                   "anchor has to be moved before which joint; abandonment: the pipe goes down on a cable; "
                   "recovery: it comes up again, the stages in reverse order; lay_down: the end of the line, "
                   "as abandonment; start_up: the first pipe is pulled off the vessel by a cable to an anchor; "

@@ -106,7 +106,9 @@ void check_moored_operation(Checker& check, const FieldValue& operation, Operati
   const std::vector<FieldValue>& lines = Checker::items(check.root(), "moorings.lines");
   if (type == anchor_move) check_anchor_move(check, operation, lines);
   const bool led = type == pull_ahead && check.root().mentions("pipe") && !hull_floats(check.root());
-  if (lines.empty() && !is_given(check.root(), "moorings") && !led) {
+  const bool of_lines = type == anchor_move || type == anchor_plan;
+  const bool positioned = !of_lines && is_given(check.root(), "station_keeping");
+  if (lines.empty() && !is_given(check.root(), "moorings") && !led && !positioned) {
     check.missing(check.root(), "moorings", "a group of keys", "the operation is that of a moored vessel");
   }
   const FieldValue* stages = operation.find("stages");

@@ -73,6 +73,39 @@ void add_surroundings(const HullAtRest& hull, const HullOffset& u, HullForces& s
   sum.slope.col(5) -= (hull.surroundings(u[5] + d) - hull.surroundings(u[5] - d)) / (2.0 * d);
 }
 
+/// Of dynamic positioning: in the hull's horizontal axes, and about the reference point in D.
+struct StationForce {
+  Vec3 thrust;
+  Vec6 load;
+};
+StationForce station_force(const HullAtRest& hull, const HullOffset& u) {
+  const StationAtRest& station = *hull.station;
+  const Attitude at = attitude_of(hull, u);
+  const Vec3 arm = at.R_DV * station.point_V;
+  const Vec3 shift = u.head<3>() + arm - attitude_of(hull, HullOffset::Zero()).R_DV * station.point_V;
+  const Vec3 off_D(station.wanted.x() - shift.x(), station.wanted.y() - shift.y(), 0.0);
+  Vec3 off = at.yawed.transpose() * off_D;
+  off.z() = station.wanted.z() - u[5];
+  const Vec3 thrust = station.law.stiffness.cwiseProduct(off).cwiseMax(-station.law.limit).cwiseMin(station.law.limit);
+  const Vec3 force = at.yawed * Vec3(thrust.x(), thrust.y(), 0.0);
+  return {thrust, (Vec6() << force, arm.cross(force) + thrust.z() * Vec3::UnitZ()).finished()};
+}
+
+void add_station(const HullAtRest& hull, const HullOffset& u, HullForces& sum) {
+  if (!hull.station) return;
+  const double d = 1e-5;  // [m], [rad]; the law is a straight line but where it is cut off
+  const StationForce here = station_force(hull, u);
+  sum.station = here.load;
+  sum.thrust = here.thrust;
+  for (int k = 0; k < 6; ++k) {
+    const HullOffset step = d * HullOffset::Unit(k);
+    sum.station_stiffness.col(k) =
+        (station_force(hull, u - step).load - station_force(hull, u + step).load) / (2.0 * d);
+  }
+  sum.total += sum.station;
+  sum.slope += sum.station_stiffness;
+}
+
 Mat6 turned(const Mat6& m, const Mat3& axes) {
   Mat6 result;
   for (const int i : {0, 3}) {
@@ -93,7 +126,7 @@ void add_lines(const MooringSpread& spread, const HullAtRest& hull, const HullPl
   sum.slope.rightCols<3>() += sum.mooring_stiffness.rightCols<3>() * at.axes;
 }
 
-/// Unbalanced forces of the free modes as shares of the weight of the lines.
+/// Unbalanced forces of the free modes as shares of the force scale.
 double unbalanced(const Vec6& total, const FreeModes& free, double weight, double arm) {
   double largest = 0.0;
   for (int i = 0; i < 6; ++i) {
@@ -165,7 +198,14 @@ bool advance(const MooringSpread& spread, const HullAtRest& hull, const FreeMode
   return false;
 }
 
-MooringFault no_rest(const MooringSpread& spread, const RestOutcome& at) {
+MooringFault no_rest(const MooringSpread& spread, const HullAtRest& hull, const RestOutcome& at) {
+  if (hull.station) {
+    if (thrust_is_exhausted(hull, at.forces.thrust)) {
+      return "no rest of the hull: dynamic positioning gives all the thrust that it has (station_keeping.dp)";
+    }
+    return fmt::format("no rest of the hull was found in {} iterations: unbalanced force {:.1e} of the force scale",
+                       at.iterations, at.residual);
+  }
   const int effective = effective_lines(spread, at.lines);
   if (effective < 3) {
     return fmt::format(
@@ -191,6 +231,7 @@ HullForces hull_forces(const MooringSpread& spread, const HullAtRest& hull, cons
   add_restoring(hull, offset, at, sum);
   add_loads(hull, at, sum);
   add_surroundings(hull, offset, sum);
+  add_station(hull, offset, sum);
   add_lines(spread, hull, place_of(hull, offset), at, lines, sum);
   return sum;
 }
@@ -199,7 +240,8 @@ RestOutcome find_rest(const MooringSpread& spread, const HullAtRest& hull, const
                       const FreeModes& free) {
   RestOutcome at;
   at.offset = start;
-  const double weight = weight_of_lines(spread), arm = 0.5 * hull.length;
+  const double weight = force_scale(spread, hull.station ? std::optional(hull.station->law) : std::nullopt);
+  const double arm = 0.5 * hull.length;
   at.forces = hull_forces(spread, hull, at.offset, at.lines);
   at.fault = at.forces.fault;
   if (at.fault) return at;
@@ -211,7 +253,7 @@ RestOutcome find_rest(const MooringSpread& spread, const HullAtRest& hull, const
     idle = at.residual < least ? 0 : idle + 1;
     least = std::min(least, at.residual);
   }
-  if (at.residual > 100.0 * kBalanced) at.fault = no_rest(spread, at);
+  if (at.residual > 100.0 * kBalanced) at.fault = no_rest(spread, hull, at);
   return at;
 }
 
@@ -231,12 +273,16 @@ int effective_lines(const MooringSpread& spread, const std::vector<CatenarySolut
   return count;
 }
 
-double weight_of_lines(const MooringSpread& spread) {
-  double sum = 0.0;
+double force_scale(const MooringSpread& spread, const std::optional<StationKeepingDescription>& station) {
+  double sum = station ? station->stiffness.head<2>().maxCoeff() : 0.0;  // a metre off
   for (const MooredLine& line : spread.lines) {
     for (const CatenaryPiece& piece : line.line.pieces) sum += std::abs(piece.weight_submerged) * piece.length;
   }
   return std::max(sum, 1.0);
+}
+
+bool thrust_is_exhausted(const HullAtRest& hull, const Vec3& thrust) {
+  return hull.station && (thrust.cwiseAbs().array() >= hull.station->law.limit.array()).any();
 }
 
 }  // namespace overbend

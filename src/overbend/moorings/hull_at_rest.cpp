@@ -1,12 +1,9 @@
 #include "moorings/hull_at_rest.h"
 
 #include "model/model.h"
+#include "model/station.h"
 
 namespace overbend {
-
-bool hull_is_free(const Description& description) {
-  return description.vessel.hydrostatics || description.vessel.coupled;
-}
 
 HullAtRest hull_at_rest(const Description& description) {
   const VesselDescription& vessel = description.vessel;
@@ -22,6 +19,10 @@ HullAtRest hull_at_rest(const Description& description) {
   } else if (vessel.coupled && vessel.coupled->data) {
     hull.restoring = vessel.coupled->data->hydrostatic_stiffness.block<3, 3>(2, 2);
     hull.restoring_point_V = vessel.coupled->data->origin_V;
+  }
+  if (is_positioned(description)) {
+    const Vec3 point = vessel.coupled ? vessel.coupled->centre_of_gravity : Vec3::Zero();
+    hull.station = {point, Vec3::Zero(), *description.station_keeping};
   }
   return hull;
 }

@@ -5,11 +5,8 @@
 
 namespace overbend {
 
-/// Whether the hull is free to move on its lines: it has hydrostatics or floats in coupled motion.
-bool hull_is_free(const Description& description);
-
 /// Heading, heel and trim as drawn; restoring from `vessel.hydrostatics`, or from the file of a coupled hull about its
-/// origin; `vessel.loads`. No ballast yet.
+/// origin; `vessel.loads`; dynamic positioning to the place as drawn. No ballast yet.
 HullAtRest hull_at_rest(const Description& description);
 
 /// Ballast that keeps heave, roll and pitch as drawn at the place where the lines and loads let the hull lie; adds it

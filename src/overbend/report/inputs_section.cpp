@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/constants.h"
+#include "model/station.h"
 #include "report/assumption_rank.h"
 #include "report/listing.h"
 #include "report/mooring_inputs.h"
@@ -198,9 +199,8 @@ std::string inputs_section(const StaticResults& results, const std::optional<Des
 }
 
 std::string inputs_section(const Description& description) {
-  const bool afloat = description.moorings && !description.moorings->lines.empty();
   std::string vessel;
-  if (afloat) {
+  if (has_station(description)) {
     Listing list("Vessel");
     vessel = add_vessel(list, description.vessel).str() + hull_inputs(description);
   }

@@ -116,9 +116,18 @@ std::string offset_table(const VesselResult& v) {
   return table.str();
 }
 
+std::string thrust_table(const std::vector<double>& thrust) {
+  if (thrust.size() != 3) return "";
+  html::Table table("Dynamic positioning at rest", {{"", "", true}, {"Value", ""}, {"Unit", "", true}}, "plain");
+  table.row({"Thrust ahead", kilo(thrust[0]), forces().unit})
+      .row({"Thrust to port", kilo(thrust[1]), forces().unit})
+      .row({"Moment, bow to port", moments().text(thrust[2], 0), moments().unit});
+  return table.str();
+}
+
 std::string period_table(const VesselResult& v) {
   if (v.natural_periods.empty()) return "";
-  html::Table table("Natural periods on the moorings, undamped", {{"Mode", "", true}, {"Period", "s"}}, "plain");
+  html::Table table("Natural periods at rest, undamped", {{"Mode", "", true}, {"Period", "s"}}, "plain");
   for (const PeriodResult& mode : v.natural_periods) table.row({mode.mode, fixed(mode.period, 2)});
   return table.str();
 }
@@ -131,7 +140,7 @@ std::string stiffness_table(const std::vector<double>& stiffness) {
   for (const char* freedom : kFreedoms) head.push_back({freedom, ""});
   const double largest = std::abs(*std::max_element(stiffness.begin(), stiffness.end(),
                                                     [](double a, double b) { return std::abs(a) < std::abs(b); }));
-  html::Table table("Stiffness of lines and water about midship [kN/m, kN, kN m]", head, "plain");
+  html::Table table("Stiffness of lines, thrusters and water about midship [kN/m, kN, kN m]", head, "plain");
   for (std::size_t i = 0; i < 6; ++i) {
     std::vector<std::string> cells = {kFreedoms[i]};
     for (std::size_t k = 0; k < 6; ++k) {
@@ -143,9 +152,10 @@ std::string stiffness_table(const std::vector<double>& stiffness) {
   return html::folded("Stiffness matrix", table.str());
 }
 
-std::string vessel_tables(const VesselResult& vessel) {
-  return "<h3>Vessel</h3>\n<div class=\"columns\">\n" + offset_table(vessel) + period_table(vessel) + "</div>\n" +
-         stiffness_table(vessel.stiffness);
+std::string vessel_tables(const MooredState& state) {
+  const VesselResult& vessel = state.vessel;
+  return "<h3>Vessel</h3>\n<div class=\"columns\">\n" + offset_table(vessel) + thrust_table(state.thrust) +
+         period_table(vessel) + "</div>\n" + stiffness_table(vessel.stiffness);
 }
 
 const std::vector<Figure>& rest_figures() {
@@ -174,9 +184,12 @@ const MooringLineResult* hardest_line(const MooredState& state) {
 }
 
 std::string moorings_section(const MooringResults& results, int& figure) {
+  const MooredState& rest = results.rest;
+  if (rest.moorings.empty()) {
+    return html::section("moorings", "Station keeping", tiles(rest) + vessel_tables(rest));
+  }
   return html::section("moorings", "Moorings",
-                       tiles(results.rest) + figures(rest_figures(), figure) + line_table(results.rest) +
-                           vessel_tables(results.rest.vessel));
+                       tiles(rest) + figures(rest_figures(), figure) + line_table(rest) + vessel_tables(rest));
 }
 
 }  // namespace overbend

@@ -28,13 +28,20 @@ std::vector<html::Head> line_heads(const MooringResults& results, std::vector<ht
   return head;
 }
 
+bool has_lines(const MooringResults& results) {
+  return !results.rest.moorings.empty();
+}
+
 std::string stage_table(const MooringResults& results) {
-  html::Table table("Offset of the vessel and tension at the fairleads",
-                    line_heads(results, {{"Stage", "", true}, {"Surge", "m"}, {"Sway", "m"}, {"Yaw", "deg"}}, "kN"),
-                    "dense summary");
+  std::vector<html::Head> head = {{"Stage", "", true}, {"Surge", "m"}, {"Sway", "m"}, {"Yaw", "deg"}};
+  const bool positioned = !results.rest.thrust.empty();
+  if (positioned) head.insert(head.end(), {{"Thrust ahead", "kN"}, {"Thrust to port", "kN"}});
+  html::Table table(has_lines(results) ? "Offset of the vessel and tension at the fairleads" : "Offset of the vessel",
+                    line_heads(results, head, "kN"), "dense summary");
   const auto row = [&](const MooredState& state) {
     std::vector<std::string> cells = {state.name, fixed(state.vessel.surge, 3), fixed(state.vessel.sway, 3),
                                       fixed(state.vessel.yaw * kToDegrees, 3)};
+    for (std::size_t i = 0; i < (positioned ? 2 : 0); ++i) cells.push_back(kilo(state.thrust[i]));
     bool over = false;
     for (const MooringLineResult& line : state.moorings) {
       cells.push_back(line.parted ? "parted" : kilo(line.fairlead_tension));
@@ -102,7 +109,7 @@ std::string pipe_table(const MooringResults& results) {
 
 /// Long, and of interest to whoever sets the winches.
 std::string step_tables(const MooringResults& results) {
-  if (results.steps.empty()) return "";
+  if (results.steps.empty() || !has_lines(results)) return "";
   html::Table lengths("Unstressed length of the first segments",
                       line_heads(results, {{"Advance", "m"}, {"Sway", "m"}, {"Yaw", "deg"}}, "m"), "dense summary");
   html::Table tensions("Tension at the fairleads", line_heads(results, {{"Advance", "m"}}, "kN"), "dense summary");
@@ -153,6 +160,7 @@ std::string figures(const MooringResults& results, int& number) {
   const bool pulled = results.operation == "pull_ahead";
   const auto makes_sense = [&](const Figure& figure, const std::string& part) {
     if (std::string(figure.id) == "move_pipe") return has_pipe(results);
+    if (std::string(figure.id) == "mooring_stages" && !has_lines(results)) return false;
     return (part == "stages") != pulled && !results.stages.empty();
   };
   return figure_list(all_figures(), makes_sense, number);

@@ -32,7 +32,7 @@ template <class Row, class Visit>
 void visit_state(Row& r, Visit& visit) {
   visit(ResultField{"state", "1", "Static or the stage of the operation"}, r.name);
   visit_vessel_offset(r.vessel, visit);
-  visit(ResultField{"residual", "1", "Largest unbalanced force over the weight of the lines"}, r.residual);
+  visit(ResultField{"residual", "1", "Largest unbalanced force over the force scale"}, r.residual);
   visit(ResultField{"iterations", "1", "Iterations of Newton's method"}, r.iterations);
 }
 
@@ -53,7 +53,7 @@ void visit_line_of_state(Row& r, Visit& visit) {
 template <class Function>
 void visit_matrices(Function visit) {
   visit(
-      "stiffness", "Stiffness of lines and water about the shifted midship, drawn axes, SI", std::size_t{36},
+      "stiffness", "Stiffness of lines, thrusters and water about the shifted midship, drawn axes, SI", std::size_t{36},
       [](auto& state) -> auto& { return state.vessel.stiffness; });
   visit(
       "mooring_stiffness", "The same of the lines alone", std::size_t{36},
@@ -61,6 +61,9 @@ void visit_matrices(Function visit) {
   visit(
       "mooring_force", "Force and moment of the lines about the shifted midship, drawn axes, SI", std::size_t{6},
       [](auto& state) -> auto& { return state.mooring_force; });
+  visit(
+      "thrust", "Of dynamic positioning: ahead and to port of the hull, bow to port, SI", std::size_t{3},
+      [](auto& state) -> auto& { return state.thrust; });
 }
 
 void write_matrices(DatasetSink& file, const std::vector<const MooredState*>& states) {
@@ -132,6 +135,7 @@ void read_lines(const Hdf5Reader& file, const std::vector<MooredState*>& states)
 void read_matrices(const Hdf5Reader& file, const std::vector<MooredState*>& states) {
   visit_matrices([&](const char* name, const char*, std::size_t size, auto member) {
     const std::string path = std::string("/moorings/") + name;
+    if (!file.has(path)) return;  // of a version before
     const std::vector<double> all = file.doubles(path);
     for (std::size_t s = 0; s < states.size(); ++s) {
       if (std::isnan(element(all, s * size, path))) continue;
@@ -167,7 +171,7 @@ template <class Step, class Pipe, class Visit>
 void visit_step(Step& step, Pipe& pipe, bool& has_pipe, Visit& visit) {
   visit_move_step(step, visit);
   visit_vessel_offset(step.vessel, visit);
-  visit(ResultField{"residual", "1", "Largest unbalanced force over the weight of the lines"}, step.residual);
+  visit(ResultField{"residual", "1", "Largest unbalanced force over the force scale"}, step.residual);
   visit(ResultField{"has_pipe", "1", "1 where there is a pipe; else the columns of the pipe mean nothing"}, has_pipe);
   visit_pipe_at_step(pipe, visit);
   visit(ResultField{"tip_clearance", "m", "Separation at the last row of the stinger"}, pipe.stinger_tip_clearance);

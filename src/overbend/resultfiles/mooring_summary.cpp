@@ -46,6 +46,9 @@ Json state_json(const SummaryStyle& style, const MooredState& state) {
   json["moorings"] = style.rows(state.moorings, [&](const MooringLineResult& line) { return line_json(style, line); });
   json["mooring_force"] = state.mooring_force.empty() ? Json(nullptr) : Json(state.mooring_force);
   json["mooring_stiffness"] = square(state.mooring_stiffness);
+  if (!state.thrust.empty()) {
+    json["thrust"] = Json{{"surge", state.thrust[0]}, {"sway", state.thrust[1]}, {"yaw", state.thrust[2]}};
+  }
   json["balance"] = Json{{"force_residual", state.residual}};
   json["iterations"] = state.iterations;
   return json;
@@ -104,7 +107,9 @@ void add_operation(const SummaryStyle& style, const MooringResults& results, Jso
       return object_of(style, [&](auto& one) { visit_anchor_due(due, one); });
     });
   }
-  if (!results.winches.empty()) json["operation"][results.operation] = winches_json(style, results);
+  if (!results.winches.empty() || !results.steps.empty()) {
+    json["operation"][results.operation] = winches_json(style, results);
+  }
 }
 
 Json hull_json(const SummaryStyle& style, const HullResults& hull) {
@@ -185,8 +190,8 @@ void add_moored_dynamics(const DynamicResults& results, Json& summary) {
 void add_moorings(const MooringResults& results, Json& summary) {
   const SummaryStyle style;
   Json rest = state_json(style, results.rest);
-  for (const char* part : {"vessel", "moorings", "mooring_force", "mooring_stiffness"}) {
-    summary["static"][part] = std::move(rest[part]);
+  for (const char* part : {"vessel", "moorings", "mooring_force", "mooring_stiffness", "thrust"}) {
+    if (rest.contains(part)) summary["static"][part] = std::move(rest[part]);
   }
   add_operation(style, results, summary);
 }

@@ -22,8 +22,8 @@ struct VesselResult {
   double surge = 0.0, sway = 0.0, heave = 0.0;  ///< Forward, to port, up [m].
   double roll = 0.0, pitch = 0.0, yaw = 0.0;    ///< Starboard down, bow down, bow to port [rad].
   std::vector<PeriodResult> natural_periods;    ///< By falling period; none where the hull's mass is not known.
-  /// Of lines and water, minus d(force, moment)/d(shift, rotation) about the shifted midship, drawn axes, row by row
-  /// [N/m, N, N m]. Empty where the hull is held.
+  /// Of lines, thrusters and water, minus d(force, moment)/d(shift, rotation) about the shifted midship, drawn axes,
+  /// row by row [N/m, N, N m]. Empty where the hull is held.
   std::vector<double> stiffness;
 };
 
@@ -52,7 +52,7 @@ struct MooringLineResult {
   std::vector<Vec3> shape_W;                                ///< From the fairlead to the anchor [m].
 };
 
-/// Hull and lines at rest, and what the lines do to the hull.
+/// Hull and lines at rest, and what lines and thrusters do to the hull.
 struct MooredState {
   std::string name;
   VesselResult vessel;
@@ -60,7 +60,9 @@ struct MooredState {
   /// Force and moment of the lines about the shifted midship, and their stiffness row by row; drawn axes. Empty where
   /// the hull is held.
   std::vector<double> mooring_force, mooring_stiffness;
-  double residual = 0.0;  ///< Largest unbalanced force over the weight of the lines [-].
+  /// Of dynamic positioning: ahead and to port of the hull, bow to port [N, N, N m]. Empty without it.
+  std::vector<double> thrust;
+  double residual = 0.0;  ///< Largest unbalanced force over the force scale: weight of lines, thrust a metre off [-].
   int iterations = 0;     ///< Of Newton.
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/station.h"
 #include "statics/hull_account.h"
 #include "statics/moored_statics.h"
 #include "statics/pipe_on_hull.h"
@@ -53,7 +54,7 @@ StaticFailure no_rest(const MooredHull& moored) {
 }  // namespace
 
 bool is_moored_lay(const Description& description) {
-  return description.has_pipe && description.moorings && !description.moorings->lines.empty();
+  return description.has_pipe && has_station(description);
 }
 
 LayOutcome solve_moored_hull(Model& model) {
@@ -113,7 +114,8 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& 
   }
   return fail(
       {"pipe and moored hull do not come to rest together", "the vessel",
-       "the pipe changes its pull with the vessel's place more than the mooring lines do: give them more tension"});
+       "the pipe changes its pull with the vessel's place more than what keeps the vessel there: give mooring lines "
+       "more tension, or dynamic positioning more stiffness"});
 }
 
 }  // namespace overbend

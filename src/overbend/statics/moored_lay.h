@@ -6,7 +6,7 @@
 
 namespace overbend {
 
-/// Whether a lay has mooring lines.
+/// Whether a lay has mooring lines, or dynamic positioning: statics find where its vessel lies.
 bool is_moored_lay(const Description& description);
 
 struct LayOutcome {
@@ -15,13 +15,14 @@ struct LayOutcome {
   std::optional<StaticFailure> failure;
 };
 
-/// Rest of a hull on its lines without a pipe, and the stages of its operation; sets `model.mean_pose` to where it
-/// lies. The solution has no more than what a run in time starts from: pose, lines, what the winches do.
+/// Rest of a hull on its lines or by dynamic positioning without a pipe, and the stages of its operation; sets
+/// `model.mean_pose` to where it lies. The solution has no more than what a run in time starts from: pose, lines, what
+/// the winches do.
 LayOutcome solve_moored_hull(Model& model);
 
 /// Finds the equilibrium of the lay, and sets `model.mean_pose` to where the vessel comes to lie and `model.supports`
 /// to where a stinger on hinges comes to rest (statics/stinger_rest.h). Without mooring lines
-/// it is that of the pipe on the vessel as described.
+/// and dynamic positioning it is that of the pipe on the vessel as described.
 ///
 /// With them pipe and hull take turns: what the pipe does to the vessel is a load on the hull on its lines, whose rest
 /// is a new place for the pipe's supports, until nothing moves. The hull's restoring is stiff beside the change of that

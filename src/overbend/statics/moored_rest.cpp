@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "hull/make_hull.h"
+#include "model/station.h"
 
 namespace overbend {
 namespace {
@@ -54,7 +55,7 @@ TensionBounds bounds_of(const MooringsDescription& moorings) {
 
 std::variant<MooredHull, StaticFailure> moored_hull(const Model& model) {
   const Description& d = model.description;
-  SpreadOutcome outcome = build_spread(*d.moorings, model.seabed.surface, model.drawn_pose.R_WV);
+  SpreadOutcome outcome = build_spread(moorings_of(d), model.seabed.surface, model.drawn_pose.R_WV);
   if (outcome.fault) {
     return StaticFailure{"the mooring lines cannot be as given", "", *outcome.fault};
   }
@@ -81,7 +82,7 @@ void find_pose(MooredHull& moored) {
 }
 
 void find_rest_at_start(const Description& d, MooredHull& moored) {
-  const bool lengths = d.moorings->find == FindMooring::lengths;
+  const bool lengths = has_mooring_lines(d) && d.moorings->find == FindMooring::lengths;
   const bool trim = moored.free && d.vessel.coupled && d.vessel.coupled->ballast == Ballast::trim;
   for (int round = 0; round < (trim ? kTrimRounds : 1) && !moored.rest.fault; ++round) {
     if (trim) moored.rest = trim_ballast(moored.spread, moored.hull, HullOffset::Zero());

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "base/constants.h"
+#include "model/station.h"
 #include "moorings/clearance.h"
 #include "moorings/periods.h"
 
@@ -33,17 +35,19 @@ std::vector<PeriodResult> periods_of(const Model& model, const RestOutcome& rest
   std::vector<PeriodResult> results;
   const std::optional<CoupledHullDescription>& hull = model.description.vessel.coupled;
   if (!hull || hull->mass <= 0.0) return results;
-  const Mat6 about_G = stiffness_about(stiffness, rest.forces.moorings.head<3>(), hull->centre_of_gravity);
+  const Vec3 pull = (rest.forces.moorings + rest.forces.station).head<3>();
+  const Mat6 about_G = stiffness_about(stiffness, pull, hull->centre_of_gravity);
   for (const NaturalPeriod& period : natural_periods(*hull, about_G)) results.push_back({period.mode, period.period});
   return results;
 }
 
-/// Stiffness of lines and water by shift and rotation: the slope by angles is one by rotations where the angles are
-/// small, as the water's part is.
+/// Stiffness of lines, thrusters and water by shift and rotation: the slope by angles is one by rotations where the
+/// angles are small, as the water's part is.
 Mat6 whole_stiffness(const HullAtRest& hull, const RestOutcome& rest) {
   Mat6 water = Mat6::Zero();
   water.block<3, 3>(2, 2) = hull.restoring;
-  return rest.forces.mooring_stiffness + stiffness_about(water, Vec3::Zero(), -hull.restoring_point_V);
+  return rest.forces.mooring_stiffness + rest.forces.station_stiffness +
+         stiffness_about(water, Vec3::Zero(), -hull.restoring_point_V);
 }
 
 VesselResult vessel_result(const Model& model, const HullAtRest& hull, const RestOutcome& rest, bool free) {
@@ -115,6 +119,31 @@ std::optional<double> brake_of(const MooringsDescription& moorings, const std::s
   return named == moorings.winches.end() ? std::nullopt : named->brake;
 }
 
+void assume_lines(const MooringsDescription& moorings, std::vector<std::string>& list) {
+  list.emplace_back(
+      "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
+      "bed at the line's axis, with the weight in air above the mean water level.");
+  list.emplace_back("Sheaves, their friction and the run from the fairlead to the winch are left out.");
+  for (const MooringLineDescription& line : moorings.lines) {
+    for (const LineSegmentDescription& segment : line.segments) {
+      if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
+      std::string sentence =
+          fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name, segment.type.made_from);
+      if (std::find(list.begin(), list.end(), sentence) == list.end()) list.push_back(std::move(sentence));
+    }
+  }
+}
+
+/// Thrusters that give all they can hold no more.
+void warn_of_thrust(const StationKeepingDescription& law, const MooredState& state, std::vector<std::string>& list) {
+  constexpr std::array<const char*, 3> kNames = {"surge", "sway", "yaw"};
+  for (std::size_t i = 0; i < state.thrust.size(); ++i) {
+    if (std::abs(state.thrust[i]) < law.limit[static_cast<Eigen::Index>(i)]) continue;
+    list.push_back(
+        fmt::format("{}: dynamic positioning gives all its thrust in {}: it holds no more.", state.name, kNames[i]));
+  }
+}
+
 /// Beyond what the linear restoring of the water holds for.
 void warn_of_large_offset(const VesselDescription& vessel, const MooredState& state, std::vector<std::string>& list) {
   const double heave = std::abs(state.vessel.heave);
@@ -153,6 +182,7 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
   if (free) {
     state.mooring_force = by_rows(rest.forces.moorings);
     state.mooring_stiffness = by_rows(rest.forces.mooring_stiffness);
+    if (hull.station) state.thrust = by_rows(rest.forces.thrust);
   }
   state.residual = rest.residual;
   state.iterations = rest.iterations;
@@ -166,7 +196,7 @@ MooredState moored_state(const std::string& name, const Model& model, const Moor
 
 std::vector<std::string> mooring_warnings(const Model& model, const MooringSpread& spread, const MooredState& state) {
   std::vector<std::string> list;
-  const MooringsDescription& moorings = *model.description.moorings;
+  const MooringsDescription& moorings = moorings_of(model.description);
   int effective = 0;
   for (std::size_t i = 0; i < state.moorings.size(); ++i) {
     const MooringLineResult& line = state.moorings[i];
@@ -201,7 +231,9 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
                                  line.first_segment_length, *drum));
     }
   }
-  if (effective < 3) {
+  if (is_positioned(model.description)) {
+    warn_of_thrust(*model.description.station_keeping, state, list);
+  } else if (effective < 3) {
     list.push_back(
         fmt::format("{}: only {} of the mooring lines pull; fewer than three do not hold surge, sway and yaw.",
                     state.name, effective));
@@ -212,18 +244,7 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
 
 std::vector<std::string> mooring_assumptions(const Model& model) {
   std::vector<std::string> list = assumptions(model);
-  list.emplace_back(
-      "Mooring lines are elastic catenaries: without bending stiffness, without current and waves on them, on a rigid "
-      "bed at the line's axis, with the weight in air above the mean water level.");
-  list.emplace_back("Sheaves, their friction and the run from the fairlead to the winch are left out.");
-  for (const MooringLineDescription& line : model.description.moorings->lines) {
-    for (const LineSegmentDescription& segment : line.segments) {
-      if (segment.type.made_from.empty() || segment.type.made_from == kGivenNumbers) continue;
-      std::string sentence =
-          fmt::format("Mooring line \"{}\": properties by diameter, {}.", line.name, segment.type.made_from);
-      if (std::find(list.begin(), list.end(), sentence) == list.end()) list.push_back(std::move(sentence));
-    }
-  }
+  if (has_mooring_lines(model.description)) assume_lines(*model.description.moorings, list);
   if (model.description.vessel.coupled) {
     list.emplace_back(drift_words(model.description));
   }

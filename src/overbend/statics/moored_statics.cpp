@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/version.h"
+#include "model/station.h"
 #include "moorings/anchor_plan.h"
 #include "moorings/planner.h"
 #include "statics/anchor_move.h"
@@ -159,8 +160,7 @@ bool run_operation(const Model& model, const MooredHull& start, const PipeOnHull
 }  // namespace
 
 bool is_moored_hull(const Description& description) {
-  return !description.has_pipe && description.lines.empty() && description.moorings &&
-         !description.moorings->lines.empty();
+  return !description.has_pipe && description.lines.empty() && has_station(description);
 }
 
 std::variant<MooringResults, StaticFailure> moored_results(const Model& model, const MooredHull& moored,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/station.h"
 #include "statics/moored_results.h"
 
 namespace overbend {
@@ -23,11 +24,13 @@ HullOnItsWay::HullOnItsWay(const Model& model, const MooredHull& start, PipeOnHu
       hull_(start),
       from_(start.rest.offset),
       other_(start.hull.steady - pipe_.load),
-      wished_(pulls_of(start.spread, start.rest.lines)) {}
+      wished_(pulls_of(start.spread, start.rest.lines)) {
+  if (start.hull.station) wanted_ = start.hull.station->wanted;
+}
 
-/// Pipe and hull take turns until the hull stays; heave, roll and pitch alone move, by next to nothing.
+/// Pipe and hull take turns until the hull stays; on lines heave, roll and pitch alone move, by next to nothing.
 std::optional<StaticFailure> HullOnItsWay::rest_with_pipe(const HullOffset& there) {
-  const TensionBounds bounds = bounds_of(*model_->description.moorings);
+  const TensionBounds bounds = bounds_of(moorings_of(model_->description));
   HullOffset at = there;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (pipe_.at) {
@@ -37,7 +40,8 @@ std::optional<StaticFailure> HullOnItsWay::rest_with_pipe(const HullOffset& ther
       hull_.hull.steady = other_ + found.load;
       step_.pipe = found.results;
     }
-    hull_.rest = plan_lengths(hull_.spread, hull_.hull, at, wished_, bounds);
+    hull_.rest = hull_.spread.lines.empty() ? find_rest(hull_.spread, hull_.hull, at)
+                                            : plan_lengths(hull_.spread, hull_.hull, at, wished_, bounds);
     if (!hull_.rest.fault) hull_.rest.fault = broken_line(hull_);
     if (hull_.rest.fault) return StaticFailure{"no rest of the hull on its way", "", *hull_.rest.fault};
     const HullPlace before = place_of(hull_.hull, at), after = place_of(hull_.hull, hull_.rest.offset);
@@ -45,11 +49,15 @@ std::optional<StaticFailure> HullOnItsWay::rest_with_pipe(const HullOffset& ther
     at = hull_.rest.offset;
   }
   return StaticFailure{"pipe and moored hull do not come to rest together", "the vessel on its way",
-                       "the pipe changes its pull with the vessel's place more than the mooring lines do"};
+                       "the pipe changes its pull with the vessel's place more than what keeps the vessel there"};
 }
 
 std::optional<StaticFailure> HullOnItsWay::go_to(double way) {
   HullOffset there = offset_ahead(from_, way);
+  if (hull_.hull.station) {
+    hull_.hull.station->wanted = wanted_;
+    hull_.hull.station->wanted.head<2>() += (there - from_).head<2>();
+  }
   there.segment<3>(2) = hull_.rest.offset.segment<3>(2);
   if (std::optional<StaticFailure> failure = rest_with_pipe(there)) return failure;
   step_.advance = way;

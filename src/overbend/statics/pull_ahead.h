@@ -32,7 +32,8 @@ class HullOnItsWay {
   HullOnItsWay(const Model& model, const MooredHull& start, PipeOnHull pipe);
 
   /// Takes the hull ahead along the heading it began with [m]: lengths that hold it there against the pipe's pull at
-  /// that place, with the least change of the pulls that the lines had at the beginning. The same way gives the same
+  /// that place, with the least change of the pulls that the lines had at the beginning. The place that dynamic
+  /// positioning wants moves as far; without lines the hull comes to rest about it. The same way gives the same
   /// lengths, wherever the hull comes from.
   std::optional<StaticFailure> go_to(double way);
 
@@ -46,7 +47,8 @@ class HullOnItsWay {
   PipeOnHull pipe_;
   MooredHull hull_;
   HullOffset from_;
-  Vec6 other_;  ///< Steady load besides the pipe.
+  Vec3 wanted_ = Vec3::Zero();  ///< By dynamic positioning, at the beginning.
+  Vec6 other_;                  ///< Steady load besides the pipe.
   Eigen::VectorXd wished_;
   MoveStep step_;
 };

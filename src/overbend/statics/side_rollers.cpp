@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/station.h"
+
 namespace overbend {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr double kBears = 100.0;  ///< Force across a box from which its side ro
 }  // namespace
 
 std::optional<std::string> warn_of_side_rollers(const Description& description, const StaticResults& results) {
-  if (!description.moorings || description.moorings->find == FindMooring::lengths) return std::nullopt;
+  const bool held = has_mooring_lines(description) && description.moorings->find == FindMooring::lengths;
+  if (held || !has_station(description)) return std::nullopt;
   std::string boxes;
   for (const SupportResult& support : results.supports) {
     if (!support.has_sides || std::abs(support.lateral) <= kBears) continue;

@@ -1,6 +1,7 @@
 #include "statics/static_obstacle.h"
 
 #include "model/lay_stage.h"
+#include "model/station.h"
 #include "statics/static_start.h"
 
 namespace overbend {
@@ -31,12 +32,12 @@ std::optional<StaticFailure> static_obstacle(const Description& description) {
     return obstacle("lines", "lines beside a pipe cannot be solved yet",
                     "give the pipe and the lines in models of their own");
   }
-  const bool moored = description.moorings && !description.moorings->lines.empty();
   const bool trimmed = description.vessel.coupled && description.vessel.coupled->ballast == Ballast::trim;
-  if (!moored && !trimmed && (description.vessel.coupled || description.vessel.hydrostatics)) {
-    return obstacle(description.vessel.coupled ? "vessel.motion.coupled" : "vessel.hydrostatics",
-                    "a pipe on a hull that sinks and trims under it cannot be solved yet without mooring lines",
-                    "give moorings, vessel.motion.coupled with ballast: trim, or leave out vessel.hydrostatics");
+  if (!has_station(description) && !trimmed && (description.vessel.coupled || description.vessel.hydrostatics)) {
+    return obstacle(
+        description.vessel.coupled ? "vessel.motion.coupled" : "vessel.hydrostatics",
+        "a pipe on a hull that sinks and trims under it cannot be solved yet without mooring lines",
+        "give moorings, station_keeping, vessel.motion.coupled with ballast: trim, or leave out vessel.hydrostatics");
   }
   if (description.route.given()) return bent_route_obstacle(description);
   return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include "base/file_lock.h"
 #include "dynamics/lines_in_time.h"
+#include "model/station.h"
 #include "report/report.h"
 #include "resultfiles/lines_writer.h"
 #include "runstore/run_store.h"
@@ -77,8 +78,7 @@ void add_history(const LineHistory& history, LineResult& line) {
 }  // namespace
 
 bool is_lines_alone(const Description& description) {
-  const bool moored = description.moorings && !description.moorings->lines.empty();
-  return !description.has_pipe && !moored && !description.lines.empty();
+  return !description.has_pipe && !has_mooring_lines(description) && !description.lines.empty();
 }
 
 LinesOutcome solve_lines(const Model& model) {

@@ -9,8 +9,8 @@
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/dynamics.h"
 #include "model/operation_words.h"
+#include "model/station.h"
 #include "modelfile/input_place.h"
-#include "moorings/hull_at_rest.h"
 #include "study/static_run.h"
 
 namespace overbend {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "model/station.h"
 #include "modelfile/model_inputs.h"
 #include "modelfile/tolerances.h"
 #include "study/near_contacts.h"
@@ -140,9 +141,9 @@ void tell_assumptions(const Model& model, SensitivityResults& results) {
   results.assumptions.emplace_back(
       "Sensitivities hold the mesh and the contacts as they are; derivatives by the numbers of the model file, each by "
       "itself.");
-  if (model.description.moorings && !model.description.moorings->lines.empty()) {
+  if (has_station(model.description)) {
     results.assumptions.emplace_back(
-        "Sensitivities hold the vessel where it lies; its mooring lines would let it follow.");
+        "Sensitivities hold the vessel where it lies; what keeps it there would let it follow.");
   }
   const bool all_given =
       std::ranges::all_of(results.inputs, [](const SensitivityInput& input) { return input.own_tolerance; });
