@@ -6,7 +6,10 @@
 #include <algorithm>
 
 #include "dynamics/dynamic_obstacle.h"
+#include "dynamics/moored_simulation.h"
+#include "dynamics/mooring_tension.h"
 #include "dynamics/simulation.h"
+#include "model/line_types.h"
 #include "recording/vessel_watch.h"
 #include "support/line_cases.h"
 #include "support/moored_lay.h"
@@ -44,6 +47,64 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   }
   ASSERT_FALSE(simulation.failure());
   EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
+}
+
+/// BGL-1 without a pipe in calm water, all eight lines of `type`, with what friction they have on the bed.
+Description barge_on(const LineTypeDescription& type, double friction) {
+  Description d = testing::coarse_example("moored-barge", 1.0, 0.0);
+  d.environment.waves.type = WaveType::none;
+  d.environment.current.clear();
+  for (MooringLineDescription& line : d.moorings->lines) {
+    for (LineSegmentDescription& segment : line.segments) {
+      segment.type = type;
+      segment.type.friction = friction;
+    }
+  }
+  return d;
+}
+
+void expect_statics_at_start(const Description& d, double share) {
+  const testing::SolvedHull at(d);
+  MooredSimulation simulation(at.model, at.start(), dynamic_options(at.model));
+  ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
+  const SystemRun& run = simulation.run();
+  for (std::size_t i = 0; i < d.moorings->lines.size(); ++i) {
+    const MooringLineResult& rest = at.rest.moorings->rest.moorings[i];
+    const double tension = mooring_tension(run.assembly(), run.state(), i, LineEnd::last);
+    const double anchor = mooring_tension(run.assembly(), run.state(), i, LineEnd::first);
+    EXPECT_NEAR(tension, rest.fairlead_tension, share * rest.fairlead_tension) << rest.name;
+    EXPECT_NEAR(anchor, rest.anchor_tension, 2.0 * share * rest.fairlead_tension) << rest.name;
+  }
+}
+
+/// Friction that takes the whole tension before the anchor: what lies slack there is held by the bed and by nothing
+/// else, also where a current would carry it off.
+TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_holds_their_ends) {
+  Description d = barge_on(chain(0.06, ChainLink::studless), 1.0);
+  expect_statics_at_start(d, 0.01);
+  d.environment.current = {{0.0, 0.1, 0.5}, {d.environment.water_depth, 0.1, 0.5}};
+  d.vessel.coupled->current = {};
+  d.vessel.coupled->current.form = HullCurrentForm::none;
+  expect_statics_at_start(d, 0.02);
+}
+
+/// A rope that gives way by a hundredth, and chain from where it comes near the bed.
+TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
+  Description d = barge_on(chain(0.06, ChainLink::studless), 1.0);
+  LineTypeDescription rope;
+  rope.name = "rope";
+  rope.diameter = 0.16;
+  rope.weight_in_air = 180.0;
+  rope.weight_submerged = 45.0;
+  rope.axial_stiffness = 6e7;
+  rope.friction = 0.6;
+  for (MooringLineDescription& line : d.moorings->lines) {
+    LineSegmentDescription chain_end = line.segments.front();
+    chain_end.length = 700.0;
+    line.segments.front().type = rope;
+    line.segments.push_back(chain_end);
+  }
+  expect_statics_at_start(d, 0.02);
 }
 
 /// Lines and pipe pull it down by 0.026 m and heel and trim it, in time as in statics: once.

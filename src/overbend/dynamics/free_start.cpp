@@ -90,9 +90,11 @@ std::optional<StaticFailure> displace_hull(Assembly& assembly, const Vec6& offse
 std::optional<StaticFailure> let_hull_go(const System& system, Ballast ballast, Hull& hull, const Vec6& release,
                                          SystemState& state) {
   const System pulled = pulled_in(system, state);
-  Assembly resting(pulled);
-  std::optional<StaticFailure> failure = rest_afloat(resting, ballast, hull, state);
-  if (!failure && !release.isZero()) failure = displace_hull(resting, in_world(release, hull.drawn), state);
+  Assembly pulling(pulled);
+  if (std::optional<StaticFailure> failure = rest_afloat(pulling, ballast, hull, state)) return failure;
+  Assembly lying(system);
+  std::optional<StaticFailure> failure = rest_afloat(lying, Ballast::as_given, hull, state);
+  if (!failure && !release.isZero()) failure = displace_hull(lying, in_world(release, hull.drawn), state);
   return failure;
 }
 

@@ -74,14 +74,53 @@ double last_element(const Model& model, std::size_t line) {
   return kOverWay * way;
 }
 
+/// How deep an element sinks into the bed by its weight [m].
+double sunk(const Line& line, std::size_t element) {
+  const double weight = line.elements.weight[element] - line.elements.buoyancy[element];
+  return std::max(weight, 0.0) / line.environment.bed_stiffness;
+}
+
+/// Where segments meet, both have the node's stretch: that of the stiffer one, which would pull hard with the other's.
+CatenaryPlace stiffer_place(const MooredLine& moored, const CatenarySolution& solution, double length) {
+  constexpr double kBeside = 1e-6;  // [m]
+  const CatenaryPlace before = catenary_place(moored.line, solution, std::max(length - kBeside, 0.0));
+  const CatenaryPlace after = catenary_place(moored.line, solution, std::min(length + kBeside, moored.line.length()));
+  const auto stretch = [](const CatenaryPlace& at) { return std::hypot(at.along, at.upwards); };
+  return stretch(before) < stretch(after) ? before : after;
+}
+
+/// The catenary of statics in the line's vertical plane; what lies has sunk into the bed, wherever that is: without
+/// tension nothing but the bed holds it. Nodes count from the anchor.
+std::vector<double> catenary_nodes(const MooringSpread& spread, const MooredLine& moored, const Vec3& fairlead_W,
+                                   const CatenarySolution& solution, const Line& line) {
+  const Vec3 towards = line_direction(moored, fairlead_W).direction_W;
+  const double length = moored.line.length();
+  std::vector<double> q;
+  for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
+    const CatenaryPlace at = stiffer_place(moored, solution, length - line.mesh.s[node]);
+    Vec3 r = Vec3(fairlead_W.x(), fairlead_W.y(), at.z) + at.x * towards;
+    const double bed = spread.bed.height(r.x(), r.y());
+    if (at.lies || r.z() < bed) r.z() = bed - (at.lies ? sunk(line, std::min(node, line.mesh.length.size() - 1)) : 0.0);
+    const Vec3 t = -at.along * towards - at.upwards * Vec3::UnitZ();
+    q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
+  }
+  return q;
+}
+
 constexpr double kOfLastElement = 0.8;  ///< That a winch without a program may haul in or add.
+
+/// Unstressed length from the anchor at which the line leaves the bed; none where nothing lies [m].
+std::optional<double> touchdown_from_anchor(const MooredLine& moored, const CatenarySolution& solution) {
+  if (solution.trace.on_bed <= 0.0) return std::nullopt;
+  return moored.line.length() - solution.trace.touchdown_s;
+}
 
 /// Far more than friction bears: a line with it slides, whichever small way it goes [m].
 constexpr double kPulledFar = 1.0;
 
 /// Stretches the bed's friction along a line of which all that bears tension has been pulled in over the bed: the
-/// tension falls from touchdown towards the anchor by the friction, until none is left.
-void stretch_as_pulled_in(const Line& line, LineState& state) {
+/// tension falls from touchdown towards the anchor by the friction, until none is left. Whether it reaches the anchor.
+bool stretch_as_pulled_in(const Line& line, LineState& state) {
   const std::size_t padded = line.elements.padded();
   const LineEnvironment& env = line.environment;
   double tension = 0.0;
@@ -101,52 +140,13 @@ void stretch_as_pulled_in(const Line& line, LineState& state) {
       state.bed_slip[slip] = tension > 0.0 ? kPulledFar : 0.0;
     }
   }
+  return tension > 0.0;
 }
 
-}  // namespace
-
-LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
-  LineShapes shapes;
-  const MooringsDescription& moorings = moorings_of(model.description);
-  const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
-  for (std::size_t i = 0; i < spread.lines.size(); ++i) {
-    const MooredLine& moored = spread.lines[i];
-    if (moored.parted) continue;
-    const CableParts parts = from_the_anchor(moorings, moorings.lines[i], moored);
-    const Vec3 fairlead_W = model.mean_pose.p_WV + model.mean_pose.R_WV * moored.fairlead_V;
-    const CableStart start = cable_start(model, parts, moored.anchor_W, fairlead_W);
-    const int line = static_cast<int>(system.lines.size());
-    system.lines.push_back(cable_line(model, parts, {start.touchdown(), std::nullopt, last_element(model, i)},
-                                      moored.anchor_W, fairlead_W));
-    // What may be left unbalanced at a node of the pipe may be at one of a wire, which pulls as hard as the pipe.
-    system.lines.back().force_scale = std::max(system.lines.back().force_scale, pipe_scale);
-    system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
-    system.attachments.push_back(fairlead(line, moored.fairlead_V, moorings, moorings.lines[i]));
-    if (std::optional<WinchLaw>& winch = system.attachments.back().winch) {
-      winch->tension.limit = winch_range(system.lines.back());
-    }
-    shapes.push_back(start.shape(system.lines.back().mesh));
-  }
-  return shapes;
-}
-
-double winch_range(const Line& line) {
-  return kOfLastElement * line.mesh.length.back();
-}
-
-System pulled_in(const System& system, SystemState& state) {
-  System pulled = system;
-  for (std::size_t i = first_mooring(system); i < pulled.lines.size(); ++i) {
-    stretch_as_pulled_in(system.lines[i], state.lines[i]);
-    pulled.lines[i].environment.bed_friction_lateral = 0.0;
-  }
-  return pulled;
-}
-
-std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
-                                                const std::vector<std::string>& names, SystemState& state) {
+/// The mooring lines of a state, on bodies that stay where they are.
+RestReport rest_alone(const System& system, const std::vector<RigidMotion>& bodies, SystemState& state) {
   const auto first = static_cast<std::ptrdiff_t>(first_mooring(system));
-  System alone = pulled_in(system, state);
+  System alone = system;
   alone.lines.erase(alone.lines.begin(), alone.lines.begin() + first);
   alone.bodies.assign(bodies.size(), Body{});
   alone.attachments.clear();
@@ -167,12 +167,67 @@ std::optional<StaticFailure> rest_mooring_lines(const System& system, const std:
   Assembly assembly(alone);
   const RestReport report = rest_together(assembly, at);
   std::copy(at.lines.begin(), at.lines.end(), state.lines.begin() + first);
-  if (report.converged) {
-    return std::nullopt;
+  return report;
+}
+
+}  // namespace
+
+LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, System& system) {
+  LineShapes shapes;
+  const MooringsDescription& moorings = moorings_of(model.description);
+  const double pipe_scale = system.lines.empty() ? 0.0 : system.lines.front().force_scale;
+  for (std::size_t i = 0; i < spread.lines.size(); ++i) {
+    const MooredLine& moored = spread.lines[i];
+    if (moored.parted) continue;
+    const CableParts parts = from_the_anchor(moorings, moorings.lines[i], moored);
+    const Vec3 fairlead_W = model.mean_pose.p_WV + model.mean_pose.R_WV * moored.fairlead_V;
+    const CatenarySolution hangs = line_pull(spread, moored, fairlead_W, nullptr).solution;
+    // A line that is slack lies in a bow, which a catenary does not know.
+    const bool bow = hangs.slack || hangs.fault != CatenaryFault::none;
+    const CableStart start = cable_start(model, parts, moored.anchor_W, fairlead_W);
+    std::optional<double> touchdown = start.touchdown();
+    if (!bow) touchdown = touchdown_from_anchor(moored, hangs);
+    const int line = static_cast<int>(system.lines.size());
+    system.lines.push_back(
+        cable_line(model, parts, {touchdown, std::nullopt, last_element(model, i)}, moored.anchor_W, fairlead_W));
+    // What may be left unbalanced at a node of the pipe may be at one of a wire, which pulls as hard as the pipe.
+    system.lines.back().force_scale = std::max(system.lines.back().force_scale, pipe_scale);
+    system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
+    system.attachments.push_back(fairlead(line, moored.fairlead_V, moorings, moorings.lines[i]));
+    if (std::optional<WinchLaw>& winch = system.attachments.back().winch) {
+      winch->tension.limit = winch_range(system.lines.back());
+    }
+    const Line& made = system.lines.back();
+    shapes.push_back(bow ? start.shape(made.mesh) : catenary_nodes(spread, moored, fairlead_W, hangs, made));
   }
-  return StaticFailure{"a mooring line does not come to rest",
-                       "'" + names[static_cast<std::size_t>(report.worst_place.first)] + "'",
-                       "look at its length and at the place of its anchor"};
+  return shapes;
+}
+
+double winch_range(const Line& line) {
+  return kOfLastElement * line.mesh.length.back();
+}
+
+System pulled_in(const System& system, SystemState& state) {
+  System pulled = system;
+  for (std::size_t i = first_mooring(system); i < pulled.lines.size(); ++i) {
+    LineEnvironment& env = pulled.lines[i].environment;
+    if (stretch_as_pulled_in(system.lines[i], state.lines[i])) env.bed_friction_lateral = 0.0;
+    env.current_rows = 0;
+  }
+  return pulled;
+}
+
+std::optional<StaticFailure> rest_mooring_lines(const System& system, const std::vector<RigidMotion>& bodies,
+                                                const std::vector<std::string>& names, SystemState& state) {
+  const System pulled = pulled_in(system, state);
+  for (const System* one : {&pulled, &system}) {
+    const RestReport report = rest_alone(*one, bodies, state);
+    if (report.converged) continue;
+    return StaticFailure{"a mooring line does not come to rest",
+                         "'" + names[static_cast<std::size_t>(report.worst_place.first)] + "'",
+                         "look at its length and at the place of its anchor"};
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> mooring_names(const MooringSpread& spread) {

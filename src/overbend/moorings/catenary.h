@@ -41,6 +41,17 @@ CatenarySolution set_length_for_pull(CatenaryLine& line, const CatenarySite& sit
 /// The same for the tension at the fairlead [N].
 CatenarySolution set_length_for_tension(CatenaryLine& line, const CatenarySite& site, double distance, double tension);
 
+/// A line where it has come to from the fairlead, in its vertical plane.
+struct CatenaryPlace {
+  double x = 0.0, z = 0.0;            ///< From the fairlead towards the anchor, over mean water level [m].
+  double along = 1.0, upwards = 0.0;  ///< Their derivatives by the unstressed length: direction times stretch [-].
+  bool lies = false;                  ///< On the bed.
+};
+
+/// The line at an unstressed length from the fairlead [m]. What lies on the bed stretches by a tension that falls by
+/// the bed's friction, until none is left.
+CatenaryPlace catenary_place(const CatenaryLine& line, const CatenarySolution& solution, double length);
+
 /// Points of the line in its plane, x from the fairlead and z, from the fairlead to the anchor. `count`: of hanging
 /// spans each.
 std::vector<Eigen::Vector2d> catenary_shape(const CatenaryLine& line, const CatenarySolution& solution, int count);
