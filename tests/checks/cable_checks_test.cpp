@@ -77,6 +77,17 @@ TEST(cable_checks, no_code_looks_at_a_station_of_the_cable) {
   }
 }
 
+TEST(cable_checks, a_line_that_is_all_cable_is_held_to_nothing_else) {
+  const Model& model = abandoned().model;
+  StaticResults results = abandoned().results;
+  const double total = results.total_length;
+  std::erase_if(results.stations, [&](const Station& at) { return model.kind_at(total - at.s) != SectionKind::cable; });
+  const CheckTable table = check_statics(model, results);
+  ASSERT_EQ(table.rows.size(), 1U);
+  EXPECT_EQ(table.rows.front().id, "cable_load");
+  EXPECT_TRUE(table.along.s.empty());
+}
+
 TEST(cable_checks, what_is_assumed_names_no_tensile_strength_of_the_cable) {
   const std::vector<std::string>& said = abandoned().results.checks.assumptions;
   EXPECT_TRUE(std::any_of(said.begin(), said.end(),

@@ -254,6 +254,24 @@ TEST(lay_operation, without_any_tension_a_stage_is_told) {
   EXPECT_NE(errors("").front().find("tensioner.tension"), std::string::npos) << errors("").front();
 }
 
+TEST(lay_operation, a_line_of_given_length_has_to_reach_beyond_the_longest_cable_and_the_head) {
+  const auto errors = [](const std::string& length, const std::string& stages) {
+    std::string text = testing::kGoodModel;
+    text.replace(text.find("pipe:\n"), 6, "pipe:\n  length: " + length + "\n");
+    text += "\noperation: {" + abandonment("stages: " + stages) + "}\n";
+    return read_model_text(text, "model.yaml").diagnostics;
+  };
+  for (const char* stages : {"[{cable_out: 80 m}, {cable_out: 236 m}]", "{from: 236 m, to: 80 m}"}) {
+    EXPECT_EQ(errors("242.1 m", stages).error_count(), 0) << stages;
+    const Diagnostics refused = errors("242 m", stages);
+    ASSERT_EQ(refused.error_count(), 1) << stages;
+    EXPECT_EQ(refused.sorted().front().key, "pipe.length");
+    EXPECT_GT(refused.sorted().front().line, 0);
+    EXPECT_NE(refused.lines(Severity::error).front().find("242 m"), std::string::npos);
+    EXPECT_NE(refused.lines(Severity::error).front().find("operation.stages"), std::string::npos);
+  }
+}
+
 TEST(lay_operation, what_floats_is_only_warned_of) {
   const ModelReading reading =
       read("type: abandonment, head: {length: 6 m, weight_in_air: 40 kN, weight_submerged: -5 kN}, " + kCable +

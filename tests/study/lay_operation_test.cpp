@@ -170,6 +170,25 @@ TEST(lay_operation, where_the_tension_is_least_does_not_hang_on_rounding) {
   for (std::size_t i = 0; i < north.size(); ++i) EXPECT_NEAR(turned[i], north[i], 1e-3) << i;
 }
 
+// What lies on a bed without friction pulls on nothing: however long the cable, the line hangs as it does.
+TEST(lay_operation, a_cable_longer_than_any_lay_still_ends_in_pipe_on_the_bed) {
+  Description d = read("/validation/operation_cases/AR12-J.yaml");
+  LayStageDescription stage = d.operation.lay.stages.back();
+  stage.cable_out = 1200.0;
+  d.operation.lay.stages = {stage};
+  stage.cable_out = 2000.0;
+  d.operation.lay.stages.push_back(stage);
+  const OperationResults found = solve_operation(d);
+  ASSERT_TRUE(found.stages[1].lay.has_value()) << found.stages[1].failure->why;
+  const StaticResults &near = *found.stages[0].lay, &far = *found.stages[1].lay;
+  EXPECT_GT(far.total_length, 2000.0 + d.operation.lay.head->length + 30.0);
+  EXPECT_EQ(far.stations.front().kind, SectionKind::pipe);
+  EXPECT_NEAR(far.head->p_W.z(), near.head->p_W.z(), 0.01);
+  EXPECT_NEAR(far.lay_back, near.lay_back, 0.05);
+  EXPECT_NEAR(far.bottom_tension, near.bottom_tension, 1e-3 * near.bottom_tension);
+  EXPECT_FALSE(far.checks.rows.empty());
+}
+
 TEST(lay_operation, a_stage_below_its_weight_says_which_tension_would_do_and_leaves_the_others_standing) {
   Description d = stages_of_lay(60.0, 160.0, 1);
   d.operation.lay.program->values = {20e3, 250e3};

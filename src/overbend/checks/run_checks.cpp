@@ -54,13 +54,21 @@ void say_duration(CheckRow& row, double duration) {
                             row.remark.empty() ? "" : "; ", duration / 60.0);
 }
 
+/// Of the pipe by the codes; none of a line that has none.
+std::vector<CheckRow> rows_of_pipe(const CheckStations& all, const CheckSettings& settings) {
+  std::vector<CheckRow> rows;
+  if (all.stations.empty()) return rows;
+  if (settings.codes != CheckCodes::api) append(rows, dnv_rows(all, settings));
+  append(rows, laying_rows(all, settings));
+  if (settings.codes != CheckCodes::dnv) append(rows, api_rows(all, settings));
+  return rows;
+}
+
 CheckTable table_of(const Model& model, const StaticResults& statics, const DynamicResults* dynamics,
                     const CheckStations& all) {
   const CheckSettings& settings = model.description.checks;
   CheckTable table;
-  if (settings.codes != CheckCodes::api) append(table.rows, dnv_rows(all, settings));
-  append(table.rows, laying_rows(all, settings));
-  if (settings.codes != CheckCodes::dnv) append(table.rows, api_rows(all, settings));
+  table.rows = rows_of_pipe(all, settings);
   const auto pipe_rows = static_cast<std::ptrdiff_t>(table.rows.size());
   append(table.rows, equipment_rows(model, statics, dynamics));
   if (dynamics != nullptr && dynamics->duration < kThreeHours) {

@@ -119,6 +119,11 @@ bool cable_at_top(const Description& description) {
   return description.stage && description.stage->cable_out && description.operation.lay.cable;
 }
 
+double pipe_begins(const Description& description) {
+  if (!cable_at_top(description)) return 0.0;
+  return *description.stage->cable_out + description.operation.lay.head->length;
+}
+
 bool has_cable(const Description& description) {
   return cable_at_top(description) || cable_at_far_end(description);
 }

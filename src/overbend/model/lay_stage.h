@@ -20,6 +20,8 @@ Description at_stage(const Description& description, const LayStageDescription& 
 bool cable_at_top(const Description& description);
 /// Whether a cable is in the line at all.
 bool has_cable(const Description& description);
+/// Unstressed length from the top to where the pipe begins: at the head, below a cable that is held there [m].
+double pipe_begins(const Description& description);
 /// Whether the far end of the line is pinned to an anchor by a cable at this stage.
 bool cable_at_far_end(const Description& description);
 

@@ -98,6 +98,26 @@ void check_stage(Checker& check, const FieldValue& operation, OperationType type
   }
 }
 
+/// Where a line of given length ends, pipe has to lie: behind the head, however much cable is out.
+void check_line_length(Checker& check, const FieldValue& operation) {
+  const FieldValue *length = check.root().find("pipe.length"), *stages = operation.find("stages");
+  if (length == nullptr || stages == nullptr) return;
+  const FieldValue* longest = nullptr;
+  const auto take = [&](const FieldValue* cable) {
+    if (cable != nullptr && (longest == nullptr || cable->number > longest->number)) longest = cable;
+  };
+  if (stages->kind == FieldValue::Kind::map) {
+    for (const char* end : {"from", "to"}) take(stages->find(end));
+  } else {
+    for (const FieldValue& stage : stages->children) take(stage.find("cable_out"));
+  }
+  const double head = operation.get_number("head.length").value_or(0.0);
+  if (longest == nullptr || longest->number + head < length->number) return;
+  check.error(*length, "a line of " + length->shown,
+              "more than the longest cable with the head, " + format_quantity(longest->number + head, "m", "m"),
+              "see " + longest->path + "; or omit pipe.length, and the line is made long enough");
+}
+
 /// The stages of a recovery stand in the file as those of the abandonment.
 void check_order(Checker& check, OperationType type, const FieldValue& stages) {
   if (type != recovery || stages.children.size() < 2) return;
@@ -199,6 +219,7 @@ void check_lay_operation(Checker& check, const FieldValue& operation, OperationT
   check_cable(check, operation, type);
   check_anchor_depth(check, operation);
   check_stages(check, operation, type);
+  if (cable_from_winch(type)) check_line_length(check, operation);
 }
 
 }  // namespace overbend

@@ -161,6 +161,11 @@ std::size_t departure(const Model& model, const std::vector<GuidePoint>& points,
   return over;
 }
 
+/// What lies of cable and head behind touchdown: laid pipe holds the line, so it comes after them [m].
+double laid_length(const Model& model, const LayShape& shape) {
+  return cable_at_top(model.description) ? std::max(0.0, pipe_begins(model.description) - shape.touchdown) : 0.0;
+}
+
 }  // namespace
 
 double pinned_height(const Model& model) {
@@ -202,8 +207,9 @@ LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) 
   }
   for (std::size_t i = 1; i < chain.z.size(); ++i) append_point(shape, chain.distance[i], chain.z[i], chain.dip[i]);
   shape.touchdown = shape.length.back();
-  const double tail = model.description.pipe.length ? *model.description.pipe.length - shape.touchdown
-                                                    : tail_length(model, *H, shape.touchdown - shape.last_support);
+  const double tail = model.description.pipe.length
+                          ? *model.description.pipe.length - shape.touchdown
+                          : laid_length(model, shape) + tail_length(model, *H, shape.touchdown - shape.last_support);
   if (tail > 1e-6) append_tail(shape, plane, tail);
   shape.total = model.description.pipe.length.value_or(shape.length.back());
   return shape;
