@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
+
 namespace overbend {
 namespace {
 
@@ -122,6 +124,21 @@ bool cable_at_top(const Description& description) {
 double pipe_begins(const Description& description) {
   if (!cable_at_top(description)) return 0.0;
   return *description.stage->cable_out + description.operation.lay.head->length;
+}
+
+double pipe_ends(const Description& description) {
+  return cable_at_far_end(description) ? *description.stage->pipe_out : kInfinity;
+}
+
+double pipe_gone(const Description& description) {
+  if (!cable_at_far_end(description)) {
+    const double ahead = description.stage ? description.stage->ahead.value_or(0.0) : 0.0;
+    return pipe_begins(description) + ahead;
+  }
+  const double out = *description.stage->pipe_out;
+  double last = out;
+  for (const LayStageDescription& stage : lay_stages(description)) last = std::max(last, stage.pipe_out.value_or(out));
+  return out - last;
 }
 
 bool has_cable(const Description& description) {

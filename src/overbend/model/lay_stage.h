@@ -22,6 +22,13 @@ bool cable_at_top(const Description& description);
 bool has_cable(const Description& description);
 /// Unstressed length from the top to where the pipe begins: at the head, below a cable that is held there [m].
 double pipe_begins(const Description& description);
+/// Unstressed length from the top to where the pipe ends: at the head of a start-up; infinite where it goes on to the
+/// far end of the line [m].
+double pipe_ends(const Description& description);
+/// How much further from the top the pipe lies at this stage than it does as described, where segments, structures and
+/// field joints count from the tensioner [m]. A start-up leads to the lay as described: before its last stage the pipe
+/// lies less far out, and what is then inboard of the tensioner is not in the line yet.
+double pipe_gone(const Description& description);
 /// Whether the far end of the line is pinned to an anchor by a cable at this stage.
 bool cable_at_far_end(const Description& description);
 

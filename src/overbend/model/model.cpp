@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "base/constants.h"
 #include "base/require.h"
 #include "model/bed_shape.h"
 #include "model/lay_stage.h"
@@ -59,9 +60,11 @@ void add_section(Model& model, Section section, const SectionDescription& descri
   model.described.push_back(described);
 }
 
-/// Puts a stretch of the section made last behind `from`, and `from` behind it.
-void add_span(Model& model, double& from, double length) {
-  if (length > 0.0) model.spans.push_back({from, from + length, static_cast<int>(model.sections.size()) - 1});
+/// Puts a stretch of the section made last behind `from`, and `from` behind it; what of it is inboard of the tensioner
+/// or beyond `end` is left out.
+void add_span(Model& model, double& from, double length, double end = kInfinity) {
+  const double begin = std::max(from, 0.0), to = std::min(from + length, end);
+  if (to > begin) model.spans.push_back({begin, to, static_cast<int>(model.sections.size()) - 1});
   from += length;
 }
 
@@ -88,13 +91,13 @@ void resolve_sections(Model& model) {
     add_cable(model, from, *d.stage->cable_out);
     add_head(model, from);
   }
-  if (d.stage && d.stage->ahead) from += *d.stage->ahead;
+  from = pipe_gone(d);
   for (const SegmentDescription& segment : d.pipe.segments) {
     add_section(model, derive_section(segment.name, segment.section, model.water_weight_density), segment.section);
-    add_span(model, from, segment.length);
+    add_span(model, from, segment.length, pipe_ends(d));
   }
   if (cable_at_far_end(d)) {
-    from = *d.stage->pipe_out;
+    from = pipe_ends(d);
     add_head(model, from);
     add_cable(model, from, *d.operation.lay.cable->length);
   }
@@ -108,10 +111,12 @@ double jointed_length(const Description& d, double joint) {
   return reach > 0.0 ? 1.1 * reach + 3.0 * joint : 0.0;
 }
 
-/// Length from the tensioner to the middle of the first field joint, which goes with the pipe when the barge moves [m].
+/// Length from the tensioner to the middle of the first field joint, which goes with the pipe [m]. Below a cable no
+/// joint comes before it; elsewhere those that come out of the tensioner do.
 double first_joint(const Description& d, const JointDescription& joint) {
-  const double first = joint.first.value_or(0.5 * joint.length);
-  return d.stage && d.stage->ahead ? std::fmod(first + *d.stage->ahead, joint.length) : first;
+  const double first = joint.first.value_or(0.5 * joint.length), gone = pipe_gone(d);
+  if (gone == 0.0 || cable_at_top(d)) return first + gone;
+  return first + gone - joint.length * std::floor((first + gone) / joint.length);
 }
 
 /// Stiffer pipe between the field joints, behind the segments.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/lay_stage.h"
+
 namespace overbend {
 namespace {
 
@@ -18,13 +20,15 @@ void cut_out(std::vector<SectionSpan>& spans, double from, double to) {
 }  // namespace
 
 void add_structures(Model& model) {
-  const double ahead = model.description.stage ? model.description.stage->ahead.value_or(0.0) : 0.0;
+  const double gone = pipe_gone(model.description);
+  const double first = pipe_begins(model.description), last = pipe_ends(model.description);
   for (const StructureDescription& structure : model.description.pipe.structures) {
     if (!structure.at) continue;
-    const double middle = *structure.at + ahead;
-    const double from = std::max(middle - 0.5 * structure.length, 0.0), to = middle + 0.5 * structure.length;
+    const double middle = *structure.at + gone;
+    const double from = std::max(middle - 0.5 * structure.length, first);
+    const double to = std::min(middle + 0.5 * structure.length, last);
     if (to <= from) continue;
-    const auto around = static_cast<std::size_t>(model.section_at(std::max(middle, 0.0)));
+    const auto around = static_cast<std::size_t>(model.section_at(0.5 * (from + to)));
     const SectionDescription described = model.description_of(around);
     model.sections.push_back(structure_section(structure, model.sections[around], model.water_weight_density));
     model.described.push_back(described);

@@ -6,8 +6,8 @@
 namespace overbend {
 
 /// Puts the structures of the description into the model's sections and spans: they take the place of whatever section
-/// lies there. What would lie inboard of the tensioner is left out, and a structure that lies there with all its
-/// length.
+/// lies there. They go with the pipe at a stage of an operation. What would lie inboard of the tensioner, or where head
+/// and cable are, is left out, and a structure that lies there with all its length.
 void add_structures(Model& model);
 
 }  // namespace overbend
