@@ -183,7 +183,7 @@ TEST(examples, irregular_sea_takes_the_pipe_off_its_stinger) {
   // What follows is the motion of a pipe beside its rollers, which rounding alone drives apart: only its kind is
   // stated.
   EXPECT_GT(r.overbend.von_mises.over_time.max, 800e6);  // twice the yield stress, of a steel that does not yield
-  EXPECT_GT(r.stinger_tip_clearance.max, 3.0);
+  EXPECT_LT(r.stinger_tip_clearance.min, -3.0);
   EXPECT_LT(std::abs(r.energy.drift()), 1e-3);
 }
 

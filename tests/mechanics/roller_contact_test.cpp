@@ -57,6 +57,36 @@ TEST(roller_contact, beyond_the_face_the_end_of_the_axis_counts_and_the_overrun_
   EXPECT_NEAR(d.direction.y(), 0.8, 1e-14);
 }
 
+// Above the end of the roller it can still rest on that; below the roller it can only be when it went over the end.
+TEST(roller_contact, a_pipe_that_lies_beside_a_bottom_roller_or_under_it_has_left_the_box) {
+  const std::vector<double> h(4, 1.0);
+  const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
+  const auto beside = [&](RollerPosition position, double y, double z) {
+    const std::vector<double> q = straight(5, 1.0, y, z);
+    return lies_beside(position, roller, closest_point(roller, q.data(), h.data(), 0, 4), 0.2);
+  };
+  const RollerPosition bottom = RollerPosition::bottom;
+  EXPECT_FALSE(beside(bottom, 0.29, 0.45));
+  EXPECT_FALSE(beside(bottom, 0.45, 0.45));  // 0.15 beyond the end
+  EXPECT_TRUE(beside(bottom, 0.55, 0.45));
+  EXPECT_TRUE(beside(bottom, -0.55, 0.45));
+  EXPECT_TRUE(beside(bottom, 0.32, -0.5));
+  EXPECT_TRUE(beside(bottom, 0.0, -0.5));
+  EXPECT_FALSE(beside(RollerPosition::port, 0.55, -0.5));
+}
+
+TEST(roller_contact, height_over_a_roller_is_negative_beside_and_below_it) {
+  const std::vector<double> h(4, 1.0);
+  const PlacedRoller roller = level_roller(Vec3(2.3, 0.0, 0.1));
+  for (const double y : {0.0, 0.32, 5.0}) {
+    for (const double z : {-0.6, 0.3, 0.9}) {
+      const std::vector<double> q = straight(5, 1.0, y, z);
+      const ClosestPoint at = closest_point(roller, q.data(), h.data(), 0, 4);
+      EXPECT_NEAR(height_over(roller, at, 0.2), z - 0.2 - 0.25, 1e-14);  // underside, and top of the roller
+    }
+  }
+}
+
 class roller_contact_derivatives : public ::testing::TestWithParam<double> {};
 
 TEST_P(roller_contact_derivatives, gradient_and_hessian_are_the_derivatives_with_the_closest_point_moving) {

@@ -11,6 +11,7 @@
 #include "model/lay_stage.h"
 #include "recording/dynamic_warnings.h"
 #include "support/bgl1_in_time.h"
+#include "support/lay_over_bottom_rollers.h"
 #include "support/memory_sink.h"
 
 namespace overbend {
@@ -167,6 +168,24 @@ TEST(dynamic_recorder, yield_in_time_is_warned_of_with_place_and_size_and_with_t
   EXPECT_EQ(r.warnings[0].find("the von Mises stress of 500 MPa " + place + " exceeds the yield stress of 414 MPa"), 0U)
       << r.warnings[0];
   EXPECT_EQ(r.warnings[1].find("the von Mises stress of 500 MPa at t = 12.5 s, " + place), 0U) << r.warnings[1];
+}
+
+// It lies below the last roller, 19 mm beyond its end: the distance from that end is no clearance of the tip.
+TEST(dynamic_recorder, a_pipe_under_the_last_roller_has_left_it_and_has_no_clearance_there_as_in_statics) {
+  Description d = testing::lay_over_bottom_rollers(0.3);
+  d.dynamics = DynamicSettings{};
+  d.dynamics->duration = 1.0;
+  d.dynamics->build_up = 0.5;
+  const TimedLay c(d);
+  MemorySink sink;
+  const DynamicResults r = c.results(sink);
+  EXPECT_TRUE(r.supports.back().left_to_starboard.has_value());
+  EXPECT_FALSE(r.supports.front().left_to_starboard || r.supports.front().left_to_port);
+  EXPECT_NEAR(r.stinger_tip_clearance.min, c.statics.stinger_tip_clearance.value(), 1e-3);  // nothing moves
+  EXPECT_LT(r.stinger_tip_clearance.max, -0.3);
+  const auto row = std::ranges::find(r.checks.rows, std::string("tip_clearance"), &CheckRow::id);
+  ASSERT_NE(row, r.checks.rows.end());
+  EXPECT_EQ(row->status, CheckStatus::exceeded);
 }
 
 TEST(dynamic_recorder, boxes_that_the_pipe_left_are_told_in_a_line_for_each_side) {

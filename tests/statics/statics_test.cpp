@@ -8,6 +8,8 @@
 
 #include "modelfile/yaml_reader.h"
 #include "statics/recovery.h"
+#include "study/static_run.h"
+#include "support/lay_over_bottom_rollers.h"
 #include "support/solved_case.h"
 
 namespace overbend {
@@ -286,6 +288,33 @@ TEST(statics, a_pipe_that_nothing_holds_on_its_rollers_is_said_to_run_off_them) 
     EXPECT_NE(f.what.find("the pipe runs off its rollers"), std::string::npos) << f.what;
     EXPECT_NE(f.why.find("that box has no side rollers to hold it"), std::string::npos) << f.why;
   }
+}
+
+// Where it lies below the boxes, as where it lies beside them. The tip clearance is how far it lies above the roller
+// then, which is negative, not how far from its end.
+TEST(statics, a_pipe_that_hangs_below_the_rollers_it_ran_off_is_said_to_have_left_them) {
+  const auto warned = [](const StaticResults& r, const std::string& words) {
+    return std::ranges::any_of(r.warnings, [&](const std::string& w) { return w.find(words) != std::string::npos; });
+  };
+  const auto solved = [](double current) {
+    Model model = build_model(testing::lay_over_bottom_rollers(current));
+    return checked_statics(model, {solve_statics(model).solution.value(), {}, {}});
+  };
+  const auto tip_check = [](const StaticResults& r) {
+    return std::ranges::find(r.checks.rows, std::string("tip_clearance"), &CheckRow::id)->status;
+  };
+  const StaticResults on = solved(0.2), under = solved(0.3), far = solved(0.5);
+  EXPECT_FALSE(warned(on, "the pipe has left '"));
+  EXPECT_EQ(on.stinger_tip_clearance.value(), on.supports.back().separation);
+  EXPECT_TRUE(warned(under, "the pipe has left 'S5' over the side to starboard"));
+  EXPECT_TRUE(warned(far, "more boxes over the side to starboard"));
+  for (const StaticResults* r : {&under, &far}) {
+    const RollerResult& tip = r->supports.back().rows.back().rollers.front();
+    EXPECT_GT(tip.separation, 0.3);
+    EXPECT_LT(r->stinger_tip_clearance.value(), -0.3);
+    EXPECT_EQ(tip_check(*r), CheckStatus::exceeded);
+  }
+  EXPECT_GT(far.supports.back().rows[0].rollers[0].off_end, 0.5);
 }
 
 /// Least clear distance from a roller of the places of all stations [m].

@@ -44,9 +44,17 @@ struct ClosestPoint {
 };
 
 /// Whether the pipe has left the box that a roller belongs to over its side: it lies more than its own radius beyond
-/// the end of a bottom roller.
-inline bool lies_beside(RollerPosition position, const ClosestPoint& at, double pipe_radius) {
-  return position == RollerPosition::bottom && at.off_end > pipe_radius;
+/// the end of a bottom roller, or on the wrong side of it, where it came over that end.
+inline bool lies_beside(RollerPosition position, const PlacedRoller& roller, const ClosestPoint& at,
+                        double pipe_radius) {
+  if (position != RollerPosition::bottom) return false;
+  return at.off_end > pipe_radius || (at.found && (at.place - at.reference).dot(roller.normal) < 0.0);
+}
+
+/// Distance of the pipe's underside above the top of a bottom roller, along the roller's normal: negative where the
+/// pipe lies beside it or under it, far though it may be from its end [m].
+inline double height_over(const PlacedRoller& roller, const ClosestPoint& at, double pipe_radius) {
+  return (at.place - at.reference).dot(roller.normal) - roller.radius - pipe_radius;
 }
 
 /// Searches elements [first, last) of the line; `q` six per node, `length` per element. The element that holds the

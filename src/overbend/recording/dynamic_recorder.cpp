@@ -204,7 +204,7 @@ void DynamicRecorder::find_key_values(const Instant& at) {
       inclination(last != nullptr && is_cable(*last)
                       ? pull_at(at.assembly->line(0), state, *last).normalized()
                       : tangent_at(state, line_->mesh, recovery_.arc_length_of(leaving.value_or(places().back()))));
-  key_.tip_clearance = tip_roller_ < 0 ? 0.0 : separation(at.contacts()[static_cast<std::size_t>(tip_roller_)]);
+  key_.tip_clearance = tip_clearance(at);
   const bool clamped = model_->description.tensioner.guide == Guide::clamped;
   find_region_peaks(find_regions({places(), nodes_.bending_moment, nodes_.vertical_moment},
                                  recovery_.place_of(landing_s), leaving, clamped),
@@ -270,16 +270,31 @@ void DynamicRecorder::find_slack(double time) {
   }
 }
 
-/// A box is left where the pipe is off the face of a bottom roller by more than its radius: no side roller holds it.
+/// Whether the pipe has left the box of a roller over its side: then that no longer holds it, and no side roller did.
+bool DynamicRecorder::beside(const Instant& at, std::size_t roller) const {
+  const Roller& of = model_->supports.rollers[roller];
+  return lies_beside(of.position, at.assembly->line(0).contacts().placed(static_cast<int>(roller)),
+                     at.contacts()[roller].at, model_->section_over(of).outer_radius());
+}
+
+/// Over the last row of the stinger, as in statics.
+double DynamicRecorder::tip_clearance(const Instant& at) const {
+  if (tip_roller_ < 0) return 0.0;
+  const RollerContact& contact = at.contacts()[static_cast<std::size_t>(tip_roller_)];
+  if (!contact.at.found || !beside(at, static_cast<std::size_t>(tip_roller_))) return separation(contact);
+  return height_over(at.assembly->line(0).contacts().placed(tip_roller_), contact.at,
+                     line_->elements.radius[static_cast<std::size_t>(contact.at.element)]);
+}
+
+/// When the pipe left each box first, and over which side.
 void DynamicRecorder::find_passed(const Instant& at) {
   const VesselPose& pose = at.vessel().pose;
   for (std::size_t i = 0; i < rollers_; ++i) {
-    const RollerContact& contact = at.contacts()[i];
-    const Roller& roller = model_->supports.rollers[i];
-    BoxLeft& box = left_[static_cast<std::size_t>(roller.box)];
-    const double radius = model_->section_over(roller).outer_radius();
-    if (box.time == kNever && lies_beside(roller.position, contact.at, radius)) {
-      const double to_port = pose.R_WV.col(1).dot(contact.at.reference - pose.p_WV);
+    const ClosestPoint& closest = at.contacts()[i].at;
+    BoxLeft& box = left_[static_cast<std::size_t>(model_->supports.rollers[i].box)];
+    if (box.time == kNever && beside(at, i)) {
+      const Vec3& place = closest.found ? closest.place : closest.reference;
+      const double to_port = pose.R_WV.col(1).dot(place - pose.p_WV);
       box = {at.state->time, to_port > 0.0 ? 1.0 : -1.0};
     }
   }

@@ -73,6 +73,8 @@ class DynamicRecorder : public SimulationObserver {
   double place_of(const RollerContact& contact) const;
   bool is_cable(const RollerContact& contact) const;
   void find_support_values(const Instant& at);
+  bool beside(const Instant& at, std::size_t roller) const;
+  double tip_clearance(const Instant& at) const;
   void find_passed(const Instant& at);
   void fill_assumptions(DynamicResults& results) const;
   void fill_warnings(DynamicResults& results) const;

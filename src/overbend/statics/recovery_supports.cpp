@@ -53,7 +53,7 @@ std::optional<Crossing> cross_plane(const StaticSystem& system, const LineState&
 }
 
 RollerResult recover_roller(const Roller& roller, const Section& pipe, const PlacedRoller& placed,
-                            const RollerContact& state, const Axes& axes) {
+                            const RollerContact& state, const ClosestPoint& at, const Axes& axes) {
   RollerResult result;
   result.position = roller.position;
   result.reaction = state.normal;
@@ -61,7 +61,7 @@ RollerResult recover_roller(const Roller& roller, const Section& pipe, const Pla
   result.vertical = force.z();
   result.longitudinal = force.dot(axes.along);
   result.lateral = force.dot(axes.port);
-  result.off_end = state.at.beyond_face ? state.at.off_end : 0.0;
+  result.off_end = at.beyond_face ? at.off_end : 0.0;
   result.p_W = placed.center + placed.radius * placed.normal;
   result.normal_W = placed.normal;
   result.axis_W = placed.axis;
@@ -92,13 +92,17 @@ Nearest nearest_end(const StaticSystem& system, const LineState& state, const Pl
   return nearest;
 }
 
+/// As the contact has it; of a roller out of its reach, along the whole line.
+ClosestPoint closest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
+                        const ClosestPoint& met) {
+  const LineMesh& mesh = system.mesh();
+  return met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
+}
+
 /// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
 /// penetration.
 Nearest nearest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
-                   const ClosestPoint& met) {
-  const LineMesh& mesh = system.mesh();
-  const ClosestPoint at =
-      met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
+                   const ClosestPoint& at) {
   if (!at.found) return nearest_end(system, state, placed);
   const std::size_t e = static_cast<std::size_t>(at.element);
   const double distance = roller_distance(placed, at).value;
@@ -109,7 +113,9 @@ struct RowTotals {
   Vec3 force = Vec3::Zero();
   bool contact = false;
   double last_s = kInfinity;  ///< Of the contact nearest to the seabed.
-  double beside = 0.0;        ///< How far the pipe lies beyond the end of the bottom roller, port positive [m].
+  /// How far the pipe lies beyond the end of a bottom roller that it has left, negative to starboard [m].
+  std::optional<double> beside = {};
+  double clearance = 0.0;  ///< Over the first roller, see StaticResults::stinger_tip_clearance [m].
 };
 
 RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSystem& system, const LineState& state,
@@ -129,11 +135,17 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSyst
   for (int i = row.first_roller; i < row.first_roller + row.roller_count; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
     const RollerContact& contact = system.contacts()[k];
+    const PlacedRoller& placed = system.rollers().placed(i);
+    const ClosestPoint at = closest_to(system, state, placed, contact.at);
     RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
-                                         system.rollers().placed(i), contact, axes);
-    const Nearest nearest = nearest_to(system, state, system.rollers().placed(i), contact.at);
+                                         placed, contact, at, axes);
+    const Nearest nearest = nearest_to(system, state, placed, at);
     roller.separation = nearest.gap;
-    if (lies_beside(roller.position, contact.at, pipe_radius)) {
+    const bool left = lies_beside(roller.position, placed, at, pipe_radius);
+    if (i == row.first_roller) {
+      totals.clearance = left && at.found ? height_over(placed, at, pipe_radius) : roller.separation;
+    }
+    if (left) {
       totals.beside = std::copysign(roller.off_end, (nearest.p_W - roller.p_W).dot(axes.port));
     }
     if (contact.normal > 0.0) {
@@ -205,7 +217,6 @@ struct BoxesLeft {
   double beside = 0.0;     ///< The furthest [m].
 
   void add(const std::string& box, double distance) {
-    if (distance <= 0.0) return;
     more += first.empty() ? 0 : 1;
     first = first.empty() ? box : first;
     beside = std::max(beside, distance);
@@ -258,12 +269,14 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     result.inclination = box.inclination;
     result.length = box.length;
     Vec3 force = Vec3::Zero();
-    double beside = 0.0;
+    std::optional<double> beside;
+    double clearance = 0.0;
     for (int r = box.first_row; r < box.first_row + box.row_count; ++r) {
       RowResult row;
       const RowTotals totals = recover_row(row, model.supports.rows[static_cast<std::size_t>(r)], system, state, axes);
       force += totals.force;
-      beside = std::abs(totals.beside) > std::abs(beside) ? totals.beside : beside;
+      if (totals.beside && std::abs(*totals.beside) >= std::abs(beside.value_or(0.0))) beside = totals.beside;
+      clearance = totals.clearance;
       if (totals.contact && totals.last_s < departure.s) {
         departure = {true, totals.last_s, box.name};
       }
@@ -277,12 +290,8 @@ Departure recover_supports(StaticResults& results, const StaticSystem& system, c
     smallest_separations(result);
     pipe_over_box(result, results.stations);
     note_runoff(results, result);
-    to_port.add(box.name, beside);
-    to_starboard.add(box.name, -beside);
-    if (result.stinger) {
-      const auto& last = result.rows.back().rollers;
-      results.stinger_tip_clearance = last.front().separation;
-    }
+    if (beside) (std::signbit(*beside) ? to_starboard : to_port).add(box.name, std::abs(*beside));
+    if (result.stinger) results.stinger_tip_clearance = clearance;
     results.supports.push_back(std::move(result));
   }
   to_port.note(results);

@@ -280,7 +280,9 @@ std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& sy
   const std::vector<Roller>& rollers = model.supports.rollers;
   for (std::size_t i = 0; i < rollers.size(); ++i) {
     const ClosestPoint& closest = system.contacts()[i].at;
-    if (!lies_beside(rollers[i].position, closest, model.section_over(rollers[i]).outer_radius())) continue;
+    const PlacedRoller& placed = system.rollers().placed(static_cast<int>(i));
+    if (!lies_beside(rollers[i].position, placed, closest, model.section_over(rollers[i]).outer_radius())) continue;
+    if (closest.off_end <= 0.0) continue;  // under the roller in an attempt that failed
     if (closest.off_end > system.mesh().total_length()) return std::nullopt;
     const bool sided = std::ranges::any_of(rollers, [&](const Roller& other) {
       return other.box == rollers[i].box && other.position != RollerPosition::bottom;
