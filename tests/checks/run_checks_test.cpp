@@ -309,6 +309,18 @@ TEST(run_checks, limits_of_the_equipment_are_judged_where_given) {
   EXPECT_EQ(find(table, "yield_share", CheckRegion::sagbend), nullptr);  // needs a dynamic analysis
 }
 
+TEST(run_checks, internal_pressure_raises_the_strain_capacity_that_is_told) {
+  const auto row_with = [](double pressure) {
+    const CheckTable table = checks_with([&](Description& d) { d.pipe.section.internal_pressure = pressure; });
+    return row_of(table, "dnv_displacement_controlled", CheckRegion::overbend);
+  };
+  const CheckRow empty = row_with(0.0), full = row_with(8e6);
+  ASSERT_LT(input(full, "p_e - p_i"), -7e6);
+  EXPECT_GT(full.capacity, 1.5 * empty.capacity);
+  EXPECT_NEAR(full.utilisation, full.demand / full.capacity, 1e-12);  // no pressure part, and the exponent is 1
+  EXPECT_NEAR(input(full, "eps_c") / full.capacity, strain_safety_factor(SafetyClass::low), 1e-12);
+}
+
 TEST(run_checks, an_arrestor_is_judged_by_its_cross_over) {
   const CheckTable table = checks_with([](Description& d) { d.checks.arrestor = ArrestorSettings{8e6, 0.5}; });
   const CheckRow& row = row_of(table, "dnv_crossover", CheckRegion::line);

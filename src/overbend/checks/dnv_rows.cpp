@@ -129,11 +129,12 @@ CheckRow bend_row(const CheckStations& all) {
   const CheckStation* at =
       most_used(all, CheckRegion::overbend, [](const CheckStation& station) { return station.bend.value; });
   const CheckSection& section = all.section_of(*at);
+  const double raised = internal_pressure_factor(-at->bend_pressure, section.strain.burst);
   place_row(row, *at);
   row.inputs = {{"eps_F", "functional (static) strain", at->strain, "1"},
                 {"eps_Sd", "design strain", at->design_strain, "1"},
                 {"SNCF", "strain factor of field joints", section.strain_factor, "1"},
-                {"eps_c", "strain capacity", section.strain_capacity, "1"},
+                {"eps_c", "strain capacity", section.strain_capacity * raised, "1"},
                 {"p_e - p_i", "external minus internal pressure", at->bend_pressure, "Pa"},
                 {"p_c(t2)", "collapse pressure", section.collapse, "Pa"}};
   if (!section.strain.holds) {
@@ -145,7 +146,8 @@ CheckRow bend_row(const CheckStations& all) {
   row.demand = at->design_strain;
   row.utilisation = terms.utilisation();
   row.reserve = terms.reserve();
-  row.capacity = std::pow(std::max(0.0, 1.0 - terms.pressure), 1.0 / terms.exponent) / section.strain.strain_factor;
+  row.capacity =
+      raised * std::pow(std::max(0.0, 1.0 - terms.pressure), 1.0 / terms.exponent) / section.strain.strain_factor;
   judge(row);
   return row;
 }

@@ -11,10 +11,13 @@ double girth_weld_factor(double slenderness) {
   return slenderness <= 20.0 ? 1.0 : 1.2 - 0.01 * slenderness;
 }
 
+double internal_pressure_factor(double overpressure, double burst) {
+  return overpressure > 0.0 && burst > 0.0 ? 1.0 + 5.75 * overpressure / burst : 1.0;
+}
+
 double strain_capacity(const Wall& wall, double alpha_h, double overpressure, double burst) {
-  const double pressure = overpressure > 0.0 && burst > 0.0 ? 1.0 + 5.75 * overpressure / burst : 1.0;
-  return 0.78 * (1.0 / wall.slenderness() - 0.01) * pressure * std::pow(alpha_h, -1.5) *
-         girth_weld_factor(wall.slenderness());
+  return 0.78 * (1.0 / wall.slenderness() - 0.01) * internal_pressure_factor(overpressure, burst) *
+         std::pow(alpha_h, -1.5) * girth_weld_factor(wall.slenderness());
 }
 
 double StrainTerms::utilisation() const {
@@ -32,8 +35,8 @@ StrainTerms strain_terms(const StrainCapacity& capacity, double strain, double e
   if (external >= internal) {
     terms.exponent = 0.8;
     terms.pressure = capacity.collapse_factor * (external - internal);
-  } else if (capacity.burst > 0.0) {
-    terms.strain /= 1.0 + 5.75 * (internal - external) / capacity.burst;
+  } else {
+    terms.strain /= internal_pressure_factor(internal - external, capacity.burst);
   }
   return terms;
 }

@@ -10,8 +10,11 @@ namespace overbend {
 /// Girth weld factor alpha_gw [-]: 1 up to D/t2 = 20, then 1.2 - 0.01 D/t2.
 double girth_weld_factor(double slenderness);
 
-/// Characteristic strain capacity eps_c = 0.78 (t/D - 0.01)(1 + 5.75 dp/p_b) alpha_h^-1.5 alpha_gw [-]. `overpressure`
-/// dp = p_min - p_e counts where it is positive, with the burst pressure p_b [Pa].
+/// 1 + 5.75 dp/p_b [-], by which internal `overpressure` dp = p_min - p_e raises the strain capacity where it is
+/// positive and the burst pressure p_b is known [Pa]; else 1.
+double internal_pressure_factor(double overpressure, double burst);
+
+/// Characteristic strain capacity eps_c = 0.78 (t/D - 0.01)(1 + 5.75 dp/p_b) alpha_h^-1.5 alpha_gw [-], see above.
 double strain_capacity(const Wall& wall, double alpha_h, double overpressure, double burst);
 
 /// Everything of a section that the displacement-controlled criterion needs.
