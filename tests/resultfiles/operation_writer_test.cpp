@@ -71,6 +71,16 @@ TEST(operation_writer, every_stage_has_the_keys_of_statics) {
   EXPECT_EQ(stages[2]["warnings"][0], "tension below the range");
 }
 
+TEST(operation_writer, the_pipe_has_its_derived_properties_at_the_top_as_in_statics) {
+  const DerivedSection& pipe = solved_case("BGL1-T250").results.sections.front();
+  const Json derived = summary()["derived"];
+  EXPECT_EQ(derived["EI"], pipe.EI);
+  EXPECT_EQ(derived["weight_submerged"], pipe.weight_submerged);
+  OperationResults fallen = three_stages();
+  for (StageResult& stage : fallen.stages) stage.lay.reset();
+  EXPECT_EQ(read_json(operation_summary(fallen))["derived"], Json::object());
+}
+
 TEST(operation_writer, the_head_is_told_astern_of_the_shoe_and_above_the_water) {
   const Json head = summary()["operation"]["stages"][0]["head"];
   EXPECT_EQ(head["x"], 39.5);

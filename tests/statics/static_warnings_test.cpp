@@ -83,6 +83,25 @@ TEST(static_warnings, a_box_out_of_line_is_named) {
   }
 }
 
+TEST(static_warnings, a_structure_beyond_the_end_of_the_line_is_told) {
+  const double total = solved_case("S16-T300").results.total_length;
+  const auto with = [](double at) {
+    return warnings_with([at](Description& d, StaticResults&) {
+      d.pipe.section.joint->strain_factor = 1.1;
+      StructureDescription& tee = d.pipe.structures.emplace_back();
+      tee.name = "tee";
+      tee.at = at;
+      tee.length = 4.0;
+      tee.weight_in_air = 40e3;
+      tee.weight_submerged = 30e3;
+    });
+  };
+  EXPECT_TRUE(with(total - 3.0).empty());
+  EXPECT_EQ(mentions(with(total - 1.0), "the structure 'tee'"), 1);
+  EXPECT_EQ(mentions(with(total - 1.0), "reaches beyond the end of the line"), 1);
+  EXPECT_EQ(mentions(with(5000.0), "(at: 5000 m) lies beyond the end of the line"), 1);
+}
+
 TEST(static_warnings, strain_at_field_joints_that_nobody_told_is_missing) {
   const auto joint = [](Description& d, StaticResults&) {
     d.pipe.section.coatings = {{"concrete", 0.04, 22e3}};

@@ -46,6 +46,15 @@ Json worst_json(const SummaryStyle& style, const OperationResults& results) {
   return json;
 }
 
+/// The pipe's own section, which all stages have; empty where none stands.
+Json derived_json(const SummaryStyle& style, const OperationResults& results) {
+  for (const StageResult& stage : results.stages) {
+    if (!stage.lay || stage.lay->sections.empty()) continue;
+    return object_of(style, [&](auto& one) { visit_section(stage.lay->sections.front(), one); });
+  }
+  return Json::object();
+}
+
 }  // namespace
 
 Json operation_summary_json(const OperationResults& results) {
@@ -55,6 +64,7 @@ Json operation_summary_json(const OperationResults& results) {
   visit_operation_heading(results, json);
   json["units"] = "SI: m, N, Pa, rad, s; angles from horizontal";
   json["frame"] = kWorldFrame;
+  json["derived"] = derived_json(style, results);
   json["checks"] = Json{{"worst", worst_json(style, results)}};
   Json& operation = json["operation"];
   operation["type"] = operation_word(results.type);

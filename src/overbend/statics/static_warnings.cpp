@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/lay_stage.h"
 #include "results/fields/words.h"
 #include "results/regions.h"
 
@@ -121,6 +122,21 @@ void warn_of_field_joints(Warnings& list, const Model& model) {
       "given; the strain checks use a factor of 1");
 }
 
+/// Structures that the line, or the pipe of a start-up, ends before or in.
+void warn_of_structures_beyond(Warnings& list, const Model& model, const StaticResults& results) {
+  const double last = pipe_ends(model.description), end = std::min(results.total_length, last);
+  for (const StructureDescription& structure : model.description.pipe.structures) {
+    if (!structure.at) continue;
+    const double middle = *structure.at + pipe_gone(model.description), half = 0.5 * structure.length;
+    if (middle + half < end) continue;
+    list.push_back(fmt::format(
+        "the structure '{}' (at: {:.6g} m) {}{}", structure.name, *structure.at,
+        middle - half < end ? "reaches beyond the end of the line, where it is cut off"
+                            : "lies beyond the end of the line, which has nothing of it",
+        end < last ? "; a pipe.length that reaches further keeps it in" : ": the pipe ends before it at its head"));
+  }
+}
+
 }  // namespace
 
 std::string pipe_place(const StaticResults& results, double s) {
@@ -135,6 +151,7 @@ void warn_statics(const Model& model, StaticResults& results) {
   warn_of_shoe(list, results);
   warn_of_proud_box(list, model);
   warn_of_field_joints(list, model);
+  warn_of_structures_beyond(list, model, results);
 }
 
 }  // namespace overbend
