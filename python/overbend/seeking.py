@@ -29,7 +29,7 @@ def seek(model: Model, vary: Union[str, Sequence[str], Mapping[str, Bounds], Non
 
     One key with one condition is searched over all its bounds: every answer and every jump of the result is told.
     Several keys, several conditions or something to minimise are searched from the model's values to the nearest
-    optimum.
+    optimum, and where the conditions are not met there from the best of places over the bounds.
 
         ob.seek(model, vary='tensioner.tension', until={'static.sagbend.max_bending_stress': '100 MPa'})
         ob.seek(model, vary={'supports.stinger.boxes[stinger *].z': {'within': '0.5 m'}},

@@ -49,6 +49,17 @@ TEST(bounded_search, meets_as_many_equations_as_there_are_unknowns) {
   EXPECT_NEAR(end.x(0), std::sqrt(y), 1e-6);
 }
 
+/// Where unknowns are scaled by wide bounds, a step that closes a condition may be shorter than any that is worth
+/// taking for an aim.
+TEST(bounded_search, closes_a_condition_however_short_the_last_step_is) {
+  SearchProblem problem;
+  problem.start = of({0.3 + 4e-7});
+  problem.values = [](const VectorXd& x) { return SearchValues{of({1e4 * (x(0) * x(0) - 0.09)}), {}, {}}; };
+  const SearchEnd end = bounded_search(with_slopes(problem)).value();
+  EXPECT_TRUE(end.met) << end.violation;
+  EXPECT_NEAR(end.x(0), 0.3, 1e-9);
+}
+
 TEST(bounded_search, takes_the_shortest_way_where_unknowns_are_left_over) {
   SearchProblem problem;
   problem.start = of({0.2, 0.2});

@@ -9,6 +9,7 @@
 #include "base/json.h"
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
+#include "study/lay_on_its_last_box.h"
 #include "study/seek_run.h"
 #include "support/solved_case.h"
 
@@ -124,6 +125,56 @@ TEST(seek, what_is_minimised_stops_at_its_condition) {
       "  until: {result: static.sagbend.max_bending_stress, equals: 90 MPa}\n");
   ASSERT_TRUE(least.found && equal.found) << least.why << equal.why;
   EXPECT_NEAR(least.unknowns[0].answer, equal.unknowns[0].answer, 1e-3 * equal.unknowns[0].answer);
+}
+
+constexpr const char* kHeights =
+    "seek:\n  vary:\n"
+    "    - {key: 'supports.stinger.boxes[S5].offset', from: -0.5 m, to: 0.5 m}\n"
+    "    - {key: 'supports.stinger.boxes[S4].offset', from: -0.5 m, to: 0.5 m}\n";
+
+SeekResults sought_on_the_last_box(const std::string& keys) {
+  const Description description = testing::lay_on_its_last_box(keys);
+  return seek(description, read_seek(description).value()).results;
+}
+
+/// Where the pipe lies on the box its clearance hardly changes with any key: derivatives do not lead off it.
+TEST(seek, a_clearance_is_found_though_the_pipe_lies_on_the_box_to_begin_with) {
+  const SeekResults cleared = sought_on_the_last_box(
+      "seek:\n  vary:\n"
+      "    - {key: tensioner.tension, from: 200 kN, to: 900 kN}\n"
+      "    - {key: 'supports.stinger.boxes[S5].offset', from: -1 m, to: 0.2 m}\n"
+      "  until: {result: static.stinger_tip_clearance, at_least: 0.3 m}\n");
+  ASSERT_TRUE(cleared.found) << cleared.why;
+  EXPECT_GE(cleared.goals[0].reached.value(), 0.3 * (1.0 - 1e-6));  // the tolerance of conditions
+  const SeekResults heights = sought_on_the_last_box(
+      kHeights + std::string("  until: {result: static.stinger_tip_clearance, at_least: 0.1 m}\n"));
+  ASSERT_TRUE(heights.found) << heights.why;
+  EXPECT_GE(heights.goals[0].reached.value(), 0.1 * (1.0 - 1e-6));
+}
+
+/// The least change of the keys is asked for, wherever the search began: the condition is met and no more than that.
+TEST(seek, an_answer_found_from_elsewhere_in_the_bounds_is_the_one_nearest_to_the_model) {
+  const SeekResults found = sought_on_the_last_box(
+      kHeights + std::string("  until: {result: static.stinger_tip_clearance, at_least: 0.1 m}\n"));
+  ASSERT_TRUE(found.found) << found.why;
+  EXPECT_NEAR(found.goals[0].reached.value(), 0.1, 1e-4);  // the search settles to a thousandth of its aim
+  EXPECT_FALSE(found.remarks.empty());
+}
+
+TEST(seek, what_is_minimised_is_found_though_its_condition_does_not_hold_to_begin_with) {
+  const SeekResults found =
+      sought_on_the_last_box(kHeights + std::string("  until: {result: static.stinger_tip_clearance, at_least: 0.1 m}\n"
+                                                    "  minimise: static.overbend.max_strain\n"));
+  ASSERT_TRUE(found.found) << found.why;
+  EXPECT_GE(found.goals[0].reached.value(), 0.1 * (1.0 - 1e-6));
+}
+
+TEST(seek, conditions_that_nothing_within_the_bounds_meets_say_what_was_looked_at) {
+  const SeekResults none = sought_on_the_last_box(
+      kHeights + std::string("  until: {result: static.stinger_tip_clearance, at_least: 20 m}\n"));
+  EXPECT_FALSE(none.found);
+  EXPECT_NE(none.why.find("4 best of 25 places over the bounds"), std::string::npos) << none.why;
+  EXPECT_NE(none.why.find("should be at least 20 m"), std::string::npos) << none.why;
 }
 
 TEST(seek, ends_before_the_next_model_when_it_is_told_to) {

@@ -17,15 +17,8 @@ constexpr double kEqualWeight = 1e4;  // of linearised equalities against the ai
 constexpr double kDamping = 1e-4;     // keeps directions short that nothing depends on
 constexpr double kPenalty = 100.0;    // of violations in the merit
 constexpr double kFirstReach = 0.3;   // of the first step, in every unknown
-constexpr double kShortest = 1e-6;
-constexpr double kActive = 1e-3;  // below it a condition counts as one that holds back
-
-double violation_of(const SearchValues& v) {
-  double worst = 0.0;
-  if (v.equal.size() > 0) worst = v.equal.cwiseAbs().maxCoeff();
-  if (v.least.size() > 0) worst = std::max(worst, -v.least.minCoeff());
-  return worst;
-}
+constexpr double kShortest = 1e-6;    // step that is worth taking for the aim, or to shorten one to
+constexpr double kActive = 1e-3;      // below it a condition counts as one that holds back
 
 class Search {
  public:
@@ -77,7 +70,8 @@ class Search {
     for (std::optional<double> next = reach_; next; next = shorter(*next)) {
       const double reach = *next;
       const VectorXd step = step_within(slopes, now_, reach);
-      if (step.cwiseAbs().maxCoeff() < kShortest) return false;
+      // The last steps of Newton's method towards a condition are short.
+      if (step.cwiseAbs().maxCoeff() < kShortest) return violated > problem_.tolerance && take(step, before);
       if (!take(step, before) && !take_corrected(slopes, step, reach, before)) continue;
       const double length = (x_ - from_).cwiseAbs().maxCoeff();
       // Farther only where the model proved right up to its bound.
@@ -191,6 +185,13 @@ class Search {
 };
 
 }  // namespace
+
+double violation_of(const SearchValues& v) {
+  double worst = 0.0;
+  if (v.equal.size() > 0) worst = v.equal.cwiseAbs().maxCoeff();
+  if (v.least.size() > 0) worst = std::max(worst, -v.least.minCoeff());
+  return worst;
+}
 
 std::optional<SearchEnd> bounded_search(const SearchProblem& problem) {
   return Search(problem).run();

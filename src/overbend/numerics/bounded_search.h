@@ -31,6 +31,9 @@ struct SearchProblem {
   int steps = 30;           ///< At most.
 };
 
+/// Largest violation of the conditions, in their own scale.
+double violation_of(const SearchValues& values);
+
 struct SearchEnd {
   Eigen::VectorXd x;
   SearchValues values;

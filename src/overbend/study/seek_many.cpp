@@ -9,6 +9,7 @@
 #include "report/seek_words.h"
 #include "resultfiles/named_results.h"
 #include "study/seek.h"
+#include "study/seek_places.h"
 
 namespace overbend {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kDifference = 1e-5;  // of the bounds: below what opens a conta
 constexpr double kConditions = 1e-6;  // relative to the value wanted
 constexpr double kGap = 0.02;         // [m] a gap that counts as much as the mean reaction missing
 constexpr double kLikeZero = 1e-2;    // of the first value: scale of a condition whose wanted value is zero
+constexpr std::size_t kBegins = 4;    // best places over the bounds, from which the search begins again
 
 double mean_size(const std::vector<double>& values) {
   double sum = 0.0;
@@ -32,6 +34,18 @@ VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size()));
 }
 
+/// Where a search led, with the derivatives there.
+struct Ending {
+  SearchEnd search;
+  SearchSlopes slopes;
+};
+
+/// A place over the bounds that has an equilibrium.
+struct Place {
+  VectorXd x;
+  double violation, aim;
+};
+
 class ManyKeys {
  public:
   ManyKeys(const SeekModel& model, const SeekDescription& seek)
@@ -42,25 +56,83 @@ class ManyKeys {
   }
 
   SeekOutcome run() {
-    SearchProblem problem;
-    problem.start = scaled_start();
-    problem.linear_aim = !spread_;
-    problem.tolerance = kConditions;
-    const SeekPoint& first = history_.at(values_at(problem.start));
+    own_ = scaled_start();
+    const SeekPoint& first = history_.at(values_at(own_));
     if (!set_scales(first)) return none(first);
-    problem.values = [this](const VectorXd& x) { return values(history_.at(values_at(x))); };
-    problem.slopes = [this](const VectorXd& x, const SearchValues& at) { return slopes(x, at); };
-    const std::optional<SearchEnd> end = bounded_search(problem);
+    std::optional<Ending> end = search_from(own_);
     if (!end) return none(first);
+    if (!end->search.met) search_over_bounds(*end);
     return told(*end);
   }
 
  private:
+  std::optional<Ending> search_from(const VectorXd& begin) {
+    SearchProblem problem;
+    problem.start = begin;
+    problem.linear_aim = linear_aim();
+    problem.tolerance = kConditions;
+    problem.values = [this](const VectorXd& x) { return values(history_.at(values_at(x))); };
+    problem.slopes = [this](const VectorXd& x, const SearchValues& at) { return slopes(x, at); };
+    last_slopes_ = {};
+    std::optional<SearchEnd> end = bounded_search(problem);
+    if (!end) return std::nullopt;
+    return Ending{std::move(*end), last_slopes_};
+  }
+
+  /// A search by derivatives ends where no small change of the keys betters the conditions, such as the clearance of a
+  /// box on which the pipe lies: that they cannot be met within the bounds does not follow. So these are looked over,
+  /// and the search begins again from the best places. `end`: the best so far.
+  void search_over_bounds(Ending& end) {
+    to_own_ = seek_.minimise.empty();
+    for (const Place& place : best_places()) {
+      std::optional<Ending> other = search_from(place.x);
+      if (other && better(other->search, end.search)) end = std::move(*other);
+    }
+    if (end.search.met) {
+      results_.remarks.emplace_back(
+          "from the model's own values no small change leads to the answer, which was found from other values within "
+          "the bounds");
+    }
+  }
+
+  /// Those at which the conditions hold, the least aim first; without any of them those nearest to it.
+  std::vector<Place> best_places() {
+    std::vector<Place> places;
+    for (const VectorXd& x : places_within_bounds(own_)) {
+      ++looked_at_;
+      const std::optional<SearchValues> there = values(history_.at(values_at(x)));
+      if (there) places.push_back({x, std::max(violation_of(*there), kConditions), aim_of(*there)});
+    }
+    without_values_ = looked_at_ - places.size();
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return a.violation != b.violation ? a.violation < b.violation : a.aim < b.aim;
+    });
+    if (places.size() > kBegins) places.resize(kBegins);
+    begun_again_ = places.size();
+    return places;
+  }
+
+  bool better(const SearchEnd& a, const SearchEnd& b) const {
+    if (a.met != b.met) return a.met;
+    return a.met ? aim_of(a.values) < aim_of(b.values) : a.violation < b.violation;
+  }
+
+  bool linear_aim() const { return !spread_ && !to_own_; }
+
+  double aim_of(const SearchValues& at) const {
+    if (at.aim.size() == 0) return 0.0;
+    return linear_aim() ? at.aim(0) : at.aim.squaredNorm();
+  }
+
+  double scaled(double value, Index i) const {
+    const SeekUnknown& u = results_.unknowns[static_cast<std::size_t>(i)];
+    return (value - u.from) / (u.to - u.from);
+  }
+
   VectorXd scaled_start() const {
     VectorXd x(static_cast<Index>(results_.unknowns.size()));
     for (Index i = 0; i < x.size(); ++i) {
-      const SeekUnknown& u = results_.unknowns[static_cast<std::size_t>(i)];
-      x(i) = std::clamp((u.before - u.from) / (u.to - u.from), 0.0, 1.0);
+      x(i) = std::clamp(scaled(results_.unknowns[static_cast<std::size_t>(i)].before, i), 0.0, 1.0);
     }
     return x;
   }
@@ -112,6 +184,13 @@ class ManyKeys {
     return values;
   }
 
+  /// Way from the model's own values, in parts of the bounds.
+  VectorXd from_own(const SeekPoint& point) const {
+    VectorXd way(own_.size());
+    for (Index i = 0; i < way.size(); ++i) way(i) = scaled(point.values[static_cast<std::size_t>(i)], i) - own_(i);
+    return way;
+  }
+
   std::optional<SearchValues> values(const SeekPoint& point) const {
     if (!point.solved()) return std::nullopt;
     std::vector<double> equal, least;
@@ -127,6 +206,7 @@ class ManyKeys {
       }
     }
     SearchValues told{vector_of(equal), vector_of(least), {}};
+    if (to_own_) told.aim = from_own(point);
     if (seek_.minimise.empty()) return told;
     const std::vector<double> aims = aim_values(point);
     if (aims.empty()) return std::nullopt;
@@ -171,13 +251,15 @@ class ManyKeys {
     return {std::move(results_), {}};
   }
 
-  SeekOutcome told(const SearchEnd& end) {
-    const SeekPoint& point = history_.at(values_at(end.x));
-    results_.found = end.met;
+  SeekOutcome told(const Ending& end) {
+    const SeekPoint& point = history_.at(values_at(end.search.x));
+    results_.found = end.search.met;
     tell_answer(point, results_);
-    tell_slopes();
-    if (!end.met) results_.why = why_not();
-    if (!end.settled) results_.remarks.push_back("the search ended before it settled: a better answer may be close by");
+    tell_slopes(end.slopes);
+    if (!end.search.met) results_.why = why_not();
+    if (!end.search.settled) {
+      results_.remarks.emplace_back("the search ended before it settled: a better answer may be close by");
+    }
     for (const SeekUnknown& unknown : results_.unknowns) {
       if (!unknown.at_bound) continue;
       results_.remarks.push_back(unknown.name + " is at its bound, " + quantity_words(unknown.answer, unknown));
@@ -187,8 +269,8 @@ class ManyKeys {
   }
 
   /// Of the conditions with one value, and of a single value minimised.
-  void tell_slopes() {
-    if (last_slopes_.equal.cols() == 0) return;
+  void tell_slopes(const SearchSlopes& slopes) {
+    if (slopes.equal.cols() == 0) return;
     Index equal = 0, least = 0;
     for (std::size_t i = 0; i < seek_.until.size(); ++i) {
       const SeekCondition& condition = seek_.until[i];
@@ -197,11 +279,11 @@ class ManyKeys {
       const std::size_t count = goal_values(history_.points().front(), condition.result).size();
       if (count == 1) {
         put_slope(results_.goals[i],
-                  sign * scales_[i] * (is_equal ? last_slopes_.equal.row(equal) : last_slopes_.least.row(least)));
+                  sign * scales_[i] * (is_equal ? slopes.equal.row(equal) : slopes.least.row(least)));
       }
       (is_equal ? equal : least) += static_cast<Index>(count);
     }
-    if (!seek_.minimise.empty() && !spread_) put_slope(results_.goals.back(), aim_scale_ * last_slopes_.aim.row(0));
+    if (!seek_.minimise.empty() && !spread_) put_slope(results_.goals.back(), aim_scale_ * slopes.aim.row(0));
   }
 
   void put_slope(SeekGoal& goal, const VectorXd& row) const {
@@ -212,7 +294,13 @@ class ManyKeys {
   }
 
   std::string why_not() const {
-    std::string why = "the conditions cannot all be met within the bounds; at the nearest place found";
+    std::string why = fmt::format(
+        "no values within the bounds were found with which all conditions hold: neither from the model's own values "
+        "nor "
+        "from the {} best of {} places over the bounds (corners, middle and Latin hypercube",
+        begun_again_, looked_at_);
+    if (without_values_ > 0) why += fmt::format("; {} of them have no equilibrium", without_values_);
+    why += "); at the nearest place found";
     for (const SeekGoal& goal : results_.goals) {
       if (!goal.is || !goal.reached) continue;
       why += fmt::format(", {} is {} and should be {}", goal.result, result_words(*goal.reached, goal),
@@ -228,7 +316,10 @@ class ManyKeys {
   double aim_scale_ = 1.0;
   bool spread_ = false;
   std::string aim_path_;
+  VectorXd own_;         ///< The model's own values, scaled.
+  bool to_own_ = false;  ///< The aim is the least change of the keys: where the search begins elsewhere.
   SearchSlopes last_slopes_;
+  std::size_t looked_at_ = 0, without_values_ = 0, begun_again_ = 0;  ///< Places over the bounds.
 };
 
 }  // namespace
