@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "resultfiles/lay_table_writer.h"
 #include "resultfiles/result_tree.h"
+#include "study/lay_on_its_last_box.h"
 #include "study/lay_table_range.h"
 #include "support/csv_text.h"
 #include "support/solved_case.h"
@@ -146,6 +147,44 @@ TEST(lay_table, along_a_route_the_tension_is_held_or_the_least_that_passes) {
     EXPECT_GT(row.lay->utilisation.value(), 0.9) << row.depth;  // on its limit, or close to where no lay stands
   }
   EXPECT_LT(sought.rows[1].lay->top_tension, sought.rows[0].lay->top_tension);
+}
+
+constexpr const char* kClearTip = "checks: {manufacture: seamless, limits: {tip_clearance: 0.05 m}}\n";
+
+/// Lays pass only at several times the model's own tension, and not over one stretch.
+TEST(lay_table, the_least_tension_does_not_hang_on_that_of_the_model) {
+  LayTableDescription route;
+  route.tension = RouteTension::least;
+  route.profile = {{0.0, 66.0}, {500.0, 90.0}};
+  Description model = testing::lay_on_its_last_box(kClearTip);
+  const LayTable from_below = make_lay_table(model, route);
+  model.tensioner.tension = 2600e3;
+  const LayTable from_above = make_lay_table(model, route);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_TRUE(from_below.rows[i].lay && from_below.rows[i].lay->passed) << from_below.rows[i].reason;
+    EXPECT_EQ(from_below.rows[i].varied, from_above.rows[i].varied);
+    const double less = 0.998 * from_below.rows[i].varied;  // the limit is found to 0.1 %
+    model.environment.water_depth = route.profile[i].depth;
+    const LayTable below = make_lay_table(model, range(LayTableVary::tension, less, from_below.rows[i].varied, 1));
+    EXPECT_FALSE(below.rows.front().lay->passed);
+  }
+  EXPECT_LT(from_below.rows[0].varied, 1655e3);  // which passes at 66 m, as 2500 kN does at 90 m
+  EXPECT_LT(from_below.rows[1].varied, 2500e3);
+}
+
+TEST(lay_table, where_no_tension_passes_the_row_says_what_was_searched_and_what_stops_it) {
+  LayTableDescription route;
+  route.tension = RouteTension::least;
+  route.profile = {{0.0, 58.0}};
+  const LayTable none = make_lay_table(
+      testing::lay_on_its_last_box("checks: {manufacture: seamless, limits: {tip_clearance: 9 m}}\n"), route);
+  ASSERT_EQ(none.rows.size(), 1U);
+  const LayTableRow& row = none.rows.front();
+  EXPECT_EQ(lay_verdict(row), "exceeded");
+  for (const char* words :
+       {"no tension from", "passes every check", "Clearance at the stinger tip is exceeded", "nearest to passing"}) {
+    EXPECT_NE(row.reason.find(words), std::string::npos) << words << " in: " << row.reason;
+  }
 }
 
 TEST(lay_table, files_say_the_same_in_csv_workbook_and_summary) {

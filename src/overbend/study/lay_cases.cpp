@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "base/units.h"
 #include "study/limit_search.h"
 #include "study/static_run.h"
 
@@ -18,6 +20,8 @@ constexpr double kSameTension = 1e-8;                   ///< Relative.
 constexpr double kSmallStep = 1.02, kLargeStep = 1.15;  ///< Factors between tensions that are tried outwards.
 constexpr int kMostSteps = 24;                          ///< Of them: a factor of 20 either way.
 constexpr int kMostNarrowings = 40;
+constexpr double kLeastShare = 0.5;     // of the weight over the depth: the bed may rise astern
+constexpr double kLeastOfYield = 1e-3;  // of the tension at which the pipe yields: where it weighs next to nothing
 
 LayTableValues values_of(const StaticResults& r) {
   LayTableValues v;
@@ -57,8 +61,36 @@ void set_depth(EnvironmentDescription& environment, double depth) {
   for (double& point : environment.seabed.bathymetry->depth) point += deeper;
 }
 
+/// Among which the least that passes is sought: below the first no pipe stands on a bed as deep, beyond the last its
+/// steel yields without any bending.
+std::pair<double, double> tensions_of(const Model& model) {
+  const Section& pipe = model.sections.front();
+  const double yields = pipe.yield_stress * pipe.steel_area;
+  const double hangs = pipe.weight_submerged * model.description.environment.water_depth;
+  return {std::clamp(kLeastShare * hangs, kLeastOfYield * yields, 0.5 * yields), yields};
+}
+
 std::string exceeded_words(const LayTableValues& v) {
   return v.passed ? "" : fmt::format("{} is exceeded", v.worst_check);
+}
+
+/// Where none passes; with words on what was searched, and what stops it at either end.
+LayCase nearest_to_passing(const std::vector<TriedLay>& tried, const TryLay& try_at) {
+  const auto words = [](double tension) { return format_quantity(tension, "N", "kN", 5); };
+  const std::string none =
+      fmt::format("no tension from {} to {} passes every check", words(tried.front().value), words(tried.back().value));
+  const auto first = std::ranges::find_if(tried, [](const TriedLay& at) { return at.lay.lay.has_value(); });
+  if (first == tried.end()) {
+    return {tried.back().value, tried.back().lay.depth, {}, none + ": " + tried.back().lay.reason};
+  }
+  const auto utilisation = [](const TriedLay& at) {
+    return at.lay.lay ? at.lay.lay->utilisation.value_or(0.0) : std::numeric_limits<double>::infinity();
+  };
+  LayCase nearest = try_at(std::ranges::min_element(tried, {}, utilisation)->value);
+  nearest.reason = fmt::format("{}: with {}, the least with a lay, {}; with {}, {}; this is the nearest to passing: {}",
+                               none, words(first->value), first->lay.reason, words(tried.back().value),
+                               tried.back().lay.reason, nearest.reason);
+  return nearest;
 }
 
 }  // namespace
@@ -96,17 +128,34 @@ LayCase LayCases::solve(const Description& description, double tension, double d
   }
   const StaticResults results = checked_statics(model, outcome);
   if (assumptions_.empty()) assumptions_ = results.assumptions;
-  found.lay = values_of(results);
-  found.reason = exceeded_words(*found.lay);
   known_.push_back({tension, depth, results.lay_back});
+  return told(tension, depth, results);
+}
+
+LayCase LayCases::told(double tension, double depth, const StaticResults& results) {
+  LayCase found{tension, depth, values_of(results), {}};
+  found.reason = exceeded_words(*found.lay);
   return found;
 }
 
-LayCase LayCases::at(double tension, double depth) {
+Description LayCases::described(double tension, double depth) const {
   Description description = description_;
   description.tensioner.tension = tension;
   set_depth(description.environment, depth);
-  return solve(description, tension, depth);
+  return description;
+}
+
+LayCase LayCases::at(double tension, double depth) {
+  return solve(described(tension, depth), tension, depth);
+}
+
+LayCase LayCases::beside(double tension, double depth, std::shared_ptr<const LayStart>& last) {
+  Model model = build_model(described(tension, depth));
+  std::shared_ptr<const LayStart> found;
+  const ModelStatics statics = solve_beside(model, {last.get()}, &found);
+  ++solves_;
+  if (found) last = std::move(found);
+  return statics.lay ? told(tension, depth, *statics.lay) : LayCase{tension, depth, {}, statics.failure->what};
 }
 
 /// Tensions with touchdown on either side of the lay-back, from what is known and outwards; without a lay where it ends
@@ -161,18 +210,15 @@ LayCase LayCases::at_lay_back(double lay_back, double depth) {
 }
 
 LayCase LayCases::at_least_tension(double depth) {
-  const TryLay try_at = [&](double tension) { return at(tension, depth); };
-  const double begin = own_.tension;  // not that of the row before: rows stand by themselves
-  const std::optional<LayLimit> limit = least_passing({begin, at(begin, depth)}, {}, try_at);
-  if (!limit) {
-    LayCase none = at(own_.tension, depth);
-    none.reason =
-        "no tension passes every check" + (none.reason.empty() ? "" : ": with the model's own, " + none.reason);
-    none.lay.reset();
-    return none;
-  }
-  LayCase least = limit->passing.lay;
-  if (!limit->beyond.lay.reason.empty()) least.reason = "with less, " + limit->beyond.lay.reason;
+  const auto [from, to] = tensions_of(build_model(described(own_.tension, depth)));
+  std::shared_ptr<const LayStart> last;
+  const TryLay near = [&](double tension) { return beside(tension, depth, last); };
+  const TryLay alone = [&](double tension) { return at(tension, depth); };
+  LeastLay found = least_passing(from, to, {}, near, alone);
+  if (!found.limit) return nearest_to_passing(found.tried, alone);
+  LayCase least = std::move(found.limit->passing.lay);
+  const LayCase& less = found.limit->beyond.lay;
+  if (!less.reason.empty()) least.reason = "with less, " + less.reason;
   return least;
 }
 

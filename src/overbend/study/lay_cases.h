@@ -1,6 +1,7 @@
 /// Equilibria of one lay under other tensions and depths, each by itself as `overbend static` finds it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "model/description.h"
 #include "results/lay_table_results.h"
+#include "study/lay_beside.h"
 
 namespace overbend {
 
@@ -37,7 +39,9 @@ class LayCases {
   LayCase at(double tension, double depth);
   /// The tension at which touchdown lies `lay_back` astern of the stern shoe, to a millimetre.
   LayCase at_lay_back(double lay_back, double depth);
-  /// The least tension with which every governing check is passed, to a thousandth.
+  /// The least tension with which every governing check is passed, to a thousandth, whatever the model's own: between
+  /// half of what the pipe weighs in water over the depth and the tension at which its steel yields. Without one the
+  /// lay nearest to passing.
   LayCase at_least_tension(double depth);
 
  private:
@@ -46,7 +50,11 @@ class LayCases {
   };
   const Known* nearest_by_lay_back(double lay_back, double depth) const;
   std::pair<LayCase, LayCase> around_lay_back(double lay_back, double depth);
+  Description described(double tension, double depth) const;
   LayCase solve(const Description& description, double tension, double depth);
+  /// From the lay tried last; what it leaves is for the next.
+  LayCase beside(double tension, double depth, std::shared_ptr<const LayStart>& last);
+  static LayCase told(double tension, double depth, const StaticResults& results);
 
   Description description_;
   LayCase own_;
