@@ -73,6 +73,13 @@ TEST(seek_keys, a_key_has_to_be_a_number_of_the_model) {
                {"seek.vary.key", "nobody", "an item that the list has"});
 }
 
+/// Nothing that a goal seek looks at hangs on them.
+TEST(seek_keys, a_key_of_the_operation_is_none_to_vary) {
+  expect_words(complaint("  vary: {key: operation.head.weight_submerged, from: 5 kN, to: 30 kN}\n"
+                         "  until: {result: static.lay_back, equals: 300 m}\n"),
+               {"seek.vary.key", "a goal seek looks at the lay as such"});
+}
+
 TEST(seek_keys, bounds_have_the_dimension_and_the_range_of_their_key) {
   const std::string until = "  until: {result: static.lay_back, equals: 300 m}\n";
   expect_words(complaint("  vary: {key: tensioner.tension, from: 1 m, to: 600 kN}\n" + until),
@@ -97,6 +104,8 @@ TEST(seek_keys, a_result_has_to_be_one_and_its_value_of_its_dimension) {
   expect_words(complaint(vary + "  until: {result: static.lay_back, equals: 1 m, at_most: 2 m}\n"),
                {"several values for the result"});
   expect_words(complaint(vary), {"seek.until", "a condition on a result"});
+  expect_words(complaint(vary + "  until: {result: 'operation.stages[A].sagbend.max_strain', at_most: 0.2 %}\n"),
+               {"seek.until.result", "a goal seek looks at the lay as such, not at the stages of its operation"});
   expect_words(complaint(vary + "  minimise: static.lay_bak\n"), {"seek.minimise", "static.lay_back"});
 }
 

@@ -133,6 +133,25 @@ TEST(study_reader, results_are_those_of_the_analysis) {
   EXPECT_TRUE(has(error_of(axis + "gather: [dynamic.top_tension.max]\n"), "static analysis"));
 }
 
+TEST(study_reader, a_goal_seek_of_several_keys_has_no_single_slope) {
+  const Scratch scratch;
+  const auto error = [&](const std::string& vary) {
+    scratch.write("lay.yaml", testing::kSmallLay + "seek:\n  vary: " + vary +
+                                  "\n  until: {result: static.bottom_tension, equals: 270 kN}\n");
+    const StudyReading reading = read_study_text(
+        "overbend_study: 1\nbase: lay.yaml\nanalysis: seek\n"
+        "axes: [{key: environment.water_depth, values: [19 m, 20 m]}]\n"
+        "gather: [seek.slope, seek.residual, seek.evaluations]\n",
+        scratch.file("study.yaml"));
+    const std::vector<std::string> lines = reading.diagnostics.lines(Severity::error);
+    return lines.empty() ? std::string() : lines.front();
+  };
+  const std::string tension = "{key: tensioner.tension, from: 250 kN, to: 400 kN}";
+  EXPECT_EQ(error(tension), "");
+  EXPECT_TRUE(has(error("[" + tension + ", {key: environment.seabed.friction, from: 0.1, to: 0.5}]"),
+                  "of several keys there is no single slope"));
+}
+
 TEST(study_reader, seeds_are_a_number_or_a_list) {
   EXPECT_EQ(study_of("analysis: dynamic\nseeds: 3\n").seeds, (std::vector<std::uint64_t>{1, 2, 3}));
   EXPECT_EQ(study_of("analysis: dynamic\nseeds: [7, 9]\n").seeds, (std::vector<std::uint64_t>{7, 9}));

@@ -301,6 +301,23 @@ TEST(study_runner, a_goal_seek_in_every_case_gathers_its_answer) {
   EXPECT_LT(more, 2000.0);
 }
 
+TEST(study_runner, a_goal_seek_in_every_case_gathers_what_it_tells_of_itself) {
+  const Tried tried(
+      "analysis: seek\naxes: [{key: environment.water_depth, values: [19.5 m, 20.5 m]}]\n"
+      "gather: [seek.slope, seek.residual, seek.evaluations]\n",
+      testing::kSmallLay +
+          "seek: {vary: {key: tensioner.tension, from: 250 kN, to: 400 kN}, "
+          "until: {result: static.sagbend.max_bending_stress, equals: 100 MPa}}\n");
+  ASSERT_EQ(run(tried).done, 2U) << read_study(tried.folder()).cases[0].reason;
+  const StudyResults results = read_study(tried.folder());
+  EXPECT_EQ(results.outputs[0].unit, "N/m^2/N");
+  for (const StudyCase& one : results.cases) {
+    EXPECT_LT(one.values[0].value(), 0.0);  // more tension bends the sagbend less
+    EXPECT_LT(one.values[1].value(), 1e-6);
+    EXPECT_GT(one.values[2].value(), 2.0);
+  }
+}
+
 TEST(study_runner, an_operation_gathers_its_worst_stage) {
   const std::string model = testing::kSmallLay +
                             "operation:\n"

@@ -9,6 +9,12 @@
 namespace overbend {
 namespace {
 
+constexpr const char* kNoStages = "a goal seek looks at the lay as such, not at the stages of its operation";
+
+bool of_operation(const std::string& path) {
+  return path.starts_with("operation.");
+}
+
 /// Members of a group that is given once or as a list.
 std::vector<const FieldValue*> groups(const FieldValue& seek, const std::string& key) {
   const FieldValue* found = seek.find(key);
@@ -81,6 +87,10 @@ void check_variable(Checker& check, const FieldValue& variable) {
                 "items of lists are chosen in brackets: supports.stinger.boxes[stinger 3].z");
     return;
   }
+  if (of_operation(key->text)) {
+    check.error(*key, key->shown, "a key that the lay itself has", kNoStages);
+    return;
+  }
   std::vector<std::string> names;
   if (!has_items(check.root(), name_parts(key->text).value(), 0, names)) {
     check.error(*key, key->shown, "an item that the list has",
@@ -92,7 +102,9 @@ void check_variable(Checker& check, const FieldValue& variable) {
 
 /// The result nearest to what was meant, its lists with the item of that name.
 std::string nearest_result(const std::string& name) {
-  const std::string near = nearest_word(parsed_result_name(name).path, result_paths());
+  const std::string path = parsed_result_name(name).path;
+  if (of_operation(path)) return kNoStages;
+  const std::string near = nearest_word(path, result_paths());
   return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
                       : "did you mean '" + near + "'?";
 }
@@ -100,7 +112,8 @@ std::string nearest_result(const std::string& name) {
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
   if (result_row(result->text)) return true;
-  check.error(*result, result->shown, "the path of a number in summary.json", nearest_result(result->text));
+  check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
+              nearest_result(result->text));
   return false;
 }
 

@@ -23,12 +23,6 @@
 namespace overbend {
 namespace {
 
-/// The unit of what a goal seek with one key finds.
-std::string answer_unit(const Description& base) {
-  const std::optional<SeekDescription> seek = read_seek(base);
-  return seek && seek->vary.size() == 1 ? seek->vary.front().unit : "1";
-}
-
 class StudyBinder {
  public:
   StudyBinder(const FieldValue& root, const std::string& file, const Description& base, const YamlNode& model,
@@ -76,20 +70,26 @@ class StudyBinder {
   }
 
   void bind_gather() {
-    const std::string answer = answer_unit(base_);
+    const std::optional<SeekDescription> seek = read_seek(base_);
     for (const FieldValue& name : Checker::items(root_, "gather")) {
-      if (!study_output(study_.analysis, name.text, answer)) {
-        const std::string near = nearest_output(study_.analysis, name.text);
+      if (!study_output(study_.analysis, name.text, seek)) {
         check_.error(
             name, name.shown,
             fmt::format("a number in summary.json of a {} analysis, or checks.governing", word_of(study_.analysis)),
-            near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
-                         : "did you mean '" + near + "'?");
+            gather_hint(name.text));
       } else if (std::ranges::find(study_.gather, name.text) != study_.gather.end()) {
         check_.error(name, name.shown + ", which is given twice", "every result once");
       }
       study_.gather.push_back(name.text);
     }
+  }
+
+  std::string gather_hint(const std::string& name) const {
+    if (study_.analysis == StudyAnalysis::seek && name == "seek.slope")
+      return "of several keys there is no single slope";
+    const std::string near = nearest_output(study_.analysis, name);
+    return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
+                        : "did you mean '" + near + "'?";
   }
 
   void bind_operability() {
@@ -151,7 +151,7 @@ class StudyBinder {
     }
     const FieldValue *most = item.find("at_most"), *least = item.find("at_least"), *result = item.find("result");
     if (result == nullptr) return;
-    const auto output = study_output(study_.analysis, result->text, answer_unit(base_));
+    const auto output = study_output(study_.analysis, result->text, read_seek(base_));
     if (!output || output->text) {
       check_.error(*result, result->shown, "a number in summary.json of this analysis",
                    nearest_output(study_.analysis, result->text));

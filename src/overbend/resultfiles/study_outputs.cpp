@@ -1,5 +1,7 @@
 #include "resultfiles/study_outputs.h"
 
+#include <array>
+
 #include "base/text.h"
 #include "resultfiles/named_dynamics.h"
 #include "resultfiles/named_results.h"
@@ -66,12 +68,32 @@ std::vector<std::string> usual_outputs_of_hull(StudyAnalysis analysis) {
   return names;
 }
 
+constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "seek.evaluations"};
+
+/// Of the first condition by the key: as in the summary.
+std::string slope_unit(const SeekDescription& seek) {
+  const std::string key = seek.vary.front().unit;
+  const std::string result = seek.until.empty() ? result_unit(seek.minimise).value_or("1") : seek.until.front().unit;
+  if (key == "1") return result;
+  if (key == result) return "1";
+  return result + "/" + (key.find_first_of("/*-") == std::string::npos ? key : "(" + key + ")");
+}
+
+/// What a goal seek tells of itself.
+std::optional<StudyOutput> seek_output(const std::string& name, const std::optional<SeekDescription>& seek) {
+  const bool one = seek && seek->vary.size() == 1;
+  if (name == "seek.answer") return StudyOutput{name, one ? seek->vary.front().unit : "1", false};
+  if (name == "seek.slope" && one) return StudyOutput{name, slope_unit(*seek), false};
+  if (name == "seek.residual" || name == "seek.evaluations") return StudyOutput{name, "1", false};
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
-                                        const std::string& answer_unit) {
+                                        const std::optional<SeekDescription>& seek) {
   if (name == "checks.governing") return StudyOutput{name, "", true};
-  if (analysis == StudyAnalysis::seek && name == "seek.answer") return StudyOutput{name, answer_unit, false};
+  if (analysis == StudyAnalysis::seek && name.starts_with("seek.")) return seek_output(name, seek);
   const ResultName parsed = parsed_result_name(name);
   std::string path = own_path(analysis, parsed.path);
   if (analysis == StudyAnalysis::operation) path = stage_path(path);
@@ -84,8 +106,9 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
 }
 
 std::string nearest_output(StudyAnalysis analysis, const std::string& name) {
-  const bool dynamic = analysis == StudyAnalysis::dynamic;
-  return nearest_word(parsed_result_name(name).path, dynamic ? dynamic_result_paths() : result_paths());
+  std::vector<std::string> paths = analysis == StudyAnalysis::dynamic ? dynamic_result_paths() : result_paths();
+  if (analysis == StudyAnalysis::seek) paths.insert(paths.end(), kOfSeek.begin(), kOfSeek.end());
+  return nearest_word(parsed_result_name(name).path, paths);
 }
 
 std::vector<std::string> usual_outputs(StudyAnalysis analysis, bool pipe) {

@@ -14,10 +14,10 @@ namespace overbend {
 /// The output of that name with its unit; nothing where an analysis of this kind has no such result. Of a value over
 /// time, a group of min, max, mean and std, the name of the group stands for its largest value (its smallest where the
 /// name says so: dynamic.smallest_tension). Of an operation the names are those of its worst stage, and
-/// operation.stages[...] stands before those of other stages. Of a goal seek with one key seek.answer has
-/// `answer_unit`.
+/// operation.stages[...] stands before those of other stages. Of a goal `seek` what it tells of itself: seek.residual,
+/// seek.evaluations, and with one key seek.answer and seek.slope.
 std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::string& name,
-                                        const std::string& answer_unit = "1");
+                                        const std::optional<SeekDescription>& seek = {});
 
 /// The known path that is nearest to what was meant; empty where none is near.
 std::string nearest_output(StudyAnalysis analysis, const std::string& name);

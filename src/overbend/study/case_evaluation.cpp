@@ -8,6 +8,7 @@
 #include "dynamics/dynamics.h"
 #include "modelfile/seek_reader.h"
 #include "resultfiles/case_summary.h"
+#include "resultfiles/seek_writer.h"
 #include "results/warnings.h"
 #include "results/worst_stage.h"
 #include "runstore/run_store.h"
@@ -174,8 +175,7 @@ CaseAnswer answer_seek(const CaseBase& base, const CaseQuestion& question, const
   } else {
     answer.summary = mooring_summary_json(*run.statics.moorings);
   }
-  const std::vector<SeekUnknown>& unknowns = run.results.unknowns;
-  if (unknowns.size() == 1) answer.summary["seek"]["answer"] = unknowns.front().answer;
+  answer.summary["seek"] = seek_json(run.results);
   if (conduct.keep) {
     const auto hold = held(conduct.files);
     write_seek_run(run, description, conduct.folder);

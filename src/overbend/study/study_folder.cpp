@@ -172,11 +172,10 @@ std::vector<StudyOutput> study_outputs(const CaseBase& base) {
   const StudyDescription& study = base.study();
   const std::optional<SeekDescription> seek =
       study.analysis == StudyAnalysis::seek ? read_seek(base.model()) : std::nullopt;
-  const std::string answer = seek && seek->vary.size() == 1 ? seek->vary.front().unit : "1";
   std::vector<StudyOutput> outputs;
   const std::vector<std::string> usual = usual_outputs(study.analysis, base.model().has_pipe);
   for (const std::string& name : study.gather.empty() ? usual : study.gather) {
-    if (auto output = study_output(study.analysis, name, answer)) outputs.push_back(std::move(*output));
+    if (auto output = study_output(study.analysis, name, seek)) outputs.push_back(std::move(*output));
   }
   return outputs;
 }
