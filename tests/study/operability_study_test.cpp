@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <mutex>
 #include <set>
 
@@ -162,6 +163,23 @@ TEST(operability_study, tasks_share_the_chains_and_are_gathered) {
   const OperabilityResults all = run_operability(base, {.folder = scratch.file("study"), .gather = true});
   const OperabilityResults alone = run_operability(base, {.folder = scratch.file("other")});
   for (std::size_t i = 0; i < all.cells.size(); ++i) EXPECT_EQ(all.cells[i].limit, alone.cells[i].limit);
+}
+
+TEST(operability_study, what_a_search_for_limits_passes_over_is_told) {
+  const Scratch scratch;
+  const auto remarks = [&](const std::string& more, const std::string& tensions) {
+    std::string text = kTensions;
+    const std::string axis = "from: 240 kN, to: 320 kN, steps: 2";
+    text.replace(text.find(axis), axis.size(), "values: [" + tensions + "]");
+    return run_operability(base_of(text + more), {.folder = scratch.file("study"), .gather = true}).remarks;
+  };
+  const auto told = [](const std::vector<std::string>& lines, const std::string& words) {
+    return std::ranges::any_of(lines, [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  const std::vector<std::string> all = remarks("gather: [static.lay_back]\n", "240 kN, 255 kN, 270 kN, 320 kN");
+  EXPECT_TRUE(told(all, "gather is passed over"));
+  EXPECT_TRUE(told(all, "255 kN is passed over"));  // 270 kN is a step of the resolution
+  EXPECT_FALSE(told(remarks("", "240 kN, 270 kN, 320 kN"), "passed over"));
 }
 
 TEST(trial_record, is_read_for_its_own_question_alone) {

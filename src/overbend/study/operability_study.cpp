@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 
 #include "base/constants.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "resultfiles/named_results.h"
 #include "runstore/claim_file.h"
@@ -168,6 +170,28 @@ void add_workability(const OperabilityDescription& wanted, OperabilityResults& r
   }
 }
 
+/// What the study file has that a search for limits does not look at.
+void add_passed_over(const StudyDescription& study, const OperabilityPlan& plan, OperabilityResults& results) {
+  if (!study.gather.empty()) {
+    results.remarks.emplace_back(
+        "gather is passed over: a search for limits has no table of cases; it tells limits, utilisations and what ends "
+        "them");
+  }
+  const double slack = 1e-6 * study.operability->resolution;  // values and resolution come from decimal text
+  const auto is_tried = [&](double value) {
+    return std::ranges::any_of(plan.values(), [&](double tried) { return std::abs(tried - value) < slack; });
+  };
+  std::vector<std::string> left;
+  for (std::size_t i = 0; i < plan.over().values.size(); ++i) {
+    if (!is_tried(plan.over().values[i])) left.push_back(plan.over().words[i]);
+  }
+  if (left.empty()) return;
+  results.remarks.push_back(fmt::format(
+      "of {} the least and the largest value are bounds, and steps of the resolution are tried between them; {} {} "
+      "passed over",
+      plan.over().key, join_words(left, "and"), left.size() == 1 ? "is" : "are"));
+}
+
 void add_remarks(const CaseBase& base, OperabilityResults& results) {
   const auto open = std::ranges::count_if(results.cells, [](const OperabilityCell& cell) { return !cell.decided; });
   if (open > 0) results.remarks.push_back(fmt::format("{} of {} cells are not decided", open, results.cells.size()));
@@ -238,6 +262,7 @@ OperabilityResults run_operability(const CaseBase& base, const OperabilityConduc
   }
   results.wall_time = runner.wall_time();
   add_workability(wanted, results);
+  add_passed_over(base.study(), plan, results);
   add_remarks(base, results);
   return results;
 }
