@@ -139,5 +139,35 @@ TEST(operation_command, a_run_without_a_stage_is_of_the_lay_and_says_so) {
   EXPECT_TRUE(says(json_text(read_json(folder.read("out/summary.json"))["warnings"]), warning));
 }
 
+TEST(operation_command, goal_seek_and_lay_table_are_of_the_lay_and_say_so) {
+  const Scratch folder;
+  const std::string model =
+      folder.write("lay.yaml", abandoned(kTwo) +
+                                   "seek: {vary: {key: tensioner.tension, from: 250 kN, to: 400 kN}, "
+                                   "until: {result: static.bottom_tension, equals: 270 kN}}\n");
+  const std::string warning = "no stage of the operation abandonment was chosen; this is the lay as such";
+  const ProgramRun seek = run_program("seek " + model + " -o " + folder.file("sought"));
+  ASSERT_EQ(seek.code, 0) << seek.err;
+  EXPECT_TRUE(says(seek.out, warning)) << seek.out;
+  EXPECT_TRUE(says(json_text(read_json(folder.read("sought/summary.json"))["warnings"]), warning));
+  const ProgramRun table =
+      run_program("lay-table " + model + " --tension '300 kN..350 kN/1' -o " + folder.file("table"));
+  ASSERT_EQ(table.code, 0) << table.err;
+  EXPECT_TRUE(says(table.out, warning)) << table.out;
+}
+
+TEST(operation_command, a_cable_on_a_route_that_bends_is_refused_whatever_is_asked_of_its_stages) {
+  const Scratch folder;
+  const std::string model =
+      folder.write("lay.yaml", abandoned(kTwo) + "route: {legs: [{length: 280 m}, {radius: 900 m, angle: 20 deg}]}\n");
+  const std::string refusal = "route: a line with a cable on a route that bends cannot be solved yet";
+  for (const char* stage : {"", " --stage 1"}) {
+    const ProgramRun run = run_program("static " + model + stage + " -o " + folder.file("out"));
+    EXPECT_EQ(run.code, 2) << run.out;
+    EXPECT_TRUE(says(run.err, refusal)) << run.err;
+  }
+  EXPECT_TRUE(says(run_program("check " + model).out, refusal));
+}
+
 }  // namespace
 }  // namespace overbend

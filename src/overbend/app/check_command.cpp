@@ -13,6 +13,8 @@
 #include "model/model.h"
 #include "model/rao_limits.h"
 #include "report/warning_weight.h"
+#include "study/lay_operation.h"
+#include "study/prepared_case.h"
 
 namespace overbend {
 namespace {
@@ -133,6 +135,11 @@ int run_check(const std::string& model_file) {
   }
   std::cout << planned_stages(*description);
   std::vector<std::string> warnings = description->warnings;
+  if (is_lay_operation(description->operation.type)) {
+    if (const auto obstacle = operation_obstacle(*description)) {
+      warnings.push_back("the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why);
+    }
+  }
   const std::vector<std::string> doubts = print_raos(model);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   std::transform(warnings.begin(), warnings.end(), warnings.begin(), without_mark);

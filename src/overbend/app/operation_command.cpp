@@ -12,6 +12,7 @@
 #include "runstore/staged_folder.h"
 #include "study/lay_operation.h"
 #include "study/operation_run.h"
+#include "study/prepared_case.h"
 
 namespace overbend {
 namespace {
@@ -35,6 +36,7 @@ void print_summary(const OperationResults& results) {
 }  // namespace
 
 int run_static_operation(const Description& description, const std::filesystem::path& folder, bool strict) {
+  if (const auto obstacle = operation_obstacle(description)) return tell(failed_end(*obstacle, description));
   std::cout << description.title << "\n" << stage_heads(description.operation.type);
   const auto tell_stage = [](const StageResult& stage, std::size_t) {
     std::cout << stage_line(stage) << std::flush;

@@ -129,6 +129,7 @@ Json worst_stage_summary(const OperationResults& results) {
 
 CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, const CaseConduct& conduct) {
   const Description description = base.described(question.keys, false);
+  if (const auto obstacle = operation_obstacle(description)) return {failed_end(*obstacle, description)};
   bool stopped = false;
   const OperationResults results = solve_operation(description, [&](const StageResult&, std::size_t) {
     stopped = conduct.stop && conduct.stop();

@@ -28,6 +28,7 @@ class LayCases {
   /// Of the model's own lay. `held_tension` is its tension, or the one that follows from its length and anchor.
   explicit LayCases(const Description& description);
 
+  const Description& description() const { return description_; }
   double own_tension() const { return own_.tension; }
   double own_depth() const { return description_.environment.water_depth; }
   /// Of the model as it is; without a lay where that has none.

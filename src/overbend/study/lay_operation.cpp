@@ -5,6 +5,7 @@
 
 #include "base/version.h"
 #include "model/lay_stage.h"
+#include "statics/static_obstacle.h"
 #include "study/stage_tension.h"
 
 namespace overbend {
@@ -54,6 +55,13 @@ OperationResults solve_operation(const Description& description,
   place_barge(results.stages);
   results.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return results;
+}
+
+std::optional<StaticFailure> operation_obstacle(const Description& description) {
+  for (const LayStageDescription& stage : lay_stages(description)) {
+    if (auto obstacle = static_obstacle(at_stage(description, stage))) return obstacle;
+  }
+  return std::nullopt;
 }
 
 }  // namespace overbend

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "model/description.h"
 #include "results/operation_results.h"
+#include "statics/statics.h"
 
 namespace overbend {
 
@@ -12,5 +14,8 @@ namespace overbend {
 /// and leaves the others standing. `told`, where given, hears of every stage that is done; false from it ends the rest.
 OperationResults solve_operation(const Description& description,
                                  const std::function<bool(const StageResult&, std::size_t of)>& told = {});
+
+/// Why stages of the operation cannot be solved whatever their numbers, though the model can say it.
+std::optional<StaticFailure> operation_obstacle(const Description& description);
 
 }  // namespace overbend

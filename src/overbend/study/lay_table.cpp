@@ -11,6 +11,7 @@
 #include "results/fields/shown_unit.h"
 #include "runstore/staged_folder.h"
 #include "study/limit_search.h"
+#include "study/stage_choice.h"
 
 namespace overbend {
 namespace {
@@ -31,6 +32,9 @@ class TableMaker {
   }
 
   LayTable make() {
+    if (is_lay_operation(cases_.description().operation.type)) {
+      table_.warnings.push_back(no_stage_warning(cases_.description(), false));
+    }
     if (!cases_.own().lay) {
       table_.warnings.push_back("the model's own lay has no equilibrium: " + cases_.own().reason);
     }

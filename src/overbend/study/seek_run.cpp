@@ -9,6 +9,7 @@
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/prepared_case.h"
+#include "study/stage_choice.h"
 
 namespace overbend {
 namespace {
@@ -54,6 +55,7 @@ SeekRun run_seek(const Description& description, const SeekDescription& wanted, 
   SeekRun run{std::move(outcome.results), {}, {}};
   if (!run.results.found) return run;
   run.answer = with_answer(description, wanted, run.results);
+  if (is_lay_operation(run.answer.operation.type)) run.answer.warnings.push_back(no_stage_warning(run.answer, false));
   solve_answer(run, outcome.start);
   return run;
 }

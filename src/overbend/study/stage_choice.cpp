@@ -84,10 +84,9 @@ std::variant<Description, RunEnd> choose_stage(const Description& description, c
   return chosen;
 }
 
-std::string no_stage_warning(const Description& description) {
-  return fmt::format(
-      "operation: no stage of the operation {} was chosen; this is the lay as such (choose with --stage)",
-      operation_word(description.operation.type));
+std::string no_stage_warning(const Description& description, bool choosable) {
+  return fmt::format("operation: no stage of the operation {} was chosen; this is the lay as such{}",
+                     operation_word(description.operation.type), choosable ? " (choose with --stage)" : "");
 }
 
 }  // namespace overbend

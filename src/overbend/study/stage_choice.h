@@ -14,7 +14,8 @@ namespace overbend {
 /// where the model has no such stage, no_solution where its tension cannot be found.
 std::variant<Description, RunEnd> choose_stage(const Description& description, const std::string& wanted);
 
-/// That the lay as such is computed though the model has an operation on the line.
-std::string no_stage_warning(const Description& description);
+/// That the lay as such is computed though the model has an operation on the line. `choosable`: whether the analysis
+/// could be of a stage instead.
+std::string no_stage_warning(const Description& description, bool choosable = true);
 
 }  // namespace overbend
