@@ -65,5 +65,17 @@ TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   EXPECT_NE(shallow.warnings.back().find("k_p d of 0."), std::string::npos) << shallow.warnings.back();
 }
 
+TEST(hull_report, warns_of_files_without_drift_in_a_sea_that_would_make_the_hull_drift) {
+  const Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  const Sea sea = testing::long_crested(2.0, 12.0, 1.0, 1);
+  HydrodynamicData without = testing::bgl1_hydrodynamics();
+  without.mean_drift.clear();
+  made.hull.waves = make_hull_waves(without, sea, WaveDrift::newman, 5.182, 0.0);
+  const HullReport report = hull_report(made, model, sea, moored());
+  ASSERT_FALSE(report.warnings.empty());
+  EXPECT_NE(report.warnings.back().find("no drift coefficients"), std::string::npos) << report.warnings.back();
+}
+
 }  // namespace
 }  // namespace overbend

@@ -71,6 +71,35 @@ TEST(hull, tangent_agrees_with_differences) {
   }
 }
 
+/// Coefficients of a table are of steady flow: a hull that follows the waves is not damped by them.
+TEST(hull, current_by_a_table_flows_past_the_slow_hull) {
+  Hull by_table = burdened(), without = by_table;
+  by_table.current.form = HullCurrentForm::table;
+  by_table.current.table = {155.0, 620.0, 120.0, {}};
+  for (int i = 0; i < 12; ++i) {
+    const double a = 30.0 * i * kDegree;
+    by_table.current.table.rows.push_back({a, 0.7 * std::cos(a), 0.9 * std::sin(a), 0.1 * std::sin(2.0 * a)});
+  }
+  without.current.form = HullCurrentForm::none;
+  const HullState before = moving();
+  HullState at = before;
+  at.h += 0.1 * before.v;
+  const auto current = [&](const HullState& now, const HullState& from) {
+    HullBalance a, b;
+    balance_hull(by_table, now, from, 0.1, {1.0, 20.0, 400.0}, 30.0, a);
+    balance_hull(without, now, from, 0.1, {1.0, 20.0, 400.0}, 30.0, b);
+    return Vec6(a.residual - b.residual);
+  };
+  HullState faster = at;
+  faster.v *= 3.0;
+  const Vec6 slow = current(at, before);
+  EXPECT_GT(slow.norm(), 1e4);
+  EXPECT_LT((current(faster, before) - slow).norm(), 1e-6 * slow.norm());
+  HullState drifting = before;
+  drifting.slow.rate *= 3.0;
+  EXPECT_GT((current(at, drifting) - slow).norm(), 1e-2 * slow.norm());
+}
+
 TEST(hull, what_surrounds_it_is_found_once_in_a_step) {
   const Hull hull = burdened();
   const HullState before = moving();

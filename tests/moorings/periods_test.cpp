@@ -63,6 +63,25 @@ TEST(natural_periods, take_the_added_mass_at_their_own_frequency) {
     EXPECT_NEAR(6.283185307179586 / one.period, std::cbrt(0.1), 1e-4);
 }
 
+/// Heave and roll of a hull whose centre of gravity lies aside share their modes, and their added mass falls with the
+/// frequency: each of both is found, and neither twice. det(K - w^2 M(w)) = 0 decides.
+TEST(natural_periods, are_six_where_modes_are_mixed) {
+  CoupledHullDescription hull = barge();
+  hull.centre_of_gravity.y() = 1.0;
+  RadiationPoint low = hull.data->radiation.front(), high = low;
+  low.omega = 0.7;
+  high.omega = 0.9;
+  high.added_mass(2, 2) *= 0.6;
+  high.added_mass(3, 3) *= 1.6;
+  hull.data->radiation = {low, high};
+  Mat6 k = Mat6::Zero();
+  k.diagonal() << 1.8e5, 1.9e5, 3.62e7, 2.1e9, 4.3e10, 5.1e8;
+  k(2, 3) = k(3, 2) = 3.62e7 * 1.5;
+  const std::vector<NaturalPeriod> periods = natural_periods(hull, k);
+  ASSERT_EQ(periods.size(), 6U);
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_GT(periods[i - 1].period, 1.0001 * periods[i].period) << i;
+}
+
 TEST(natural_periods, leave_out_what_nothing_holds) {
   Mat6 k = Mat6::Zero();
   k.diagonal() << 0.0, 0.0, 3.6e7, 2e9, 4e10, 0.0;

@@ -48,6 +48,19 @@ TEST(hull_account, tells_periods_drift_and_fit_of_the_moored_barge) {
   EXPECT_FALSE(account->assumptions.empty());  // Newman
 }
 
+/// Munk's moment of a flow of 1 m/s at 45 deg: half the difference of both added masses, (8.509 - 1.813) 1,025 t at the
+/// lowest frequency of the file. Strips about midship give none.
+TEST(hull_account, tells_the_moment_by_which_a_current_turns_the_hull_across_itself) {
+  Description d = testing::bgl1_hull_description();
+  const double towards = 0.25 * std::numbers::pi;  // north-east; the bow points east
+  d.environment.current = {{0.0, 1.0, towards}, {89.0, 1.0, towards}};
+  d.vessel.coupled->current = {};
+  const std::optional<HullAccount> account = hull_account(build_model(d), nullptr);
+  ASSERT_TRUE(account);
+  const double munk = 0.5 * (8.509056e6 - 1.813214e6) * 1.025;
+  EXPECT_NEAR(std::abs(account->results.current.yaw), munk, 0.01 * munk);
+}
+
 TEST(hull_account, is_of_hulls_with_coefficients_alone) {
   Description d = testing::bgl1_hull_description();
   d.vessel.motion = VesselMotion::fixed;

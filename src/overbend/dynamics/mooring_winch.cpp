@@ -49,7 +49,7 @@ LengthTable program_of(const WinchDescription& winch) {
 
 WinchLaw winch_law(const WinchDescription& winch) {
   WinchLaw law;
-  law.stall = winch.stall.value_or(law.stall);
+  law.stall = winch.stall.value_or(winch.haul.value_or(law.stall));
   law.brake = winch.brake.value_or(law.brake);
   law.tension = machine_of(winch);
   if (winch.mode == WinchMode::speed || winch.mode == WinchMode::length) law.program = program_of(winch);

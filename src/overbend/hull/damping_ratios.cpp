@@ -11,8 +11,8 @@
 namespace overbend {
 namespace {
 
-/// Force of dynamic positioning out of phase, over the velocity: the filter delays place and rate alike.
-double positioning_damping(double stiffness, double damping, double omega, double slow_period) {
+/// Force on the slow motion out of phase, over the velocity: the filter delays place and rate alike.
+double damping_by_slow_motion(double stiffness, double damping, double omega, double slow_period) {
   const std::complex<double> s(0.0, omega);
   const double w = 2.0 * std::numbers::pi / slow_period;
   const std::complex<double> filter = w * w / ((s + w) * (s + w));
@@ -67,11 +67,14 @@ std::array<ModeDamping, 3> horizontal_damping(const Hull& hull, const Hydrodynam
     mode.critical = 2.0 * stiffness / omega;
     mode.radiation = radiation_at(hull.radiation, omega).damping(k, k) / mode.critical;
     mode.drift = hull.drift_damping(k, k) / mode.critical;
-    mode.current = -current.by_v(k, k) / mode.critical;
+    const double by_current = -current.by_v(k, k);
+    const bool slow = hull.current.form == HullCurrentForm::table;
+    mode.current =
+        (slow ? damping_by_slow_motion(0.0, by_current, omega, hull.slow_period) : by_current) / mode.critical;
     mode.viscous = hull.damping.linear(k, k) / mode.critical;
     if (hull.station_keeping) {
       const double damping = hull.station_keeping->law.damping(place);
-      mode.station_keeping = positioning_damping(by_station, damping, omega, hull.slow_period) / mode.critical;
+      mode.station_keeping = damping_by_slow_motion(by_station, damping, omega, hull.slow_period) / mode.critical;
     }
   }
   return modes;

@@ -51,6 +51,12 @@ Vec6 station_force(const StationKeeping& keeping, const SlowMotion& slow, double
   return (Vec6() << thrust.x(), thrust.y(), 0.0, 0.0, 0.0, thrust.z()).finished();
 }
 
+/// Rates of the slow motion in its horizontal axes.
+Vec6 slow_rates_in_h(const SlowMotion& slow) {
+  const Vec3 rate = turned_about_z(-slow.value.z()) * slow.rate;
+  return (Vec6() << rate.x(), rate.y(), 0.0, 0.0, 0.0, rate.z()).finished();
+}
+
 /// Munk's moment of the steady drift through the water.
 double munk_moment(const Hull& hull, const SlowMotion& slow) {
   const Vec3 drift = slow.rate - Vec3(hull.current.velocity.x(), hull.current.velocity.y(), 0.0);
@@ -112,7 +118,13 @@ struct OutsideForce {
 OutsideForce outside_force(const Hull& hull, const HullSurroundings& around, const Vec6& v) {
   OutsideForce f;
   f.drift = around.drift - around.built_up * (hull.drift_damping * v);
-  f.current = current_force(hull.current, around.slow.value.z(), v, around.water);
+  if (hull.current.form == HullCurrentForm::table) {
+    // Tables are of steady flow past a hull: one that follows the waves is not damped by them.
+    f.current = current_force(hull.current, around.slow.value.z(), slow_rates_in_h(around.slow), around.water);
+    f.current.by_v.setZero();
+  } else {
+    f.current = current_force(hull.current, around.slow.value.z(), v, around.water);
+  }
   f.current.force(5) += around.munk;
   f.sum = around.waves + f.drift + around.wind + around.station + f.current.force;
   f.by_v = f.current.by_v - around.built_up * hull.drift_damping;

@@ -43,12 +43,18 @@ double peak_wave_number(const WavesDescription& waves, const Sea& sea) {
   return 0.0;
 }
 
-void tell_waves(const Hull& hull, const WavesDescription& waves, const Sea& sea, HullReport& out) {
+void tell_waves(const Hull& hull, const CoupledHullDescription& given, const WavesDescription& waves, const Sea& sea,
+                HullReport& out) {
   out.below_table = hull.waves.below_table;
   out.above_table = hull.waves.above_table;
   const double outside = out.below_table + out.above_table;
   if (outside > kNoticeable) {
     out.warnings.push_back(percent(outside) + " of the sea's variance lies beyond the frequencies of the wave forces");
+  }
+  if (!sea.calm() && given.wave_drift != WaveDrift::none && hull.waves.drift == WaveDrift::none) {
+    out.warnings.emplace_back(
+        "the hydrodynamic files have no drift coefficients: no mean and no slow drift of the waves acts, whatever "
+        "vessel.motion.coupled.wave_drift says");
   }
   if (sea.calm() || hull.waves.drift != WaveDrift::newman) return;
   out.assumptions.push_back(
@@ -79,7 +85,7 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
     }
   }
   tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);
-  tell_waves(made.hull, model.description.environment.waves, sea, out);
+  tell_waves(made.hull, *given, model.description.environment.waves, sea, out);
   out.steady = steady_forces(made.hull, made.hull.lies(5));
   out.steady.drift = mean_drift(made.hull.waves, made.hull.lies(5));
   return out;

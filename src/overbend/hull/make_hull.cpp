@@ -95,7 +95,7 @@ HullWind wind_on(const VesselDescription& vessel, const CoupledHullDescription& 
 }
 
 void put_loads(Hull& hull, const Model& model) {
-  const Mat3& R = model.drawn_pose.R_WV;
+  const Mat3 R = vessel_axes(model.description.vessel.heading, 0.0, 0.0);  // level, as in statics: down is down
   for (const VesselLoadDescription& load : model.description.vessel.loads) {
     hull.loads.push_back({load.at - hull.reference_V, R * load.force, R * load.moment});
   }

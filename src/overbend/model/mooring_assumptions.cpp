@@ -45,7 +45,7 @@ void assume_coupled(Sentences& list, const Model& model) {
                                hull.wind.table_file.empty() ? std::string("areas with shape and height coefficients")
                                                             : "the table of coefficients " + hull.wind.table_file));
   }
-  if (hull.wave_drift == WaveDrift::newman) {
+  if (hull.wave_drift == WaveDrift::newman && hull.data && !hull.data->mean_drift.empty()) {
     list.push_back(
         "Slowly varying drift follows from mean drift (Newman's approximation), in surge, sway and yaw; it is too "
         "small "

@@ -50,7 +50,8 @@ std::vector<Field> winches() {
           "tension: keeps a tension."),
       quantity_row(w + ".speed", defaults(&Winch::speed), "Speed of hauling and paying out.", kSpeed,
                    {.low = 0.0, .high = 20.0, .low_open = true}),
-      otherwise(quantity_row(w + ".haul", fills(&Winch::haul), "Tension it hauls at its speed.", kForce, kPositive),
+      otherwise(quantity_row(w + ".haul", fills(&Winch::haul),
+                             "Tension it hauls at its speed; without `stall` it hauls no more.", kForce, kPositive),
                 "not limited"),
       otherwise(
           quantity_row(w + ".stall", fills(&Winch::stall), "Tension at which it stops hauling.", kForce, kPositive),
@@ -65,7 +66,7 @@ std::vector<Field> winches() {
                              "In mode tension: the winch stays while the tension is within this of the one wanted.",
                              kForce, kPositive),
                 "10 % of the tension"),
-      quantity_row(w + ".delay", defaults(&Winch::delay), "Time before it reacts.", kTime,
+      quantity_row(w + ".delay", defaults(&Winch::delay), "In mode tension: time before it reacts.", kTime,
                    {.low = 0.0, .high = 3600.0}),
       quantity_row(w + ".acceleration_time", defaults(&Winch::acceleration_time), "Time up to its speed.", kTime,
                    {.low = 0.0, .high = 3600.0, .low_open = true}),

@@ -19,7 +19,7 @@ Mat6 rigid_mass(const CoupledHullDescription& hull) {
   return diagonal.asDiagonal();
 }
 
-/// The mode of a pencil (stiffness, mass) that looks most like `shape`, scaled to unit kinetic energy.
+/// A mode of a pencil (stiffness, mass), scaled to unit kinetic energy.
 struct Mode {
   double square = 0.0;  ///< omega^2 [1/s2].
   Vec6 shape = Vec6::Zero();
@@ -27,13 +27,6 @@ struct Mode {
 
 Mode mode_of(const SymmetricModes& modes, Eigen::Index i) {
   return {modes.values[i], modes.vectors.col(i)};
-}
-
-Mode like(const SymmetricModes& modes, const Mat6& mass, const Vec6& shape) {
-  const Vec6 shares = (modes.vectors.transpose() * (mass * shape)).cwiseAbs();
-  Eigen::Index best = 0;
-  shares.maxCoeff(&best);
-  return mode_of(modes, best);
 }
 
 const char* name_of(const Mode& mode, const Mat6& mass) {
@@ -61,7 +54,7 @@ std::vector<NaturalPeriod> natural_periods(const CoupledHullDescription& hull, c
     Mat6 mass = mass_at(0.0);
     for (int round = 0; round < kRounds && mode.square > least; ++round) {
       mass = mass_at(std::sqrt(mode.square));
-      mode = like(symmetric_modes(even, mass), mass, mode.shape);
+      mode = mode_of(symmetric_modes(even, mass), i);  // by size each has a frequency of its own
     }
     if (mode.square > least) {
       periods.push_back({name_of(mode, mass), 2.0 * std::numbers::pi / std::sqrt(mode.square)});

@@ -119,7 +119,8 @@ void MooringWatch::look(const SystemState& state, const Assembly& assembly) {
       now[kLength] = length_of(line.line().mesh, state.attachments[lines_[i].fairlead_end]);
     }
     now[kUplift] = std::max(0.0, now[kUplift]);
-    now[kSlack] = now[kFairlead] < kSlackShare * lines_[i].start ? 1.0 : 0.0;
+    const bool there = !lines_[i].parted_at;
+    now[kSlack] = there && now[kFairlead] < kSlackShare * lines_[i].start ? 1.0 : 0.0;
   }
 }
 

@@ -85,7 +85,7 @@ std::optional<HullAccount> hull_account(const Model& model, const MooredState* r
   tell_damping(report, *given->data, out);
   const double heading = made.hull.lies(5);
   out.drift = horizontal(mean_drift(made.hull.waves, heading));
-  out.current = horizontal(current_force(made.hull.current, heading, Vec6::Zero(), StripWater{}).force);
+  out.current = horizontal(report.steady.current);
   out.wind = horizontal(wind_force(made.hull.wind, heading));
   out.below_table = report.below_table;
   out.above_table = report.above_table;

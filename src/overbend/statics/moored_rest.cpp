@@ -17,11 +17,8 @@ void solve_lines(MooredHull& moored) {
   moored.rest.fault = moored.rest.forces.fault;
 }
 
-/// Lengths that hold the hull as drawn, with the least change of the pulls that the lines have as drawn.
-void solve_lengths(MooredHull& moored, const TensionBounds& bounds) {
-  solve_lines(moored);
-  if (moored.rest.fault || !moored.free) return;
-  const Eigen::VectorXd wished = pulls_of(moored.spread, moored.rest.lines);
+/// Lengths that hold the hull as drawn, with the least change of the wished pulls.
+void solve_lengths(MooredHull& moored, const Eigen::VectorXd& wished, const TensionBounds& bounds) {
   moored.rest = plan_lengths(moored.spread, moored.hull, HullOffset::Zero(), wished, bounds);
 }
 
@@ -83,12 +80,19 @@ void find_pose(MooredHull& moored) {
 
 void find_rest_at_start(const Description& d, MooredHull& moored) {
   const bool lengths = has_mooring_lines(d) && d.moorings->find == FindMooring::lengths;
+  Eigen::VectorXd wished;  // what the lines pull with as described, the hull as drawn and before it gives way to loads
+  if (lengths) {
+    moored.rest.offset.setZero();
+    solve_lines(moored);
+    if (moored.rest.fault || !moored.free) return;
+    wished = pulls_of(moored.spread, moored.rest.lines);
+  }
   const bool trim = moored.free && d.vessel.coupled && d.vessel.coupled->ballast == Ballast::trim;
   for (int round = 0; round < (trim ? kTrimRounds : 1) && !moored.rest.fault; ++round) {
     if (trim) moored.rest = trim_ballast(moored.spread, moored.hull, HullOffset::Zero());
     if (moored.rest.fault) return;
     if (lengths) {
-      solve_lengths(moored, bounds_of(*d.moorings));
+      solve_lengths(moored, wished, bounds_of(*d.moorings));
     } else {
       find_pose(moored);
     }
