@@ -59,6 +59,20 @@ TEST(floating_stinger, begins_in_the_equilibrium_of_statics_and_stays_there) {
   EXPECT_NEAR(reading(simulation).force.norm(), at_rest.hinge_force, 5e-3 * at_rest.hinge_force);
 }
 
+TEST(floating_stinger, in_a_current_begins_in_the_equilibrium_of_statics_and_stays_there) {
+  Description d = calm("HS16-tanks");
+  const double still = InTime(d).statics.stinger.at(0).angle;
+  d.environment.current = {{0.0, 0.8, d.vessel.heading}, {d.environment.water_depth, 0.8, d.vessel.heading}};
+  const InTime lay(d);
+  const StingerSectionResult& at_rest = lay.statics.stinger.at(0);
+  EXPECT_GT(std::abs(at_rest.angle - still), 1e-3);
+  Simulation simulation = lay.simulation();
+  ASSERT_FALSE(simulation.failure());
+  EXPECT_NEAR(reading(simulation).force.norm(), at_rest.hinge_force, 2e-3 * at_rest.hinge_force);
+  ASSERT_TRUE(simulation.advance(simulation.end()));
+  EXPECT_NEAR(reading(simulation).angle, at_rest.angle, 2e-5);
+}
+
 TEST(floating_stinger, that_rests_on_a_stop_begins_with_the_moment_that_the_stop_carries) {
   const InTime lay(calm("HS16-stop"));
   const StingerSectionResult& at_rest = lay.statics.stinger.at(0);

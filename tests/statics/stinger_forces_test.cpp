@@ -44,6 +44,21 @@ double moment_at(Model& model, const std::vector<double>& angles, std::size_t se
   return hinge_moments(model, {})[section];
 }
 
+/// A level tank of 4 m across a current of 1.5 m/s: 1/2 rho Cd d l u^2 at its middle.
+TEST(stinger_forces, a_current_pushes_a_tank_across_its_axis) {
+  StingerSectionDescription section = section_at(0.0, -1.0);
+  section.tanks.push_back({"t", {2.0, -6.0}, {2.0, -10.0}, 0.0, 1.2, 30e3, 0.0});
+  section.tanks.back().drag = 0.9;
+  Description d = hinged({section});
+  const Model still = build_model(d);
+  d.environment.current = {{0.0, 1.5, d.vessel.heading}, {50.0, 1.5, d.vessel.heading}};
+  const Model model = build_model(d);
+  const HingeAxis hinge = hinge_axis(model, 0);
+  const double drag = 0.5 * kWater / kGravity * 0.9 * 1.2 * 4.0 * 1.5 * 1.5;  // forward, 7 m below the hinge: tip down
+  const double moment = moment_about(hinge, floating_forces(model, 0)) - moment_about(hinge, floating_forces(still, 0));
+  EXPECT_NEAR(std::abs(moment), 7.0 * drag, 1e-9 * 7.0 * drag);
+}
+
 TEST(stinger_forces, a_tank_floats_with_the_length_of_its_axis_below_the_water) {
   StingerSectionDescription section = section_at(0.0, -1.0);
   section.tanks.push_back({"t", {2.0, 1.0}, {6.0, -7.0}, 0.5, 1.2, 30e3, 0.25});

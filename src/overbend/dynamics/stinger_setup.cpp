@@ -7,48 +7,21 @@
 #include "mechanics/contact_cells.h"
 #include "model/section.h"
 #include "model/stinger_turn.h"
+#include "statics/stinger_forces.h"
 
 namespace overbend {
 namespace {
 
-constexpr double kStripLength = 1.0;  ///< [m]
-constexpr int kLeastStrips = 8, kMostStrips = 40;
 constexpr double kFrictionDamping = 0.1;  ///< Of the elastic part of friction, of critical.
 
 const StingerSectionDescription& described(const Model& model, std::size_t section) {
   return model.description.supports.sections[section];
 }
 
-Vec3 in_vessel(const Model& model, const Vec3& p_S) {
-  const VesselDescription& v = model.description.vessel;
-  return {v.stern_shoe_x - p_S.x(), -p_S.y(), v.stern_shoe_z + p_S.z()};
-}
-
 /// A point drawn in a section, where it rests; frame V.
 Vec3 at_rest(const Model& model, std::size_t section, const StingerPoint& drawn, double y = 0.0) {
-  return in_vessel(model, point_on_section(described(model, section), model.supports.sections[section], drawn, y));
-}
-
-/// From the hinge to the last box that the section carries, else to the farthest of its tanks; frame V.
-Vec3 reach_of(const Model& model, std::size_t section) {
-  const Vec3 hinge = in_vessel(model, model.supports.sections[section].hinge_S);
-  Vec3 reach = Vec3::Zero();
-  const auto take = [&](const Vec3& place) {
-    Vec3 to = place - hinge;
-    to.y() = 0.0;
-    reach = to.norm() > reach.norm() ? to : reach;
-  };
-  for (const SupportBox& box : model.supports.boxes) {
-    if (box.section == static_cast<int>(section)) take(in_vessel(model, box.point_S));
-  }
-  if (reach.norm() > 0.0) {
-    return reach;
-  }
-  for (const StingerTankDescription& tank : described(model, section).tanks) {
-    take(at_rest(model, section, tank.from));
-    take(at_rest(model, section, tank.to));
-  }
-  return reach.norm() > 0.0 ? reach : Vec3(-Vec3::UnitX());
+  return point_in_vessel(model,
+                         point_on_section(described(model, section), model.supports.sections[section], drawn, y));
 }
 
 /// Inertia of an even rod along `axis` with this radius of gyration across it.
@@ -75,7 +48,7 @@ void add_tank(const Model& model, std::size_t section, std::size_t number, Secti
   const double volume = 0.25 * std::numbers::pi * tank.diameter * tank.diameter * length;
   const double mass = (tank.weight + tank.ballast * volume * model.water_weight_density) / kGravity;
   add_part(body, mass, 0.5 * (from + to), rod_inertia(mass, length / std::sqrt(12.0), to - from));
-  const int strips = std::clamp(static_cast<int>(std::ceil(length / kStripLength)), kLeastStrips, kMostStrips);
+  const int strips = tank_strips(length);
   for (int i = 0; i < strips; ++i) {
     TankStrip strip;
     strip.from_V = from + static_cast<double>(i) / strips * (to - from);
@@ -90,7 +63,7 @@ void add_tank(const Model& model, std::size_t section, std::size_t number, Secti
 
 void add_structure(const Model& model, std::size_t section, SectionBody& body) {
   const StingerBodyDescription& given = *described(model, section).body;
-  const Vec3 reach = reach_of(model, section), at = at_rest(model, section, given.at);
+  const Vec3 reach = section_reach_V(model, section), at = at_rest(model, section, given.at);
   const double mass = given.weight / kGravity;
   add_part(body, mass, at, rod_inertia(mass, given.radius_of_gyration.value_or(reach.norm() / std::sqrt(12.0)), reach));
   if (given.buoyancy > 0.0 || given.added_mass > 0.0 || given.drag_area > 0.0) {
@@ -107,7 +80,7 @@ void add_structure(const Model& model, std::size_t section, SectionBody& body) {
 SectionSpring spring_of(const Model& model, std::size_t section, const StingerSpringDescription& given) {
   const double drawn = std::hypot(given.on_barge.x - given.on_stinger.x, given.on_barge.z - given.on_stinger.z);
   SectionSpring spring;
-  spring.base_V = in_vessel(model, Vec3(given.on_barge.x, 0.0, given.on_barge.z));
+  spring.base_V = point_in_vessel(model, Vec3(given.on_barge.x, 0.0, given.on_barge.z));
   spring.own_V = at_rest(model, section, given.on_stinger);
   spring.stiffness = given.stiffness;
   spring.length = given.stiffness > 0.0 ? drawn - given.pretension / given.stiffness : drawn;
@@ -167,13 +140,13 @@ FreeBody hinged_body(const Model& model, std::size_t section, std::shared_ptr<co
   HingedBody& hinged = free.hinge.emplace();
   hinged.carrier = static_cast<int>(section);  // the vessel is body 0
   hinged.section = section_body(model, section);
-  hinged.hinge.place_V = in_vessel(model, lies.hinge_S);
+  hinged.hinge.place_V = point_in_vessel(model, lies.hinge_S);
   hinged.hinge.rest = lies.angle;
   const double inertia = turning_inertia(hinged.section, hinged.hinge.place_V, model.water_density);
   hinged.law = law_of(given, inertia);
   hinged.held = given.angle.has_value() || !given.floats();
   hinged.sea = std::move(sea);
-  free.arm = reach_of(model, section).norm();
+  free.arm = section_reach_V(model, section).norm();
   free.force_scale = std::max(line_weight, kShareOfWeight * hinged.section.mass * kGravity);
   free.inertia(kHingeFreedom) = std::max(inertia, 1.0);
   free.rest.h(kHingeFreedom) = lies.angle;

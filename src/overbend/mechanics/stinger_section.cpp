@@ -121,7 +121,7 @@ void water_at_section(const SectionSea& sea, double time, const SectionBody& bod
     water_state(sea.sea, time, build_up, points, water);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
-    water[i].velocity += build_up.value * current_at(sea.current, points[i].z());
+    water[i].velocity += current_at(sea.current, points[i].z());
   }
 }
 

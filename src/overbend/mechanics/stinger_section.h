@@ -54,7 +54,7 @@ struct SectionBody {
 struct SectionSea {
   Sea sea;
   CurrentProfile current;
-  double build_up = 0.0;        ///< Of waves and current, before t = 0 [s].
+  double build_up = 0.0;        ///< Of the waves, before t = 0; the current flows in full as in statics [s].
   double weight_density = 0.0;  ///< [N/m3]
 };
 

@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/stinger_section.h"
 #include "model/stinger_turn.h"
 
 namespace overbend {
 namespace {
 
+constexpr double kStripLength = 1.0;  ///< [m]
+constexpr int kLeastStrips = 8, kMostStrips = 40;
 constexpr double kRod = 1.0 / 12.0;  ///< Of an even rod about its middle, over m L^2.
 
 Vec3 place_W(const Model& model, std::size_t section, const StingerPoint& drawn, double y = 0.0) {
@@ -87,7 +90,62 @@ double tank_inertia(const Model& model, std::size_t section, const StingerTankDe
   return mass * (kRod * axis.length * axis.length + square_distance(hinge, 0.5 * (axis.from + axis.to))) + water;
 }
 
+/// Of the current across a tank's axis, strip by strip (Morison et al. 1950).
+void add_drag(const Model& model, std::size_t section, const StingerTankDescription& tank,
+              std::vector<PointForce>& forces) {
+  const TankAxis axis = axis_of(model, section, tank);
+  const Vec3 along = (axis.to - axis.from) / axis.length;
+  const int strips = tank_strips(axis.length);
+  for (int i = 0; i < strips; ++i) {
+    const auto at = [&](double share) { return Vec3(axis.from + (i + share) / strips * (axis.to - axis.from)); };
+    const TankAxis strip{at(0.0), at(1.0), axis.length / strips};
+    const WetPart wet = wet_part(strip);
+    const Vec3 current = current_at(model.current, at(0.5).z()), across = current - current.dot(along) * along;
+    const double drag = 0.5 * model.water_density * tank.drag * tank.diameter * (wet.to - wet.from) * strip.length;
+    if (drag > 0.0) forces.push_back({drag * across.norm() * across, at(0.5 * (wet.from + wet.to))});
+  }
+}
+
+/// Of the current on the body, across the section.
+void add_drag(const Model& model, std::size_t section, const StingerBodyDescription& body,
+              std::vector<PointForce>& forces) {
+  const Vec3 at = place_W(model, section, body.buoyancy_at.value_or(body.at));
+  const Vec3 across = model.mean_pose.R_WV * Vec3::UnitY().cross(section_reach_V(model, section).normalized());
+  const double flow = across.dot(current_at(model.current, at.z()));
+  forces.push_back({0.5 * model.water_density * body.drag_area * std::abs(flow) * flow * across, at});
+}
+
 }  // namespace
+
+Vec3 point_in_vessel(const Model& model, const Vec3& p_S) {
+  const VesselDescription& v = model.description.vessel;
+  return {v.stern_shoe_x - p_S.x(), -p_S.y(), v.stern_shoe_z + p_S.z()};
+}
+
+Vec3 section_reach_V(const Model& model, std::size_t section) {
+  const StingerSectionDescription& described = model.description.supports.sections[section];
+  const StingerSection& lies = model.supports.sections[section];
+  const Vec3 hinge = point_in_vessel(model, lies.hinge_S);
+  Vec3 reach = Vec3::Zero();
+  const auto take = [&](const Vec3& p_S) {
+    Vec3 to = point_in_vessel(model, p_S) - hinge;
+    to.y() = 0.0;
+    reach = to.norm() > reach.norm() ? to : reach;
+  };
+  for (const SupportBox& box : model.supports.boxes) {
+    if (box.section == static_cast<int>(section)) take(box.point_S);
+  }
+  if (reach.norm() > 0.0) return reach;
+  for (const StingerTankDescription& tank : described.tanks) {
+    take(point_on_section(described, lies, tank.from));
+    take(point_on_section(described, lies, tank.to));
+  }
+  return reach.norm() > 0.0 ? reach : Vec3(-Vec3::UnitX());
+}
+
+int tank_strips(double length) {
+  return std::clamp(static_cast<int>(std::ceil(length / kStripLength)), kLeastStrips, kMostStrips);
+}
 
 double tank_capacity(const StingerTankDescription& tank, double water_weight_density) {
   return water_weight_density * area(tank) * drawn_length(tank);
@@ -123,11 +181,13 @@ std::vector<PointForce> floating_forces(const Model& model, std::size_t section)
     const StingerBodyDescription& body = *described.body;
     forces.push_back({-body.weight * Vec3::UnitZ(), place_W(model, section, body.at)});
     forces.push_back({body.buoyancy * Vec3::UnitZ(), place_W(model, section, body.buoyancy_at.value_or(body.at))});
+    if (!model.current.z.empty()) add_drag(model, section, body, forces);
   }
   for (const StingerTankDescription& tank : described.tanks) {
     const FloatingTank floats = floating_tank(model, section, tank);
     forces.push_back({-floats.weight * Vec3::UnitZ(), floats.weight_at_W});
     forces.push_back({floats.buoyancy * Vec3::UnitZ(), floats.buoyancy_at_W});
+    if (!model.current.z.empty()) add_drag(model, section, tank, forces);
   }
   return forces;
 }

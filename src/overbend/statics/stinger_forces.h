@@ -1,4 +1,5 @@
-/// What acts on the sections of a stinger besides the pipe, at rest: weight, buoyancy, ballast, springs. Frame W, SI.
+/// What acts on the sections of a stinger besides the pipe, at rest: weight, buoyancy, ballast, springs, the current.
+/// Frame W, SI.
 ///
 /// Buoyancy of the body is constant; that of a tank is gamma pi/4 d^2 per length of its axis below z = 0, where the
 /// water line cuts the axis sharply, and acts in the middle of that part. Ballast is water of a fraction of the tank's
@@ -37,7 +38,17 @@ FloatingTank floating_tank(const Model& model, std::size_t section, const Stinge
 double spring_force(const StingerSectionDescription& section, const StingerSection& now,
                     const StingerSpringDescription& spring);
 
-/// Weight and buoyancy of one section, tanks with ballast.
+/// A point of the ramp's frame S in that of the vessel, V [m].
+Vec3 point_in_vessel(const Model& model, const Vec3& p_S);
+
+/// From the hinge of a section, where it rests, to the last box that it carries, else to the farthest of its tanks; V
+/// [m].
+Vec3 section_reach_V(const Model& model, std::size_t section);
+
+/// Even parts of a tank's axis in which water flows past it.
+int tank_strips(double length);
+
+/// Weight, buoyancy and the drag of the current on one section, tanks with ballast.
 std::vector<PointForce> floating_forces(const Model& model, std::size_t section);
 
 /// Forces on one section: these, and its springs from the vessel.
