@@ -88,6 +88,19 @@ TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_ho
   expect_statics_at_start(d, 0.02);
 }
 
+/// Chain of little friction on the bed, and wire of more that hangs: what lies has that of the chain.
+TEST(mooring_lines, rub_on_the_bed_by_the_friction_of_what_lies_there) {
+  Description d = barge_on(wire_rope(0.076, RopeCore::wire), 0.9);
+  for (MooringLineDescription& line : d.moorings->lines) {
+    LineSegmentDescription chain_end = line.segments.front();
+    chain_end.length = 650.0;
+    chain_end.type = chain(0.06, ChainLink::studless);
+    chain_end.type.friction = 0.2;
+    line.segments.push_back(chain_end);
+  }
+  expect_statics_at_start(d, 0.01);
+}
+
 /// A rope that gives way by a hundredth, and chain from where it comes near the bed.
 TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
   Description d = barge_on(chain(0.06, ChainLink::studless), 1.0);

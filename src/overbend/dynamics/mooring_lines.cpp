@@ -115,6 +115,20 @@ std::optional<double> touchdown_from_anchor(const MooredLine& moored, const Cate
   return moored.line.length() - solution.trace.touchdown_s;
 }
 
+/// The bed's friction on what lies of a line, by weight: elements have one, segments each their own.
+std::optional<double> friction_of_what_lies(const MooredLine& moored, const CatenarySolution& solution) {
+  if (solution.trace.on_bed <= 0.0) return std::nullopt;
+  double rubs = 0.0, weight = 0.0, end = 0.0;
+  for (const CatenaryPiece& piece : moored.line.pieces) {
+    end += piece.length;
+    const double lies = std::clamp(end - solution.trace.touchdown_s, 0.0, piece.length);
+    const double carried = lies * std::max(piece.weight_submerged, 0.0);
+    rubs += piece.friction * carried;
+    weight += carried;
+  }
+  return weight > 0.0 ? std::optional(rubs / weight) : std::nullopt;
+}
+
 /// Far more than friction bears: a line with it slides, whichever small way it goes [m].
 constexpr double kPulledFar = 1.0;
 
@@ -190,6 +204,10 @@ LineShapes add_mooring_lines(const Model& model, const MooringSpread& spread, Sy
     const int line = static_cast<int>(system.lines.size());
     system.lines.push_back(
         cable_line(model, parts, {touchdown, std::nullopt, last_element(model, i)}, moored.anchor_W, fairlead_W));
+    if (const std::optional<double> friction = bow ? std::nullopt : friction_of_what_lies(moored, hangs)) {
+      system.lines.back().environment.bed_friction_axial = *friction;
+      system.lines.back().environment.bed_friction_lateral = *friction;
+    }
     // What may be left unbalanced at a node of the pipe may be at one of a wire, which pulls as hard as the pipe.
     system.lines.back().force_scale = std::max(system.lines.back().force_scale, pipe_scale);
     system.attachments.push_back(anchor(line, moored.anchor_W, moorings.lines[i].anchor_holding));
