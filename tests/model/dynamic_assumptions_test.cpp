@@ -142,6 +142,10 @@ TEST(dynamic_assumptions, tell_how_rollers_damp_and_stick) {
   EXPECT_EQ(mentions(d, "coefficient of restitution"), 1);
   EXPECT_EQ(mentions(d, "0.1 of the normal stiffness"), 1);
   EXPECT_EQ(mentions(d, "not in the static initial state"), 1);
+  d.statics.roller_friction = RollerFriction::haul;
+  EXPECT_EQ(mentions(d, "not in the static initial state"), 0);
+  EXPECT_EQ(mentions(d, "is not there when the run begins"), 1);
+  d.statics.roller_friction = RollerFriction::none;
   EXPECT_EQ(mentions(d, "weaker than 1 kN"), 1);
   d.rollers[0].damping = RollerDamping::textbook;
   d.rollers[0].tangential_stiffness = 1e6;
