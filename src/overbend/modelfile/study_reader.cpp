@@ -85,8 +85,9 @@ class StudyBinder {
   }
 
   std::string gather_hint(const std::string& name) const {
-    if (study_.analysis == StudyAnalysis::seek && name == "seek.slope")
+    if (study_.analysis == StudyAnalysis::seek && name == "seek.slope") {
       return "of several keys there is no single slope";
+    }
     const std::string near = nearest_output(study_.analysis, name);
     return near.empty() ? "paths are those of summary.json, such as static.sagbend.max_bending_stress"
                         : "did you mean '" + near + "'?";

@@ -81,10 +81,10 @@ Stretched stretched_at(const CatenaryLine& line, const Lying& lying, double leng
     now.stretch = 1.0 + tension / piece.EA;
     at += part;
     if (end >= length) break;
+    const std::size_t i = static_cast<std::size_t>(&piece - line.pieces.data());
     for (const CatenaryPoint& point : line.points) {  // clumps rub besides
-      const std::size_t i = static_cast<std::size_t>(&piece - line.pieces.data());
-      if (point.behind == i && part > 0.0)
-        tension = std::max(tension + piece.friction * std::min(point.pull_up, 0.0), 0.0);
+      const double rubs_there = point.behind == i && part > 0.0 ? piece.friction * std::max(-point.pull_up, 0.0) : 0.0;
+      tension = std::max(tension - rubs_there, 0.0);
     }
   }
   return now;

@@ -73,7 +73,7 @@ constexpr std::array kOfSeek = {"seek.answer", "seek.slope", "seek.residual", "s
 /// Of the first condition by the key: as in the summary.
 std::string slope_unit(const SeekDescription& seek) {
   const std::string key = seek.vary.front().unit;
-  const std::string result = seek.until.empty() ? result_unit(seek.minimise).value_or("1") : seek.until.front().unit;
+  std::string result = seek.until.empty() ? result_unit(seek.minimise).value_or("1") : seek.until.front().unit;
   if (key == "1") return result;
   if (key == result) return "1";
   return result + "/" + (key.find_first_of("/*-") == std::string::npos ? key : "(" + key + ")");
