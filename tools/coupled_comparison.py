@@ -62,8 +62,11 @@ def span(spread, factor=1.0, digits=1):
 
 def left(dynamic):
     """What the pipe left first, as the program says it."""
-    said = next((w for w in dynamic["warnings"] if "the pipe left '" in w), None)
-    return re.sub(r"at t = (\S+) s the pipe left '([^']*)' over its (side .*)", r"\2, over its \3, at \1 s", said) if said else "no"
+    said = next((w for w in dynamic["warnings"] if w.startswith("the pipe left '")), None)
+    if not said:
+        return "no"
+    found = re.match(r"the pipe left '([^']*)'.* over (?:its|their) sides? (to \w+), (?:the first )?at t = (\S+) s", said)
+    return f"{found[1]}, {found[2]}, at {found[3].rstrip(',')} s" if found else said
 
 
 def rows(dynamic):
