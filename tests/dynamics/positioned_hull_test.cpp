@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "dynamics/moored_simulation.h"
 #include "dynamics/simulation.h"
@@ -73,6 +74,11 @@ TEST(positioned_hull, is_refused_where_its_thrusters_cannot_hold_it) {
   const LayOutcome outcome = solve_moored_hull(model);
   ASSERT_TRUE(outcome.failure);
   EXPECT_NE(outcome.failure->why.find("all the thrust"), std::string::npos) << outcome.failure->why;
+  StationKeepingDescription& law = *d.station_keeping;
+  const double surge = std::exchange(law.stiffness.x(), 0.0);
+  Model unheld = build_model(d);
+  EXPECT_NE(solve_moored_hull(unheld).failure->why.find("nothing holds it in surge"), std::string::npos);
+  law.stiffness.x() = surge;
   d.vessel.loads.front().force.x() = 99e3;
   EXPECT_NEAR(SolvedHull(d).rest.moorings->rest.vessel.surge, 99e3 / kSurge, 1e-6);
 }

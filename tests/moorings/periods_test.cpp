@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "hull/damping_ratios.h"
 #include "moorings/equilibrium.h"
+#include "support/hull_case.h"
 
 namespace overbend {
 namespace {
@@ -63,23 +66,32 @@ TEST(natural_periods, take_the_added_mass_at_their_own_frequency) {
     EXPECT_NEAR(6.283185307179586 / one.period, std::cbrt(0.1), 1e-4);
 }
 
-/// Heave and roll of a hull whose centre of gravity lies aside share their modes, and their added mass falls with the
-/// frequency: each of both is found, and neither twice. det(K - w^2 M(w)) = 0 decides.
+/// Heave and roll of BGL-1 with its centre of gravity 4 m ahead, 1.5 m aside and 2 m up share their modes: each is
+/// found, and neither twice. The determinant of K - w^2 M(w) changes its sign at each.
 TEST(natural_periods, are_six_where_modes_are_mixed) {
   CoupledHullDescription hull = barge();
-  hull.centre_of_gravity.y() = 1.0;
-  RadiationPoint low = hull.data->radiation.front(), high = low;
-  low.omega = 0.7;
-  high.omega = 0.9;
-  high.added_mass(2, 2) *= 0.6;
-  high.added_mass(3, 3) *= 1.6;
-  hull.data->radiation = {low, high};
+  hull.data = testing::bgl1_hydrodynamics();
+  Mat6 to_file = Mat6::Identity();  // shift of the file's point by that of the centre of gravity
+  to_file.topRightCorner<3, 3>() = cross_matrix(Vec3(4.0, 1.5, 2.0));
+  for (RadiationPoint& point : hull.data->radiation) {
+    point.added_mass = to_file.transpose() * point.added_mass * to_file;
+  }
   Mat6 k = Mat6::Zero();
-  k.diagonal() << 1.8e5, 1.9e5, 3.62e7, 2.1e9, 4.3e10, 5.1e8;
-  k(2, 3) = k(3, 2) = 3.62e7 * 1.5;
+  k.diagonal() << 1.8479e5, 1.8479e5, 3.62e7, 2.1e9, 4.29e10, 5.1281e8;
+  k = to_file.transpose() * k * to_file;
   const std::vector<NaturalPeriod> periods = natural_periods(hull, k);
   ASSERT_EQ(periods.size(), 6U);
-  for (std::size_t i = 1; i < 6; ++i) EXPECT_GT(periods[i - 1].period, 1.0001 * periods[i].period) << i;
+  const auto determinant = [&](double omega) {
+    Mat6 mass = added_mass_at(*hull.data, omega);
+    mass.diagonal().head<3>().array() += hull.mass;
+    mass.diagonal().tail<3>() += hull.mass * hull.gyration.cwiseAbs2();
+    return Mat6(k - omega * omega * mass).determinant();
+  };
+  for (const NaturalPeriod& one : periods) {
+    const double omega = 2.0 * std::numbers::pi / one.period;
+    EXPECT_LT(determinant(0.999 * omega) * determinant(1.001 * omega), 0.0) << one.mode;
+  }
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_GT(periods[i - 1].period, 1.001 * periods[i].period) << i;
 }
 
 TEST(natural_periods, leave_out_what_nothing_holds) {

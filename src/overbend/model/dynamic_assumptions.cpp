@@ -124,11 +124,9 @@ void assume_rollers(Sentences& list, const Model& model, const DynamicSettings& 
     }
     list.push_back(model.description.statics.roller_friction == RollerFriction::none
                        ? "Roller friction acts in the dynamic analysis, but not in the static initial state: it is "
-                         "mobilised by the "
-                         "motion only."
+                         "mobilised by the motion only."
                        : "Roller friction acts in the dynamic analysis, where it is mobilised by the motion only: what "
-                         "of it statics "
-                         "have along the pipe is not there when the run begins.");
+                         "of it statics have along the pipe is not there when the run begins.");
   }
   if (settings.impacts == ImpactTreatment::captured) {
     list.push_back(

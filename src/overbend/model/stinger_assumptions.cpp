@@ -25,9 +25,8 @@ void assume_stinger(std::vector<std::string>& list, const Model& model) {
   if (any(sections, [](const Described& s) { return s.floats() && !s.angle; })) {
     list.emplace_back(
         "In statics the moment about each hinge of roller forces, weight, buoyancy, springs and the current's drag on "
-        "all "
-        "that turns about "
-        "it is zero, or a stop carries the rest as a moment. The equilibrium is the one reached from where the stinger "
+        "all that turns about it is zero, or a stop carries the rest as a moment. The equilibrium is the one reached "
+        "from where the stinger "
         "is drawn; sensitivities hold the stinger where it rests.");
   }
   if (any(sections, [](const Described& s) { return s.body.has_value(); })) {

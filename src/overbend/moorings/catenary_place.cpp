@@ -35,7 +35,7 @@ struct Hung {
 
 /// From the start of a span to an unstressed length within it.
 Hung hung_at(const CatenaryLine& line, const CatenarySpan& span, double length) {
-  Hung hung{span.start, line.pieces[span.from.piece].EA};
+  Hung hung{span.start, line.pieces[std::min(span.from.piece, line.pieces.size() - 1)].EA};
   double at = unstressed(line, span.from);
   for (std::size_t i = span.from.piece; i < line.pieces.size() && at < length; ++i) {
     const double end = length_before(line, i) + line.pieces[i].length;

@@ -203,6 +203,13 @@ MooringFault no_rest(const MooringSpread& spread, const HullAtRest& hull, const 
     if (thrust_is_exhausted(hull, at.forces.thrust)) {
       return "no rest of the hull: dynamic positioning gives all the thrust that it has (station_keeping.dp)";
     }
+    const Vec3& stiffness = hull.station->law.stiffness;
+    for (int i = 0; i < 3 && spread.lines.empty(); ++i) {
+      constexpr std::array<const char*, 3> kNames = {"surge", "sway", "yaw"};
+      if (stiffness[i] > 0.0) continue;
+      return fmt::format("no rest of the hull: nothing holds it in {0}; give station_keeping.dp.{0}",
+                         kNames[static_cast<std::size_t>(i)]);
+    }
     return fmt::format("no rest of the hull was found in {} iterations: unbalanced force {:.1e} of the force scale",
                        at.iterations, at.residual);
   }
