@@ -49,6 +49,11 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
 }
 
+LineTypeDescription in_water(LineTypeDescription type) {
+  type.weight_submerged = submerged_weight(type, 1025.0 * kGravity);
+  return type;
+}
+
 /// BGL-1 without a pipe in calm water, all eight lines of `type`, with what friction they have on the bed.
 Description barge_on(const LineTypeDescription& type, double friction) {
   Description d = testing::coarse_example("moored-barge", 1.0, 0.0);
@@ -80,7 +85,7 @@ void expect_statics_at_start(const Description& d, double share) {
 /// Friction that takes the whole tension before the anchor: what lies slack there is held by the bed and by nothing
 /// else, also where a current would carry it off.
 TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_holds_their_ends) {
-  Description d = barge_on(chain(0.06, ChainLink::studless), 1.0);
+  Description d = barge_on(in_water(chain(0.06, ChainLink::studless)), 1.0);
   expect_statics_at_start(d, 0.01);
   d.environment.current = {{0.0, 0.1, 0.5}, {d.environment.water_depth, 0.1, 0.5}};
   d.vessel.coupled->current = {};
@@ -90,11 +95,11 @@ TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_ho
 
 /// Chain of little friction on the bed, and wire of more that hangs: what lies has that of the chain.
 TEST(mooring_lines, rub_on_the_bed_by_the_friction_of_what_lies_there) {
-  Description d = barge_on(wire_rope(0.076, RopeCore::wire), 0.9);
+  Description d = barge_on(in_water(wire_rope(0.076, RopeCore::wire)), 0.9);
   for (MooringLineDescription& line : d.moorings->lines) {
     LineSegmentDescription chain_end = line.segments.front();
     chain_end.length = 650.0;
-    chain_end.type = chain(0.06, ChainLink::studless);
+    chain_end.type = in_water(chain(0.06, ChainLink::studless));
     chain_end.type.friction = 0.2;
     line.segments.push_back(chain_end);
   }
@@ -103,7 +108,7 @@ TEST(mooring_lines, rub_on_the_bed_by_the_friction_of_what_lies_there) {
 
 /// A rope that gives way by a hundredth, and chain from where it comes near the bed.
 TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
-  Description d = barge_on(chain(0.06, ChainLink::studless), 1.0);
+  Description d = barge_on(in_water(chain(0.06, ChainLink::studless)), 1.0);
   LineTypeDescription rope;
   rope.name = "rope";
   rope.diameter = 0.16;
@@ -118,6 +123,47 @@ TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
     line.segments.push_back(chain_end);
   }
   expect_statics_at_start(d, 0.02);
+}
+
+/// Where rope and chain meet their stretch differs thirtyfold, and a buoy turns the line by its pull: neither may reach
+/// into the long elements beside.
+TEST(mooring_lines, of_taut_rope_between_chains_start_with_the_tensions_of_statics) {
+  Description d = barge_on(in_water(chain(0.06, ChainLink::studlink)), 0.0);
+  LineTypeDescription rope;
+  rope.name = "rope";
+  rope.diameter = 0.16;
+  rope.weight_in_air = 180.0;
+  rope.weight_submerged = 45.0;
+  rope.axial_stiffness = 6e7;
+  d.environment.water_depth = 1000.0;
+  for (MooringLineDescription& line : d.moorings->lines) {
+    line.tension = 8e5;
+    const double ahead = line.anchor_distance.value();
+    LineSegmentDescription end = line.segments.front();
+    line.segments.front().length.reset();
+    end.length = 100.0;
+    line.segments.push_back(end);
+    line.segments.push_back(end);
+    line.segments[1].type = rope;
+    line.segments[1].length = 0.9 * std::hypot(ahead, d.environment.water_depth);
+  }
+  expect_statics_at_start(d, 5e-4);
+}
+
+TEST(mooring_lines, with_buoys_start_with_the_tensions_of_statics) {
+  Description d = barge_on(in_water(wire_rope(0.076, RopeCore::wire)), 0.0);
+  for (MooringLineDescription& line : d.moorings->lines) {
+    LinePointDescription buoy;
+    buoy.kind = PointKind::buoy;
+    buoy.at = 300.0;
+    buoy.net_force = 60e3;
+    buoy.mass = 2000.0;
+    buoy.volume = 8.0;
+    line.points.push_back(buoy);
+    line.tension.reset();
+    line.segments.front().length = 1.004 * std::hypot(line.anchor_distance.value(), d.environment.water_depth);
+  }
+  expect_statics_at_start(d, 2e-3);
 }
 
 /// Lines and pipe pull it down by 0.026 m and heel and trim it, in time as in statics: once.

@@ -43,10 +43,33 @@ TEST(cable_line, has_nodes_where_segments_meet_and_at_points) {
   for (const double place : {0.0, 300.0, 512.5, 1000.0}) {
     EXPECT_EQ(std::count(mesh.s.begin(), mesh.s.end(), place), 1) << place;
   }
-  const auto [least, most] = std::minmax_element(mesh.length.begin(), mesh.length.end());
+  std::vector<double> lengths;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    if (!mesh.joint(e)) lengths.push_back(mesh.length[e]);
+  }
+  const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
   EXPECT_GT(*least, 15.0);
   EXPECT_LE(*most, 50.0);
-  EXPECT_LE(mesh.length[static_cast<std::size_t>(mesh.elements()) / 5], 26.0);  // by touchdown
+  EXPECT_LE(lengths[lengths.size() / 5], 26.0);  // by touchdown
+}
+
+TEST(cable_line, has_a_joint_of_the_softer_segment_where_two_meet_and_at_points) {
+  CableParts parts = chain_and_wire();
+  LineMesh mesh = cable_mesh(parts, {});
+  std::vector<std::pair<double, double>> joints;
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    if (mesh.joint(e)) joints.emplace_back(mesh.s[e], mesh.s[e + 1]);
+  }
+  ASSERT_EQ(joints.size(), 2u);
+  EXPECT_DOUBLE_EQ(joints[0].first, 300.0);  // in the wire
+  EXPECT_NEAR(joints[0].second, 300.01, 1e-9);
+  EXPECT_DOUBLE_EQ(joints[1].first, 512.5);
+  std::swap(parts.segments[0].type, parts.segments[1].type);
+  mesh = cable_mesh(parts, {});
+  const std::size_t joint = static_cast<std::size_t>(std::find(mesh.s.begin(), mesh.s.end(), 300.0) - mesh.s.begin());
+  EXPECT_TRUE(mesh.joint(joint - 1));
+  EXPECT_EQ(mesh.section[joint - 1], 0);
+  EXPECT_GT(mesh.shortest_beside(static_cast<int>(joint)), 15.0);
 }
 
 TEST(cable_line, has_a_last_element_as_long_as_its_winch_needs_up_to_the_next_point) {
@@ -57,7 +80,7 @@ TEST(cable_line, has_a_last_element_as_long_as_its_winch_needs_up_to_the_next_po
   EXPECT_LT(usual.length.back(), 120.0);
   EXPECT_GE(longer.length.back(), 120.0);
   EXPECT_LE(longer.length.back(), 120.0 + usual.length.back());
-  EXPECT_EQ(whole.length.back(), 1000.0 - 512.5);  // a clump stands there
+  EXPECT_NEAR(whole.length.back(), 1000.0 - 512.51, 1e-9);  // a clump stands there, and its joint
   EXPECT_EQ(longer.s.back(), usual.s.back());
 }
 

@@ -80,13 +80,15 @@ double sunk(const Line& line, std::size_t element) {
   return std::max(weight, 0.0) / line.environment.bed_stiffness;
 }
 
-/// Where segments meet, both have the node's stretch: that of the stiffer one, which would pull hard with the other's.
-CatenaryPlace stiffer_place(const MooredLine& moored, const CatenarySolution& solution, double length) {
+/// At a node. Where segments meet, or at a weight, stretch and direction are those of the longer of its elements: the
+/// other is the joint between them.
+CatenaryPlace place_of_node(const MooredLine& moored, const CatenarySolution& solution, const LineMesh& mesh,
+                            std::size_t node) {
   constexpr double kBeside = 1e-6;  // [m]
-  const CatenaryPlace before = catenary_place(moored.line, solution, std::max(length - kBeside, 0.0));
-  const CatenaryPlace after = catenary_place(moored.line, solution, std::min(length + kBeside, moored.line.length()));
-  const auto stretch = [](const CatenaryPlace& at) { return std::hypot(at.along, at.upwards); };
-  return stretch(before) < stretch(after) ? before : after;
+  const std::size_t last = mesh.length.size() - 1;
+  const bool ahead = node == 0 || (node <= last && mesh.length[node] > mesh.length[node - 1]);
+  const double length = moored.line.length(), beside = mesh.s[node] + (ahead ? kBeside : -kBeside);
+  return catenary_place(moored.line, solution, std::clamp(length - beside, 0.0, length));
 }
 
 /// The catenary of statics in the line's vertical plane; what lies has sunk into the bed, wherever that is: without
@@ -94,10 +96,9 @@ CatenaryPlace stiffer_place(const MooredLine& moored, const CatenarySolution& so
 std::vector<double> catenary_nodes(const MooringSpread& spread, const MooredLine& moored, const Vec3& fairlead_W,
                                    const CatenarySolution& solution, const Line& line) {
   const Vec3 towards = line_direction(moored, fairlead_W).direction_W;
-  const double length = moored.line.length();
   std::vector<double> q;
   for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
-    const CatenaryPlace at = stiffer_place(moored, solution, length - line.mesh.s[node]);
+    const CatenaryPlace at = place_of_node(moored, solution, line.mesh, node);
     Vec3 r = Vec3(fairlead_W.x(), fairlead_W.y(), at.z) + at.x * towards;
     const double bed = spread.bed.height(r.x(), r.y());
     if (at.lies || r.z() < bed) r.z() = bed - (at.lies ? sunk(line, std::min(node, line.mesh.length.size() - 1)) : 0.0);

@@ -11,23 +11,8 @@ namespace {
 
 constexpr double kBedSink = 0.01;       ///< A cable sinks into the bed by this at most [m].
 constexpr double kClosestNodes = 1e-3;  ///< Places that share a node, of the length.
+constexpr double kJoint = 1e-5;         ///< Length of the element at a joint, of the whole length.
 constexpr double kLongestShare = 1.0 / 20.0, kShortestShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
-
-/// Ends of segments and places of points, rising, the end last.
-std::vector<double> fixed_places(const CableParts& parts) {
-  std::vector<double> places;
-  double at = 0.0;
-  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
-  for (const LinePointDescription& point : parts.points) places.push_back(point.at);
-  std::sort(places.begin(), places.end());
-  const double end = at, closest = kClosestNodes * end;
-  std::vector<double> fixed;
-  for (const double place : places) {
-    if (place > (fixed.empty() ? 0.0 : fixed.back()) + closest && place < end - closest) fixed.push_back(place);
-  }
-  fixed.push_back(end);
-  return fixed;
-}
 
 int segment_at(const CableParts& parts, double s) {
   double end = 0.0;
@@ -36,6 +21,32 @@ int segment_at(const CableParts& parts, double s) {
     if (s < end) return static_cast<int>(i);
   }
   return static_cast<int>(parts.segments.size()) - 1;
+}
+
+/// Ends of segments and places of points, rising, the end of the line last. Neighbouring elements share the tangent of
+/// their node. A tiny one beside each place takes up the angle that a weight makes there, and the step of the stretch
+/// where the stiffness changes: on the softer side, which takes the stretch of the other with the smaller force.
+std::vector<double> fixed_places(const CableParts& parts) {
+  std::vector<double> places;
+  double at = 0.0;
+  for (const LineSegmentDescription& segment : parts.segments) places.push_back(at += segment.length.value());
+  for (const LinePointDescription& point : parts.points) places.push_back(point.at);
+  std::sort(places.begin(), places.end());
+  const double end = at, closest = kClosestNodes * end, joint = kJoint * end;
+  const auto stiffness = [&](double s) {
+    return parts.segments[static_cast<std::size_t>(segment_at(parts, s))].type.axial_stiffness;
+  };
+  std::vector<double> fixed;
+  for (const double place : places) {
+    if (place <= (fixed.empty() ? 0.0 : fixed.back()) + closest || place >= end - closest) continue;
+    if (stiffness(place - joint) < stiffness(place + joint)) {
+      fixed.insert(fixed.end(), {place - joint, place});
+    } else {
+      fixed.insert(fixed.end(), {place, place + joint});
+    }
+  }
+  fixed.push_back(end);
+  return fixed;
 }
 
 int nearest_node(const LineMesh& mesh, double s) {

@@ -26,8 +26,9 @@ struct CableMesh {
 };
 
 /// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown;
-/// nodes on the ends of segments and at points. Some 20 to 30 elements give tension within 0.01 % and stiffness within
-/// 0.05 % of the elastic catenary, more of them nothing that the bed's stiffness would not hide.
+/// nodes on the ends of segments and at points, a joint of a hundred-thousandth behind each. Some 20 to 30 elements
+/// give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary, more of them nothing that the bed's
+/// stiffness would not hide.
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
 
 /// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says

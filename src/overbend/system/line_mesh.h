@@ -21,10 +21,18 @@ struct LineMesh {
   int nodes() const { return static_cast<int>(s.size()); }
   int elements() const { return static_cast<int>(length.size()); }
   double total_length() const { return s.back(); }
-  /// Of the elements beside a node [m].
+  /// Whether an element is there as a hinge alone: far shorter than those beside it.
+  bool joint(std::size_t element) const {
+    constexpr double kFar = 0.02;
+    if (element == 0 || element + 1 >= length.size()) return false;
+    return length[element] < kFar * std::min(length[element - 1], length[element + 1]);
+  }
+  /// Of the elements beside a node, joints apart [m].
   double shortest_beside(int node) const {
     const std::size_t i = static_cast<std::size_t>(node), last = length.size() - 1;
-    return std::min(length[i > 0 ? i - 1 : 0], length[std::min(i, last)]);
+    const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i, last);
+    if (joint(before)) return length[after];
+    return joint(after) ? length[before] : std::min(length[before], length[after]);
   }
 };
 
