@@ -231,6 +231,33 @@ TEST(run_checks, what_lies_outside_a_formula_is_neither_passed_nor_failed) {
   EXPECT_NE(worst->status, CheckStatus::outside_validity);
 }
 
+/// The first 30 m from the tensioner, all over the ramp, of other steel.
+CheckTable with_segment(const std::function<void(SteelDescription&)>& change) {
+  return checks_with([&](Description& d) {
+    d.pipe.segments = {{"segment", 30.0, d.pipe.section}};
+    change(d.pipe.segments.front().section.steel);
+  });
+}
+
+TEST(run_checks, a_segment_that_a_formula_does_not_hold_for_takes_its_region_out_of_validity) {
+  const CheckTable table = with_segment([](SteelDescription& steel) { steel.wall_thickness = 0.0075; });  // D/t 54
+  for (const char* id : {"dnv_displacement_controlled", "dnv_load_controlled", "api_bending_pressure"}) {
+    EXPECT_EQ(row_of(table, id, CheckRegion::overbend).status, CheckStatus::outside_validity) << id;
+  }
+  EXPECT_EQ(row_of(table, "dnv_propagation", CheckRegion::line).status, CheckStatus::outside_validity);
+  for (const char* id : {"dnv_load_controlled", "api_bending_pressure"}) {
+    EXPECT_TRUE(row_of(table, id, CheckRegion::sagbend).judged()) << id;
+  }
+}
+
+TEST(run_checks, a_segment_without_tensile_strength_leaves_its_region_unchecked_and_the_row_says_why) {
+  const CheckTable table = with_segment([](SteelDescription& steel) { steel.yield_stress = 430e6; });
+  const CheckRow& row = row_of(table, "dnv_load_controlled", CheckRegion::overbend);
+  EXPECT_EQ(row.status, CheckStatus::not_done);
+  EXPECT_EQ(row.remark, "tensile strength not given");
+  EXPECT_TRUE(row_of(table, "dnv_load_controlled", CheckRegion::sagbend).judged());
+}
+
 TEST(run_checks, a_large_effective_force_is_outside_validity) {
   StaticResults pulled = bgl1().statics;
   for (Station& station : pulled.stations) station.effective_tension = 2.5e6;  // 0.4 S_p is 2.2 MN

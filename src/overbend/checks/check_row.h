@@ -84,6 +84,14 @@ const CheckStation* most_used(const CheckStations& all, CheckRegion region, Used
   return worst;
 }
 
+/// Whether any pipe of a region is of a section for which `of_section` is true.
+template <class OfSection>
+bool any_section(const CheckStations& all, CheckRegion region, OfSection of_section) {
+  return std::any_of(all.stations.begin(), all.stations.end(), [&](const CheckStation& station) {
+    return counts_in(station, region) && of_section(all.section_of(station));
+  });
+}
+
 inline constexpr std::array<CheckRegion, 5> kPipeRegions = {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip,
                                                             CheckRegion::sagbend, CheckRegion::seabed};
 

@@ -53,8 +53,10 @@ CheckRow propagation_row(const CheckStations& all) {
   row.inputs = {{"p_pr(t2)", "propagation pressure", section.propagation, "Pa"},
                 {"t2", "wall", section.wall.thickness, "m"},
                 {"gamma_m gamma_SC", "resistance factors", section.factor, "1"}};
-  const double slenderness = section.wall.slenderness();
-  if (slenderness <= 15.0 || slenderness >= 45.0) {
+  const auto beyond = [](const CheckSection& s) {
+    return s.wall.slenderness() <= 15.0 || s.wall.slenderness() >= 45.0;
+  };
+  if (any_section(all, CheckRegion::line, beyond)) {
     outside(row, "valid for 15 < D/t2 < 45");
   } else if (row.status == CheckStatus::exceeded) {
     row.remark = "a buckle would propagate: buckle arrestors are needed";
@@ -105,7 +107,9 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
   row.governing = region != CheckRegion::overbend;
   const CheckStation* at = most_used(all, region, [](const CheckStation& station) { return station.load.value; });
   const CheckSection& section = all.section_of(*at);
-  if (!section.load.known) return not_done(row, "tensile strength not given");
+  if (any_section(all, region, [](const CheckSection& s) { return !s.load.known; })) {
+    return not_done(row, "tensile strength not given");
+  }
   const LoadTerms terms =
       load_terms(section.load, at->design_moment, at->design_force, at->load_pressure, 0.0, at->share);
   place_row(row, *at);
@@ -124,6 +128,8 @@ CheckRow load_row(const CheckStations& all, CheckRegion region) {
   return row;
 }
 
+constexpr const char* kBendHolds = "valid for D/t2 < 45";
+
 CheckRow bend_row(const CheckStations& all) {
   CheckRow row = row_of(kBend, CheckRegion::overbend);
   const CheckStation* at =
@@ -138,7 +144,7 @@ CheckRow bend_row(const CheckStations& all) {
                 {"p_e - p_i", "external minus internal pressure", at->bend_pressure, "Pa"},
                 {"p_c(t2)", "collapse pressure", section.collapse, "Pa"}};
   if (!section.strain.holds) {
-    outside(row, "valid for D/t2 < 45");
+    outside(row, kBendHolds);
     return row;
   }
   if (all.in_time) time_row(row, at->bend.time);
@@ -149,6 +155,9 @@ CheckRow bend_row(const CheckStations& all) {
   row.capacity =
       raised * std::pow(std::max(0.0, 1.0 - terms.pressure), 1.0 / terms.exponent) / section.strain.strain_factor;
   judge(row);
+  if (any_section(all, CheckRegion::overbend, [](const CheckSection& s) { return !s.strain.holds; })) {
+    outside(row, kBendHolds);
+  }
   return row;
 }
 
