@@ -348,6 +348,19 @@ TEST(run_checks, internal_pressure_raises_the_strain_capacity_that_is_told) {
   EXPECT_NEAR(input(full, "eps_c") / full.capacity, strain_safety_factor(SafetyClass::low), 1e-12);
 }
 
+TEST(run_checks, a_vacuum_inside_adds_to_the_pressure_of_the_water) {
+  const auto overpressure = [](double pressure, double contents) {
+    const CheckTable table = checks_with([&](Description& d) {
+      d.pipe.section.internal_pressure = pressure;
+      d.pipe.section.contents_weight_density = contents;
+    });
+    return row_of(table, "dnv_collapse", CheckRegion::line).demand;
+  };
+  const double empty = overpressure(0.0, 0.0);
+  EXPECT_NEAR(overpressure(-1e5, 0.0), empty + 1e5, 1e-6 * empty);
+  EXPECT_NEAR(overpressure(0.0, 10.05e3), 0.0, 1e-6 * empty);  // water inside and out, and no suction above it
+}
+
 TEST(run_checks, an_arrestor_is_judged_by_its_cross_over) {
   const CheckTable table = checks_with([](Description& d) { d.checks.arrestor = ArrestorSettings{8e6, 0.5}; });
   const CheckRow& row = row_of(table, "dnv_crossover", CheckRegion::line);

@@ -10,8 +10,7 @@ namespace overbend {
 namespace {
 
 double overpressure_at(const Model& model, const Section& section, double z) {
-  const double internal = section.internal_pressure - section.contents_weight_density * z;
-  return model.water_weight_density * std::max(-z, 0.0) - std::max(internal, 0.0);
+  return model.water_weight_density * std::max(-z, 0.0) - pressure_on_bore(section, z);
 }
 
 CheckStation station_of(const Model& model, const Regions& limits, double total, double s, const Vec3& p_W) {

@@ -1,6 +1,7 @@
 /// Cross-section of the pipe: what follows from steel, coatings and joint pattern.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -46,6 +47,15 @@ struct Section {
   double outer_radius() const { return 0.5 * outer_diameter; }
   double mass() const { return weight_in_air / kGravity; }  ///< [kg/m]
 };
+
+/// What the code checks count inside at least: a vacuum where one is given; contents do not suck above the water [Pa].
+inline double least_pressure_on_bore(const Section& section) {
+  return std::min(section.internal_pressure, 0.0);
+}
+/// Internal pressure of the code checks at a height [Pa].
+inline double pressure_on_bore(const Section& section, double z) {
+  return std::max(section.internal_pressure - section.contents_weight_density * z, least_pressure_on_bore(section));
+}
 
 /// Section properties from the layers. EA and EI are of the steel alone; the field-joint infill replaces the outermost
 /// coating over part of the joint ([silva2009] table 4); buoyancy acts on the outermost diameter.

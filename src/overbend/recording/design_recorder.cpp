@@ -83,9 +83,10 @@ void DesignRecorder::find_overpressure(const DesignInstant& at) {
   for (const SectionRun& run : runs_) {
     const Section& section = model_->sections[run.section];
     const double at_zero = section.internal_pressure, by_height = section.contents_weight_density;
+    const double least = least_pressure_on_bore(section);
 #pragma GCC ivdep
     for (std::size_t node = run.first; node < run.last; ++node) {
-      over[node] = external[node] - std::max(at_zero - by_height * z[node], 0.0);
+      over[node] = external[node] - std::max(at_zero - by_height * z[node], least);
     }
   }
 }
