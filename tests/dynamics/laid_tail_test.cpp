@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "support/bgl1_in_time.h"
 #include "support/memory_sink.h"
@@ -25,6 +26,33 @@ TEST(laid_tail, carries_the_line_on_straight_along_the_bed) {
     EXPECT_NEAR(longer.state.q[6 * i + 2], c.start.state.q[2], 1e-9);  // as deep in the level bed
     EXPECT_GT(longer.mesh.s[i + 1], longer.mesh.s[i]);
   }
+}
+
+/// Bed that falls or rises astern of a barge in calm water.
+Description sloping(double slope, double towards) {
+  Description d = workable();
+  d.environment.waves.type = WaveType::none;
+  d.environment.current.clear();
+  d.vessel.motion = VesselMotion::fixed;
+  d.environment.seabed.slope = slope;
+  d.environment.seabed.slope_towards = towards;
+  return d;
+}
+constexpr double kAstern = 1.5 * std::numbers::pi, kAhead = 0.5 * std::numbers::pi;  // the barge heads east
+
+TEST(laid_tail, keeps_a_line_at_rest_on_a_slope_at_rest) {
+  const TimedLay c(sloping(0.07, kAstern));
+  EmptySink sink;
+  const DynamicResults run = c.results(sink);
+  EXPECT_LT(run.top_tension.max - run.top_tension.min, 2.0);  // of 250 kN
+}
+
+TEST(laid_tail, ends_before_a_bed_that_rises_takes_it_out_of_the_water) {
+  const TimedLay c(sloping(0.1, kAhead));
+  const StaticSolution longer = with_laid_tail(c.model, c.start, c.statics.top_tension, 1.0);
+  EXPECT_LT(longer.mesh.s.front(), -100.0);
+  EXPECT_GT(longer.mesh.s.front(), -0.9 * tail_to_hold(c.model, c.statics.top_tension));
+  EXPECT_LT(longer.state.q[2], 0.0);
 }
 
 TEST(laid_tail, is_not_added_where_the_anchor_is_real_or_nothing_holds_the_pipe) {

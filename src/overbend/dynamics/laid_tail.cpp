@@ -24,6 +24,19 @@ std::vector<double> added_lengths(double first, double total) {
   return lengths;
 }
 
+/// By how much the stretch of a pipe at rest grows per metre of a bed that rises by `rise` [1/m]: higher up water and
+/// contents press less on it, and the tension changes by what of its weight the bed's friction does not hold.
+double growth_of_stretch(const Model& model, int section, double rise) {
+  const Section& pipe = model.sections[static_cast<std::size_t>(section)];
+  const double pressed =
+      model.water_weight_density * pipe.pressure_area - pipe.contents_weight_density * pipe.internal_area;
+  const double pull = pipe.weight_submerged * rise;
+  const double limit =
+      model.seabed.friction_axial * pipe.weight_submerged * std::cos(model.description.environment.seabed.slope);
+  const double slides = pull - std::clamp(pull, -limit, limit);
+  return ((1.0 - 2.0 * pipe.poissons_ratio) * pressed * rise + slides) / pipe.EA;
+}
+
 template <class Value>
 void prepend(std::vector<Value>& values, const std::vector<Value>& before) {
   values.insert(values.begin(), before.begin(), before.end());
@@ -42,18 +55,23 @@ StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution
   if (shaped || model.description.pipe.length || !std::isfinite(wanted)) {
     return solution;
   }
-  const std::vector<double> added = added_lengths(solution.mesh.length.front(), reach * std::min(wanted, kLongestTail));
-  const Vec3 r(Eigen::Map<const Vec3>(solution.state.q.data()));
-  const Vec3 t(Eigen::Map<const Vec3>(solution.state.q.data() + 3));
+  Vec3 place(Eigen::Map<const Vec3>(solution.state.q.data()));
+  const Vec3 end(Eigen::Map<const Vec3>(solution.state.q.data() + 3)), away = -end.normalized();
+  const double dry = -model.sections.front().outer_radius();
   LineMesh before;
   std::vector<double> q;
-  double s = 0.0;
-  for (const double h : added) {
+  double s = 0.0, stretched = end.norm();
+  for (const double h : added_lengths(solution.mesh.length.front(), reach * std::min(wanted, kLongestTail))) {
+    if (away.z() > 0.0 && place.z() + h * stretched * away.z() > dry) break;  // a bed that rises out of the water
     s -= h;
-    const Vec3 place = r + s * t;
+    const int section = model.section_at(solution.mesh.total_length() - (s + 0.5 * h));
+    const double last = stretched;
+    stretched += h * growth_of_stretch(model, section, away.z());
+    place += 0.5 * h * (last + stretched) * away;
+    const Vec3 t = -stretched * away;
     before.s.insert(before.s.begin(), s);
     before.length.insert(before.length.begin(), h);
-    before.section.insert(before.section.begin(), model.section_at(solution.mesh.total_length() - (s + 0.5 * h)));
+    before.section.insert(before.section.begin(), section);
     q.insert(q.begin(), {place.x(), place.y(), place.z(), t.x(), t.y(), t.z()});
   }
   StaticSolution longer = solution;
@@ -63,7 +81,7 @@ StaticSolution with_laid_tail(const Model& model, const StaticSolution& solution
   prepend(longer.state.q, q);
   if (!longer.state.low.empty()) prepend(longer.state.low, std::vector<double>(q.size(), 0.0));
   if (!longer.bending.empty()) {
-    prepend(longer.bending, std::vector<BendingMemory>(kGaussPoints * added.size(), solution.bending.front()));
+    prepend(longer.bending, std::vector<BendingMemory>(kGaussPoints * before.s.size(), solution.bending.front()));
   }
   return longer;
 }
