@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "modelfile/yaml_reader.h"
+#include "statics/moored_lay.h"
 #include "statics/recovery.h"
 #include "study/static_run.h"
 #include "support/lay_over_bottom_rollers.h"
@@ -159,6 +160,23 @@ TEST(statics, length_and_anchor_give_back_the_tension_that_needs_them) {
   // mesh more.
   EXPECT_NEAR(found.top_tension, 250e3, 250.0);
   EXPECT_NEAR(found.lay_back, given.lay_back, 0.5);
+}
+
+TEST(statics, steel_that_yields_bends_alike_whether_its_tension_is_given_or_follows) {
+  Description d = reference_bgl1();
+  d.tensioner.tension = 600e3;  // takes a tenth of the plastic moment
+  d.pipe.section.steel.yield_stress = 240e6;
+  d.pipe.section.steel.material.law = MaterialLaw::bilinear;
+  Model pulled = build_model(d);
+  const StaticResults given = recover_statics(pulled, *solve_lay(pulled).solution);
+  d.tensioner.tension.reset();
+  d.pipe.length = given.total_length;
+  d.pipe.anchor = given.stations.front().astern;
+  Model anchored = build_model(d);
+  const StaticResults found = recover_statics(anchored, *solve_lay(anchored).solution);
+  EXPECT_NEAR(found.top_tension, 600e3, 600.0);
+  EXPECT_NEAR(found.overbend->bending_moment.value, given.overbend->bending_moment.value, 1e3);
+  EXPECT_NEAR(found.overbend->strain.value, given.overbend->strain.value, 0.02 * given.overbend->strain.value);
 }
 
 TEST(statics, the_hanging_weight_is_what_the_tension_loses_on_the_way_down) {

@@ -128,6 +128,7 @@ struct TensionerDescription {
   double velocity = 0.0;               ///< Response velocity [m/s].
   std::optional<double> acceleration;  ///< Response acceleration [m/s2].
   std::optional<double> travel;        ///< Displacement limit either way [m].
+  double found = 0.0;  ///< Where no tension is wanted: the last one found, see bend_under(); no key [N].
 };
 
 struct BottomRollerDescription {

@@ -141,11 +141,12 @@ void resolve_joints(Model& model) {
   }
 }
 
-/// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension less the
-/// weight below the tensioner. Water pressure acts from outside.
+/// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension, or the one
+/// found, less the weight below the tensioner. Water pressure acts from outside.
 std::vector<LevelLoads> wall_levels(const Model& model, const Section& section, double top_z) {
   const double depth = model.description.environment.water_depth;
-  const double tension = model.description.tensioner.tension.value_or(0.0);
+  const TensionerDescription& tensioner = model.description.tensioner;
+  const double tension = tensioner.tension.value_or(tensioner.found);
   std::vector<LevelLoads> levels;
   for (const double z : {-depth, -0.5 * depth, 0.0, std::max(top_z, 1.0)}) {
     const double above = std::max(top_z, 0.0) - std::max(z, 0.0);
@@ -270,6 +271,21 @@ Model build_model(const Description& description) {
                   bed.stiffness, bed.friction_axial, bed.friction_lateral};
   model.current = resolve_current(description.environment.current);
   return model;
+}
+
+bool bend_under(Model& model, double tension) {
+  constexpr double kSame = 1e-3;  // of the tension: worth 1e-6 of the plastic moment
+  TensionerDescription& tensioner = model.description.tensioner;
+  const auto by_wall = [](const SectionDescription& section) {
+    const MaterialLaw law = section.steel.material.law;
+    return law == MaterialLaw::ramberg_osgood || law == MaterialLaw::bilinear || law == MaterialLaw::stress_strain;
+  };
+  if (tensioner.tension || std::ranges::none_of(model.described, by_wall)) return false;
+  if (std::abs(tension - tensioner.found) <= kSame * std::abs(tension)) return false;
+  tensioner.found = tension;
+  const Model again = build_model(model.description);
+  for (std::size_t i = 0; i < model.sections.size(); ++i) model.sections[i].bending = again.sections[i].bending;
+  return true;
 }
 
 Model::Model() = default;

@@ -77,6 +77,10 @@ struct Model {
 /// Resolves frames and derives properties. The description has been validated by the reader.
 Model build_model(const Description& description);
 
+/// Where no tension is wanted and the moments of the steel hang on it: makes them anew for the tension found at the
+/// tensioner [N]. Whether it is another than the one that they were made for.
+bool bend_under(Model& model, double tension);
+
 /// Turns a point or a direction of the ramp/stinger frame S into W.
 Vec3 point_from_ramp(const Model& model, const VesselPose& pose, const Vec3& p_S);
 Vec3 direction_from_ramp(const VesselPose& pose, const Vec3& d_S);

@@ -7,13 +7,15 @@
 #include "statics/hull_account.h"
 #include "statics/moored_statics.h"
 #include "statics/pipe_on_hull.h"
+#include "statics/recovery.h"
 #include "statics/stinger_rest.h"
 
 namespace overbend {
 namespace {
 
 constexpr int kMostTurns = 40;
-constexpr double kStill = 1e-7;  ///< Of the ends of the hull, from one turn to the next [m].
+constexpr int kMostTensions = 10;  ///< By which steel that yields is bent in turn, where the tension is a result.
+constexpr double kStill = 1e-7;    ///< Of the ends of the hull, from one turn to the next [m].
 
 HullPlace place_of(const VesselPose& pose) {
   return {pose.p_WV, pose.R_WV};
@@ -75,7 +77,10 @@ LayOutcome solve_moored_hull(Model& model) {
   return solved(model, std::move(start), moored, {});
 }
 
-LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
+namespace {
+
+/// With the moments of the steel as they are.
+LayOutcome solve_bent(Model& model, const StaticSolution* start, const LinePast& past) {
   model.mean_pose = model.drawn_pose;
   if (!is_moored_lay(model.description)) {
     StaticOutcome pipe = rest_with_stinger(model, start, past);
@@ -116,6 +121,19 @@ LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& 
       {"pipe and moored hull do not come to rest together", "the vessel",
        "the pipe changes its pull with the vessel's place more than what keeps the vessel there: give mooring lines "
        "more tension, or dynamic positioning more stiffness"});
+}
+
+}  // namespace
+
+LayOutcome solve_lay(Model& model, const StaticSolution* start, const LinePast& past) {
+  LayOutcome lay = solve_bent(model, start, past);
+  if (model.description.tensioner.tension) return lay;
+  for (int turn = 0; turn < kMostTensions && lay.solution; ++turn) {
+    if (!bend_under(model, recover_state(model, *lay.solution).top_tension)) break;
+    const StaticSolution before = std::move(*lay.solution);
+    lay = solve_bent(model, &before, past);
+  }
+  return lay;
 }
 
 }  // namespace overbend

@@ -28,6 +28,8 @@ LayOutcome solve_moored_hull(Model& model);
 /// is a new place for the pipe's supports, until nothing moves. The hull's restoring is stiff beside the change of that
 /// load with the pose, so that a few turns do; it does not fail where the pipe on a held vessel does not. `start`
 /// and `past` as for solve_statics.
+///
+/// Where the tension is a result, steel that yields is bent by the tension found before, until that stays.
 LayOutcome solve_lay(Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
 
 }  // namespace overbend
