@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "base/units.h"
 #include "model/description_words.h"
 #include "model/moment_curve.h"
@@ -46,6 +49,20 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
   }
 }
 
+/// Whether the file gives a key, right or wrong; a default is not given.
+bool gives(const FieldValue& group, const char* key) {
+  const FieldValue* value = group.find(key);
+  return value != nullptr ? value->given : group.mentions(key);
+}
+bool gives_law(const FieldValue& material) {
+  return gives(material, "law");
+}
+bool describes(const FieldValue& material) {
+  constexpr std::array kNumbers = {"moment_coefficient", "moment_exponent", "hardening_exponent", "yield_strain",
+                                   "hardening_modulus",  "stress_strain",   "moment_curvature"};
+  return std::ranges::any_of(kNumbers, [&](const char* key) { return gives(material, key); });
+}
+
 void check_material(Checker& check, const FieldValue& section, const FieldValue& pipe) {
   const FieldValue* material = section.find("steel.material");
   if (material == nullptr || !material->given) return;
@@ -62,6 +79,9 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
   const std::vector<FieldValue>& moment_curvature = Checker::items(*material, "moment_curvature");
   const bool exponent = mentions("hardening_exponent"), curve = mentions("stress_strain");
   const bool a = mentions("moment_coefficient"), b = mentions("moment_exponent");
+  if (!gives_law(*material) && !(line != nullptr && gives_law(*line)) && describes(*material)) {
+    check.missing(*material, "law", "the law that these numbers belong to", "without one the steel is linear");
+  }
   if (law == MaterialLaw::ramberg_osgood && !exponent) {
     check.missing(*material, "hardening_exponent", "the exponent n of the stress-strain law, often 15 to 25");
   }
