@@ -293,6 +293,14 @@ TEST(yaml_reader, unusual_values_are_taken_with_a_warning) {
   EXPECT_NE(d.warnings[0].find("pipe.steel.yield_stress"), std::string::npos);
 }
 
+TEST(yaml_reader, a_tensile_strength_that_no_steel_has_is_warned_of) {
+  std::string text = kGoodModel;
+  text.replace(text.find("414 MPa"), 7, "414 MPa\n    tensile_strength: 517 GPa");
+  const Description d = read_good(text);
+  ASSERT_FALSE(d.warnings.empty());
+  EXPECT_NE(d.warnings[0].find("pipe.steel.tensile_strength"), std::string::npos);
+}
+
 TEST(yaml_reader, what_is_no_model_file_is_told_plainly) {
   const auto complaint = [](const ModelReading& reading) {
     EXPECT_FALSE(reading.description.has_value());
