@@ -132,6 +132,8 @@ const std::vector<Spoiling>& bad_corpus() {
        false},
       {"tension_and_length_and_anchor", "  hydrodynamics:", "  anchor: 900 m\n  length: 1 km\n  hydrodynamics:",
        "length: 1 km", "pipe.length", "two of the three", false},
+      {"anchor_beside_tension", "  hydrodynamics:", "  anchor: 900 m\n  hydrodynamics:", "anchor: 900 m", "pipe.anchor",
+       "beside tensioner.tension", false},
       {"segments_longer_than_line",
        "  hydrodynamics:", "  length: 20 m\n  hydrodynamics:", "segments:", "pipe.segments", "24 m together", false},
       {"range_reversed", "[240 kN, 260 kN]", "[260 kN, 240 kN]", "", "tensioner.range", "lower tension first", false},

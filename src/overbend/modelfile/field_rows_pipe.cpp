@@ -339,7 +339,8 @@ std::vector<Field> pipe() {
              {.path = "pipe.anchor",
               .member = fills(&PipeDescription::anchor),
               .kind = FieldKind::quantity,
-              .text = "Horizontal distance of the anchor astern of the stern shoe.",
+              .text = "Horizontal distance of the anchor astern of the stern shoe, with pipe.length in place of "
+                      "tensioner.tension.",
               .unit = "m",
               .show = "m",
               .fallback_text = "far enough behind touchdown",

@@ -114,8 +114,14 @@ void check_tension(Checker& check) {
                   "or give pipe.length and pipe.anchor, from which the tension follows");
   }
   if (tension && length != nullptr && anchor != nullptr) {
-    check.error(*length, "a length, an anchor and a tension", "two of the three; the third follows",
-                "omit pipe.length, pipe.anchor or tensioner.tension");
+    check.error(*length, "a length, an anchor and a tension",
+                "two of the three: a length and a tension, or a length and an anchor",
+                "omit pipe.anchor or tensioner.tension");
+  }
+  if (tension && anchor != nullptr && !pipe->mentions("length")) {
+    check.error(*anchor, "an anchor's distance beside tensioner.tension",
+                "pipe.length beside the tension, or pipe.length and pipe.anchor in its place",
+                "with a tension alone the line ends where the program takes it to");
   }
 }
 
