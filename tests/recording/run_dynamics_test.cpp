@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "checks/check_station.h"
 #include "modelfile/yaml_reader.h"
 #include "numerics/running_quantiles.h"
 #include "recording/dynamic_stations.h"
@@ -101,6 +102,49 @@ TEST(dynamics, at_a_change_of_section_stresses_are_those_of_the_softer_side) {
     ++ends;
     const double by_hand = r.bending_moment.max[i] * 0.5 * pipe.steel_diameter / pipe.second_moment;
     EXPECT_NEAR(r.bending_stress.max[i], by_hand, 1e-9 * by_hand) << from_top;
+  }
+  EXPECT_EQ(ends, 2);
+}
+
+TEST(dynamics, a_built_in_structure_is_in_no_maximum_and_the_pipe_at_its_ends_is) {
+  Description d = workable();
+  d.environment.waves.type = WaveType::none;
+  d.vessel.motion = VesselMotion::fixed;
+  StructureDescription tee;
+  tee.name = "tee";
+  tee.at = 150.0;
+  tee.length = 6.0;
+  tee.weight_in_air = 60e3;
+  tee.weight_submerged = 40e3;
+  tee.bending_stiffness = 5e8;  // nine times the pipe's
+  d.pipe.structures = {tee};
+  const TimedLay c(d);
+  EmptySink sink;
+  const DynamicResults run = c.results(sink);
+  const RegionResult& rest = c.statics.sagbend;
+  EXPECT_GT(c.statics.structures.at(0).bending_moment, 1.02 * rest.bending_moment.value);
+  EXPECT_NEAR(run.sagbend.bending_moment.over_time.max, rest.bending_moment.value, 2e-3 * rest.bending_moment.value);
+  EXPECT_NEAR(run.sagbend.von_mises.over_time.max, rest.von_mises.value, 2e-3 * rest.von_mises.value);
+  const auto stress = [](const CheckTable& table) {
+    return std::ranges::find_if(table.rows,
+                                [](const CheckRow& row) {
+                                  return row.id == "dnv_equivalent_stress" && row.region == CheckRegion::sagbend;
+                                })
+        ->utilisation;
+  };
+  EXPECT_NEAR(stress(run.checks), stress(c.statics.checks), 2e-3 * stress(c.statics.checks));
+}
+
+TEST(dynamics, the_checks_at_a_change_of_section_are_of_the_side_whose_stresses_are_told) {
+  const TimedLay c(with_arrestor());
+  EmptySink sink;
+  const DynamicResults run = c.results(sink);
+  const CheckStations all = dynamic_stations(c.model, c.statics, run);
+  int ends = 0;
+  for (const CheckStation& at : all.stations) {
+    if (std::abs(at.from_top - 60.0) > 1e-6 && std::abs(at.from_top - 62.0) > 1e-6) continue;
+    ++ends;
+    EXPECT_EQ(all.section_of(at).wall.thickness, c.model.sections.front().wall_thickness) << at.from_top;
   }
   EXPECT_EQ(ends, 2);
 }

@@ -13,13 +13,14 @@ double overpressure_at(const Model& model, const Section& section, double z) {
   return model.water_weight_density * std::max(-z, 0.0) - pressure_on_bore(section, z);
 }
 
-CheckStation station_of(const Model& model, const Regions& limits, double total, double s, const Vec3& p_W) {
+CheckStation station_of(const Model& model, const Regions& limits, double total, double s, const Vec3& p_W,
+                        std::size_t section) {
   CheckStation station;
   station.s = s;
   station.from_top = total - s;
   station.p_W = p_W;
   station.region = limits.check_of(s);
-  station.section = static_cast<std::size_t>(model.section_at(station.from_top));
+  station.section = section;
   station.overpressure = overpressure_at(model, model.sections[station.section], p_W.z());
   station.load_pressure = station.bend_pressure = station.overpressure;
   return station;
@@ -85,6 +86,14 @@ void factor_static(CheckStation& station, const StillEffects& still, const Check
   }
 }
 
+/// Section that the stresses of a node of a run are told of.
+std::size_t section_of_node(const Model& model, double from_top) {
+  constexpr double kBeside = 1e-6;  // of a node where two sections meet [m]
+  const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
+  const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kBeside));
+  return lower_is_told(model.sections[lower], model.sections[upper]) ? lower : upper;
+}
+
 /// Whether the current's part of the static state counts as environmental load effect.
 bool current_apart(const Model& model, const StaticResults& statics) {
   return model.description.checks.current_load == CurrentLoad::environmental && tells_current(statics);
@@ -112,7 +121,9 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
   for (std::size_t i = 0; i < statics.stations.size(); ++i) {
     const Station& at = statics.stations[i];
     if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
-    CheckStation station = station_of(model, limits, statics.stations.back().s, at.s, at.p_W);
+    const double total = statics.stations.back().s;
+    CheckStation station =
+        station_of(model, limits, total, at.s, at.p_W, static_cast<std::size_t>(model.section_at(total - at.s)));
     station.leaves = i > 0 && limits.leaves(statics.stations[i - 1].s, at.s);
     const CheckSection& section = out.section_of(station);
     if (section.cable) continue;
@@ -140,9 +151,10 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
   const Regions limits = regions(statics);
   const StationDesign& design = dynamics.design;
   for (std::size_t i = 0; i < dynamics.station_s.size(); ++i) {
-    if (model.kind_at(dynamics.station_s.back() - dynamics.station_s[i]) == SectionKind::structure) continue;
-    CheckStation station =
-        station_of(model, limits, dynamics.station_s.back(), dynamics.station_s[i], dynamics.static_place[i]);
+    const double total = dynamics.station_s.back();
+    const std::size_t section = section_of_node(model, total - dynamics.station_s[i]);
+    if (model.sections[section].kind == SectionKind::structure) continue;
+    CheckStation station = station_of(model, limits, total, dynamics.station_s[i], dynamics.static_place[i], section);
     if (out.section_of(station).cable) continue;
     station.leaves = i > 0 && limits.leaves(dynamics.station_s[i - 1], station.s);
     station.moment = dynamics.static_moment[i];

@@ -48,6 +48,15 @@ struct Section {
   double mass() const { return weight_in_air / kGravity; }  ///< [kg/m]
 };
 
+/// Whether stresses where two sections meet are told as those of the lower one: of pipe beside what is built into it,
+/// of two pipes the softer, which bends more; of two that are as stiff that of the lower grade, which bears less.
+inline bool lower_is_told(const Section& lower, const Section& upper) {
+  const auto has_wall = [](const Section& s) { return s.kind == SectionKind::pipe || s.kind == SectionKind::head; };
+  if (!has_wall(lower)) return false;
+  if (!has_wall(upper)) return upper.kind == SectionKind::structure;
+  return lower.EI < upper.EI || (lower.EI == upper.EI && lower.yield_stress < upper.yield_stress);
+}
+
 /// What the code checks count inside at least: a vacuum where one is given; contents do not suck above the water [Pa].
 inline double least_pressure_on_bore(const Section& section) {
   return std::min(section.internal_pressure, 0.0);

@@ -242,10 +242,14 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
   for (std::size_t i = 0; i < kRegionQuantities; ++i) {
     key_.upper[i].now = key_.sagbend[i].now = 0.0;
   }
+  const auto built_in = [&](std::size_t node) {  // no pipe: its stresses are in no maximum
+    const std::size_t section = static_cast<std::size_t>(recovery_.sections()[node]);
+    return model_->sections[section].kind == SectionKind::structure;
+  };
   for (std::size_t node = 0; node < nodes_.x.size(); ++node) {
     const double s = places()[node];
     const Region region = regions.of(s);
-    if (region == Region::seabed) continue;
+    if (region == Region::seabed || built_in(node)) continue;
     RegionPeak* peaks = region == Region::sagbend ? key_.sagbend : key_.upper;
     for (std::size_t i = 0; i < kRegionQuantities; ++i) {
       keep_peak(peaks[i], (*quantity[i])[node], s, time);
@@ -255,6 +259,7 @@ void DynamicRecorder::find_region_peaks(const Regions& regions, double time) {
   const auto after = std::ranges::upper_bound(places(), regions.touchdown);
   if (after == places().begin() || after == places().end()) return;
   const std::size_t upper = static_cast<std::size_t>(after - places().begin()), lower = upper - 1;
+  if (built_in(upper) || built_in(lower)) return;
   const double share = (regions.touchdown - places()[lower]) / (*after - places()[lower]);
   for (std::size_t i = 0; i < kRegionQuantities; ++i) {
     const std::vector<double>& values = *quantity[i];

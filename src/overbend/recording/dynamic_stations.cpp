@@ -34,19 +34,13 @@ double softer_side(const AlignedDoubles& EI, std::size_t node, std::size_t last)
   return node == 0 ? after : std::min(after, EI[node - 1]);
 }
 
-bool has_wall(const Section& section) {
-  return section.kind == SectionKind::pipe || section.kind == SectionKind::head;
-}
-
-/// Section that a node's stresses are those of. Where pipe goes over into pipe it is the softer, which bends more; of
-/// two that are as stiff that of the lower grade, which bears less.
+/// Section that a node's stresses are those of.
 int section_at(const Model& model, const LineMesh& mesh, std::size_t node) {
   const int after = mesh.section[std::min(node, mesh.section.size() - 1)];
   const int before = mesh.section[node == 0 ? 0 : node - 1];
-  const Section& above = model.sections[static_cast<std::size_t>(after)];
-  const Section& below = model.sections[static_cast<std::size_t>(before)];
-  const bool below_is_weaker = below.EI < above.EI || (below.EI == above.EI && below.yield_stress < above.yield_stress);
-  return has_wall(above) && has_wall(below) && below_is_weaker ? before : after;
+  const Section& upper = model.sections[static_cast<std::size_t>(after)];
+  const Section& lower = model.sections[static_cast<std::size_t>(before)];
+  return lower_is_told(lower, upper) ? before : after;
 }
 
 double yielded_at(const BendingMemories& memory, std::size_t node) {
