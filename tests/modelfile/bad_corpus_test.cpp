@@ -97,6 +97,8 @@ const std::vector<Spoiling>& bad_corpus() {
       {"strength_below_yield", "    yield_stress: 414 MPa\n",
        "    yield_stress: 414 MPa\n    tensile_strength: 400 MPa\n", "tensile_strength", "pipe.steel.tensile_strength",
        "at least the yield stress", false},
+      {"joint_in_the_wrong_unit", "joint: {length: 12 m", "joint: {length: 12 mm", "", "pipe.joint.length",
+       "from 0.1 m", false},
       {"field_joint_as_long_as_joint", "field_joint: 0.6 m", "field_joint: 12 m", "", "pipe.joint.field_joint", "12 m",
        false},
       {"draught_above_depth", "draught: 5 m", "draught: 9.5 m", "", "vessel.draught", "9 m", false},

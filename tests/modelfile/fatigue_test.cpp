@@ -65,6 +65,7 @@ TEST(fatigue_keys, every_key_fills_its_member) {
 
 TEST(fatigue_keys, what_cannot_be_meant_is_refused) {
   EXPECT_NE(first_error("fatigue: {weld_time: 0 s, move_time: 0 s}\n").find("no time for a joint"), std::string::npos);
+  EXPECT_NE(first_error("fatigue: {joint: 12.2 mm}\n").find("from 0.1 m"), std::string::npos);  // no endless way
   EXPECT_NE(first_error("fatigue: {spots: [{name: a}, {name: a}]}\n").find("fatigue.spots"), std::string::npos);
   EXPECT_NE(first_error("fatigue: {budget: 0}\n").find("fatigue.budget"), std::string::npos);
   EXPECT_NE(first_error("fatigue: {design_factor: 0.5}\n").find("fatigue.design_factor"), std::string::npos);

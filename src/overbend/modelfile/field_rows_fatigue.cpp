@@ -68,7 +68,7 @@ std::vector<Field> fatigue() {
                 quantity_row("fatigue.move_time", with_default(fills(&FatigueDescription::move_time), kMoveTime),
                              "How long a move takes.", kTime, kNotNegative),
                 otherwise(quantity_row("fatigue.joint", fills(&FatigueDescription::joint), "Length of a move.", kLength,
-                                       {.low = 0.0, .high = 1000.0, .low_open = true}),
+                                       {.low = 0.1, .high = 1000.0}),
                           "length of the pipe's joints, 12.2 m where it has none"),
                 row_of_kind(FieldKind::number, "fatigue.budget", defaults(&FatigueDescription::budget),
                             "Damage that laying may use up, with the design fatigue factor.",

@@ -198,7 +198,7 @@ std::vector<Field> section(const std::string& p) {
        .unit = "m",
        .show = "m",
        .required = true,
-       .range = {.low = 0.0, .high = 1000.0, .low_open = true}},
+       .range = {.low = 0.1, .high = 1000.0}},
       {.path = p + ".joint.field_joint",
        .member = fills(&JointDescription::field_joint),
        .kind = FieldKind::quantity,
