@@ -89,6 +89,33 @@ TEST(motion_parts, a_sum_of_two_sines_is_told_as_its_slow_and_its_wave_part) {
   EXPECT_NEAR(*results.moorings.front().most_probable_utilisation, 0.2 * tension.most_probable_max / 352e3, 1e-12);
 }
 
+TEST(motion_parts, no_distance_and_no_tension_of_a_line_is_told_below_zero) {
+  const testing::TemporaryFolder folder;
+  RunStore store = RunStore::create(folder.path() / "run", "model", 1);
+  store.begin({{"time", "s", "Time"},
+               {"vessel/sway", "m", "To port"},
+               {"vessel/offset", "m", "From the start"},
+               {"mooring/bow/fairlead_tension", "N", "Tension"},
+               {"mooring/bow/anchor_tension", "N", "Tension"}},
+              {0, 0});
+  DynamicResults results = results_of(100.0, 2000.0);
+  for (int i = 0; kStep * i <= 2100.0; ++i) {
+    const double t = kStep * i - 100.0;
+    const double sway = 1.5 * sine(t, 80.0) + 0.9 * sine(t, 10.0);
+    // A line of 20 kN at rest that falls slack, and one end of it that was pushed by 3 N while it did.
+    const double tension = std::max(20e3 + 20e3 * sway, 0.0);
+    const std::array<double, 5> row = {t, sway, std::abs(sway), tension, tension - 3.0};
+    store.row(row);
+  }
+  MooringLineDynamics& line = results.moorings.front();
+  line.anchor_tension.whole.min = -3.0;
+  finish_motions({}, waves_of_ten_seconds(), results, store);
+  EXPECT_LT(results.vessel->sway.most_probable_min, -2.0);
+  EXPECT_EQ(results.vessel->offset.most_probable_min, 0.0);
+  EXPECT_EQ(line.fairlead_tension.most_probable_min, 0.0);
+  EXPECT_EQ(line.anchor_tension.most_probable_min, -3.0);
+}
+
 TEST(motion_parts, the_slow_part_is_a_history_beside_the_others) {
   const testing::TemporaryFolder folder;
   RunStore store = run_of(folder.path() / "run", 100.0, 1000.0);

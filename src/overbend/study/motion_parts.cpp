@@ -91,6 +91,12 @@ class Rows {
   std::size_t first_ = 0;  ///< Row of t = 0.
 };
 
+/// A distance is never below zero, and a line bears no push: what the least of the sum says below that is no value of
+/// the quantity. One that was below zero itself, by a hair of the numbers, stays.
+void keep_from_negative(MotionSpread& out) {
+  out.most_probable_min = std::max(out.most_probable_min, std::min(0.0, out.whole.min));
+}
+
 /// The same from another origin.
 MotionSpread shifted(MotionSpread from, const Spread& whole, double by) {
   for (double* value :
@@ -211,12 +217,15 @@ void finish_motions(const StaticResults& statics, const Description& description
     const bool horizontal = motion == &vessel.surge || motion == &vessel.sway || motion == &vessel.yaw;
     rows.tell(std::string("vessel/") + name, horizontal ? std::string("vessel/slow_") + name : "", *motion);
   }
+  keep_from_negative(vessel.offset);
   vessel.along = shifted(vessel.surge, vessel.along.whole, -vessel.start_surge);
   vessel.across = shifted(vessel.sway, vessel.across.whole, -vessel.start_sway);
   for (MooringLineDynamics& line : results.moorings) {
     const std::string of = "mooring/" + line.name + "/";
     rows.tell(of + "fairlead_tension", of + "slow_fairlead_tension", line.fairlead_tension);
     rows.tell(of + "anchor_tension", "", line.anchor_tension);
+    keep_from_negative(line.fairlead_tension);
+    keep_from_negative(line.anchor_tension);
     const double whole = line.fairlead_tension.whole.max;
     if (line.utilisation && whole > 0.0) {
       line.most_probable_utilisation = *line.utilisation * line.fairlead_tension.most_probable_max / whole;
