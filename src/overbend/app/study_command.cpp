@@ -20,6 +20,7 @@
 #include "modelfile/study_reader.h"
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
+#include "study/study_remarks.h"
 #include "study/whole_study.h"
 
 namespace overbend {
@@ -159,7 +160,7 @@ int run_study_command(const StudyArguments& arguments) {
   const CaseBase base(std::move(*reading.base), std::move(*reading.study));
   const StudyCases cases(base.study());
   if (arguments.watch) return watch_study(base, folder);
-  std::cout << study_head(base, cases) << std::flush;
+  std::cout << study_head(base, cases) << warning_lines(study_remarks(base, cases)) << std::flush;
   try {
     if (!arguments.on.empty() || arguments.resubmit) {
       return submit_study(base, arguments.study_file, folder, {arguments.slurm, arguments.resubmit});

@@ -19,6 +19,7 @@
 #include "runstore/run_record.h"
 #include "runstore/staged_folder.h"
 #include "study/operability_folder.h"
+#include "study/study_remarks.h"
 
 namespace overbend {
 namespace {
@@ -181,7 +182,7 @@ std::vector<StudyOutput> study_outputs(const CaseBase& base) {
 }
 
 void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& folder) {
-  const Json wanted = study_json(base, cases);
+  Json wanted = study_json(base, cases);
   if (const std::optional<Json> there = read_json_object(folder / kStudy)) {
     return refuse_another(*there, wanted, folder);
   }
@@ -192,6 +193,7 @@ void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& f
   }
   fs::create_directories(folder, fault);
   if (fault) throw UnusableFolder("'" + folder.string() + "' cannot be made: " + fault.message());
+  wanted["remarks"] = study_remarks(base, cases);
   try {
     replace_file(folder / kStudy, text_of(wanted));
   } catch (const std::runtime_error& refused) {
@@ -281,6 +283,7 @@ StudyResults read_study(const fs::path& folder) {
     results.version = json->at("version");
     results.analysis = json->at("analysis");
     results.command = study_words(json->at("study"), folder.string());
+    results.warnings = json->value("remarks", std::vector<std::string>());
     for (const Json& input : json->at("inputs")) results.inputs.push_back(input_of(input));
     for (const Json& output : json->at("outputs")) {
       results.outputs.push_back({output.at("name"), output.at("unit"), output.at("text")});
