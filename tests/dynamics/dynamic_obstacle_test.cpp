@@ -44,5 +44,21 @@ TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {
   EXPECT_EQ(obstacle->key, "operation.acceleration_time");
 }
 
+TEST(dynamic_obstacle, lets_a_told_vessel_start_in_full_motion_only_where_statics_leave_it) {
+  Description d = workable();
+  d.dynamics->build_up = 0.0;
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->key, "analysis.dynamic.build_up");
+  EXPECT_NE(obstacle->why.find("the stern shoe leaps by"), std::string::npos) << obstacle->why;
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.harmonic["heave"] = {0.5, 10.0, 0.0};  // passes its mean at t = 0
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.vessel.harmonic["heave"].phase = 0.5;
+  EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d.vessel.motion = VesselMotion::fixed;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+}
+
 }  // namespace
 }  // namespace overbend

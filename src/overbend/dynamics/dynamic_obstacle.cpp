@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "dynamics/dynamics.h"
+#include "mechanics/sea.h"
+#include "mechanics/vessel_motion.h"
 #include "model/station.h"
 #include "statics/moored_statics.h"
 #include "statics/static_obstacle.h"
 
 namespace overbend {
 namespace {
+
+constexpr double kLargestLeap = 1e-3;  ///< Of the stern shoe at t = 0 without build-up [m].
 
 StaticFailure refused(const char* key, std::string what, std::string why) {
   return {std::move(what), "", std::move(why), true, key};
@@ -57,6 +62,28 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
                    "give moorings or station_keeping");
   }
   return std::nullopt;
+}
+
+/// How far the stern shoe is at t = 0 from where it is in statics [m].
+double distance_at_start(const Model& model) {
+  const Description& d = model.description;
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, dynamic_options(model).seed);
+  const Vec3 shoe_V(d.vessel.stern_shoe_x, 0.0, d.vessel.stern_shoe_z);
+  const Vec3 at_rest = model.mean_pose.p_WV + model.mean_pose.R_WV * shoe_V;
+  return (point_motion(vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{}), shoe_V).place - at_rest).norm();
+}
+
+/// A told motion that is there in full at once, away from where statics leave the vessel.
+std::optional<StaticFailure> leap_obstacle(const Model& model) {
+  const Description& d = model.description;
+  if (d.dynamics->build_up > 0.0 || d.vessel.motion == VesselMotion::coupled) return std::nullopt;
+  const double leap = distance_at_start(model);
+  if (leap <= kLargestLeap) return std::nullopt;
+  return refused(
+      "analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",
+      fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it, and strikes "
+                  "what hangs on it; give some wave periods",
+                  leap));
 }
 
 /// A motion that cannot be followed over the whole run.
@@ -113,6 +140,7 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     return refused("environment.waves.spectrum_file", "the sea cannot be generated",
                    "the file " + d.environment.waves.spectrum_file + " could not be read");
   }
+  if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
     return refused("tensioner.range", "the range does not contain tensioner.tension",
