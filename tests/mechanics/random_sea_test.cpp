@@ -42,6 +42,20 @@ TEST(random_sea, the_components_hold_the_variance_exactly) {
   }
 }
 
+TEST(random_sea, without_the_highest_frequencies_the_mean_zero_crossing_period_is_two_per_cent_longer) {
+  // Tz/Tp of the whole JONSWAP spectrum by DNV-RP-C205, 3.5.5.4, for gamma 3.3.
+  constexpr double kGamma = 3.3;
+  const double whole = 0.6673 + kGamma * (0.05037 + kGamma * (-0.006230 + kGamma * 0.0003341));
+  double mean = 0.0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Sea sea = make_sea(jonswap(), 89.0, 0.0, seed);
+    const double period = 2.0 * kPi * std::sqrt(moment(sea, 0) / moment(sea, 2));
+    EXPECT_NEAR(period / (10.0 * whole), 1.02, 0.018);
+    mean += period / (10.0 * whole) / 20.0;
+  }
+  EXPECT_NEAR(mean, 1.02, 0.005);
+}
+
 TEST(random_sea, components_rise_and_obey_the_dispersion_relation) {
   const Sea sea = make_sea(jonswap(), 30.0, 0.0, 5);
   EXPECT_TRUE(std::is_sorted(sea.components.begin(), sea.components.end(),
