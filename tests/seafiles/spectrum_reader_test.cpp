@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -47,6 +48,8 @@ TEST(spectrum_reader, every_fault_is_told_with_file_line_and_column) {
       {"omega_rad_s,density_m2s\n# once\n0.3,1\n0.3,2\n", "a.csv:4: omega_rad_s: ", "more than the frequency before"},
       {"omega_rad_s,density_m2s\n0.0,1\n0.3,2\n", "a.csv:2: density_m2s: ", "0 at frequency 0"},
       {"omega_rad_s,density_m2s\n0.1,0\n0.3,0\n", "a.csv: density_m2s: ", "with energy"},
+      // 110 m2 of variance, for example densities in cm2 s.
+      {"omega_rad_s,density_m2s\n0.1,0\n1.2,200\n", "a.csv: density_m2s: ", "a significant wave height of 42 m"},
   };
   for (const Fault& fault : faults) {
     Diagnostics diagnostics;
@@ -81,7 +84,17 @@ TEST_F(SpectrumFile, beside_the_model_is_part_of_it) {
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
   EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
+  EXPECT_NEAR(reading.description->environment.waves.hs, 4.0 * std::sqrt(0.5 * 0.25 * 10.0), 1e-12);
   EXPECT_TRUE(reading.description->warnings.empty());
+}
+
+TEST_F(SpectrumFile, that_begins_with_a_byte_order_mark_is_read_as_any_other_table) {
+  write(
+      "\xef\xbb\xbf"
+      "frequency_hz,density_m2_hz\n0.05,0\n0.1,10\n0.3,0\n");
+  const ModelReading reading = read(user);
+  ASSERT_TRUE(reading.description.has_value());
+  EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
 }
 
 TEST_F(SpectrumFile, with_a_fault_stops_the_model_at_its_own_line) {

@@ -41,7 +41,8 @@ std::string spectrum_words(const WavesDescription& waves) {
     case WaveType::pierson_moskowitz:
       return "a Pierson-Moskowitz spectrum";
     default:
-      return "a user-defined spectrum from a file";
+      return "a user-defined spectrum from a file" +
+             (waves.hs > 0.0 ? fmt::format(", with a significant wave height of {:.3g} m", waves.hs) : std::string());
   }
 }
 

@@ -132,9 +132,8 @@ void add_waves(Listing& list, const WavesDescription& waves, std::uint64_t seed)
   if (waves.type == WaveType::airy || waves.type == WaveType::stokes5) {
     list.add("Wave height", waves.height, "m").add("Wave period", waves.period, "s");
   } else {
-    if (waves.type != WaveType::user) {
-      list.add("Significant wave height", waves.hs, "m").add("Peak period", waves.tp, "s");
-    }
+    if (waves.hs > 0.0) list.add("Significant wave height", waves.hs, "m");
+    if (waves.type != WaveType::user) list.add("Peak period", waves.tp, "s");
     list.add("Wave components, seed", fmt::format("{}, {}", waves.components, seed));
   }
   list.add("Waves from", waves.from * kToDegrees, "deg");

@@ -53,7 +53,8 @@ std::string sea_words(const WavesDescription& waves) {
     case WaveType::user:
       break;
   }
-  return random_sea("spectrum of " + file_name(waves.spectrum_file), waves);
+  const std::string height = waves.hs > 0.0 ? fmt::format(", Hs {:.4g} m", waves.hs) : std::string();
+  return random_sea("spectrum of " + file_name(waves.spectrum_file) + height, waves);
 }
 
 std::string motion_words(const VesselDescription& vessel) {

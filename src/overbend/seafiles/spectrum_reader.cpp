@@ -1,8 +1,8 @@
 #include "seafiles/spectrum_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -10,11 +10,12 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "seafiles/text_table.h"
 
 namespace overbend {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 16U << 20U;
+constexpr double kHighestSea = 40.0;  ///< As of the key environment.waves.hs [m].
 
 /// A pair of columns and what turns them into rad/s and m2 s.
 struct Columns {
@@ -23,6 +24,15 @@ struct Columns {
 };
 constexpr Columns kKnown[] = {{"omega_rad_s", "density_m2s", 1.0, 1.0},
                               {"frequency_hz", "density_m2_hz", kTurn, 1.0 / kTurn}};
+
+/// 4 sqrt(m0) of densities that are linear between the points [m].
+double significant_height(const std::vector<SpectrumPoint>& points) {
+  double variance = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    variance += 0.5 * (points[i].density + points[i - 1].density) * (points[i].omega - points[i - 1].omega);
+  }
+  return 4.0 * std::sqrt(variance);
+}
 
 class SpectrumReader {
  public:
@@ -112,9 +122,12 @@ class SpectrumReader {
     } else if (points_.size() < 2) {
       complain("", std::to_string(points_.size()) + " rows", "at least 2 rows");
     } else {
-      double energy = 0.0;
-      for (const SpectrumPoint& point : points_) energy += point.density;
-      if (!(energy > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
+      const double height = significant_height(points_);
+      if (!(height > 0.0)) complain(columns_->density, "0 in every row", "a spectrum with energy");
+      if (height > kHighestSea) {
+        complain(columns_->density, "a sea with a significant wave height of " + format_quantity(height, "m", "m", 3),
+                 "at most " + format_quantity(kHighestSea, "m", "m") + " by the units that the header names");
+      }
     }
   }
 
@@ -139,18 +152,10 @@ void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics) {
   const std::string& path = waves.spectrum_file;
   std::error_code fault;
   if (!std::filesystem::exists(path, fault)) return;
-  const auto refuse = [&](const char* why) {
-    diagnostics.add({Severity::error, path, 0, 0, "environment.waves.spectrum_file", why, "", ""});
-  };
-  if (!std::filesystem::is_regular_file(path, fault)) return refuse("not a file with a wave spectrum");
-  if (std::filesystem::file_size(path, fault) > kLargestFile) {
-    return refuse("larger than 16 MB, too large for a spectrum");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) return refuse("the file cannot be read");
-  waves.spectrum = read_spectrum_text(text.str(), path, diagnostics);
+  const std::optional<std::string> text = read_text_file(path, diagnostics);
+  if (!text) return;
+  waves.spectrum = read_spectrum_text(*text, path, diagnostics);
+  waves.hs = significant_height(waves.spectrum);
 }
 
 }  // namespace overbend

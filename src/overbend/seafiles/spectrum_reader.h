@@ -16,8 +16,8 @@ namespace overbend {
 std::vector<SpectrumPoint> read_spectrum_text(const std::string& text, const std::string& path,
                                               Diagnostics& diagnostics);
 
-/// Fills `waves.spectrum` from `waves.spectrum_file` where the waves are a user's. A file that is not there leaves it
-/// empty without a complaint, which the checks make.
+/// Fills `waves.spectrum`, and `waves.hs` with its significant height, from `waves.spectrum_file` where the waves are a
+/// user's. A file that is not there leaves it empty without a complaint, which the checks make.
 void read_wave_spectrum(WavesDescription& waves, Diagnostics& diagnostics);
 
 }  // namespace overbend
