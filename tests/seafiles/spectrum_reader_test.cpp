@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -95,6 +96,29 @@ TEST_F(SpectrumFile, that_begins_with_a_byte_order_mark_is_read_as_any_other_tab
   const ModelReading reading = read(user);
   ASSERT_TRUE(reading.description.has_value());
   EXPECT_EQ(reading.description->environment.waves.spectrum.size(), 3U);
+}
+
+TEST_F(SpectrumFile, and_spectra_by_height_whose_waves_break_on_the_bed_are_doubtful) {
+  const auto shallow = [&](const std::string& waves, const std::string& depth) {
+    std::string text = testing::kGoodModel;
+    const std::string sea = "{type: jonswap, hs: 4 m, tp: 12.9 s, from: 180 deg, seed: 7}";
+    text.replace(text.find(sea), sea.size(), waves);
+    const std::size_t at = text.find("water_depth: ");
+    text.replace(at, text.find('\n', at) - at, "water_depth: " + depth);
+    const ModelReading reading = read_model_text(text, (folder / "model.yaml").string());
+    const std::vector<std::string> lines = reading.diagnostics.lines(Severity::warning);
+    return std::ranges::any_of(lines, [](const std::string& line) {
+      return line.find("the highest is ") != std::string::npos &&
+             line.find("break in a water depth") != std::string::npos;
+    });
+  };
+  // 1.858 Hs against 0.78 of the depth.
+  EXPECT_TRUE(shallow("{type: jonswap, hs: 4 m, tp: 12.9 s, from: 180 deg}", "9.4 m"));
+  EXPECT_FALSE(shallow("{type: jonswap, hs: 4 m, tp: 12.9 s, from: 180 deg}", "9.7 m"));
+  EXPECT_TRUE(shallow("{type: pierson_moskowitz, hs: 4 m, tp: 12.9 s, from: 180 deg}", "9.4 m"));
+  write("frequency_hz,density_m2_hz\n0.05,0\n0.1,8\n0.3,0\n");  // Hs 4 m
+  EXPECT_TRUE(shallow(user, "9.4 m"));
+  EXPECT_FALSE(shallow(user, "9.7 m"));
 }
 
 TEST_F(SpectrumFile, with_a_fault_stops_the_model_at_its_own_line) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "model/description.h"
 #include "model/mooring_description.h"
 #include "modelfile/check_helper.h"
 #include "modelfile/field_value.h"
@@ -18,6 +19,9 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
 
 /// Waves: what each type needs, breaking, validity of the theory. Part of check_model.
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);
+
+/// Whether the waves of an irregular sea break on the bed; after the file with a user's spectrum was read.
+void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics);
 
 /// Supports, rollers and tensioner: part of check_model.
 void check_supports(const FieldValue& root, const std::string& file, Diagnostics& diagnostics);

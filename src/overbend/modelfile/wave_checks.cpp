@@ -19,6 +19,9 @@ constexpr double kShallowBreaking = 0.78;
 /// Tp/sqrt(Hs) [s/m^1/2] below which JONSWAP is no longer a model of the sea [dnvc205].
 constexpr double kSteepSea = 3.6;
 
+/// Highest of 1,000 waves over Hs: sqrt(ln(1000)/2) of Rayleigh's distribution.
+constexpr double kHighestOfThousand = 1.858;
+
 struct WaveKeys {
   WaveType type;
   std::vector<std::string> needed;   ///< Without them there is no such wave.
@@ -94,6 +97,21 @@ void check_sea(Checker& check, const FieldValue& waves) {
 }
 
 }  // namespace
+
+void check_sea_over_bed(const FieldValue& root, const Description& description, Diagnostics& diagnostics) {
+  const WavesDescription& waves = description.environment.waves;
+  if (waves.type == WaveType::none || waves.type == WaveType::airy || waves.type == WaveType::stokes5) return;
+  const double depth = description.environment.water_depth, breaking = kShallowBreaking * depth;
+  const double highest = kHighestOfThousand * waves.hs;
+  const FieldValue* at =
+      root.find(waves.type == WaveType::user ? "environment.waves.spectrum_file" : "environment.waves.hs");
+  if (highest <= breaking || at == nullptr) return;
+  const auto metres = [](double length) { return format_quantity(length, "m", "m", 3); };
+  Checker(root, description.source_file, diagnostics)
+      .warn(*at, "of 1,000 waves of a sea with a significant height of " + metres(waves.hs) + " the highest is " +
+                     metres(highest) + ", and waves of more than " + metres(breaking) + " break in a water depth of " +
+                     metres(depth) + ": a sum of linear waves does not break");
+}
 
 void check_waves(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
   Checker check(root, file, diagnostics);

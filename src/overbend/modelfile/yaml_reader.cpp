@@ -65,6 +65,7 @@ void read_tree(const YamlNode& root, const std::string& path, Files files, Model
   read_bathymetry_file(values, *reading.description, reading.diagnostics);
   if (files == Files::all) {
     read_wave_spectrum(reading.description->environment.waves, reading.diagnostics);
+    check_sea_over_bed(values, *reading.description, reading.diagnostics);
     read_motion_file(values, *reading.description, reading.diagnostics);
     read_hull_files(values, *reading.description, reading.diagnostics);
   }
