@@ -111,6 +111,40 @@ TEST(run_warnings, a_tensioner_that_decides_is_told_where_the_run_is_short_for_i
   EXPECT_TRUE(told(300.0, 70).empty());
 }
 
+/// What is told of the sea of Tp 8 s, peak at 0.785 rad/s, with RAOs of these frequencies.
+std::vector<std::string> sea_warnings(Description d, std::vector<double> omegas, double duration) {
+  WavesDescription& waves = d.environment.waves;
+  waves.type = WaveType::pierson_moskowitz;
+  waves.hs = 1.5;
+  waves.tp = 8.0;
+  d.environment.water_depth = 89.0;
+  d.vessel.motion = VesselMotion::raos;
+  d.vessel.raos.emplace();
+  d.vessel.raos->omegas = std::move(omegas);
+  DynamicResults r = sound();
+  r.duration = duration;
+  warn_of_sea(d, r);
+  return r.warnings;
+}
+
+TEST(run_warnings, raos_that_do_not_reach_the_waves_are_told) {
+  const Description d;
+  EXPECT_TRUE(sea_warnings(d, {0.1, 1.0, 2.2}, 600.0).empty());
+  // Of Pierson-Moskowitz 1 - exp(-5/4 x^-4) lies above x peak frequencies: 99.9 % above 0.64, 8 % above 1.97.
+  EXPECT_TRUE(only(sea_warnings(d, {0.1, 0.5}, 600.0), "100 % of the sea's variance lies above the highest frequency"));
+  EXPECT_TRUE(only(sea_warnings(d, {0.1, 1.55}, 600.0), "8 % of the sea's variance lies above"));
+  EXPECT_TRUE(only(sea_warnings(d, {0.8, 2.2}, 600.0), "lies below the lowest frequency of the RAOs, 0.8 rad/s"));
+}
+
+TEST(run_warnings, a_sea_of_few_waves_that_comes_back_is_told) {
+  Description d;
+  d.environment.waves.components = 8;
+  EXPECT_TRUE(only(sea_warnings(d, {0.1, 1.0, 2.2}, 3600.0), "the sea of 8 waves comes back to itself"));
+  EXPECT_TRUE(sea_warnings(d, {0.1, 1.0, 2.2}, 60.0).empty());  // shorter than 30 periods
+  d.environment.waves.components = 99;
+  EXPECT_TRUE(sea_warnings(d, {0.1, 1.0, 2.2}, 10800.0).empty());
+}
+
 TEST(run_warnings, a_hull_beyond_what_its_linear_restoring_holds_for_is_told) {
   VesselDescription vessel;
   vessel.depth = 9.0;

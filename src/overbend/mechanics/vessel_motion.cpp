@@ -7,6 +7,7 @@
 
 #include "base/require.h"
 #include "mechanics/moving_vessel.h"
+#include "mechanics/sea_range.h"
 
 namespace overbend {
 namespace {
@@ -36,18 +37,10 @@ void follow_raos(VesselMotionModel& motion, const RaoTable& raos, const Sea& sea
   const Vec3 forward = motion.mean.R_WV.col(0);
   const double heading_W = std::atan2(forward.y(), forward.x());
   const Vec3 wave_origin_W = motion.mean.p_WV + motion.mean.R_WV * raos.wave_origin_V;
-  double variance = 0.0, below = 0.0, above = 0.0;
-  for (const WaveComponent& wave : sea.components) {
-    motion.terms.add(respond(raos, wave, heading_W, wave_origin_W));
-    const double share = wave.amplitude * wave.amplitude;
-    variance += share;
-    if (wave.omega < raos.omegas.front()) below += share;
-    if (wave.omega > raos.omegas.back()) above += share;
-  }
-  if (variance > 0.0) {
-    motion.below_table = below / variance;
-    motion.above_table = above / variance;
-  }
+  for (const WaveComponent& wave : sea.components) motion.terms.add(respond(raos, wave, heading_W, wave_origin_W));
+  const SeaBeside beside = sea_beside(sea, raos.omegas.front(), raos.omegas.back());
+  motion.below_table = beside.below;
+  motion.above_table = beside.above;
 }
 
 void follow_harmonic(VesselMotionModel& motion, const VesselDescription& vessel) {

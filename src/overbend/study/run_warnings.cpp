@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "base/constants.h"
+#include "mechanics/sea_range.h"
+#include "model/rao_table.h"
 #include "numerics/record_part.h"
 
 namespace overbend {
@@ -21,7 +23,14 @@ constexpr double kLargeAngle = 10.0 * kDegree;  ///< Beyond it the water's resto
 constexpr double kUncertain = 0.1;   ///< Standard error of a standard deviation, as a share, worth a word [-].
 constexpr double kTravelRows = 1.0;  ///< Travel is looked at no closer [s].
 constexpr std::size_t kBlocks = 8;
+constexpr double kBesideTable = 0.05;  ///< Of the sea's variance beside the frequencies of the RAOs, worth a word [-].
+constexpr double kAlike = 0.5;         ///< Autocorrelation of the sea's components at a later time, likewise [-].
+constexpr int kManyWaves = 100;        ///< So many do not come back to themselves in a day.
 constexpr double kBeyondChance = 5.0;  ///< Standard errors; with six degrees of freedom 0.2 % of records by chance.
+
+bool is_irregular(WaveType type) {
+  return type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
+}
 
 const HistorySummary* history(const DynamicResults& results, const std::string& name) {
   for (const HistorySummary& h : results.histories) {
@@ -107,8 +116,7 @@ double trend(std::span<const double> values) {
 
 void warn_of_tensioners_chance(const Description& description, std::span<const double> travel,
                                DynamicResults& results) {
-  const WaveType type = description.environment.waves.type;
-  const bool irregular = type != WaveType::none && type != WaveType::airy && type != WaveType::stokes5;
+  const bool irregular = is_irregular(description.environment.waves.type);
   if (description.operation.type == OperationType::pull_ahead) return;
   const std::int64_t acted = results.tensioner.pay_out_count + results.tensioner.haul_in_count;
   if (!irregular || acted == 0) return;
@@ -140,6 +148,35 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
         fmt::format("the vessel heaves by {:.2f} m at most, more than half its freeboard of {:.2f} m: the restoring of "
                     "the water is not linear there, as it is taken to be",
                     heave, freeboard));
+  }
+}
+
+void warn_of_sea(const Description& description, DynamicResults& results) {
+  const WavesDescription& waves = description.environment.waves;
+  if (waves.type == WaveType::none) return;
+  const bool few = is_irregular(waves.type) && waves.components < kManyWaves;
+  const double judged = few ? results.build_up + results.duration : 0.0;
+  const Sea sea = make_sea(waves, description.environment.water_depth, judged, results.seed);
+  if (few && sea.recurrence > kAlike) {
+    results.warnings.push_back(fmt::format(
+        "the sea of {} waves comes back to itself within the run: its autocorrelation rises to {:.2f} again, "
+        "where 200 waves in three hours reach 0.2; take more (environment.waves.components)",
+        waves.components, sea.recurrence));
+  }
+  if (description.vessel.motion != VesselMotion::raos || !description.vessel.raos) return;
+  const std::vector<double>& omegas = description.vessel.raos->omegas;
+  const SeaBeside beside = sea_beside(sea, omegas.front(), omegas.back());
+  if (beside.above > kBesideTable) {
+    results.warnings.push_back(
+        fmt::format("{:.0f} % of the sea's variance lies above the highest frequency of the RAOs, {:.3g} rad/s: up to "
+                    "1.25 times that frequency the motion that they give fades, and beyond it the vessel does not move",
+                    100.0 * beside.above, omegas.back()));
+  }
+  if (beside.below > kBesideTable) {
+    results.warnings.push_back(
+        fmt::format("{:.0f} % of the sea's variance lies below the lowest frequency of the RAOs, {:.3g} rad/s, where "
+                    "translations are those of that frequency and rotations fall with the frequency",
+                    100.0 * beside.below, omegas.front()));
   }
 }
 
