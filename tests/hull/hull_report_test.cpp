@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/hull_case.h"
 
 namespace overbend {
@@ -63,6 +65,26 @@ TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   const HullReport shallow = hull_report(made, model, sea, moored());
   ASSERT_EQ(shallow.warnings.size(), others + 2);
   EXPECT_NE(shallow.warnings.back().find("k_p d of 0."), std::string::npos) << shallow.warnings.back();
+}
+
+TEST(hull_report, warns_of_drift_that_ends_below_the_waves) {
+  const Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  const Sea sea = testing::long_crested(2.0, 8.0, 1.0, 1);  // peak at 0.785 rad/s
+  const auto report_with = [&](double highest) {
+    HydrodynamicData data = testing::bgl1_hydrodynamics();
+    while (data.drift.omega.back() > highest) data.drift.omega.pop_back();
+    data.mean_drift.resize(data.drift.omega.size() * data.drift.heading.size());
+    made.hull.waves = make_hull_waves(data, sea, WaveDrift::newman, 5.182, 0.0);
+    return hull_report(made, model, sea, moored());
+  };
+  const HullReport whole = report_with(10.0), cut = report_with(0.8);
+  ASSERT_EQ(cut.warnings.size(), whole.warnings.size() + 1);
+  const auto told = [](const std::string& words) {
+    return words.find("of the mean drift, which end") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(cut.warnings, told));
+  EXPECT_FALSE(std::ranges::any_of(whole.warnings, told));
 }
 
 TEST(hull_report, warns_of_files_without_drift_in_a_sea_that_would_make_the_hull_drift) {

@@ -51,6 +51,11 @@ void tell_waves(const Hull& hull, const CoupledHullDescription& given, const Wav
   if (outside > kNoticeable) {
     out.warnings.push_back(percent(outside) + " of the sea's variance lies beyond the frequencies of the wave forces");
   }
+  if (hull.waves.above_drift > out.above_table + kNoticeable) {
+    out.warnings.push_back(percent(hull.waves.above_drift) +
+                           " of the sea's variance lies above the frequencies of the mean drift, which end below those "
+                           "of the wave forces: no drift of these waves acts");
+  }
   if (!sea.calm() && given.wave_drift != WaveDrift::none && hull.waves.drift == WaveDrift::none) {
     out.warnings.emplace_back(
         "the hydrodynamic files have no drift coefficients: no mean and no slow drift of the waves acts, whatever "

@@ -7,6 +7,7 @@
 #include "base/constants.h"
 #include "base/simd.h"
 #include "hull/hull_waves_kernel.h"
+#include "mechanics/sea_range.h"
 #include "model/section.h"
 
 namespace overbend {
@@ -114,19 +115,6 @@ void fill_rows(HullWaves& waves, std::size_t i, const WaveComponent& c, const Hy
   }
 }
 
-void judge_range(HullWaves& waves, const Sea& sea, const std::vector<double>& omega) {
-  double variance = 0.0, below = 0.0, above = 0.0;
-  for (const WaveComponent& c : sea.components) {
-    const double share = c.amplitude * c.amplitude;
-    variance += share;
-    if (c.omega < omega.front()) below += share;
-    if (c.omega > omega.back()) above += share;
-  }
-  if (variance <= 0.0) return;
-  waves.below_table = below / variance;
-  waves.above_table = above / variance;
-}
-
 HullWaveView view_of(const HullWaves& waves) {
   const auto column = [&](int k) { return waves.components.data() + static_cast<std::size_t>(k * waves.count); };
   return {.count = waves.count,
@@ -187,7 +175,10 @@ HullWaves make_hull_waves(const HydrodynamicData& data, const Sea& sea, WaveDrif
     require_heading(data, direction_of(c) - psi);
     fill_rows(waves, i, c, data);
   }
-  judge_range(waves, sea, data.excitation.omega);
+  const SeaBeside beside = sea_beside(sea, data.excitation.omega.front(), data.excitation.omega.back());
+  waves.below_table = beside.below;
+  waves.above_table = beside.above;
+  if (waves.drift != WaveDrift::none) waves.above_drift = sea_beside(sea, 0.0, data.drift.omega.back()).above;
   return waves;
 }
 

@@ -22,6 +22,7 @@ struct HullWaves {
   std::vector<double> heading;                  ///< Rising [rad].
   bool all_around = false;                      ///< The headings close a circle.
   double below_table = 0.0, above_table = 0.0;  ///< Share of the sea's variance beyond the force's frequencies [-].
+  double above_drift = 0.0;                     ///< Likewise above those of the drift, whose waves do not drift [-].
 
   bool empty() const { return count == 0; }
 };
