@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numbers
-from typing import Any, Mapping, Optional, Union
+from typing import Any, Iterable, Mapping, Optional, Union
 
 import numpy as np
 
@@ -59,6 +59,15 @@ def flow(value: Any, key: str = "") -> str:
 
         return flow_scalar(value)
     return scalar(value, key)
+
+
+def seeds_of(seeds: Iterable[Any]) -> list[int]:
+    """Seeds of random waves, whole numbers that are not negative."""
+    chosen = list(seeds)
+    for seed in chosen:
+        if int(seed) != seed or seed < 0:
+            raise ModelError(f"seeds: found {seed!r}, expected whole numbers from 0")
+    return [int(seed) for seed in chosen]
 
 
 def seconds(duration: Time) -> Optional[float]:

@@ -10,7 +10,7 @@ from . import _core
 from .controllers import Controllers, given_controllers
 from .dynamic_results import DynamicResults
 from .errors import Interrupted, ModelError
-from .keys import Time, changes_of, seconds
+from .keys import Time, changes_of, seconds, seeds_of
 from .progress import Progress, follower
 from .results import StaticResults
 from .runs import ComparisonResults, SeedsResults
@@ -165,7 +165,7 @@ class Model:
             ModelError, ResultsError: Where the input or the folder cannot be used.
         """
         folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), resume=resume, restart=restart,
-                                   seeds=[] if seed is None else [seed], checkpoint=checkpoint, progress=progress,
+                                   seeds=[] if seed is None else seeds_of([seed]), checkpoint=checkpoint, progress=progress,
                                    controllers=given_controllers(controllers, interval))
         return DynamicResults(folder, self, holder)
 
@@ -199,7 +199,7 @@ class Model:
         The others as of dynamic(), which also says what is raised. A run that fails does not stop the others: `failed` of the
         results lists it.
         """
-        chosen = list(range(1, seeds + 1)) if isinstance(seeds, int) else [int(seed) for seed in seeds]
+        chosen = seeds_of(range(1, seeds + 1) if isinstance(seeds, int) else seeds)
         folder, holder = self._run(out, stage=str(stage), duration=seconds(duration), seeds=chosen, several=True,
                                    threads=threads, resume=resume, restart=restart, checkpoint=checkpoint,
                                    progress=progress)

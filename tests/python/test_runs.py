@@ -54,6 +54,13 @@ class Seeds(unittest.TestCase):
             self.assertIsInstance(again, ob.SeedsResults)
             np.testing.assert_array_equal(again.table["seed"].values, [2, 5])
 
+    def test_seeds_that_are_none_or_no_whole_numbers_are_refused(self):
+        for seeds in ([], 0, -2, [1, -3], [2.5]):
+            with self.assertRaises(ob.ModelError, msg=str(seeds)):
+                moving_lay().seeds(seeds, duration="1 s")
+        with self.assertRaises(ob.ModelError):
+            moving_lay().dynamic(duration="1 s", seed=-3)
+
     def test_runs_without_a_solution_say_why(self):
         with self.assertRaises(ob.OverbendError) as raised:
             moving_lay().with_({"tensioner.tension": "20 kN"}).seeds([1, 2], duration="1 s")

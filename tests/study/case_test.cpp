@@ -55,6 +55,12 @@ TEST(study_plan, a_seed_that_is_given_twice_is_no_plan) {
   EXPECT_TRUE(std::holds_alternative<StudyPlan>(plan_seeds({1, 2}, {})));
 }
 
+TEST(study_plan, no_seed_at_all_is_no_plan) {
+  const auto plan = plan_seeds({}, {});
+  ASSERT_TRUE(std::holds_alternative<std::string>(plan));
+  EXPECT_NE(std::get<std::string>(plan).find("at least one"), std::string::npos);
+}
+
 TEST(study_plan, a_single_run_is_a_case_in_the_folder_of_the_study) {
   EXPECT_EQ(case_folders(plan_single({}), "out").front(), "out");
   const auto plan = std::get<StudyPlan>(plan_seeds({1, 2}, {}));

@@ -28,7 +28,7 @@ struct StudyPlan {
 StudyPlan plan_single(std::optional<double> duration);
 /// One case "seed-K" for each seed.
 std::vector<Case> seed_cases(const std::vector<std::uint64_t>& seeds);
-/// The same as a plan. A sentence where a seed is given twice.
+/// The same as a plan. A sentence where a seed is given twice, or none at all.
 std::variant<StudyPlan, std::string> plan_seeds(const std::vector<std::uint64_t>& seeds,
                                                 std::optional<double> duration);
 /// The variants of the model. A sentence where it cannot be compared so.

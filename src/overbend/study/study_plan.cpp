@@ -33,6 +33,7 @@ std::vector<Case> seed_cases(const std::vector<std::uint64_t>& seeds) {
 
 std::variant<StudyPlan, std::string> plan_seeds(const std::vector<std::uint64_t>& seeds,
                                                 std::optional<double> duration) {
+  if (seeds.empty()) return "analysis.dynamic.seeds: no seed is given, expected at least one";
   if (const auto found = twice(seeds)) return fmt::format("analysis.dynamic.seeds: {} is given twice", *found);
   StudyPlan plan{StudyKind::seeds, ComparisonOf::tensioner, seed_cases(seeds)};
   for (Case& one : plan.cases) one.duration = duration;
