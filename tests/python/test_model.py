@@ -46,6 +46,12 @@ class Models(unittest.TestCase):
     def test_none_removes_a_key(self):
         self.assertIsNone(self.model.with_({"title": None}).get("title"))
 
+    def test_a_key_that_no_model_has_cannot_be_removed(self):
+        with self.assertRaises(ob.ModelError) as caught:
+            self.model.with_({"environment.curent": None})
+        self.assertIn("did you mean 'environment.current'", str(caught.exception))
+        self.assertEqual(self.model.with_({"fatigue": None}).text, self.model.text)  # one that is left out is none
+
     def test_a_value_that_cannot_be_is_an_error_with_its_place(self):
         with self.assertRaises(ob.ModelError) as caught:
             self.model.with_({"tensioner.tension": "260 m"})

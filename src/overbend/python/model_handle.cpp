@@ -4,7 +4,9 @@
 #include <stdexcept>
 
 #include "base/require.h"
+#include "base/text.h"
 #include "modelfile/chosen_keys.h"
+#include "modelfile/field_tree.h"
 #include "modelfile/yaml_path.h"
 #include "modelfile/yaml_reader.h"
 
@@ -24,10 +26,27 @@ std::string sentence_of_nothing(const YamlNode& tree, const std::string& key, co
   return list.empty() ? sentence : sentence + "; there are: " + list;
 }
 
+/// Throws where no model has such a key: one that is to be removed would else be found missing, and left as it is.
+void require_key(const std::string& key, const std::vector<NamePart>& parts) {
+  const FieldNode* place = &field_tree();
+  std::string there;
+  for (const NamePart& part : parts) {
+    const FieldNode* next = part.item ? place->item.get() : place->member(part.text);
+    if (next == nullptr) {
+      const std::string near = part.item ? "" : nearest_word(part.text, place->member_names());
+      throw std::invalid_argument("'" + key + "' is no key of a model" +
+                                  (near.empty() ? "" : "; did you mean '" + there + near + "'?"));
+    }
+    there += part.item ? "" : part.text + ".";
+    place = next;
+  }
+}
+
 /// Every key that the change's own one chooses.
 void choose(const YamlNode& tree, const YamlChange& change, std::vector<YamlChange>& list) {
   const auto parts = name_parts(change.path);
   if (!parts) throw std::invalid_argument("'" + change.path + "' is no key of a model");
+  if (change.kind == YamlChange::Kind::remove) require_key(change.path, *parts);
   const std::vector<ChosenKey> keys = chosen_keys(tree, *parts);
   // An index behind the end of a list appends to it.
   if (keys.empty() && change.kind != YamlChange::Kind::remove && change.path.ends_with(']')) {
