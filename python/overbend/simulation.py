@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 from .controllers import Command, SetTension
 from .groups import Record, nearest
-from .keys import seconds
+from .keys import seconds, seeds_of
 from .values import Number, labelled
 
 #: What save() gives: `time` [s] and `arrays` by name. It can be pickled.
@@ -240,8 +240,8 @@ class Simulation:
 
     @property
     def energy(self) -> Record:
-        """The balance of energy since the start [J]: what is stored, the work done on the pipe, losses, the error that is
-        left and the throughput, all that has passed."""
+        """The balance of energy since the start [J]: what is stored, also in a free hull or stinger (bodies), the work done
+        on the pipe and on these, losses, the error that is left and the throughput, all that has passed."""
         told = self._core.energy()
         return Record(told, {name: "J" for name in told})
 
@@ -275,5 +275,6 @@ class Simulation:
 def simulate(model: "_core.Model", stage: str, duration: Union[float, str, None], seed: Optional[int],
              controllers: dict[str, _core.Controller]) -> Simulation:
     """A simulation of a model: see Model.simulation()."""
-    return Simulation(_core.Simulation(model, stage=stage, duration=seconds(duration), seed=seed,
+    given = None if seed is None else seeds_of([seed])[0]
+    return Simulation(_core.Simulation(model, stage=stage, duration=seconds(duration), seed=given,
                                        controllers=controllers))

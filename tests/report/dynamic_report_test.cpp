@@ -86,6 +86,21 @@ TEST(dynamic_report, sets_static_beside_dynamic_in_its_key_results) {
             std::string::npos);
 }
 
+TEST(dynamic_report, sets_the_energy_of_a_free_hull_into_the_balance_that_it_sums_up) {
+  DynamicResults results = example();
+  EXPECT_EQ(section(page_of(results), "run").find("floats"), std::string::npos);
+  results.energy = {};
+  results.energy.kinetic = 2e3;
+  results.energy.fluid = 3e3;
+  results.energy.bodies = 40e3;
+  results.energy.on_bodies = 38.5e3;
+  results.energy.error = 0.5e3;
+  const std::string text = section(page_of(results), "run");
+  for (const char* number : {"38.500", "41.500", "40.000", "42.000", "0.500"}) {  // work, in all; stored, in all; error
+    EXPECT_NE(text.find(std::string("<td>") + number + "</td>"), std::string::npos) << number;
+  }
+}
+
 TEST(dynamic_report, holds_the_static_report_too) {
   const std::string text = visible(page_of(example()));
   for (const char* id : {"static-results", "figures", "summary", "supports", "inputs", "assumptions", "balance"}) {

@@ -45,12 +45,16 @@ void visit_balance(Balance& b, const Visit& visit_one) {
   visit_one(b.throughput);
 }
 
+bool moves(const BodyEnergy& e) {
+  return e.kinetic != 0.0 || e.stored != 0.0 || e.power != 0.0;
+}
+
 }  // namespace
 
-void EnergyAccount::start(const InstantEnergy& first, double least) {
+void EnergyAccount::start(const InstantEnergy& first, double least, bool free_bodies) {
   first_ = last_ = first;
   balance_ = {};
-  work_on_bodies_ = 0.0;
+  if (free_bodies) balance_.bodies = balance_.on_bodies = 0.0;
   balance_.throughput = least;
 }
 
@@ -61,7 +65,6 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   b.gravity = now.line.gravity - first_.line.gravity;
   b.contact = now.contact - first_.contact;
   b.seabed = now.line.seabed - first_.line.seabed;
-  const double bodies = now.bodies.kinetic + now.bodies.stored - first_.bodies.kinetic - first_.bodies.stored;
   const auto integrate = [&](double& sum, double before, double after) {
     const double part = 0.5 * h * (before + after);
     sum += part;
@@ -71,14 +74,20 @@ void EnergyAccount::add(const InstantEnergy& now, double h) {
   integrate(b.rollers, last_.roller_power, now.roller_power);
   integrate(b.top, last_.top_power, now.top_power);
   integrate(b.anchor, last_.anchor_power, now.anchor_power);
-  integrate(work_on_bodies_, last_.bodies.power, now.bodies.power);
+  // Whoever has energy is free, also where it was not told at the start.
+  if (!b.bodies && moves(now.bodies)) b.bodies = b.on_bodies = 0.0;
+  if (b.bodies && b.on_bodies) {
+    b.bodies = now.bodies.kinetic + now.bodies.stored - first_.bodies.kinetic - first_.bodies.stored;
+    integrate(*b.on_bodies, last_.bodies.power, now.bodies.power);
+  }
   integrate(b.contact_loss, last_.contact_loss, now.contact_loss);
   integrate(b.friction_loss, last_.friction_loss, now.friction_loss);
   integrate(b.seabed_loss, last_.line.seabed_loss, now.line.seabed_loss);
   b.yielding_loss = now.bending_heat - first_.bending_heat;
   b.throughput += now.bending_heat - last_.bending_heat;
   b.error = b.kinetic + b.strain + b.gravity + b.contact + b.seabed + b.contact_loss + b.friction_loss + b.seabed_loss +
-            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor + (bodies - work_on_bodies_);
+            b.yielding_loss - b.fluid - b.rollers - b.top - b.anchor +
+            (b.bodies.value_or(0.0) - b.on_bodies.value_or(0.0));
   last_ = now;
 }
 
@@ -98,7 +107,9 @@ std::vector<double> EnergyAccount::save() const {
   visit(first_, put);
   visit(last_, put);
   visit_balance(balance_, put);
-  put(work_on_bodies_);
+  put(balance_.bodies ? 1.0 : 0.0);
+  put(balance_.bodies.value_or(0.0));
+  put(balance_.on_bodies.value_or(0.0));
   return out;
 }
 
@@ -108,7 +119,12 @@ void EnergyAccount::restore(const std::vector<double>& saved) {
   visit(first_, take);
   visit(last_, take);
   visit_balance(balance_, take);
-  take(work_on_bodies_);
+  const bool free_bodies = saved.at(i++) != 0.0;
+  double bodies = 0.0, on_bodies = 0.0;
+  take(bodies);
+  take(on_bodies);
+  balance_.bodies = free_bodies ? std::optional(bodies) : std::nullopt;
+  balance_.on_bodies = free_bodies ? std::optional(on_bodies) : std::nullopt;
 }
 
 }  // namespace overbend

@@ -13,7 +13,7 @@ namespace overbend {
 class EnergyAccount {
  public:
   /// `least` energy counts as passed from the start, so that a pipe at rest does not drift by its rounding [J].
-  void start(const InstantEnergy& first, double least);
+  void start(const InstantEnergy& first, double least, bool free_bodies = false);
   /// The state after a step of `h`.
   void add(const InstantEnergy& now, double h);
   /// What the sums are at the instant of the last step once material has come in or gone, which is no work.
@@ -26,7 +26,6 @@ class EnergyAccount {
  private:
   InstantEnergy first_, last_;
   EnergyBalance balance_;
-  double work_on_bodies_ = 0.0;  ///< By what surrounds them but lines and rollers [J].
 };
 
 }  // namespace overbend

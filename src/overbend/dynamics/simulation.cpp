@@ -87,7 +87,7 @@ bool Simulation::begin() {
   observe_tension(state_, 0.0);
   controllers_.begin(*assembly_, state_);
   watch_.start(assembly_->machine_tension());
-  energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale);
+  energy_.start(assembly_->energy(state_), kLeastMotion * pipe().force_scale, assembly_->free_bodies() > 0);
   ended_.clear();
   tracker_->accept(contacts(), state_.time, 1.0, ended_);
   report_.smallest_step = options_.max_step;

@@ -114,6 +114,8 @@ py::dict energy_of(const SimulationHandle& handle) {
   told["friction_loss"] = e.friction_loss;
   told["seabed_loss"] = e.seabed_loss;
   told["yielding_loss"] = e.yielding_loss;
+  told["bodies"] = e.bodies.value_or(0.0);
+  told["work_on_bodies"] = e.on_bodies.value_or(0.0);
   told["error"] = e.error;
   told["throughput"] = e.throughput;
   return told;

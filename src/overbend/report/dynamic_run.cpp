@@ -34,7 +34,8 @@ std::string energy_tables(const EnergyBalance& e, const std::string& on) {
   row(in, "Work of the rollers' motion", e.rollers);
   row(in, "Work at the tensioner", e.top);
   row(in, "Work at the anchor", e.anchor);
-  row(in, "Work in", e.fluid + e.rollers + e.top + e.anchor, "total");
+  if (e.on_bodies) row(in, "Work of waves, wind and machines on what floats", *e.on_bodies);
+  row(in, "Work in", e.fluid + e.rollers + e.top + e.anchor + e.on_bodies.value_or(0.0), "total");
   row(in, "Lost in contacts", e.contact_loss);
   row(in, "Lost to friction", e.friction_loss);
   row(in, "Lost in the seabed", e.seabed_loss);
@@ -46,7 +47,8 @@ std::string energy_tables(const EnergyBalance& e, const std::string& on) {
   row(stored, "Height", e.gravity);
   row(stored, "Contacts", e.contact);
   row(stored, "Seabed", e.seabed);
-  row(stored, "Stored", e.kinetic + e.strain + e.gravity + e.contact + e.seabed, "total");
+  if (e.bodies) row(stored, "What floats, its motion and place", *e.bodies);
+  row(stored, "Stored", e.kinetic + e.strain + e.gravity + e.contact + e.seabed + e.bodies.value_or(0.0), "total");
   row(stored, "Stored + lost - work in", e.error);
   row(stored, "Total energy exchanged (sum of absolute values)", e.throughput);
   stored.row({"Drift, error relative to energy exchanged", fixed(100.0 * e.drift(), 4) + " %"}, "total");
@@ -105,7 +107,9 @@ std::string tensioner_section(const StaticResults& statics, const DynamicResults
 std::string dynamic_run_section(const DynamicResults& results) {
   return html::section("run", "Appendix: energy balance and run",
                        "<div class=\"columns\">\n" +
-                           energy_tables(results.energy, results.station_s.empty() ? "hull and lines" : "the pipe") +
+                           energy_tables(results.energy, results.station_s.empty() ? "hull and lines"
+                                                         : results.energy.bodies   ? "pipe, lines and what floats"
+                                                                                   : "the pipe") +
                            run_table(results) + "</div>\n<p class=\"small\">Time integration: " +
                            html::escape(results.run.integrator) + ".</p>\n");
 }

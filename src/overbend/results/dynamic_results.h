@@ -117,6 +117,9 @@ struct EnergyBalance {
   double contact_loss = 0.0, friction_loss = 0.0, seabed_loss = 0.0, yielding_loss = 0.0;  ///< Dissipated.
   double error = 0.0;                                                                      ///< Stored + lost - work in.
   double throughput = 0.0;  ///< What has passed: sum of absolute work in and losses.
+  /// Of hull and stinger where they are free: stored in them, change since the start; work on them of all but the lines
+  /// and rollers.
+  std::optional<double> bodies, on_bodies;
   double drift() const { return throughput > 0.0 ? error / throughput : 0.0; }
 };
 

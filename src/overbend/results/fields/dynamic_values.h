@@ -85,6 +85,10 @@ void visit_energy(Row& r, Visit& visit) {
   visit(ResultField{"friction_loss", "J", "Lost in friction"}, r.friction_loss);
   visit(ResultField{"seabed_loss", "J", "Lost in the seabed"}, r.seabed_loss);
   visit(ResultField{"yielding_loss", "J", "Lost in yielding steel"}, r.yielding_loss);
+  visit(ResultField{"bodies", "J", "Energy of a free hull or stinger, of motion and place, change since the start"},
+        r.bodies);
+  visit(ResultField{"on_bodies", "J", "Work on a free hull or stinger, of waves, water, wind, machines and loads"},
+        r.on_bodies);
   visit(ResultField{"error", "J", "Stored and lost energy less the work done"}, r.error);
   visit(ResultField{"throughput", "J", "Sum of the absolute work and losses"}, r.throughput);
 }
