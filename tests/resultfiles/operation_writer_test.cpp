@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/json.h"
@@ -171,6 +172,19 @@ TEST(stage_table, has_a_row_per_stage_in_engineering_units) {
     EXPECT_NE(lines[0].find(head), std::string::npos) << head;
   }
   EXPECT_EQ(lines[0].find("pipe out"), std::string::npos);  // nothing is said of it at any stage
+}
+
+TEST(stage_table, has_no_stress_of_a_sagbend_that_is_cable_alone) {
+  OperationResults results = three_stages();
+  results.stages[0].lay->sagbend = {};
+  int found = 0;
+  for (const StageTableColumn& column : stage_table_columns(results)) {
+    if (!column.heading.starts_with("sagbend")) continue;
+    ++found;
+    EXPECT_TRUE(std::isnan(column.numbers[0])) << column.heading;
+    EXPECT_GT(column.numbers[2], 0.0) << column.heading;
+  }
+  EXPECT_EQ(found, 3);
 }
 
 TEST(stage_table, has_as_many_cells_in_every_row) {

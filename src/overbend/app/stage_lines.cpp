@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "model/lay_stage.h"
 #include "model/operation_words.h"
+#include "results/sagbend.h"
 
 namespace overbend {
 namespace {
@@ -80,7 +81,9 @@ std::string stage_line(const StageResult& stage) {
   const bool tank = stage.stage.tank_weight || stage.stage.tank_ballast;
   line += cell(lay.top_tension, 1e-3, 1, 10);
   line += tank && !lay.stinger.empty() ? cell(lay.stinger.front().angle, kToDegrees, 2, 12) : cell(depth, 1.0, 1, 12);
-  line += cell(lay.sagbend.von_mises.value, 1e-6, 1, 10) + cell(lay.sagbend.strain.value, 1e2, 3, 10);
+  const auto of_sagbend = [&](double value) { return has_sagbend(lay) ? std::optional(value) : std::nullopt; };
+  line += cell(of_sagbend(lay.sagbend.von_mises.value), 1e-6, 1, 10) +
+          cell(of_sagbend(lay.sagbend.strain.value), 1e2, 3, 10);
   line += cell(lay.stinger_tip_clearance, 1.0, 2, 11) + "  " + worst_words(lay.checks);
   if (!stage.governing.empty()) line += ", tension decided by " + stage.governing;
   return line + "\n";

@@ -12,6 +12,7 @@
 #include "report/places.h"
 #include "report/quantity.h"
 #include "report/stage_words.h"
+#include "results/sagbend.h"
 
 namespace overbend {
 namespace {
@@ -87,9 +88,9 @@ std::vector<Curve> curves() {
       {"cable", "Cable, of its breaking load", percent,
        [](Stage, Lay lay) { return lay.cable ? lay.cable->utilisation : std::nullopt; }},
       {"sagbend_stress", "Sagbend, von Mises stress", stresses(),
-       [](Stage, Lay lay) { return std::optional(lay.sagbend.von_mises.value); }},
+       [](Stage, Lay lay) { return has_sagbend(lay) ? std::optional(lay.sagbend.von_mises.value) : std::nullopt; }},
       {"sagbend_strain", "Sagbend, strain", strains(),
-       [](Stage, Lay lay) { return std::optional(lay.sagbend.strain.value); }},
+       [](Stage, Lay lay) { return has_sagbend(lay) ? std::optional(lay.sagbend.strain.value) : std::nullopt; }},
       {"overbend_strain", "Overbend, strain", strains(),
        [](Stage, Lay lay) { return lay.overbend ? std::optional(lay.overbend->strain.value) : std::nullopt; }},
       {"tip", "Clearance at the stinger tip", in_metres(), [](Stage, Lay lay) { return lay.stinger_tip_clearance; }},

@@ -14,6 +14,7 @@
 #include "report/stage_words.h"
 #include "report/verdict.h"
 #include "results/fields/result_field.h"
+#include "results/sagbend.h"
 
 namespace overbend {
 namespace {
@@ -72,8 +73,9 @@ std::string line_table(const OperationResults& results) {
   add("Overbend", {"strain", "%"},
       [](const StaticResults& lay) { return lay.overbend ? strains().text(lay.overbend->strain.value, 4) : ""; });
   add("Sagbend", {"stress", "MPa"},
-      [](const StaticResults& lay) { return stresses().text(lay.sagbend.von_mises.value, 1); });
-  add("Sagbend", {"strain", "%"}, [](const StaticResults& lay) { return strains().text(lay.sagbend.strain.value, 4); });
+      [](const StaticResults& lay) { return has_sagbend(lay) ? stresses().text(lay.sagbend.von_mises.value, 1) : ""; });
+  add("Sagbend", {"strain", "%"},
+      [](const StaticResults& lay) { return has_sagbend(lay) ? strains().text(lay.sagbend.strain.value, 4) : ""; });
   add("", {"Tip clearance", "m"},
       [](const StaticResults& lay) { return lay.stinger_tip_clearance ? fixed(*lay.stinger_tip_clearance, 3) : ""; });
   add("Largest roller load", {"", "kN"},

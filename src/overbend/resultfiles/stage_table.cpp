@@ -6,6 +6,7 @@
 
 #include "resultfiles/csv_fields.h"
 #include "results/fields/lay_operation_fields.h"
+#include "results/sagbend.h"
 
 namespace overbend {
 namespace {
@@ -61,9 +62,11 @@ void visit_lay_in_brief(const StaticResults& r, Visit& visit) {
   visit(ResultField{"von_mises", "Pa"}.csv("overbend von Mises stress"),
         r.overbend ? r.overbend->von_mises.value : nothing);
   visit(ResultField{"strain", "1"}.csv("overbend strain"), r.overbend ? r.overbend->strain.value : nothing);
-  visit(ResultField{"von_mises", "Pa"}.csv("sagbend von Mises stress"), r.sagbend.von_mises.value);
-  visit(ResultField{"strain", "1"}.csv("sagbend strain"), r.sagbend.strain.value);
-  visit(ResultField{"bending_moment", "N m"}.csv("sagbend moment"), r.sagbend.bending_moment.value);
+  visit(ResultField{"von_mises", "Pa"}.csv("sagbend von Mises stress"),
+        has_sagbend(r) ? r.sagbend.von_mises.value : nothing);
+  visit(ResultField{"strain", "1"}.csv("sagbend strain"), has_sagbend(r) ? r.sagbend.strain.value : nothing);
+  visit(ResultField{"bending_moment", "N m"}.csv("sagbend moment"),
+        has_sagbend(r) ? r.sagbend.bending_moment.value : nothing);
   visit(ResultField{"tip_clearance", "m"}.csv("tip clearance"), r.stinger_tip_clearance);
   const StingerSectionResult* stinger = r.stinger.empty() ? nullptr : &r.stinger.front();
   visit(ResultField{"stinger_angle", "rad"}.csv("stinger angle"), stinger != nullptr ? stinger->angle : nothing);

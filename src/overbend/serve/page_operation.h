@@ -9,6 +9,7 @@
 #include "report/places.h"
 #include "report/stage_words.h"
 #include "resultfiles/json_fields.h"
+#include "results/sagbend.h"
 
 namespace overbend {
 
@@ -41,8 +42,8 @@ auto page_stage_values(const Style& style, const StageResult& stage) {
   json["head_clearance"] = maybe(has_head, head.clearance);
   json["cable_tension"] = maybe(has_cable, has_cable ? lay.cable->largest_tension : 0.0);
   json["cable_utilisation"] = maybe(has_use, has_use ? *lay.cable->utilisation : 0.0);
-  json["sagbend_von_mises"] = style.number(lay.sagbend.von_mises.value);
-  json["sagbend_strain"] = style.number(lay.sagbend.strain.value);
+  json["sagbend_von_mises"] = maybe(has_sagbend(lay), lay.sagbend.von_mises.value);
+  json["sagbend_strain"] = maybe(has_sagbend(lay), lay.sagbend.strain.value);
   json["overbend_strain"] = maybe(lay.overbend.has_value(), lay.overbend ? lay.overbend->strain.value : 0.0);
   json["stinger_tip_clearance"] = maybe(lay.stinger_tip_clearance.has_value(), lay.stinger_tip_clearance.value_or(0.0));
   json["largest_reaction"] = maybe(has_boxes, lay.largest_reaction);

@@ -261,8 +261,8 @@ export interface StageValues {
   head_clearance: number | null;
   cable_tension: number | null;
   cable_utilisation: number | null;
-  sagbend_von_mises: number;
-  sagbend_strain: number;
+  sagbend_von_mises: number | null;
+  sagbend_strain: number | null;
   overbend_strain: number | null;
   stinger_tip_clearance: number | null;
   largest_reaction: number | null;
