@@ -3,7 +3,7 @@
 (function () {
   const kWidth = 960;
 
-  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, x_tick_values, lane: room for names above the plot}
+  // options: {width, height, x: [lo, hi], y: [lo, hi], x_label, y_label, title, equal, left, right, x_tick_values, x_tick_format, lane: room for names above the plot}
   Report.frame = function (panel, options) {
     const margin = { left: options.left || 88, right: options.right || 24, top: (options.title ? 34 : 16) + (options.lane || 0), bottom: options.bottom || 50 };
     const full_width = options.width || kWidth;
@@ -40,7 +40,7 @@
       .attr('y1', (d) => y(d)).attr('y2', (d) => y(d)).attr('x1', margin.left).attr('x2', full_width - margin.right);
     const plot = svg.append('g').attr('clip-path', `url(#${clip})`);
     svg.append('g').attr('transform', `translate(0,${height - margin.bottom})`)
-      .call(d3.axisBottom(x).tickValues(x_ticks).tickSizeOuter(0));
+      .call(d3.axisBottom(x).tickValues(x_ticks).tickFormat(options.x_tick_format || null).tickSizeOuter(0));
     svg.append('g').attr('transform', `translate(${margin.left},0)`)
       .call(d3.axisLeft(y).tickValues(y_ticks).tickSizeOuter(0));
     svg.append('text').attr('class', 'soft').attr('x', margin.left + inner_width / 2).attr('y', height - 10)
@@ -52,6 +52,13 @@
     }
     const over = svg.append('g');
     return { svg, back, plot, over, x, y, width: full_width, height, margin, inner_height, inner_width, used: [] };
+  };
+
+  // A range of values with so many digits in the tables, no finer than these tell: what lies under the last is the noise
+  // of equilibria, and would fill the figure and run over the edge in the numbers of its axis.
+  Report.no_finer = function ([lo, hi], digits) {
+    const least = 4 * 10 ** -digits;
+    return hi - lo < least ? [0.5 * (lo + hi - least), 0.5 * (lo + hi + least)] : [lo, hi];
   };
 
   // Width of a text in a size of its own, before there is a frame to set it in.

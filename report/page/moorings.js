@@ -322,17 +322,18 @@
   }
 
   const kOfPipe = {
-    tension: ['Tension at the tensioner [kN]', 1e-3],
-    overbend: ['Overbend, largest bending stress [MPa]', 1e-6],
-    sagbend: ['Sagbend, largest bending stress [MPa]', 1e-6],
-    clearance: ['Clearance at the stinger tip [m]', 1],
+    tension: ['Tension at the tensioner [kN]', 1e-3, 1],
+    overbend: ['Overbend, largest bending stress [MPa]', 1e-6, 1],
+    sagbend: ['Sagbend, largest bending stress [MPa]', 1e-6, 1],
+    clearance: ['Clearance at the stinger tip [m]', 1, 3],
   };
 
   Report.move_pipe = function (panel) {
-    for (const [key, [title, factor]] of Object.entries(kOfPipe)) {
+    for (const [key, [title, factor, digits]] of Object.entries(kOfPipe)) {
       if (m.steps.some((step) => step.pipe[key] === null)) continue;
       const points = m.steps.map((step) => [step.advance, step.pipe[key] * factor]);
-      const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: roomy([points]), x_ticks: 6, x_label: 'Advance of the vessel [m]', y_label: '', title });
+      const frame = Report.frame(panel, { width: 480, height: 210, left: 68, x: d3.extent(points, (p) => p[0]), y: Report.no_finer(roomy([points]), digits), x_ticks: 6, x_label: 'Advance of the vessel [m]',
+        y_label: '', title });
       frame.svg.classed('small', true);
       stroke(frame, points, colours.pipe, 2);
     }

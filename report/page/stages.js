@@ -183,10 +183,11 @@
     let [lo, hi] = d3.extent(known, (i) => curve.values[i]);
     const shows_limit = curve.limit !== null && curve.limit < hi + 3 * Math.max(hi - lo, 0.1 * Math.abs(hi)) && curve.limit > lo - 3 * Math.max(hi - lo, 0.1 * Math.abs(lo));
     if (shows_limit) { lo = Math.min(lo, curve.limit); hi = Math.max(hi, curve.limit); }
-    const room = 0.1 * (hi - lo || Math.abs(hi) || 1);
+    [lo, hi] = Report.no_finer([lo, hi], curve.digits);
+    const room = 0.1 * (hi - lo);
     const [x0, x1] = d3.extent(d3.range(m.list.length), at);
     const side = 0.03 * (x1 - x0 || 1);
-    const frame = Report.frame(panel, { width: 480, height: 220, left: 70, x: [x0 - side, x1 + side], y: [lo - room, hi + 1.6 * room], x_ticks: 6,
+    const frame = Report.frame(panel, { width: 480, height: 220, left: 70, x: [x0 - side, x1 + side], y: [lo - room, hi + 1.6 * room], x_ticks: 6, ...(by_length ? {} : { x_tick_values: d3.ticks(1, m.list.length, 6).filter(Number.isInteger), x_tick_format: d3.format('d') }),
       x_label: by_length ? `${m.out} [m]` : 'Stage', y_label: '', title: `${curve.name}${curve.unit ? ` [${curve.unit}]` : ''}` });
     frame.svg.classed('small', true);
     if (shows_limit) {

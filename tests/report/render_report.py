@@ -61,6 +61,10 @@ def written_page(words, folder):
         subprocess.run([program, "compare", model, "--of", what, "--duration", duration, "-o", folder + "/out"],
                        check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         return pathlib.Path(folder, "out", "comparison.html")
+    if words[0] == "--lay-table":
+        _, program, model = words
+        subprocess.run([program, "lay-table", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
+        return pathlib.Path(folder, "out", "report.html")
     program, model = words
     subprocess.run([program, "static", model, "-o", folder + "/out"], check=True, stdout=subprocess.DEVNULL)
     return pathlib.Path(folder, "out", "report.html")

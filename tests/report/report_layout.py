@@ -3,9 +3,10 @@
 
     report_layout.py PROGRAM MODEL.yaml
     report_layout.py --made-by PROGRAM [WORD ...]
+    report_layout.py --lay-table PROGRAM MODEL.yaml
 
 On screens: nothing makes the page wider than the window, no table is cut where there is room for a desk's screen, no two
-names of boxes cover each other, names of levels stand on their line, and the axis of a tension does not begin at zero.
+names of boxes cover each other, no number of an axis is cut, names of levels stand on their line, and the axis of a tension does not begin at zero.
 On paper: the first page stands alone, what is read as a whole is not split, no page but the last is nearly empty.
 """
 
@@ -50,6 +51,10 @@ LOOK = """
         if (Math.abs(a.angle - b.angle) > 0.01) return;
         if (a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1) faults.push(`${id}: '${a.text}' covers '${b.text}'`);
       }));
+      const frame = svg.getBoundingClientRect();
+      for (const text of svg.querySelectorAll('g[text-anchor=end] .tick text')) {
+        if (text.getBoundingClientRect().left < frame.left - 1) faults.push(`${id}: '${text.textContent}' is cut`);
+      }
       for (const level of svg.querySelectorAll('text.level')) {
         const y = Number(level.getAttribute('y'));
         const lines = [...svg.querySelectorAll('path[stroke-dasharray="8 4"]')].map((p) => Number(p.getAttribute('d').split(',')[1].split(/[A-Z]/)[0]));
@@ -148,7 +153,8 @@ def faults_on_paper(page, profile):
     printed = Printed(pdf.read_bytes())
     aims = printed.aims()
     ends = sorted(int(name[6:]) for name in aims if name.startswith("first-"))
-    least = 1 if " - study</title>" in page.read_text() else 4  # a study is mostly charts and long tables
+    # a study and a lay table are mostly charts and long tables
+    least = 1 if re.search(" - (study|lay table)</title>", page.read_text()) else 4
     if len(ends) < least:
         yield f"only {len(ends)} things to be kept whole were found on paper"
     for i in ends:

@@ -36,23 +36,35 @@ html::Head head_of(const std::string& heading, bool text) {
   return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), text};
 }
 
-std::string rows_section(const LayTable& table) {
-  const DataTable data = lay_table_data(table);
+std::string columns_table(const LayTable& table, const DataTable& data, const std::string& caption,
+                          const std::vector<std::size_t>& columns) {
   std::vector<html::Head> heads;
-  for (std::size_t i = 0; i < data.columns.size(); ++i) {
-    heads.push_back(head_of(data.columns[i].heading, is_text(data, i)));
-  }
-  html::Table out("", heads, "dense summary");
+  for (const std::size_t i : columns) heads.push_back(head_of(data.columns[i].heading, is_text(data, i)));
+  html::Table out(caption, heads, "dense summary");
   for (std::size_t r = 0; r < data.rows.size(); ++r) {
     std::vector<std::string> cells;
-    for (std::size_t i = 0; i < data.columns.size(); ++i) {
-      cells.push_back(shown(data.rows[r][i], data.columns[i].digits));
-    }
+    for (const std::size_t i : columns) cells.push_back(shown(data.rows[r][i], data.columns[i].digits));
     const bool passed = table.rows[r].lay && table.rows[r].lay->passed;
     out.row(cells, passed ? "" : "over");
   }
+  return out.str();
+}
+
+/// Two tables below each other: all columns in one would be wider than the page.
+std::string rows_section(const LayTable& table) {
+  const DataTable data = lay_table_data(table);
+  std::vector<std::size_t> lay, carried;
+  bool behind = false;
+  for (std::size_t i = 0; i < data.columns.size(); ++i) {
+    const std::string& heading = data.columns[i].heading;
+    behind = behind || heading.starts_with("largest reaction");
+    if (!behind) lay.push_back(i);
+    const bool says_which = heading == "row" || heading.starts_with("tension") || heading.starts_with("depth");
+    if (behind || says_which) carried.push_back(i);
+  }
   return html::section("rows", "Lays",
-                       out.str() +
+                       columns_table(table, data, "Shape, stress and strain", lay) +
+                           columns_table(table, data, "Reactions and checks", carried) +
                            "<p class=\"small\">Rows named least and largest are the limits within which every "
                            "governing check is passed, found by bisection to 0.1 %. The same rows are in "
                            "lay-table.csv and lay-table.xlsx.</p>\n");
