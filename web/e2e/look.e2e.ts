@@ -39,6 +39,17 @@ test('diagrams name their axes, their boxes and what is allowed', async () => {
   await page.context().close();
 });
 
+test('at 1100 px fields stay in their pane and names of axes in their diagram', async () => {
+  const page = await bench.open({ width: 1600, height: 900 }, listen);
+  await solved(page);
+  await page.setViewportSize({ width: 1100, height: 800 });
+  await page.waitForTimeout(500);
+  const out = await page.locator('.form .row > *').evaluateAll((all) => { const edge = document.querySelector('.left .panel')!.getBoundingClientRect().right; return all.filter((el) => el.getBoundingClientRect().right > edge + 1).length; });
+  expect(out).toBe(0);
+  expect(await said(page)).toContain('from the tensioner [m]');
+  await page.context().close();
+});
+
 test('warnings are short, named, without paths of this machine, and folded after three', async () => {
   const page = await bench.open({ width: 1280, height: 720 }, async (p) => {
     await p.context().route('**/api/static', async (route) => {

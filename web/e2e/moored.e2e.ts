@@ -3,7 +3,7 @@ import { afterAll, beforeAll, expect, test } from 'vitest';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { colours, picture, solved, start, type Bench } from './harness';
+import { colours, picture, rested, solved, start, type Bench } from './harness';
 
 interface Summary { static: { vessel: { natural_periods: { mode: string; period: number }[] }; moorings: { name: string; fairlead_tension: number; on_bed: number }[] } }
 
@@ -125,6 +125,20 @@ test('a spread from the dialogue is written into a lay, solves, and is undone', 
   await bench.shot(page, 'spread-plan');
   await page.click('[aria-label="Undo"]');
   await expect.poll(text).not.toContain('moorings');
+});
+
+test('a barge that thrusters alone hold is seen, without lines that it does not have', async () => {
+  const moored = readFileSync(join(bench.folder, 'moored-barge.yaml'), 'utf8');
+  const dp = 'station_keeping: {dp: {surge: {stiffness: 100 kN/m}, sway: {stiffness: 100 kN/m}, yaw: {stiffness: 2e5 kN*m}}}\n\n';
+  await put(moored.replace(/^moorings:[\s\S]*?(?=^analysis:)/m, dp), 'moored-barge.yaml');
+  await expect.poll(() => page.locator('.viewbuttons button').allInnerTexts(), { timeout: 20_000 }).toEqual(['vessel', 'plan']);
+  await solved(page);
+  await page.click('.viewbuttons >> text=vessel');
+  await rested(page);
+  expect(await page.locator('section[aria-label="Station keeping"] table').count()).toBe(0);
+  expect(await page.locator('.slot .empty').first().innerText()).toMatch(/neither pipe nor lines/);
+  expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(8);
+  await bench.shot(page, 'positioned');
 });
 
 test('a line by itself is drawn, and its diagrams are those of the line', async () => {

@@ -16,5 +16,14 @@ describe('where the camera stands', () => {
     expect(to.target.x).toBeGreaterThan(0);
     expect(to.target.x).toBeLessThan(40);
   });
+  test('before the hull where thrusters hold it and there are no lines to look at', () => {
+    const positioned = { ...line, lines: [], moorings: { rest: { moorings: [] } } } as unknown as Lay;
+    const scene = { vessel: { pose: [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1], length: 120, beam: 30, height: 9 } } as unknown as Scene;
+    for (const view of ['moorings', 'vessel'] as const) {
+      const to = shot(view, positioned, scene, camera())!;
+      expect([...to.eye.toArray(), ...to.target.toArray()].every(Number.isFinite)).toBe(true);
+      expect(to.target.length()).toBeLessThan(30);
+    }
+  });
   test('nowhere as long as the scene is of another model than the solution', () => expect(shot('whole', lay, noVessel, camera())).toBeNull());
 });

@@ -23,6 +23,7 @@ test('what cannot be asked for is said before it is sent', () => {
 
 test('ticks are round and within', () => {
   expect(ticks(201, 399)).toEqual([250, 300, 350]);
+  expect(ticks(145.5, 948.7)).toEqual([200, 400, 600, 800]); // a bit more than four steps is no reason for one tick
   expect(ticks(0.11, 0.19, 4)).toEqual([0.12, 0.14, 0.16, 0.18]);
 });
 

@@ -1,11 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { complete, fromSi, parseQuantity, tidy, toSi, twin } from '../src/logic/units';
+import { complete, fromSi, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
 import { UndoStack } from '../src/logic/undo';
 import { LatestGate } from '../src/logic/gate';
 import { colourAt, niceRange } from '../src/logic/colour';
 import { decimate, indexBefore, nearest, resample } from '../src/logic/decimate';
 import { tube, tubeIndices } from '../src/logic/tube';
 import { fitCircle, withRadius } from '../src/logic/stinger';
+import { axisNames } from '../src/logic/show';
 import { elevation, surface } from '../src/logic/waves';
 import { check, completed, type Answers } from '../src/logic/start';
 import { blend, decode } from '../src/logic/frames';
@@ -37,6 +38,15 @@ describe('units', () => {
     expect(tidy(0.1 + 0.2)).toBe('0.3');
     expect(tidy(123456.789)).toBe('123460');
     expect(tidy(Number.NaN)).toBe('–');
+  });
+  test('the name of an axis is cut from its front, down to its unit', () => {
+    expect(axisNames('horizontal distance from the tensioner [m]')).toEqual(['horizontal distance from the tensioner [m]', 'from the tensioner [m]', '[m]']);
+    expect(axisNames('time [s]')).toEqual(['time [s]', '[s]']);
+  });
+  test('tell lengths to a tenth of a millimetre', () => {
+    expect(tidyLength(-8.228e-5)).toBe('-0.0001');
+    expect(tidyLength(-3e-5)).toBe('0');
+    expect(tidyLength(335.6143)).toBe('335.6');
   });
 });
 

@@ -3,7 +3,7 @@ import { carried, columnsFor, lineLevel, poseAt, sceneAt, sorted, stateOf } from
 import { alongLine, around, ellipse, labelAt, outline, scaleLength, scatter } from '../src/logic/plan';
 import { firstItem, nextName } from '../src/logic/firstItems';
 import { lineNames, parseAngles, spreadChanges, spreadFaults, usualAngles, type SpreadWish } from '../src/logic/spread';
-import { shownViews, viewsOf } from '../src/logic/views';
+import { firstView, shownViews, viewsOf } from '../src/logic/views';
 import type { Lay, MooringLine, Moorings, Scene, VesselOffset } from '../src/api/types';
 
 const still: VesselOffset = { surge: 0, sway: 0, heave: 0, roll: 0, pitch: 0, yaw: 0, natural_periods: [] };
@@ -126,7 +126,11 @@ test('lists begin with an item that is valid at once, and go on with names of th
 
 test('a model has the views of what it holds', () => {
   const lay = (part: Partial<Lay>): Lay => ({ pipe: { s: [] }, moorings: null, lines: [], ...part }) as unknown as Lay;
-  expect(viewsOf(lay({ moorings: {} as Moorings }))).toEqual(['vessel', 'moorings']);
+  const held = (lines: number): Moorings => ({ rest: { moorings: Array(lines).fill({}) } }) as unknown as Moorings;
+  expect(viewsOf(lay({ moorings: held(8) }))).toEqual(['vessel', 'moorings']);
+  expect(firstView(lay({ moorings: held(8) }))).toBe('moorings');
+  expect(viewsOf(lay({ moorings: held(0) }))).toEqual(['vessel']); // its thrusters alone
+  expect(firstView(lay({ moorings: held(0) }))).toBe('vessel');
   expect(viewsOf(lay({ lines: [{}] as Lay['lines'] }))).toEqual(['lines']);
   expect(shownViews(lay({ pipe: { s: [0] } as Lay['pipe'] }))).toHaveLength(6);
   expect(shownViews(null).at(-1)).toEqual(['from the pipe', '6']);

@@ -3,6 +3,7 @@ import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
 import { nearest } from '../logic/decimate';
 import { toCsv, toSvg, type Diagram } from '../logic/table';
+import { axisNames } from '../logic/show';
 import { tidy } from '../logic/units';
 import type { ChartData } from './data';
 import { drawLevel, nameLevels, nameMarks } from './marks';
@@ -16,10 +17,19 @@ export interface ChartHandlers {
 
 export interface Extra { shade?: [number, number] | null; now?: number | null }
 
+/** The longest name of an axis that is no wider than the room, in pixels. */
+function fitting(name: string, room: number, font: string): string {
+  const names = axisNames(name), pen = document.createElement('canvas').getContext('2d');
+  if (!pen) return name;
+  pen.font = font;
+  return names.find((part) => pen.measureText(part).width <= room) ?? names.at(-1)!;
+}
+
 export class Chart {
   private plot: uPlot | null = null;
   private data: ChartData | null = null;
   private key = '';
+  private named = '';
   private extra: Extra = {};
   private zoomed: [number, number] | null = null;
   private silent = false;
@@ -38,23 +48,34 @@ export class Chart {
       this.key = key;
       this.build();
     }
+    this.fill();
+  }
+
+  private fill(): void {
+    const data = this.data!;
     this.silent = true;
     this.plot!.setData([data.x, ...data.lines.map((l) => l.values)] as uPlot.AlignedData, true);
     if (this.zoomed) this.plot!.setScale('x', { min: this.zoomed[0], max: this.zoomed[1] });
     this.silent = false;
   }
 
+  /** What stands along the axes: as much of their names as there is room for. */
+  private names(): { em: number; font: string; narrow: boolean; x: string; y: string } {
+    const data = this.data!, r = this.box.getBoundingClientRect();
+    const em = Number.parseFloat(getComputedStyle(document.body).fontSize), narrow = r.width < 260;
+    const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
+    const y = narrow ? '' : 0.46 * em * data.yName.length > r.height - 3.4 * em ? axisNames(data.yName).at(-1)! : data.yName;
+    return { em, font, narrow, x: fitting(data.xName, r.width - (narrow ? 3.4 : 4.75) * em, font), y };
+  }
+
   private build(): void {
     this.plot?.destroy();
     const data = this.data!;
     const axis = this.colour('--soft'), grid = this.colour('--grid');
-    const em = Number.parseFloat(getComputedStyle(document.body).fontSize);
-    const font = `${0.88 * em}px "Segoe UI", "Helvetica Neue", Arial, sans-serif`;
     const r = this.box.getBoundingClientRect();
     const bars = data.lines[0]?.width === -1;
-    const narrow = r.width < 260;
-    // where the name would not fit along the axis its unit stands there alone
-    const yName = 0.46 * em * data.yName.length > r.height - 3.4 * em ? /\[.*\]/.exec(data.yName)?.[0] ?? '' : data.yName;
+    const { em, font, narrow, x: xName, y: yName } = this.names();
+    this.named = xName + yName;
     const options: uPlot.Options = {
       width: Math.max(80, Math.floor(r.width)), height: Math.max(60, Math.floor(r.height)),
       padding: [6, 12, 0, 0],
@@ -67,7 +88,7 @@ export class Chart {
         ...(bars ? { fill: `${l.colour}cc`, width: 0, paths: uPlot.paths.bars!({ size: i === 0 ? [0.7, 40] : [0.35, 20] }) } : {}),
       }))],
       axes: [
-        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: data.xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
+        { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 1.7 * em, gap: 3, space: 4 * em, label: xName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 },
         { stroke: axis, font, grid: { stroke: grid, width: 1 }, ticks: { show: false }, size: 3.4 * em, gap: 4, space: 2.6 * em, ...(narrow ? {} : { label: yName, labelFont: font, labelSize: 1.35 * em, labelGap: 0 }) },
       ],
       hooks: {
@@ -174,7 +195,11 @@ export class Chart {
 
   resize(): void {
     const r = this.box.getBoundingClientRect();
-    if (this.plot && r.width > 20 && r.height > 20) this.plot.setSize({ width: Math.floor(r.width), height: Math.floor(r.height) });
+    if (!this.plot || r.width <= 20 || r.height <= 20) return;
+    const { x, y } = this.names();
+    if (x + y === this.named) return this.plot.setSize({ width: Math.floor(r.width), height: Math.floor(r.height) });
+    this.build();
+    this.fill();
   }
 
   private diagram(): Diagram {

@@ -26,7 +26,8 @@ export function usualRange(vary: LayTableVary, lay: { top_tension: number; lay_b
 /** Of numbers that are shown: a few round values within. */
 export function ticks(low: number, high: number, about = 4): number[] {
   const step0 = (high - low) / about, power = 10 ** Math.floor(Math.log10(step0));
-  const step = [1, 2, 5, 10].map((n) => n * power).find((n) => n >= step0 * 0.999) ?? power;
+  const away = (n: number): number => Math.abs(Math.log(n * power / step0));
+  const step = power * [1, 2, 5, 10].reduce((best, n) => (away(n) < away(best) ? n : best));
   const list: number[] = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) list.push(Number((k * step).toPrecision(12)));
   return list;

@@ -18,3 +18,9 @@ export function duration(seconds: number): string {
   const minutes = Math.round(seconds / 60);
   return minutes < 90 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
 }
+
+/** The name of an axis, and what is left of it where there is less room: its unit in the end. */
+export function axisNames(name: string): string[] {
+  const way = /\b(?:from|along) .*/.exec(name)?.[0], unit = /\[.*\]$/.exec(name)?.[0];
+  return [name, way, unit].filter((part): part is string => part !== undefined);
+}

@@ -84,6 +84,11 @@ export function tidy(value: number, digits = 5): string {
   return String(Math.abs(rounded) < 1e-12 ? 0 : rounded);
 }
 
+/** A length [m] to a tenth of a millimetre: contact forces alone press a pipe in by more. */
+export function tidyLength(value: number): string {
+  return tidy(Number(value.toFixed(4)), 4);
+}
+
 export function write(si: number, unit: string, digits = 5): string {
   return `${tidy(fromSi(si, unit), digits)} ${unit}`;
 }

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { Chart } from '../charts/chart';
 import { along, colours, lineShape, lineTension, reactions, shape, type ChartData } from '../charts/data';
 import { display, quantities, quantity } from '../logic/show';
+import { onLines } from '../logic/views';
 import { columnName } from '../logic/tensioner';
 import { byPath } from '../state/model';
 import { shownStage } from '../state/operation';
@@ -44,6 +45,7 @@ function empty(): string {
   const s = calmLay.value;
   if (!s) return 'No solution yet.';
   if (s.pipe.s.length) return 'The model has no roller boxes.';
+  if (!s.lines.length && !onLines(s)) return 'The model has neither pipe nor lines. Histories of a run are in this menu.';
   return s.lines.length ? 'Elevation, plan and effective tension are known of lines.' : 'The model has no pipe. Elevation and plan are those of a mooring line.';
 }
 

@@ -74,9 +74,9 @@ function Offsets({ of }: { of: VesselOffset }) {
   );
 }
 
-function Periods({ of }: { of: VesselOffset }) {
+function Periods({ of, on }: { of: VesselOffset; on: string }) {
   if (of.natural_periods.length === 0) return null;
-  return <dl class="offsets" aria-label="Natural periods">{of.natural_periods.map((p) => <div key={p.mode} class="kv" title={`Natural period of ${p.mode} on the lines`}><dt>T {p.mode}</dt><dd>{tidy(p.period, 3)} <small>s</small></dd></div>)}</dl>;
+  return <dl class="offsets" aria-label="Natural periods">{of.natural_periods.map((p) => <div key={p.mode} class="kv" title={`Natural period of ${p.mode} ${on}`}><dt>T {p.mode}</dt><dd>{tidy(p.period, 3)} <small>s</small></dd></div>)}</dl>;
 }
 
 /** Stages of the operation; the scene and the plan follow. */
@@ -96,13 +96,14 @@ export function StageChoice() {
 export function MooringResults() {
   const state = calmState.value;
   if (!state) return null;
+  const lines = state.moorings.length > 0, name = lines ? 'Moorings' : 'Station keeping';
   return (
-    <section class={`moored${failure.value && !ofRun.value ? ' old' : ''}`} aria-label="Moorings">
-      <h3>Moorings <button type="button" class="link" onClick={() => { planShown.value = !planShown.value; }}>{planShown.value ? '3-D view' : 'plan'}</button></h3>
+    <section class={`moored${failure.value && !ofRun.value ? ' old' : ''}`} aria-label={name}>
+      <h3>{name} <button type="button" class="link" onClick={() => { planShown.value = !planShown.value; }}>{planShown.value ? '3-D view' : 'plan'}</button></h3>
       <StageChoice />
-      <MooringTable lines={state.moorings} />
+      {lines ? <MooringTable lines={state.moorings} /> : null}
       <Offsets of={state.vessel} />
-      <Periods of={state.vessel} />
+      <Periods of={state.vessel} on={lines ? 'on the lines' : 'as it is positioned'} />
       <MooringsInTime />
     </section>
   );

@@ -164,7 +164,7 @@ export function Picture() {
       {planShown.value ? <PlanView /> : null}
       <div class="viewbuttons" role="toolbar" aria-label="Views">
         {views.map(([name, key]) => <button key={name} type="button" title={`View: ${name} (key ${key} in the 3-D view)`} disabled={!ready || !known} onClick={() => { planShown.value = false; view.current?.go(name); }}>{name}</button>)}
-        {moored ? <button type="button" aria-pressed={planShown.value} title="Plan of the moorings, north up" onClick={() => { planShown.value = !planShown.value; }}>plan</button> : null}
+        {moored ? <button type="button" aria-pressed={planShown.value} title="Plan of vessel and moorings, north up" onClick={() => { planShown.value = !planShown.value; }}>plan</button> : null}
       </div>
       {laid ? <div class="legend" data-flashes={animated ? flashing.value : undefined}>
         <select aria-label="Colour of the pipe" title={animated ? 'A run stores tension and von Mises stress for its animation; the other quantities are in the diagrams.' : undefined} value={key} onChange={(e) => { colourBy.value = e.currentTarget.value as ColourBy; }}>
@@ -172,8 +172,8 @@ export function Picture() {
         </select>
         <div class="ramp" style={{ background: css('stress') }} />
         <div class="ends"><span>{tidy(low, 3)}</span><span>{tidy((low + high) / 2, 3)}</span><span>{tidy(high, 3)} {q.unit === '–' ? '' : q.unit}</span></div>
-        <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <i class={animated ? 'pale' : 'hollow'} /> clear</>}</div>
-        {!ofRun.value && shownStage.value?.parts ? <div class="rollerkey"><i style={{ background: partColours(theme.value === 'dark').head }} /> head <i style={{ background: partColours(theme.value === 'dark').cable }} /> cable</div> : null}
+        <div class="rollerkey">{animated && !largest ? 'no reactions in this run' : <><i class="solid" style={{ background: css('load') }} /> {animated ? 'box' : 'roller'}{largest ? `, to ${tidy(largest / 1e3, 3)} kN` : ' carries'} <span><i class={animated ? 'pale' : 'hollow'} /> clear</span></>}</div>
+        {!ofRun.value && shownStage.value?.parts ? <div class="rollerkey"><i style={{ background: partColours(theme.value === 'dark').head }} /> head <span><i style={{ background: partColours(theme.value === 'dark').cable }} /> cable</span></div> : null}
       </div> : null}
       {ofRun.value && selected.value ? <div class="whose">run: <b>{runName(selected.value)}</b> <button type="button" class="tiny" aria-label="Back to the model" title="Back to the model" onClick={() => select(null)}>✕</button></div> : null}
       {planShown.value ? null : <Values />}

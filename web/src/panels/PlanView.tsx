@@ -80,7 +80,8 @@ export function PlanView() {
   const svg = useRef<SVGSVGElement>(null);
   const [[whole, height], setSize] = useState<[number, number]>([0, 0]);
   // beside the plan where there is room
-  const width = whole >= roomForTable ? whole - tableWidth : whole;
+  const tabled = calmState.value !== null && calmState.value.moorings.length > 0 && whole >= roomForTable;
+  const width = tabled ? whole - tableWidth : whole;
   useEffect(() => {
     const observer = new ResizeObserver(() => { const r = box.current!.getBoundingClientRect(); setSize([Math.floor(r.width), Math.floor(r.height)]); });
     observer.observe(box.current!);
@@ -98,7 +99,7 @@ export function PlanView() {
   return (
     <div class="plan" ref={box} aria-label="Plan of the moorings">
       {width > 0 && state ? (
-        <svg ref={svg} class="planview" width={width} height={height} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={`Plan of ${lines.length} mooring lines, north up`}>
+        <svg ref={svg} class="planview" width={width} height={height} viewBox={`0 0 ${width} ${height}`} role="img" aria-label={`Plan of ${lines.length ? `${lines.length} mooring lines` : 'the vessel'}, north up`}>
           <g transform="translate(0 34)">
             {(scene?.objects ?? []).map((o) => (
               <g key={o.name} class="object"><title>{o.name}</title>
@@ -113,7 +114,7 @@ export function PlanView() {
           <path class="bar" d={`M14 ${height - 14}v-6v6h${bar * on.scale}v-6`} /><text x={20 + bar * on.scale} y={height - 12}>{tidy(bar)} m</text>
         </svg>
       ) : null}
-      {state && whole >= roomForTable ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide /></div> : null}
+      {tabled ? <div class="plantable" style={{ width: `${tableWidth}px` }}><MooringTable lines={lines} wide /></div> : null}
       {offsets ? <Offsets of={offsets} size={inset} /> : null}
       <div class="planacts"><StageChoice /><button type="button" class="tiny" title="Save the plan as SVG" onClick={save}>svg</button></div>
     </div>

@@ -1,5 +1,5 @@
 // Key results of statics.
-import { fromSi, tidy, write } from '../logic/units';
+import { fromSi, tidy, tidyLength, write } from '../logic/units';
 import { calm, failure } from '../state/live';
 import { bullet, bullets } from '../logic/warnings';
 import { cursor } from '../state/look';
@@ -19,13 +19,13 @@ export function Value({ name, value, unit, title, result }: { name: string; valu
   const other = { kN: 'kip', m: 'ft', MPa: 'ksi' }[unit];
   return (
     <div class="kv" title={`${title ?? ''} ${other ? write(value, other, 4) : ''}`.trim()}>
-      <dt>{name}{result ? <SeekButton goal={{ name, result, unit, si: value }} /> : null}</dt><dd>{tidy(fromSi(value, unit), 4)} <small>{unit.replace('*', ' ')}</small></dd>
+      <dt>{name}{result ? <SeekButton goal={{ name, result, unit, si: value }} /> : null}</dt><dd>{unit === 'm' ? tidyLength(value) : tidy(fromSi(value, unit), 4)} <small>{unit.replace('*', ' ')}</small></dd>
     </div>
   );
 }
 
 function RegionBlock({ name, r }: { name: string; r: Region | null }) {
-  if (!r) return null;
+  if (!r || r.von_mises === 0) return null; // no steel there: a cable alone reaches the bed
   const level = r.utilisation > 1 ? 'over' : r.utilisation > 0.87 ? 'near' : 'good';
   return (
     <div class={`region ${level}`}>

@@ -1,7 +1,7 @@
 // Where to look from, for each of the view buttons.
 import * as THREE from 'three';
 import type { Lay, Scene, Vessel } from '../api/types';
-import type { ViewName } from '../logic/views';
+import { onLines, type ViewName } from '../logic/views';
 import { vec } from './members';
 
 export interface Shot { eye: THREE.Vector3; target: THREE.Vector3 }
@@ -67,7 +67,7 @@ export function shot(name: ViewName, s: Lay, scene: Scene, camera: THREE.Perspec
     const across = size.x >= size.y ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(1, 0, 0);
     return around(all, across.add(new THREE.Vector3(-0.2, -0.05, 0.3)), camera, 1.25);
   }
-  if (name === 'moorings' && s.moorings) {
+  if (name === 'moorings' && s.moorings && onLines(s)) {
     const { forward, port } = axes(vessel);
     const all = places(s.moorings.rest.moorings.flatMap((l) => [l.anchor, l.fairlead]));
     return around(all, port.clone().negate().addScaledVector(forward, -0.35).add(new THREE.Vector3(0, 0, 1.1)), camera, 1.08);
