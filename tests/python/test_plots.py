@@ -106,6 +106,12 @@ class StaticFigures(Drawing):
         with self.assertRaisesRegex(KeyError, "did you mean 'curvature'"):
             self.static.plot.along("curvatur")
 
+    def test_a_model_without_a_pipe_has_none_to_draw(self):
+        static = ob.Model.read(EXAMPLES / "jumper.yaml").static()
+        for draw in (static.plot.profile, static.plot.tension, static.plot.stress):
+            with self.assertRaisesRegex(ValueError, "no pipe to draw"):
+                draw()
+
     def test_plain_arrays_are_drawn_as_labelled_ones(self):
         lines = []
         for use in (True, False):

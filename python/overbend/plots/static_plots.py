@@ -37,11 +37,16 @@ class StaticPlots:
     def __init__(self, static: Any) -> None:
         self._static = static
 
+    def _require_pipe(self) -> None:
+        if len(self._static.pipe) == 0:
+            raise ValueError("the model has no pipe to draw")
+
     def profile(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
         """Draws the elevation of pipe, vessel and seabed: heights above the water over the distance astern of the shoe.
 
         The whole line is true to scale; the overbend has its heights enlarged and shows which roller rows carry.
         """
+        self._require_pipe()
         return elevation(self._static, ax, draw.part_of(part))
 
     def tension(self, ax: Optional[Axes] = None, *, part: str = "whole") -> Axes:
@@ -67,6 +72,7 @@ class StaticPlots:
             name: the column, such as 'bending_stress', 'curvature' or 'inclination'.
         Raises: KeyError for an unknown column.
         """
+        self._require_pipe()
         column = self._static.pipe[name]
         unit, factor, digits = shown(name, column.attrs["units"])
         figure = AlongPipe(self._static, ax, part)
