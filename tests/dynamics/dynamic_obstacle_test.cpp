@@ -47,6 +47,7 @@ TEST(dynamic_obstacle, lets_a_told_vessel_move_ahead_but_not_at_once) {
 TEST(dynamic_obstacle, lets_a_told_vessel_start_in_full_motion_only_where_statics_leave_it) {
   Description d = workable();
   d.dynamics->build_up = 0.0;
+  d.environment.waves.hs = 4.0;
   const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
   ASSERT_TRUE(obstacle);
   EXPECT_EQ(obstacle->key, "analysis.dynamic.build_up");
@@ -56,6 +57,8 @@ TEST(dynamic_obstacle, lets_a_told_vessel_start_in_full_motion_only_where_static
   EXPECT_FALSE(dynamic_obstacle(build_model(d)));
   d.vessel.harmonic["heave"].phase = 0.5;
   EXPECT_TRUE(dynamic_obstacle(build_model(d)));
+  d.vessel.harmonic["heave"].amplitude = 0.1;  // a small leap is told
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
   d.vessel.motion = VesselMotion::fixed;
   EXPECT_FALSE(dynamic_obstacle(build_model(d)));
 }

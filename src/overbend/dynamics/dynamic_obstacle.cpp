@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "dynamics/dynamics.h"
-#include "mechanics/sea.h"
-#include "mechanics/vessel_motion.h"
+#include "dynamics/start_leap.h"
 #include "model/station.h"
 #include "statics/moored_statics.h"
 #include "statics/static_obstacle.h"
@@ -12,7 +10,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kLargestLeap = 1e-3;  ///< Of the stern shoe at t = 0 without build-up [m].
+constexpr double kLargestLeap = 0.1;  ///< Of the stern shoe at t = 0 [m].
 
 StaticFailure refused(const char* key, std::string what, std::string why) {
   return {std::move(what), "", std::move(why), true, key};
@@ -64,20 +62,9 @@ std::optional<StaticFailure> coupled_obstacle(const Description& d) {
   return std::nullopt;
 }
 
-/// How far the stern shoe is at t = 0 from where it is in statics [m].
-double distance_at_start(const Model& model) {
-  const Description& d = model.description;
-  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, dynamic_options(model).seed);
-  const Vec3 shoe_V(d.vessel.stern_shoe_x, 0.0, d.vessel.stern_shoe_z);
-  const Vec3 at_rest = model.mean_pose.p_WV + model.mean_pose.R_WV * shoe_V;
-  return (point_motion(vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{}), shoe_V).place - at_rest).norm();
-}
-
 /// A told motion that is there in full at once, away from where statics leave the vessel.
 std::optional<StaticFailure> leap_obstacle(const Model& model) {
-  const Description& d = model.description;
-  if (d.dynamics->build_up > 0.0 || d.vessel.motion == VesselMotion::coupled) return std::nullopt;
-  const double leap = distance_at_start(model);
+  const double leap = leap_at_start(model);
   if (leap <= kLargestLeap) return std::nullopt;
   return refused(
       "analysis.dynamic.build_up", "the vessel cannot be at once where its motion has it",

@@ -188,11 +188,11 @@ std::vector<Field> analysis() {
        .text = "Dynamics.",
        .fallback_text = "no dynamic analysis"},
       time(".duration", fills(&DynamicSettings::duration), "Simulated time covered by the statistics, from t = 0."),
-      time(
-          ".build_up", defaults(&DynamicSettings::build_up),
-          "Time before t = 0 over which waves and vessel motion are ramped up; the current acts in full. Not 0 where a "
-          "told motion has the vessel elsewhere at t = 0 than statics.",
-          true),
+      time(".build_up", defaults(&DynamicSettings::build_up),
+           "Time before t = 0 over which waves and vessel motion are ramped up; the current acts in full. With 0 s a "
+           "told "
+           "motion leaps at t = 0 from where statics have the vessel: warned of, refused from 0.1 m on.",
+           true),
       time(".step", fills(&DynamicSettings::step), "Fixed time step."),
       time(".max_step", fills(&DynamicSettings::max_step), "Maximum time step of the adaptive scheme."),
       {.path = d + ".spectral_radius",

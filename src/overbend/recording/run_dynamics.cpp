@@ -1,13 +1,18 @@
 #include "recording/run_dynamics.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 
+#include "dynamics/start_leap.h"
 #include "recording/dynamic_recorder.h"
 #include "recording/moored_recorder.h"
 
 namespace overbend {
 namespace {
+
+constexpr double kSmallLeap = 1e-3;  ///< Of the stern shoe at t = 0, not worth a word [m].
 
 DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options, double simulated) {
   report.real_time_ratio = report.wall_time > 0.0 ? simulated / report.wall_time : 0.0;
@@ -19,7 +24,7 @@ DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options
 
 /// What results of all runs have in common; `Run`: a Simulation or a SystemRun.
 template <class Run>
-DynamicResults begun_results(const Run& run) {
+DynamicResults begun_results(const Model& model, const Run& run) {
   const DynamicOptions& options = run.options();
   DynamicResults r;
   r.duration = run.time();
@@ -28,11 +33,17 @@ DynamicResults begun_results(const Run& run) {
   r.seed = options.seed;
   r.energy = run.energy();
   r.run = finished(run.report(), options, r.duration + std::ceil(r.build_up / r.output_step) * r.output_step);
+  if (const double leap = leap_at_start(model); leap > kSmallLeap) {
+    r.warnings.push_back(
+        fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it: what rings after "
+                    "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
+                    leap));
+  }
   return r;
 }
 
-DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& recorder) {
-  DynamicResults r = begun_results(simulation);
+DynamicResults results_of(const Model& model, const Simulation& simulation, const DynamicRecorder& recorder) {
+  DynamicResults r = begun_results(model, simulation);
   recorder.fill(r);
   for (std::string& words : simulation.controllers().assumptions()) r.assumptions.push_back(std::move(words));
   for (std::string& words : simulation.controllers().warnings(simulation.system())) {
@@ -41,8 +52,8 @@ DynamicResults results_of(const Simulation& simulation, const DynamicRecorder& r
   return r;
 }
 
-DynamicResults results_of(const SystemRun& run, const MooredRecorder& recorder) {
-  DynamicResults r = begun_results(run);
+DynamicResults results_of(const Model& model, const SystemRun& run, const MooredRecorder& recorder) {
+  DynamicResults r = begun_results(model, run);
   recorder.fill(r);
   return r;
 }
@@ -53,7 +64,8 @@ DynamicOutcome follow(Run& run, DynamicSink& sink, const std::function<DynamicCo
                       const std::function<DynamicResults()>& so_far, const std::function<double()>& tension) {
   while (!run.finished()) {
     if (!run.advance(run.next_row())) return {std::nullopt, run.failure(), false};
-    const DynamicControl wanted = control({run.time(), run.end(), run.report().steps, tension(), so_far});
+    const DynamicControl wanted =
+        control({run.time(), run.end(), run.report().steps, tension(), [&so_far] { return so_far(); }});
     if (wanted != DynamicControl::go_on) sink.checkpoint(run.checkpoint());
     if (wanted == DynamicControl::stop && !run.finished()) {
       if (run.time() <= 0.0) return {std::nullopt, std::nullopt, true};
@@ -78,7 +90,7 @@ DynamicOutcome run_moored(const Model& model, const StaticSolution& start, const
     recorder.row(run);
   }
   return follow(
-      run, sink, control, [&] { return results_of(run, recorder); }, [&] { return recorder.largest_tension(); });
+      run, sink, control, [&] { return results_of(model, run, recorder); }, [&] { return recorder.largest_tension(); });
 }
 
 }  // namespace
@@ -97,7 +109,7 @@ DynamicOutcome run_dynamics(const Model& model, const StaticSolution& start, con
     recorder.row(simulation.now(), simulation.row_number());
   }
   return follow(
-      simulation, sink, control, [&] { return results_of(simulation, recorder); },
+      simulation, sink, control, [&] { return results_of(model, simulation, recorder); },
       [&] { return recorder.top_tension(); });
 }
 

@@ -1,0 +1,46 @@
+/// A told motion that begins at once.
+#include "dynamics/start_leap.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "support/bgl1_in_time.h"
+#include "support/memory_sink.h"
+
+namespace overbend {
+namespace {
+
+/// Heave of 5 cm, at its crest at t = 0.
+Description lifted_at_once() {
+  Description d = testing::workable();
+  d.environment.waves.type = WaveType::none;
+  d.dynamics->build_up = 0.0;
+  d.dynamics->duration = 0.5;
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.harmonic.clear();
+  d.vessel.harmonic["heave"] = {0.05, 10.0, 0.5 * std::numbers::pi};
+  return d;
+}
+
+TEST(start_leap, is_the_way_from_statics_to_where_a_told_motion_begins) {
+  Description d = lifted_at_once();
+  EXPECT_NEAR(leap_at_start(build_model(d)), 0.05, 1e-12);
+  d.vessel.harmonic["heave"].phase = 0.0;
+  EXPECT_NEAR(leap_at_start(build_model(d)), 0.0, 1e-12);
+  d = lifted_at_once();
+  d.dynamics->build_up = 10.0;
+  EXPECT_EQ(leap_at_start(build_model(d)), 0.0);
+}
+
+TEST(start_leap, of_centimetres_is_told_by_the_run) {
+  const testing::TimedLay c(lifted_at_once());
+  testing::EmptySink sink;
+  const std::vector<std::string> warnings = c.results(sink).warnings;
+  EXPECT_TRUE(std::ranges::any_of(
+      warnings, [](const std::string& words) { return words.find("leaps by 0.05 m") != std::string::npos; }));
+}
+
+}  // namespace
+}  // namespace overbend
