@@ -55,6 +55,23 @@ TEST(operation_command, static_runs_all_stages_and_one_that_cannot_be_leaves_the
   EXPECT_FALSE(stages[2]["failure"]["why"].get<std::string>().empty());
 }
 
+TEST(operation_command, what_the_lay_of_a_stage_warns_of_is_said_with_the_stage) {
+  const Scratch folder;
+  const std::string model =
+      folder.write("lay.yaml", testing::with(abandoned(kTwo), "yield_stress: 414 MPa", "yield_stress: 120 MPa"));
+  const ProgramRun run = run_program("static " + model + " -o " + folder.file("out"));
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json stages = read_json(folder.read("out/summary.json"))["operation"]["stages"];
+  int warnings = 0;
+  for (const Json& stage : stages) {
+    for (const Json& warning : stage["lay_warnings"]) {
+      EXPECT_TRUE(says(run.out, warning.get<std::string>())) << run.out;
+      ++warnings;
+    }
+  }
+  EXPECT_GT(warnings, 0);
+}
+
 TEST(operation_command, where_no_stage_can_be_there_is_no_solution) {
   const Scratch folder;
   const std::string model = folder.write("lay.yaml", abandoned(kSlack));

@@ -31,6 +31,21 @@ TEST(hull_report, gives_the_range_of_the_current_force) {
   EXPECT_FALSE(report.radiation.entries.empty());
 }
 
+TEST(hull_report, warns_of_a_table_by_which_wind_from_ahead_pulls_the_hull_ahead) {
+  const Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  const auto warnings_with = [&](double sign) {  // angles where it comes from, clockwise from the bow
+    std::vector<CoefficientRow> rows;
+    for (int i = 0; i < 12; ++i) {
+      const double angle = i * std::numbers::pi / 6.0;
+      rows.push_back({angle, -sign * 0.9 * std::cos(angle), 1.1 * std::sin(angle), 0.0});
+    }
+    made.hull.wind.table = {200.0, 900.0, 120.0, coefficients_from_bow(rows, CoefficientAxes::from_bow)};
+    return hull_report(made, model, Sea{}, moored()).warnings.size();
+  };
+  EXPECT_EQ(warnings_with(-1.0), warnings_with(1.0) + 1);
+}
+
 TEST(hull_report, tells_what_acts_steadily) {
   Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();

@@ -144,6 +144,14 @@ TEST(stinger_settings, turn_the_sections_by_the_one_that_is_chosen) {
   }
 }
 
+TEST(stinger_settings, lie_between_the_stops) {
+  const std::string stinger = kRow + "    hinge: {x: 3 m, z: -4 m}\n    limits: [-8 deg, 6 deg]\n    settings:\n";
+  EXPECT_TRUE(complains(stinger + "      - {name: high, angle: -30 deg}\n", "supports.stinger.settings[0].angle",
+                        "between the stops"));
+  EXPECT_FALSE(complains(stinger + "      - {name: high, angle: -8 deg}\n    setting: high\n",
+                         "supports.stinger.settings[0].angle", "between the stops"));
+}
+
 TEST(stinger_settings, are_refused_where_nothing_is_chosen_by_them) {
   const std::string hinge = "    hinge: {x: 3 m, z: -4 m}\n";
   EXPECT_TRUE(complains(kRow + hinge + "    settings: [{name: a, angles: [1 deg, 2 deg]}]\n",

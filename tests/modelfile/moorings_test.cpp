@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 #include <numbers>
+#include <sstream>
 
 #include "base/constants.h"
 #include "base/yaml_document.h"
@@ -396,6 +398,51 @@ TEST(coupled_hull, files_of_another_hull_or_scale_are_refused) {
   expect_told(good,
               {"length scale", stem + "\n", stem + "\n      convention: {length_scale: 10 m}\n", key, "waterplane"});
   expect_told(good, {"another vessel", "  depth: 9 m", "  length: 500 m\n  depth: 9 m", key, "3600 m^2"});
+}
+
+/// Files of BGL-1 under a stem of their own, with the lines of one of them that are wanted.
+std::string thinned_files(const std::string& ending, const std::function<bool(std::istringstream&)>& wanted) {
+  const std::string from = std::string(OVERBEND_SOURCE_DIR) + "/data/bgl1/bgl1";
+  const std::string stem = ::testing::TempDir() + "thinned" + ending.substr(1);
+  for (const char* each : {".1", ".3", ".8", ".hst"}) {
+    std::ifstream in(from + each);
+    std::ofstream out(stem + each);
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream numbers(line);
+      if (each != ending || wanted(numbers)) out << line << '\n';
+    }
+  }
+  return stem;
+}
+
+TEST(coupled_hull, drift_of_one_side_of_the_hull_alone_is_refused_as_forces_are) {
+  const std::string stem = thinned_files(".8", [](std::istringstream& line) {
+    double period = 0.0, heading = 0.0;
+    line >> period >> heading;
+    return heading <= 180.0;
+  });
+  const std::string calm = "  current: [{depth: 0 m, speed: 1 m/s, towards: 0 deg}]\n";
+  const std::string waves = calm + "  waves: {type: airy, height: 1 m, period: 8 s, from: 300 deg}\n";
+  const std::string good = replaced(kCoupled, calm, waves);
+  expect_told(good,
+              {"half", "../data/bgl1/bgl1", stem, "vessel.motion.coupled.hydrodynamics", "headings of the drift"});
+  const std::string mirrored = "hydrodynamics: " + stem + "\n      convention: {headings: mirrored}";
+  EXPECT_TRUE(read_model_text(replaced(good, "hydrodynamics: ../data/bgl1/bgl1", mirrored), "m.yaml").description);
+}
+
+TEST(coupled_hull, files_without_a_mode_are_warned_of) {
+  const std::string stem = thinned_files(".1", [](std::istringstream& line) {
+    double period = 0.0;
+    int i = 0, j = 0;
+    line >> period >> i >> j;
+    return i != 3 && j != 3;
+  });
+  const ModelReading reading = read_model_text(replaced(kCoupled, "../data/bgl1/bgl1", stem), "m.yaml");
+  ASSERT_TRUE(reading.description);
+  const std::vector<std::string> warnings = reading.diagnostics.lines(Severity::warning);
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& line) {
+    return line.find("no added mass of heave") != std::string::npos;
+  }));
 }
 
 TEST(coupled_hull, current_may_be_left_out_only_in_words) {

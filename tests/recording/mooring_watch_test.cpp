@@ -173,6 +173,18 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
   }));
 }
 
+TEST(mooring_watch, says_at_which_tension_a_winch_without_a_stall_of_its_own_hauls_no_more) {
+  const Second second = second_with([](MooringsDescription& moorings) {
+    for (WinchDescription& winch : moorings.winches) {
+      winch.mode = WinchMode::speed;
+      winch.program = {{0.0, -1.0}};
+      winch.stall.reset();
+      winch.haul = 60e3;  // less than any line bears
+    }
+  });
+  EXPECT_TRUE(says(second.results.warnings, "it stalls at 60.0 kN"));
+}
+
 TEST(mooring_watch, says_that_a_long_way_of_a_winch_makes_a_long_element) {
   const Second second = second_with([](MooringsDescription& moorings) {
     WinchDescription& winch = moorings.winches.front();

@@ -60,6 +60,24 @@ TEST(bathymetry_reader, turns_heights_into_depths_and_leaves_out_cells_without_d
   EXPECT_EQ(depths->depth, (std::vector<double>{4, 5, 6, 1, 2}));
 }
 
+TEST(bathymetry_reader, knows_cells_without_data_however_the_head_spells_them) {
+  const std::string head = "ncols 3\nnrows 2\nxllcorner 100\nyllcorner -50\ncellsize 10\n";
+  Diagnostics diagnostics;
+  const auto of_gdal = read_ascii_grid(head + "NODATA_value -3.4028234663852886e+38\n-1 -2 -3.4028235e+38\n-4 -5 -6\n",
+                                       "bed.asc", diagnostics);
+  const auto of_none = read_ascii_grid(head + "-1 -2 -9999\n-4 -5 -6\n", "bed.asc", diagnostics);
+  ASSERT_TRUE(of_gdal && of_none);
+  EXPECT_EQ(of_gdal->depth, (std::vector<double>{4, 5, 6, 1, 2}));
+  EXPECT_EQ(of_none->depth, of_gdal->depth);
+}
+
+TEST(bathymetry_reader, refuses_depths_that_no_sea_has) {
+  EXPECT_NE(fault_of_table("east,north,depth\n0,0,50\n0,1,99999\n1,0,50\n").find("at most 12000"), std::string::npos);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_ascii_grid(kHead + "1 2 3\n4 5 99999\n", "bed.asc", diagnostics).has_value());
+  EXPECT_TRUE(diagnostics.has_errors());
+}
+
 TEST(bathymetry_reader, refuses_grids_that_are_not_whole_or_of_both_signs) {
   const auto refused = [](const std::string& text) {
     Diagnostics diagnostics;

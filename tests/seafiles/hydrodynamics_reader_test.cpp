@@ -128,6 +128,17 @@ TEST(hydrodynamics_reader, length_scale_and_units_of_every_file) {
   EXPECT_EQ(data->mean_drift[0](2), 0.0);
 }
 
+TEST(hydrodynamics_reader, a_pair_of_modes_that_stands_once_couples_both_ways) {
+  const Files files;
+  files.write(".1", "0 1 5 0.5\n6 1 5 1 0.1\n5 1 5 2 0.2\n4 1 5 3 0.3\n3 1 5 4 0.4\n");
+  Diagnostics diagnostics;
+  const auto data = read_hydrodynamics(files.source(), diagnostics);
+  ASSERT_TRUE(data);
+  EXPECT_EQ(data->added_mass_infinite(4, 0), data->added_mass_infinite(0, 4));
+  EXPECT_EQ(data->radiation[0].damping(4, 0), data->radiation[0].damping(0, 4));
+  EXPECT_GT(data->radiation[0].damping(4, 0), 0.0);
+}
+
 TEST(hydrodynamics_reader, headings_are_wrapped_sorted_and_mirrored_where_the_hull_is_symmetric) {
   const Files files;
   files.write(".3",
@@ -158,6 +169,8 @@ TEST(hydrodynamics_reader, every_bad_file_is_one_error_with_line_found_and_expec
       {".1", "6 3 9 1 0.1\n", "hull.1:1: ", "two modes from 1 to 6"},
       {".1", "6 3 3 1 0.1\n6 3 3 1 0.1\n", "hull.1:2: ", "a second time"},
       {".1", "6 3 3 1 0.1\n5 3 3 1 0.1\n5 1 1 1 0\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:2: ", "other pairs"},
+      {".1", "0 1 1 1\n6 3 3 1 1\n5 3 3 1 1\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:1: ", "other pairs"},
+      {".1", "6 3 3 1 1\n6.000001 3 3 1 1\n5 3 3 1 1\n4 3 3 1 1\n3 3 3 1 1\n", "hull.1:2: ", "each period once"},
       {".1", "6 3 3 1 0.1\n5 3 3 1 0.1\n", "hull.1: ", "four or more"},
       {".1", "0 3 3 1\n", "hull.1: ", "no finite period"},
       {".3", "6 0 1 1 0 1\n", "hull.3:1: ", "found 6 columns, expected 7 numbers"},

@@ -19,6 +19,19 @@ TEST(motion_history_reader, columns_stand_in_any_order_and_missing_ones_are_zero
   EXPECT_EQ(history->freedoms[1], (std::array<double, 6>{0.0, 0.0, 0.25, 0.0, -2.0 * kDegree, 0.0}));
 }
 
+TEST(motion_history_reader, a_hole_in_a_record_is_warned_of) {
+  std::string text = "time_s,heave_m\n";
+  for (int i = 0; i < 120; ++i) {
+    if (i < 30 || i > 70) text += std::to_string(0.5 * i) + "," + std::to_string(0.01 * i) + "\n";
+  }
+  const WrittenFile file("motion.csv", text);
+  Diagnostics diagnostics;
+  ASSERT_TRUE(read_motion_history(file.path(), diagnostics));
+  const std::vector<std::string> warnings = diagnostics.lines(Severity::warning);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("a gap of 21 s"), std::string::npos) << warnings[0];
+}
+
 TEST(motion_history_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {
   struct Fault {
     std::string text;

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "study/lines_run.h"
 #include "support/line_cases.h"
 
 namespace overbend {
@@ -116,6 +119,31 @@ TEST(lines_statics, ends_clumps_and_buoys_bear_one_another) {
   EXPECT_NEAR(lines.first[0].x() + lines.last[0].x(), 0.0, 1e-3);
   for (const LinePoint& point : lines.line().points) {
     EXPECT_DOUBLE_EQ(lines.line().mesh.s[static_cast<std::size_t>(point.node)], point.buoyancy > 1.0 ? 880.0 : 700.0);
+  }
+}
+
+TEST(lines_statics, a_buoy_that_turns_a_slack_line_leaves_it_the_tension_of_either_side) {
+  const LineTypeDescription rope = testing::cable_type(40.0, 0.15, 2e8, 0.0, 1025.0);
+  LineTypeDescription chain = rope;
+  chain.axial_stiffness *= 10.0;
+  for (const bool softer_first : {true, false}) {
+    Description d = testing::water_alone(1025.0, 80.0);
+    d.lines = {testing::free_line(rope, 60.0, Vec3(10.0, 5.0, -10.0), Vec3(150.0, -40.0, -80.0))};
+    d.lines[0].segments.push_back(d.lines[0].segments[0]);
+    d.lines[0].segments[1].length = 140.0;
+    d.lines[0].segments[softer_first ? 1 : 0].type = chain;  // the joint is on the softer side
+    LinePointDescription buoy;
+    buoy.kind = PointKind::buoy;
+    buoy.net_force = 30e3;
+    buoy.at = 60.0;
+    d.lines[0].points = {buoy};
+    const LineResult line = solve_lines(build_model(d)).results.value().lines[0];
+    // Level share of the pull, and what pulls down behind the buoy: what the top bears, less what hangs there, and 30
+    // kN.
+    const double level = std::hypot(line.first.force.x(), line.first.force.y());
+    const double behind = line.first.force.z() - 60.0 * rope.weight_submerged + 30e3;
+    EXPECT_NEAR(line.largest_tension, std::hypot(level, behind), 0.01 * line.largest_tension) << softer_first;
+    EXPECT_GT(line.least_tension, 0.99 * level) << softer_first;  // nowhere less than its level share
   }
 }
 

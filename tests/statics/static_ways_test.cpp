@@ -47,6 +47,20 @@ TEST(static_ways, lays_that_need_their_rollers_hardened_in_steps_are_solved) {
   }
 }
 
+TEST(static_ways, a_pipe_between_side_rollers_stays_on_them_while_its_vessel_heels) {
+  Description d = read("/examples/bgl1.yaml");
+  d.environment.current.clear();
+  const Model upright = build_model(d);
+  const double stress = recover_statics(upright, solve_statics(upright).solution.value()).overbend->von_mises.value;
+  for (const double heel : {1.0, 2.0, 5.0}) {
+    d.vessel.heel = heel * std::numbers::pi / 180.0;
+    const Model model = build_model(d);
+    const StaticResults r = recover_statics(model, solve_statics(model).solution.value());
+    EXPECT_NEAR(r.overbend->von_mises.value, stress, 0.01 * stress) << heel;
+    EXPECT_NEAR(r.lay_back, 335.1, 0.2) << heel;  // as dynamic relaxation has it, on whose way side rollers act
+  }
+}
+
 TEST(static_ways, a_solution_does_not_depend_on_the_way_to_it) {
   Description d = read("/tests/statics/lays/slope-without-sides.yaml");
   const Model model = build_model(d);

@@ -149,6 +149,20 @@ TEST(structures_at_rest, weight_above_a_roller_goes_into_that_roller) {
   EXPECT_NEAR((heavy.sum_rollers + heavy.top_reaction - plain.sum_rollers - plain.top_reaction).z(), 20e3, 0.02 * 20e3);
 }
 
+TEST(structures_at_rest, a_stiff_structure_in_the_tensioner_leaves_its_tension_as_set) {
+  Description d = read_model(testing::case_file("S16-T300")).description.value();
+  const double bottom = solved(d).bottom_tension;
+  const Section pipe = pipe_of(d);
+  for (const double at : {2.4, 3.0, 4.0, 6.0}) {
+    StructureDescription stiff = structure(at, 4.5, pipe);
+    stiff.axial_stiffness = 3.0 * pipe.EA;
+    d.pipe.structures = {stiff};
+    const StaticResults r = solved(d);
+    EXPECT_NEAR(r.top_tension, *d.tensioner.tension, 1e-4 * r.top_tension) << at;
+    EXPECT_NEAR(r.bottom_tension, bottom, 2e-3 * bottom) << at;  // it weighs what the pipe does
+  }
+}
+
 TEST(structures_at_rest, of_the_pipes_own_properties_changes_nothing) {
   Description d = read_model(testing::case_file("S16-T300")).description.value();
   const StaticResults plain = solved(d);

@@ -66,6 +66,13 @@ TEST(prepared_case, whose_statics_have_friction_on_rollers_warns_that_the_run_be
   EXPECT_TRUE(warned());
 }
 
+TEST(prepared_case, of_a_hull_hangs_on_all_its_files_whichever_of_them_is_named) {
+  Description barge = testing::coarse_example("moored-barge", 5.0, 2.0);
+  const std::string by_stem = input_text(barge);
+  barge.vessel.coupled->hydrodynamics += ".1";
+  EXPECT_EQ(input_text(barge), by_stem);
+}
+
 TEST(prepared_case, of_cases_with_controllers_is_never_shared) {
   Nothing nothing;
   Case first, second;

@@ -54,6 +54,23 @@ TEST(study_cases, a_sample_is_crossed_with_the_axes) {
   EXPECT_NEAR(cases.at(1).inputs.back(), std::stod(cases.at(1).words.back()), 1e-12);
 }
 
+TEST(study_cases, a_draw_that_the_key_refuses_stands_as_it_was_drawn) {
+  StudyDescription study;
+  SampledKey friction;
+  friction.key = "environment.seabed.friction";
+  friction.unit = "1";
+  friction.from = -2.0;
+  friction.to = -1.0;
+  study.sample = StudySample{};
+  study.sample->count = 4;
+  study.sample->keys = {friction};
+  const StudyCases cases(study);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_LT(cases.at(i).inputs[0], -1.0) << cases.at(i).words[0];
+    EXPECT_NEAR(cases.at(i).inputs[0], std::stod(cases.at(i).words[0]), 1e-6);
+  }
+}
+
 TEST(study_cases, folders_hold_at_most_a_thousand_entries) {
   EXPECT_EQ(case_folder(0), "cases/0000/000000000");
   EXPECT_EQ(case_folder(12345), "cases/0012/000012345");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "app/check_lines.h"
 #include "app/stage_lines.h"
@@ -27,8 +28,13 @@ void print_summary(const OperationResults& results) {
   std::cout << fmt::format("  {} of {} {} found in {:.2f} s\n", standing(results), all,
                            all == 1 ? "equilibrium" : "equilibria", results.wall_time);
   std::vector<std::string> warnings = results.warnings;
+  std::set<std::string> told;  // what every stage has, such as a missing key, is said of the first
   for (const StageResult& stage : results.stages) {
     for (const std::string& warning : stage.warnings) warnings.push_back(stage.stage.name + ": " + warning);
+    if (!stage.lay) continue;
+    for (const std::string& warning : stage.lay->warnings) {
+      if (told.insert(warning).second) warnings.push_back(stage.stage.name + ": " + warning);
+    }
   }
   std::cout << warning_lines(warnings);
 }

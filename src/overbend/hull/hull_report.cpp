@@ -1,5 +1,6 @@
 #include "hull/hull_report.h"
 
+#include <cmath>
 #include <cstdio>
 #include <numbers>
 
@@ -29,6 +30,20 @@ void tell_current(const Hull& hull, const UfcHull& shape, double depth, HullRepo
   out.current_now = current_force(hull.current, psi, Vec6::Zero(), StripWater{}).force(1);
   out.current_least = sideways(hull.current, ufc_transverse_coefficient(shape, depth), psi);
   out.current_most = sideways(hull.current, kSharp, psi);
+}
+
+/// A table by which a flow pushes the hull towards where it comes from was made for other signs.
+void tell_table(const CoefficientTable& table, const char* flow, HullReport& out) {
+  double along = 0.0, across = 0.0;
+  for (const CoefficientRow& row : table.rows) {
+    along += row.cx * std::cos(row.angle);
+    across += row.cy * std::sin(row.angle);
+  }
+  if (along < 0.0 || across < 0.0) {
+    out.warnings.push_back("by the " + std::string(along < 0.0 ? "cx" : "cy") + " of its table the " + flow +
+                           " pushes the hull against its own direction: cx is forward and cy to port, whatever the "
+                           "angles are counted from");
+  }
 }
 
 /// Wave number of the sea's peak; of a sea without a peak period that below which half of its energy lies.
@@ -90,6 +105,8 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
     }
   }
   tell_current(made.hull, ufc_hull(model, *given), model.description.environment.water_depth, out);
+  tell_table(made.hull.current.table, "current", out);
+  tell_table(made.hull.wind.table, "wind", out);
   tell_waves(made.hull, *given, model.description.environment.waves, sea, out);
   out.steady = steady_forces(made.hull, made.hull.lies(5));
   out.steady.drift = mean_drift(made.hull.waves, made.hull.lies(5));

@@ -47,6 +47,21 @@ void check_angles(Checker& check, const FieldValue& setting, std::size_t section
   }
 }
 
+/// Angles of a setting lie between the stops of their sections, as an angle that a section is held at.
+void check_stops(Checker& check, const FieldValue& stinger, const FieldValue& setting) {
+  const std::vector<FieldValue>& sections = Checker::items(stinger, "sections");
+  const FieldValue* alone = setting.find("angle");
+  const std::vector<FieldValue>& listed = Checker::items(setting, "angles");
+  const std::size_t count = alone != nullptr ? 1 : listed.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const FieldValue& section = i < sections.size() ? sections[i] : stinger;
+    const std::vector<FieldValue>& limits = Checker::items(section, "limits");
+    const FieldValue& angle = alone != nullptr ? *alone : listed[i];
+    if (limits.size() != 2 || (angle.number >= limits[0].number && angle.number <= limits[1].number)) continue;
+    check.error(angle, angle.shown, "between the stops, " + limits[0].shown + " and " + limits[1].shown);
+  }
+}
+
 void check_chosen(Checker& check, const FieldValue& stinger, const std::map<std::string, int>& names) {
   const FieldValue* chosen = stinger.find("setting");
   if (chosen == nullptr || names.count(chosen->text) != 0) {
@@ -118,6 +133,7 @@ void check_stinger_settings(Checker& check) {
                   "add supports.stinger.hinge");
     }
     check_angles(check, setting, sections);
+    check_stops(check, *stinger, setting);
     const FieldValue* name = setting.find("name");
     if (name == nullptr) continue;
     const auto [first, fresh] = names.emplace(name->text, name->line);

@@ -152,11 +152,14 @@ std::vector<Field> coefficient_table(const std::string& p) {
   file.file = true;
   return {
       file,
-      otherwise(row_of_kind(FieldKind::choice, p + ".axes", fills(&Owner::axes),
-                            "Meaning of the angle and the signs of a table. to_from_bow: where the flow goes to, "
-                            "anticlockwise from the bow; from_bow: where it comes from, clockwise from the bow; "
-                            "from_stern_ocimf: as OCIMF, where it comes from, anticlockwise from the stern."),
-                "must be given with a table"),
+      otherwise(
+          row_of_kind(
+              FieldKind::choice, p + ".axes", fills(&Owner::axes),
+              "Meaning of the angle and the signs of a table. to_from_bow: where the flow goes to, "
+              "anticlockwise from the bow; from_bow: where it comes from, clockwise from the bow; "
+              "from_stern_ocimf: as OCIMF, where it comes from, anticlockwise from the stern. In all three cx pushes "
+              "forward, cy to port and cz turns the bow to port."),
+          "must be given with a table"),
       otherwise(quantity_row(p + ".frontal_area", fills(&Owner::frontal_area), "Area of cx.", kArea, kPositive),
                 "must be given with a table"),
       otherwise(quantity_row(p + ".lateral_area", fills(&Owner::lateral_area), "Area of cy and cz.", kArea, kPositive),

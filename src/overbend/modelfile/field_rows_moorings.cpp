@@ -50,9 +50,12 @@ std::vector<Field> winches() {
           "tension: keeps a tension."),
       quantity_row(w + ".speed", defaults(&Winch::speed), "Speed of hauling and paying out.", kSpeed,
                    {.low = 0.0, .high = 20.0, .low_open = true}),
-      otherwise(quantity_row(w + ".haul", fills(&Winch::haul),
-                             "Tension it hauls at its speed; without `stall` it hauls no more.", kForce, kPositive),
-                "not limited"),
+      otherwise(
+          quantity_row(
+              w + ".haul", fills(&Winch::haul),
+              "Tension it hauls at its speed; without `stall` it hauls no more, with it the speed stays up to `stall`.",
+              kForce, kPositive),
+          "not limited"),
       otherwise(
           quantity_row(w + ".stall", fills(&Winch::stall), "Tension at which it stops hauling.", kForce, kPositive),
           "not limited"),

@@ -6,6 +6,7 @@
 
 #include "base/constants.h"
 #include "base/units.h"
+#include "model/rao_table.h"
 #include "modelfile/binding.h"
 #include "seafiles/coefficient_table.h"
 #include "seafiles/hydrodynamics_reader.h"
@@ -36,7 +37,11 @@ class Judge {
   void judge(const HydrodynamicData& data) {
     waterplane(data);
     stability(data);
-    headings(data);
+    modes(data);
+    if (description_.environment.waves.type == WaveType::none) return;
+    headings(data.excitation.heading, "headings");
+    if (description_.vessel.coupled->wave_drift != WaveDrift::none)
+      headings(data.drift.heading, "headings of the drift");
   }
 
  private:
@@ -66,13 +71,25 @@ class Judge {
     }
   }
 
-  void headings(const HydrodynamicData& data) {
-    const std::vector<double>& heading = data.excitation.heading;
-    if (heading.empty() || description_.environment.waves.type == WaveType::none) return;
+  /// Panel programs can be told to leave modes out: what they leave out is not zero.
+  void modes(const HydrodynamicData& data) {
+    std::string silent;
+    for (int i = 0; i < 6; ++i) {
+      const bool given = std::any_of(data.radiation.begin(), data.radiation.end(),
+                                     [&](const RadiationPoint& point) { return point.added_mass(i, i) != 0.0; });
+      if (!given) silent += (silent.empty() ? "" : ", ") + std::string(kFreedomNames[static_cast<std::size_t>(i)]);
+    }
+    if (silent.empty()) return;
+    tell(Severity::warning, "no added mass of " + silent + " in the files; it is taken as zero", "all six modes",
+         "was the panel program run for some modes only?");
+  }
+
+  void headings(const std::vector<double>& heading, const std::string& name) {
+    if (heading.empty()) return;
     double gap = heading.front() + 2.0 * std::numbers::pi - heading.back();
     for (std::size_t i = 1; i < heading.size(); ++i) gap = std::max(gap, heading[i] - heading[i - 1]);
     if (gap < kWidestGap) return;
-    tell(Severity::error, "headings with a gap of " + format_number(gap / kDegree, 3) + " deg",
+    tell(Severity::error, name + " with a gap of " + format_number(gap / kDegree, 3) + " deg",
          "headings all round, 45 deg apart at most",
          "convention.headings: mirrored takes the other side of a symmetric hull");
   }

@@ -91,7 +91,7 @@ MooringWatch::MooringWatch(const std::optional<MooringsDescription>& moorings, c
     line.breaking = breaking_load(*described);
     line.working = moorings->working_load;
     line.brake = winch.brake;
-    line.stall = winch.stall;
+    line.stall = winch.stall ? winch.stall : winch.haul;  // as the winch itself has it
     line.holding = described->anchor_holding.holding;
     line.slides = described->anchor_holding.slides;
     lines_.push_back(std::move(line));

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double kSamePlace = 1e-6;  ///< Coordinates this close are one [m].
 constexpr double kMostCells = 4'000'000;
+constexpr double kDeepest = 12'000.0;     ///< As of the key environment.water_depth [m].
+constexpr double kUsualNoData = -9999.0;  ///< Of an ASCII grid whose head names none.
+constexpr const char* kNoDataHint = "a value for places without data? Leave these rows out, or name it as NODATA_value";
 
 class Complaints {
  public:
@@ -63,6 +66,9 @@ void take(const TextRow& row, Bathymetry& depths, Complaints& complaints) {
     values[i] = *value;
   }
   if (values[2] <= 0.0) complaints.add(row.line, "depth", format_number(values[2]), "more than 0");
+  if (values[2] > kDeepest) {
+    complaints.add(row.line, "depth", format_number(values[2]), "at most " + format_number(kDeepest), kNoDataHint);
+  }
   depths.east.push_back(values[0]);
   depths.north.push_back(values[1]);
   depths.depth.push_back(values[2]);
@@ -115,8 +121,10 @@ void check_area(const Bathymetry& depths, Complaints& complaints) {
 /// What the head of an ASCII grid says.
 struct GridHead {
   double columns = 0.0, rows = 0.0, east = 0.0, north = 0.0, cell = 0.0;
-  std::optional<double> no_data;
+  double no_data = kUsualNoData;
   std::size_t lines = 0;
+  /// The head and the cells may spell it with other digits.
+  bool empty(double value) const { return std::abs(value - no_data) <= 1e-6 * std::abs(no_data); }
 };
 
 std::optional<GridHead> grid_head(const TextTable& table, Complaints& complaints) {
@@ -181,8 +189,8 @@ Bathymetry placed(const GridHead& head, const std::vector<double>& values, doubl
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
       const double value = values[(rows - 1 - row) * columns + column];
-      whole = whole && (!head.no_data || value != *head.no_data);
-      if (head.no_data && value == *head.no_data) continue;
+      whole = whole && !head.empty(value);
+      if (head.empty(value)) continue;
       depths.east.push_back(head.east + static_cast<double>(column) * head.cell);
       depths.north.push_back(head.north + static_cast<double>(row) * head.cell);
       depths.depth.push_back(sign * value);
@@ -223,10 +231,14 @@ std::optional<Bathymetry> read_ascii_grid(const std::string& text, const std::st
   if (!head) return std::nullopt;
   const std::vector<double> values = grid_values(table, *head, complaints);
   if (!complaints.good) return std::nullopt;
-  const auto lies = [&](double value) { return (head->no_data && value == *head->no_data) || value <= 0.0; };
+  const auto lies = [&](double value) { return head->empty(value) || value <= 0.0; };
   Bathymetry depths = placed(*head, values, std::ranges::all_of(values, lies) ? -1.0 : 1.0);
   if (std::ranges::any_of(depths.depth, [](double depth) { return depth <= 0.0; })) {
     complaints.add(0, "", "values of both signs", "depths above 0, or heights below 0");
+  }
+  const auto deepest = std::ranges::max_element(depths.depth);
+  if (deepest != depths.depth.end() && *deepest > kDeepest) {
+    complaints.add(0, "", "a depth of " + format_number(*deepest), "at most " + format_number(kDeepest), kNoDataHint);
   }
   check_area(depths, complaints);
   return complaints.good ? std::optional(depths) : std::nullopt;

@@ -137,6 +137,12 @@ class CapytaineReader {
     }
     std::sort(data_.radiation.begin(), data_.radiation.end(),
               [](const RadiationPoint& a, const RadiationPoint& b) { return a.omega < b.omega; });
+    for (std::size_t k = 1; k < data_.radiation.size(); ++k) {
+      const double before = data_.radiation[k - 1].omega, omega = data_.radiation[k].omega;
+      if (omega - before < 1e-5 * omega) {
+        throw Fault("omega " + format_number(omega, 9) + " twice", "each frequency once");
+      }
+    }
   }
 
   void sort_in(const RadiationPoint& point) {
@@ -148,6 +154,8 @@ class CapytaineReader {
       data_.added_mass_zero = point.added_mass;
     } else if (point.omega > 0.0 && point.added_mass.allFinite() && point.damping.allFinite()) {
       data_.radiation.push_back(point);
+    } else if (point.omega < 0.0) {
+      throw Fault("omega " + format_number(point.omega), "frequencies of 0 or more");
     } else {
       throw Fault("added mass or damping that is no number at omega " + format_number(point.omega), "finite numbers");
     }

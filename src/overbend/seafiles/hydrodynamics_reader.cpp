@@ -15,17 +15,6 @@ bool is_file(const std::string& path) {
   return std::filesystem::is_regular_file(path, fault);
 }
 
-/// `data/bgl1/bgl1` of that and of data/bgl1/bgl1.1. A dot in the stem itself stays: only known endings are cut.
-std::string stem_of(const std::string& path) {
-  for (const char* ending : {".1", ".2", ".3", ".4", ".7", ".8", ".9", ".hst"}) {
-    const std::filesystem::path whole(path);
-    if (whole.extension() == ending && is_file(path)) {
-      return (whole.parent_path() / whole.stem()).string();
-    }
-  }
-  return path;
-}
-
 /// The first of these files that is there; the first of all where there is none.
 std::string first_there(const std::string& stem, std::initializer_list<const char*> endings) {
   for (const char* ending : endings) {
@@ -37,7 +26,7 @@ std::string first_there(const std::string& stem, std::initializer_list<const cha
 }
 
 std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
-  const std::string stem = stem_of(source.path);
+  const std::string stem = hydrodynamics_stem(source.path);
   HydrodynamicData data;
   data.source = stem;
   data.origin_V = source.origin_V;
@@ -54,6 +43,16 @@ std::optional<HydrodynamicData> read_wamit(const HydrodynamicsSource& source, Di
 }
 
 }  // namespace
+
+std::string hydrodynamics_stem(const std::string& path) {
+  for (const char* ending : {".1", ".2", ".3", ".4", ".7", ".8", ".9", ".hst"}) {
+    const std::filesystem::path whole(path);
+    if (whole.extension() == ending && is_file(path)) {
+      return (whole.parent_path() / whole.stem()).string();
+    }
+  }
+  return path;
+}
 
 std::optional<HydrodynamicData> read_hydrodynamics(const HydrodynamicsSource& source, Diagnostics& diagnostics) {
   const bool netcdf = std::filesystem::path(source.path).extension() == ".nc";

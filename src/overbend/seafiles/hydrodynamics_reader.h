@@ -26,11 +26,15 @@ struct HydrodynamicsSource {
   bool mirror_headings = false;
 };
 
+/// `data/bgl1/bgl1` of that and of data/bgl1/bgl1.1. A dot in the stem itself stays: only known endings are cut.
+std::string hydrodynamics_stem(const std::string& path);
+
 /// Reads the coefficients. Of WAMIT's files:
 ///
 /// - `.1` PER I J A B: added mass and radiation damping. PER = 0 is infinite frequency, PER = -1 zero frequency;
 /// neither
-///   need be there (without the former `has_infinite` is false). Pairs that are not listed are zero;
+///   need be there (without the former `has_infinite` is false). A pair that stands once (I J without J I) stands
+///   for both; those that do not stand are zero;
 /// - `.3` PER BETA I MOD PHA RE IM: wave excitation; where it is missing `.2` (Haskind) of the same layout;
 /// - `.8` PER BETA1 BETA2 I MOD PHA RE IM: mean drift from momentum; where it is missing `.9`, then `.7` (pressure,
 ///   control surface); pairs of different headings are passed over. There may be none: `drift` is then empty;

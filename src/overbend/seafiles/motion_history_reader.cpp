@@ -4,6 +4,7 @@
 
 #include "base/constants.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "seafiles/text_table.h"
 
 namespace overbend {
@@ -30,6 +31,7 @@ class HistoryReader {
       complain(table.rows.back().line, std::to_string(history_.time.size()) + " instants", "at least two");
     }
     if (complaints_ > 0) return std::nullopt;
+    tell_gap();
     history_.source = file_;
     return std::move(history_);
   }
@@ -84,6 +86,22 @@ class HistoryReader {
     }
     history_.time.push_back(time);
     history_.freedoms.push_back(freedoms);
+  }
+
+  /// A record with a hole: the spline over it is not the vessel's motion.
+  void tell_gap() {
+    constexpr double kGap = 5.0;  // usual steps
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < history_.time.size(); ++i) steps.push_back(history_.time[i] - history_.time[i - 1]);
+    const auto widest = std::max_element(steps.begin(), steps.end());
+    const double step = *widest, from = history_.time[static_cast<std::size_t>(widest - steps.begin())];
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    if (step < kGap * *middle) return;
+    diagnostics_.add({Severity::warning, file_, 0, 0, "",
+                      "a gap of " + format_number(step, 4) + " s after t = " + format_number(from, 6) + " s, in rows " +
+                          format_number(*middle, 4) + " s apart; the motion in it is a cubic between its ends",
+                      "", ""});
   }
 
   std::size_t time_column() const {

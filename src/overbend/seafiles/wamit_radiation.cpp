@@ -1,6 +1,7 @@
 #include "seafiles/wamit_radiation.h"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -10,6 +11,8 @@
 
 namespace overbend::wamit {
 namespace {
+
+constexpr double kSamePeriod = 1e-5;  ///< Relative: files print seven digits.
 
 /// One period's block of `.1` while it is read.
 struct Block {
@@ -38,7 +41,11 @@ class RadiationReader {
         return false;
       }
     }
-    return check_pairs() && hand_over(data);
+    if (!check_pairs()) {
+      return false;
+    }
+    complete_pairs();
+    return hand_over(data);
   }
 
  private:
@@ -74,19 +81,40 @@ class RadiationReader {
 
   static std::string pair(int i, int j) { return std::to_string(i + 1) + " " + std::to_string(j + 1); }
 
-  /// Every period must list what the first finite one lists.
+  /// Every period, the infinite and the zero frequency too, must list what the first finite one lists.
   bool check_pairs() {
     const auto first = blocks_.upper_bound(0.0);
     if (first == blocks_.end()) {
       return refuse(0, "no finite period", "added mass and damping at four periods or more");
     }
-    for (auto at = first; at != blocks_.end(); ++at) {
-      if (at->second.given != first->second.given) {
-        return refuse(at->second.line, "other pairs of modes than at the period " + format_number(first->first) + " s",
+    for (const auto& [period, block] : blocks_) {
+      if (block.given != first->second.given) {
+        return refuse(block.line, "other pairs of modes than at the period " + format_number(first->first) + " s",
                       "the same pairs at every period");
       }
     }
+    for (auto before = first, at = std::next(first); at != blocks_.end(); before = at++) {
+      if (at->first - before->first < kSamePeriod * at->first) {
+        return refuse(
+            at->second.line,
+            "the period " + format_number(at->first, 9) + " s beside " + format_number(before->first, 9) + " s",
+            "each period once");
+      }
+    }
     return true;
+  }
+
+  /// Without forward speed the matrices are symmetric: a pair that stands once stands for both.
+  void complete_pairs() {
+    for (auto& [period, block] : blocks_) {
+      for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < 6; ++j) {
+          if (block.given(i, j) || !block.given(j, i)) continue;
+          block.point.added_mass(i, j) = block.point.added_mass(j, i);
+          block.point.damping(i, j) = block.point.damping(j, i);
+        }
+      }
+    }
   }
 
   bool hand_over(HydrodynamicData& data) {

@@ -120,10 +120,16 @@ bool follow_in_steps(StaticCase& at, const char* stage, const Steps& steps, cons
   return reached >= 1.0;
 }
 
-/// Soft rollers, then harder ones, in the vertical plane: no side rollers, no current.
+/// Whether bottom rollers lean, so that the pipe slides off them unless side rollers hold it.
+bool rollers_lean(const StaticCase& at) {
+  constexpr double kLevel = 1e-6;
+  return std::abs(at.model.mean_pose.R_WV.col(1).z()) > kLevel;
+}
+
+/// Soft rollers, then harder ones, in the vertical plane: no current, and no side rollers but where the vessel heels.
 bool settle_in_plane(StaticCase& at) {
   const double soft = soft_roller(at, at.target.value);
-  at.system.use_side_rollers(false);
+  at.system.use_side_rollers(rollers_lean(at));
   at.system.scale_current(0.0);
   at.system.limit_roller_stiffness(soft);
   NewtonSettings settings = loosely();

@@ -163,6 +163,32 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
                                    unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
 }
 
+/// Whether the axial stiffness steps so near the tensioner that the stretch of the node there is not that of the
+/// tension alone: neighbouring elements share it.
+bool shares_stretch(const StaticCase& at) {
+  constexpr std::size_t kReach = 20;  // elements; a step dies away by about four from each to the next
+  const auto& stiffness = at.system.line().elements.EA;
+  const std::size_t last = at.system.mesh().length.size() - 1;
+  for (std::size_t e = last - std::min(last, kReach); e < last; ++e) {
+    if (stiffness[e] != stiffness[last]) return true;
+  }
+  return false;
+}
+
+/// Beside such a step what is asked of the stretch is changed until the balance of the whole line has what is wanted.
+bool meet_by_balance(StaticCase& at, const LineTargetValue& wanted) {
+  constexpr int kMost = 8;
+  constexpr double kNear = 1e-5;
+  if (wanted.kind != LineTargetValue::Kind::top_tension || !shares_stretch(at)) return true;
+  for (int i = 0; i < kMost; ++i) {
+    const double value = found(at, wanted);
+    if (value <= 0.0 || std::abs(value - wanted.value) <= kNear * wanted.value) break;
+    at.target.value *= wanted.value / value;
+    if (!follow(at, "tension by the balance of the line")) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past) {
@@ -211,6 +237,8 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   }
   const double aside = laid_beside(model);
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
+    solved = meet_by_balance(at, from.target);
+    if (!solved) break;
     if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) return solve_at_once(model, nullptr, past);
     const std::optional<LinePlace> touchdown = landing(at.system, at.state);
     const MeshZones now = zones_of(at, from.zones, touchdown);

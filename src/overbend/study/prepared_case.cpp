@@ -11,6 +11,7 @@
 #include "model/operation_words.h"
 #include "model/station.h"
 #include "modelfile/input_place.h"
+#include "seafiles/hydrodynamics_reader.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -28,8 +29,9 @@ std::vector<std::string> named_files(const Description& d) {
   if (d.vessel.coupled) {
     files.push_back(d.vessel.coupled->current.table_file);
     files.push_back(d.vessel.coupled->wind.table_file);
+    const std::string stem = hydrodynamics_stem(d.vessel.coupled->hydrodynamics);
     for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
-      files.push_back(d.vessel.coupled->hydrodynamics + ending);
+      files.push_back(stem + ending);
     }
   }
   std::error_code fault;

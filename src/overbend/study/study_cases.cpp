@@ -65,7 +65,9 @@ StudyCases::StudyCases(const StudyDescription& study) : seeds_(study.seeds) {
         const SampledKey& key = study.sample->keys[k];
         words.push_back(key.show.empty() ? format_number(draw[k], kDrawnDigits)
                                          : format_quantity(draw[k], key.unit, key.show, kDrawnDigits));
-        numbers.push_back(read_value_of(words.back(), *scalar_row(key.key)).value.value_or(FieldValue{}).number);
+        // As the model reads its words; a draw that the key refuses fails its case and stands as it was drawn.
+        const ScalarReading reading = read_value_of(words.back(), *scalar_row(key.key));
+        numbers.push_back(reading.value ? reading.value->number : draw[k]);
       }
     }
     count_ *= drawn_.size();

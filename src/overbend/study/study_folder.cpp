@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "model/study_words.h"
+#include "modelfile/scalar_row.h"
 #include "modelfile/seek_reader.h"
 #include "resultfiles/study_outputs.h"
 #include "runstore/append_file.h"
@@ -40,10 +41,27 @@ StudyCaseState state_of(const std::string& name) {
   return found == kStates.end() ? StudyCaseState::open : static_cast<StudyCaseState>(found - kStates.begin());
 }
 
+/// What the files hold that axes of words name, such as one sea after the other.
+std::string axis_text(const CaseBase& base) {
+  std::string text;
+  for (const StudyAxis& axis : base.study().axes) {
+    const Field* row = scalar_row(axis.key);
+    if (row == nullptr || row->kind != FieldKind::text) continue;
+    for (const std::string& value : axis.values) {
+      try {
+        text += input_text(base.described({{axis.key, value}}, false));
+      } catch (const std::runtime_error&) {
+        text += "\n# no model\n";  // the case will say why
+      }
+    }
+  }
+  return text;
+}
+
 /// What a study is made from, with the words for each part.
 Json origins(const CaseBase& base) {
   return {{"study file", text_hash(base.study().text)},
-          {"base model or a file that it names", text_hash(input_text(base.model()))},
+          {"base model or a file that it names", text_hash(input_text(base.model()) + axis_text(base))},
           {"program", program_identity()}};
 }
 

@@ -134,6 +134,25 @@ LineEnvironment cable_environment(const Model& model, const CableParts& parts, c
   return env;
 }
 
+/// Of a bend sharper than the elements beside can show a joint is a hinge: it bends over sqrt(EI/T) of them, with the
+/// line's weight for T. One that they show goes on through the joint.
+void let_joints_turn(Line& line) {
+  const double tension = line.force_scale;
+  for (std::size_t e = 0; e < line.mesh.length.size(); ++e) {
+    if (!line.mesh.joint(e)) continue;
+    const double beside = std::min(line.mesh.length[e - 1], line.mesh.length[e + 1]);
+    double& EI = line.elements.EI[e];
+    if (EI < tension * beside * beside) EI *= kJoint;
+  }
+}
+
+/// Where a joint is before a point the point stands at its beginning, so that each node of the joint has the force of
+/// its own side.
+int node_of_point(const LineMesh& mesh, double s) {
+  const int node = nearest_node(mesh, s);
+  return node > 0 && mesh.joint(static_cast<std::size_t>(node - 1)) ? node - 1 : node;
+}
+
 Line cable_line(const Model& model, const CableParts& parts, const CableMesh& mesh, const Vec3& from, const Vec3& to) {
   std::vector<ElementConstants> constants;
   for (const LineSegmentDescription& segment : parts.segments) {
@@ -145,8 +164,9 @@ Line cable_line(const Model& model, const CableParts& parts, const CableMesh& me
   line.environment = cable_environment(model, parts, from, to);
   line.on_rollers = false;
   line.force_scale = weight_from(line.mesh, line.elements, 0.0);
+  let_joints_turn(line);
   for (const LinePointDescription& point : parts.points) {
-    line.points.push_back(line_point(model, point, nearest_node(line.mesh, point.at)));
+    line.points.push_back(line_point(model, point, node_of_point(line.mesh, point.at)));
     line.force_scale += line.points.back().weight;
   }
   return line;
