@@ -138,8 +138,55 @@ double largest_miss(const Bathymetry& grid, const Height& depth) {
 TEST(scattered_depths, on_a_plane_are_gridded_to_that_plane) {
   const Height plane = [](double x, double y) { return 60.0 + 0.01 * x - 0.02 * y; };
   const Bathymetry grid = gridded(scattered(400, plane));
-  EXPECT_NEAR(grid.columns * grid.rows, 400, 60);
   EXPECT_LT(largest_miss(grid, plane), 1e-9);
+}
+
+/// A sleeper across x on lines 3 m by 20 m.
+Bathymetry lines_over_a_sleeper(const Height& bed) {
+  Bathymetry points;
+  for (int row = 0; row < 7; ++row) {
+    for (int column = 0; column <= 100; ++column) {
+      points.east.push_back(3.0 * column);
+      points.north.push_back(20.0 * row);
+      points.depth.push_back(bed(points.east.back(), points.north.back()));
+    }
+  }
+  return points;
+}
+
+TEST(scattered_depths, of_a_grid_with_a_crossing_left_out_or_told_twice_stay_where_they_are) {
+  const Height sleeper = [](double x, double) { return std::abs(x - 150.0) < 1.5 ? 39.2 : 40.0; };
+  Bathymetry twice = lines_over_a_sleeper(sleeper), less = twice;
+  twice.east.push_back(twice.east[5]);
+  twice.north.push_back(twice.north[5]);
+  twice.depth.push_back(twice.depth[5]);
+  less.east.pop_back();
+  less.north.pop_back();
+  less.depth.pop_back();
+  for (const Bathymetry& points : {twice, less}) {
+    const Bathymetry grid = gridded(points);
+    EXPECT_EQ(grid.columns, 101);
+    EXPECT_EQ(grid.rows, 7);
+    const auto shape = grid_shape(points);
+    EXPECT_NEAR(bed_point(*shape, 150.0, 60.0).z, -39.2, 1e-12);
+    EXPECT_NEAR(bed_point(*shape, 147.0, 60.0).z, -40.0, 1e-12);
+  }
+}
+
+TEST(scattered_depths, of_a_corridor_are_the_same_bed_whichever_way_it_runs) {
+  const double c = std::sqrt(0.5);
+  Bathymetry turned;
+  for (int i = -10; i <= 10; ++i) {
+    for (int j = 0; j <= 200; ++j) {  // 3 m by 3 m, 60 m wide, 600 m long, to the north-east
+      const double along = 3.0 * j, beside = 3.0 * i;
+      turned.east.push_back(c * (along - beside));
+      turned.north.push_back(c * (along + beside));
+      turned.depth.push_back(std::abs(along - 300.0) < 4.0 ? 38.0 : 40.0);
+    }
+  }
+  const auto shape = grid_shape(turned);
+  EXPECT_NEAR(bed_point(*shape, c * 300.0, c * 300.0).z, -38.0, 0.1);
+  EXPECT_NEAR(bed_point(*shape, c * 288.0, c * 288.0).z, -40.0, 0.1);
 }
 
 TEST(scattered_depths, come_closer_to_a_smooth_bed_the_more_there_are) {

@@ -59,7 +59,8 @@ void visit_stinger_section(Row& r, Visit& visit) {
             .summary()
             .page(),
         r.stiffness);
-  visit(ResultField{"natural_period", "s", "Of small turns about the hinge; 0 where nothing brings it back"}
+  visit(ResultField{"natural_period", "s",
+                    "Of small turns about the hinge, without the inertia of the pipe; 0 where nothing brings it back"}
             .summary()
             .page(),
         r.natural_period);
