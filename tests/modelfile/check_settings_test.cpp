@@ -1,6 +1,8 @@
 // The section `checks` of the model file.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "modelfile/model_texts.h"
 #include "modelfile/yaml_reader.h"
 
@@ -98,6 +100,20 @@ TEST(check_settings, the_strain_factor_of_field_joints_arrives) {
   const std::string with = std::string(text).replace(text.find(joint), joint.size(),
                                                      "infill_weight_density: 10.065 kN/m^3, strain_factor: 1.3}");
   EXPECT_EQ(read_model_text(with, "good.yaml").description.value().pipe.section.joint->strain_factor, 1.3);
+}
+
+TEST(check_settings, limits_of_stronger_steel_than_the_pipes_are_warned_of) {
+  const auto warned = [](const std::string& grade) {
+    const ModelReading reading = read_with("checks: {grade: " + grade + "}\n");
+    const std::vector<std::string> warnings = reading.diagnostics.lines(Severity::warning);
+    return std::ranges::any_of(warnings, [](const std::string& line) {
+      return line.find("checks.grade") != std::string::npos &&
+             line.find("does not bear its strains") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(warned("X60"));  // the pipe's own, 414 MPa
+  EXPECT_FALSE(warned("X52"));
+  EXPECT_TRUE(warned("X70"));
 }
 
 }  // namespace

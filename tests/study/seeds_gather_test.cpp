@@ -46,6 +46,21 @@ TEST(seeds_gather, smallest_values_are_largest_ones_turned) {
   EXPECT_DOUBLE_EQ(smallest.std, largest.std);
 }
 
+TEST(seeds_gather, no_line_is_told_to_bear_a_push) {
+  SeedsResults results;
+  results.duration = 600.0;
+  results.quantities = {{"smallest_mooring_tension", "N", "", SeedExtreme::smallest},
+                        {"smallest_effective_tension", "N", "", SeedExtreme::smallest}};
+  for (const double value : gumbel_sample(-20.0, 10.0, 12)) {
+    results.runs.emplace_back().values = {std::max(0.0, -value), std::max(0.0, -value)};
+  }
+  fill_statistics(results);
+  ASSERT_TRUE(results.statistics[0].enough);
+  EXPECT_LT(results.statistics[1].estimate, 0.0);  // pipe can be pressed
+  EXPECT_EQ(results.statistics[0].estimate, 0.0);
+  EXPECT_EQ(results.statistics[0].low, 0.0);
+}
+
 TEST(seeds_gather, few_or_equal_values_are_not_fitted) {
   EXPECT_FALSE(seed_statistics(gumbel_sample(1.0, 1.0, 9), SeedExtreme::largest, 600.0).enough);
   EXPECT_FALSE(seed_statistics(std::vector<double>(20, 3.0), SeedExtreme::largest, 600.0).enough);

@@ -45,7 +45,8 @@ class FollowedStudy : public CaseWatch {
   }
 
   static std::string words(const DynamicProgress& at) {
-    return fmt::format("t = {:.1f} s  tension {:.1f} kN", at.time, at.top_tension / 1e3);
+    const std::string time = fmt::format("t = {:.1f} s", at.time);
+    return at.top_tension == 0.0 ? time : time + fmt::format("  tension {:.1f} kN", at.top_tension / 1e3);
   }
 
   std::string words() const {

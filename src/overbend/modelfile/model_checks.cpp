@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "checks/steel_grades.h"
 #include "model/description_words.h"
 #include "modelfile/binding.h"
 #include "modelfile/check_helper.h"
@@ -162,6 +163,25 @@ void check_tensioner_mode(Checker& check) {
   }
 }
 
+/// A row of the laying criteria for stronger steel than a pipe of the line is of allows it too much.
+void check_grade(Checker& check) {
+  const FieldValue* grade = check.root().find("checks.grade");
+  const std::optional<LayingLimits> row = grade == nullptr ? std::nullopt : laying_limits_of(grade->text);
+  if (!row) return;
+  constexpr double kRounded = 2.5e6;  // of a grade in MPa and rounded from ksi
+  std::vector<const FieldValue*> yields{check.root().find("pipe.steel.yield_stress")};
+  for (const FieldValue& segment : Checker::items(check.root(), "pipe.segments")) {
+    yields.push_back(segment.find("steel.yield_stress"));
+  }
+  for (const FieldValue* yield : yields) {
+    if (yield == nullptr || yield->number + kRounded >= row->yield_stress) continue;
+    check.warn(*grade, std::string(grade->text) + " is of a yield stress of " +
+                           format_number(row->yield_stress / 1e6, 4) + " MPa: pipe of " + yield->shown +
+                           " does not bear its strains");
+    return;
+  }
+}
+
 void check_current(Checker& check) {
   const FieldValue* before = nullptr;
   const auto water_depth = check.root().get_number("environment.water_depth");
@@ -247,6 +267,7 @@ void check_model(const FieldValue& root, const std::string& file, Diagnostics& d
   std::set<std::string> used_types;
   check_parts(check);
   check_current(check);
+  check_grade(check);
   check_seabed(check);
   check_waves(root, file, diagnostics);
   check_pipe(check);

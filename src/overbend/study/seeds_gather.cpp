@@ -179,6 +179,20 @@ SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extre
   return s;
 }
 
+bool never_negative(const std::string& quantity) {
+  return quantity == "smallest_mooring_tension";
+}
+
+namespace {
+
+void keep_from_negative(SeedStatistics& s) {
+  for (double* value : {&s.estimate, &s.low, &s.high}) *value = std::max(*value, 0.0);
+  if (!s.acer) return;
+  for (double* value : {&s.acer->estimate, &s.acer->low, &s.acer->high}) *value = std::max(*value, 0.0);
+}
+
+}  // namespace
+
 void fill_statistics(SeedsResults& results) {
   results.statistics.clear();
   if (results.runs.empty()) return;
@@ -190,6 +204,7 @@ void fill_statistics(SeedsResults& results) {
     }
     if (values.empty()) values.push_back(results.runs.front().values.at(i));
     results.statistics.push_back(seed_statistics(values, results.quantities[i].extreme, results.duration));
+    if (never_negative(results.quantities[i].name)) keep_from_negative(results.statistics.back());
   }
 }
 
@@ -200,6 +215,7 @@ void add_acer(SeedsResults& results, std::span<const std::vector<HistoryPeaks>> 
     if (!fit) continue;
     results.statistics[i].acer =
         SeedAcer{fit->estimate.value, fit->estimate.low, fit->estimate.high, fit->order, fit->peaks};
+    if (never_negative(results.quantities[i].name)) keep_from_negative(results.statistics[i]);
   }
 }
 

@@ -22,6 +22,9 @@ std::vector<double> seed_values(const StaticResults& statics, const DynamicResul
 /// is for three hours, whatever the duration [s] of a run: mode + scale ln(3 h/duration), turned for smallest values.
 SeedStatistics seed_statistics(std::span<const double> values, SeedExtreme extreme, double duration);
 
+/// Of the quantities above: whether no extreme of it is below zero, whatever a distribution says. A line bears no push.
+bool never_negative(const std::string& quantity);
+
 /// Fills `statistics` from `runs`.
 void fill_statistics(SeedsResults& results);
 
