@@ -12,6 +12,7 @@ namespace {
 constexpr double kBedSink = 0.01;       ///< A cable sinks into the bed by this at most [m].
 constexpr double kClosestNodes = 1e-3;  ///< Places that share a node, of the length.
 constexpr double kJoint = 1e-5;         ///< Length of the element at a joint, of the whole length.
+constexpr double kJointBends = 1e-3;    ///< Of a bending stiffness, left to a hinge: with less it flutters where slack.
 constexpr double kLongestShare = 1.0 / 20.0, kShortestShare = 1.0 / 40.0, kFineShare = 1.0 / 10.0;
 
 int segment_at(const CableParts& parts, double s) {
@@ -142,7 +143,7 @@ void let_joints_turn(Line& line) {
     if (!line.mesh.joint(e)) continue;
     const double beside = std::min(line.mesh.length[e - 1], line.mesh.length[e + 1]);
     double& EI = line.elements.EI[e];
-    if (EI < tension * beside * beside) EI *= kJoint;
+    if (EI < tension * beside * beside) EI *= kJointBends;
   }
 }
 
