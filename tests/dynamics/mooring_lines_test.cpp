@@ -49,6 +49,16 @@ TEST(mooring_lines, hold_the_barge_in_calm_water_with_the_tensions_of_the_catena
   EXPECT_LT((simulation.now().state->bodies[0].h - first.h).norm(), 1e-5);
 }
 
+LineTypeDescription soft_rope() {
+  LineTypeDescription rope;
+  rope.name = "rope";
+  rope.diameter = 0.16;
+  rope.weight_in_air = 180.0;
+  rope.weight_submerged = 45.0;
+  rope.axial_stiffness = 6e7;
+  return rope;
+}
+
 LineTypeDescription in_water(LineTypeDescription type) {
   type.weight_submerged = submerged_weight(type, 1025.0 * kGravity);
   return type;
@@ -109,12 +119,7 @@ TEST(mooring_lines, rub_on_the_bed_by_the_friction_of_what_lies_there) {
 /// A rope that gives way by a hundredth, and chain from where it comes near the bed.
 TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
   Description d = barge_on(in_water(chain(0.06, ChainLink::studless)), 1.0);
-  LineTypeDescription rope;
-  rope.name = "rope";
-  rope.diameter = 0.16;
-  rope.weight_in_air = 180.0;
-  rope.weight_submerged = 45.0;
-  rope.axial_stiffness = 6e7;
+  LineTypeDescription rope = soft_rope();
   rope.friction = 0.6;
   for (MooringLineDescription& line : d.moorings->lines) {
     LineSegmentDescription chain_end = line.segments.front();
@@ -129,12 +134,7 @@ TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
 /// into the long elements beside.
 TEST(mooring_lines, of_taut_rope_between_chains_start_with_the_tensions_of_statics) {
   Description d = barge_on(in_water(chain(0.06, ChainLink::studlink)), 0.0);
-  LineTypeDescription rope;
-  rope.name = "rope";
-  rope.diameter = 0.16;
-  rope.weight_in_air = 180.0;
-  rope.weight_submerged = 45.0;
-  rope.axial_stiffness = 6e7;
+  const LineTypeDescription rope = soft_rope();
   d.environment.water_depth = 1000.0;
   for (MooringLineDescription& line : d.moorings->lines) {
     line.tension = 8e5;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 
 #include "support/solved_case.h"
 
@@ -100,6 +101,24 @@ TEST(static_warnings, a_structure_beyond_the_end_of_the_line_is_told) {
   EXPECT_EQ(mentions(with(total - 1.0), "the structure 'tee'"), 1);
   EXPECT_EQ(mentions(with(total - 1.0), "reaches beyond the end of the line"), 1);
   EXPECT_EQ(mentions(with(5000.0), "(at: 5000 m) lies beyond the end of the line"), 1);
+}
+
+TEST(static_warnings, a_slope_on_which_friction_does_not_hold_the_laid_pipe_is_told) {
+  const auto told = [](double friction, double slope) {
+    int count = 0;
+    for (const double towards : {0.0, 0.5, 1.0, 1.5}) {  // ahead, astern and to either side
+      count += mentions(warnings_with([&](Description& d, StaticResults&) {
+                          d.environment.seabed.friction_axial = friction;
+                          d.environment.seabed.slope = slope;
+                          d.environment.seabed.slope_towards = d.vessel.heading + towards * std::numbers::pi;
+                        }),
+                        "the laid pipe slides on its bed");
+    }
+    return count;
+  };
+  EXPECT_EQ(told(0.02, 0.05), 2);  // falling astern and rising
+  EXPECT_EQ(told(0.06, 0.05), 0);
+  EXPECT_EQ(told(0.0, 0.0), 0);
 }
 
 TEST(static_warnings, strain_at_field_joints_that_nobody_told_is_missing) {

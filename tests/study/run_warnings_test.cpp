@@ -32,8 +32,10 @@ std::vector<double> swinging(std::size_t count, double rise) {
   return values;
 }
 
-std::vector<std::string> warnings_of(DynamicResults r, double rise = 0.0) {
-  warn_of_run(r, swinging(4000, rise));
+std::vector<std::string> warnings_of(DynamicResults r, double rise = 0.0, WaveType type = WaveType::jonswap) {
+  WavesDescription waves;
+  waves.type = type;
+  warn_of_run(waves, r, swinging(4000, rise));
   return r.warnings;
 }
 
@@ -49,6 +51,7 @@ TEST(run_warnings, three_hours_from_minutes_say_how_many) {
   DynamicResults r = sound();
   r.duration = 300.0;
   EXPECT_TRUE(only(warnings_of(r), "from a run of 5 min"));
+  EXPECT_TRUE(warnings_of(r, 0.0, WaveType::airy).empty());  // one wave after the other is the same
 }
 
 TEST(run_warnings, a_vessel_that_stands_still_in_a_sea_is_told) {

@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { complete, fromSi, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
+import { complete, fromSi, inUnitOf, parseQuantity, tidy, tidyLength, toSi, twin } from '../src/logic/units';
 import { UndoStack } from '../src/logic/undo';
 import { LatestGate } from '../src/logic/gate';
 import { colourAt, niceRange } from '../src/logic/colour';
@@ -28,6 +28,11 @@ describe('units', () => {
     expect(parseQuantity(' -1.5e3kN ')).toEqual({ number: -1500, unit: 'kN' });
     expect(parseQuantity('.5 m')).toEqual({ number: 0.5, unit: 'm' });
     expect(parseQuantity('kN')).toBeNull();
+  });
+  test('what a slider gives is written in the unit that the file has', () => {
+    expect(inUnitOf('250 kN', '55 kip')).toBe('56.20224 kip');
+    expect(inUnitOf('250 kN', '240 kN')).toBe('250 kN');
+    expect(inUnitOf('250 kN', '')).toBe('250 kN');
   });
   test('a bare number takes the unit that was there', () => {
     expect(complete('260', 'kN')).toBe('260 kN');

@@ -40,8 +40,9 @@ class Judge {
     modes(data);
     if (description_.environment.waves.type == WaveType::none) return;
     headings(data.excitation.heading, "headings");
-    if (description_.vessel.coupled->wave_drift != WaveDrift::none)
+    if (description_.vessel.coupled->wave_drift != WaveDrift::none) {
       headings(data.drift.heading, "headings of the drift");
+    }
   }
 
  private:

@@ -1,5 +1,7 @@
 #include "python/model_handle.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -34,8 +36,8 @@ void require_key(const std::string& key, const std::vector<NamePart>& parts) {
     const FieldNode* next = part.item ? place->item.get() : place->member(part.text);
     if (next == nullptr) {
       const std::string near = part.item ? "" : nearest_word(part.text, place->member_names());
-      throw std::invalid_argument("'" + key + "' is no key of a model" +
-                                  (near.empty() ? "" : "; did you mean '" + there + near + "'?"));
+      const std::string hint = near.empty() ? "" : fmt::format("; did you mean '{}{}'?", there, near);
+      throw std::invalid_argument("'" + key + "' is no key of a model" + hint);
     }
     there += part.item ? "" : part.text + ".";
     place = next;

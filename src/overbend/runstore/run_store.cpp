@@ -60,8 +60,8 @@ Impact impact_of(const double* n) {
 void require_same_input(const RunCheckpoint& stored, const std::string& hash, std::uint64_t seed) {
   if (stored.model_hash != hash) {
     throw std::runtime_error(
-        "the model file has changed since the run was started, or which controllers drive its machines; start again "
-        "with --restart");
+        "the model file has changed since the run was started, or its --duration, or which controllers drive its "
+        "machines; start again with --restart");
   }
   if (stored.seed != seed) {
     throw std::runtime_error("the stored run has seed " + std::to_string(stored.seed) + ", this one " +

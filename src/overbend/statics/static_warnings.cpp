@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/constants.h"
 #include "model/lay_stage.h"
 #include "results/fields/words.h"
 #include "results/regions.h"
@@ -137,6 +138,20 @@ void warn_of_structures_beyond(Warnings& list, const Model& model, const StaticR
   }
 }
 
+/// A bed on whose slope the laid pipe would slide along itself: statics hold its far end.
+void warn_of_slope(Warnings& list, const Model& model, const StaticResults& results) {
+  const BedSurface& bed = model.seabed.surface;
+  if (bed.shape() != nullptr || results.stations.size() < 2) return;
+  const Vec3 from = results.stations.back().p_W, to = results.stations.front().p_W;
+  const Vec3 along = Vec3(to.x() - from.x(), to.y() - from.y(), 0.0).normalized();
+  const double fall = -bed.slope(to.x(), to.y(), along), friction = model.seabed.friction_axial;
+  if (std::abs(fall) <= std::max(friction, 1e-6)) return;
+  list.push_back(fmt::format(
+      "the laid pipe slides on its bed, which {} astern by {:.3g} deg: axial friction of {:.3g} does not hold it, so "
+      "that its tension depends on where its far end is held (environment.seabed.friction_axial)",
+      fall > 0.0 ? "falls" : "rises", std::abs(std::atan(fall)) / kDegree, friction));
+}
+
 }  // namespace
 
 std::string pipe_place(const StaticResults& results, double s) {
@@ -152,6 +167,7 @@ void warn_statics(const Model& model, StaticResults& results) {
   warn_of_proud_box(list, model);
   warn_of_field_joints(list, model);
   warn_of_structures_beyond(list, model, results);
+  warn_of_slope(list, model, results);
 }
 
 }  // namespace overbend

@@ -10,7 +10,8 @@
 namespace overbend {
 
 /// Slack pipe, stress past yield of linear steel, supports that stand where none can: below the bed, below the water,
-/// proud of their neighbours; strain at field joints that nobody told. Appended to `results.warnings`.
+/// proud of their neighbours; strain at field joints that nobody told; a slope on which friction does not hold what is
+/// laid. Appended to `results.warnings`.
 void warn_statics(const Model& model, StaticResults& results);
 
 /// A place along the pipe for a sentence: "at 12.3 m from the tensioner (overbend)".

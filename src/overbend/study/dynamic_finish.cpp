@@ -72,7 +72,8 @@ void finish_histories(const Description& description, DynamicResults& results, c
   }
   const std::vector<double> tension = column_of(store, "tensioner/tension");
   const std::vector<double> travel = column_of(store, "tensioner/travel");
-  warn_of_run(results, tension.empty() ? std::span<const double>() : after_build_up(time, tension));
+  warn_of_run(description.environment.waves, results,
+              tension.empty() ? std::span<const double>() : after_build_up(time, tension));
   warn_of_sea(description, results);
   if (!travel.empty()) warn_of_tensioners_chance(description, after_build_up(time, travel), results);
   warn_of_large_motion(description.vessel, results);

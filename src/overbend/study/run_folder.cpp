@@ -127,7 +127,8 @@ bool is_finished(const fs::path& folder, const std::string& input) {
   if (record->input == text_hash(input) && record->program == program_identity()) return true;
   throw std::runtime_error(
       "'" + folder.string() +
-      "' has results of another model file or another build of the program; start again with --restart");
+      "' has results of another model file, another --duration or another build of the program; start again with "
+      "--restart");
 }
 
 }  // namespace overbend

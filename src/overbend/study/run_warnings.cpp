@@ -180,8 +180,8 @@ void warn_of_sea(const Description& description, DynamicResults& results) {
   }
 }
 
-void warn_of_run(DynamicResults& results, std::span<const double> tension) {
-  warn_of_short_run(results);
+void warn_of_run(const WavesDescription& waves, DynamicResults& results, std::span<const double> tension) {
+  if (is_irregular(waves.type)) warn_of_short_run(results);  // the peaks of a regular wave are all alike
   warn_of_still_vessel(results);
   warn_of_tension(results, tension);
   warn_of_energy(results);

@@ -8,10 +8,10 @@
 
 namespace overbend {
 
-/// Statistics of three hours from a shorter run; a vessel that does not move in a sea; a tension that does not stay
-/// where it is wanted; an energy balance that does not close. Reads the summaries of `results`; `tension` is that of
-/// the tensioner from t = 0 on [N], rows one output step apart; none without a pipe.
-void warn_of_run(DynamicResults& results, std::span<const double> tension);
+/// Statistics of three hours from a shorter run in an irregular sea; a vessel that does not move in a sea; a tension
+/// that does not stay where it is wanted; an energy balance that does not close. Reads the summaries of `results`;
+/// `tension` is that of the tensioner from t = 0 on [N], rows one output step apart; none without a pipe.
+void warn_of_run(const WavesDescription& waves, DynamicResults& results, std::span<const double> tension);
 
 /// A controlled tensioner in an irregular sea, whose travel (from t = 0 on, rows one output step apart [m]) another run
 /// of the same length would know by no more than a tenth: what it decides hangs on little (docs/theory/dynamics.md).

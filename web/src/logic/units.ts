@@ -107,3 +107,10 @@ export function complete(typed: string, unit: string): string {
   if (!q || !unit) return typed.trim();
   return q.unit ? `${typed.trim().match(/^[-+]?[\d.]+(?:[eE][-+]?\d+)?/)![0]} ${q.unit}` : `${typed.trim()} ${unit}`;
 }
+
+/** The same value in the unit in which another is written, where both are of a kind. */
+export function inUnitOf(text: string, before: string): string {
+  const value = parseQuantity(text), old = parseQuantity(before);
+  if (!value || !old || value.unit === old.unit || !sameFamily(value.unit, old.unit)) return text;
+  return `${tidy(fromSi(toSi(value.number, value.unit), old.unit), 7)} ${old.unit}`;
+}

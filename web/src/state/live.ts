@@ -5,8 +5,9 @@ import { Solver } from '../api/solver';
 import type { Change, Converged, Scene, StaticAnswer } from '../api/types';
 import { liveChanges, type LiveBase, type LiveValues, readBase } from '../logic/live';
 import { liveScene } from '../logic/liveScene';
+import { inUnitOf } from '../logic/units';
 import { colourBy, slots } from './look';
-import { errors, fields, hasModel, opened, revision, setKeys } from './model';
+import { byPath, errors, fields, hasModel, opened, revision, setKeys } from './model';
 import { say, sayError } from './notices';
 
 export const values = signal<LiveValues>({});
@@ -73,7 +74,7 @@ export function setLive(key: string, value: number | undefined): void {
 export function resetLive(): void { values.value = {}; }
 
 export async function applyLive(): Promise<void> {
-  const list = changes.value;
+  const list = changes.value.map((c) => ({ ...c, value: inUnitOf(String(c.value), String(byPath.value.get(c.path)?.value ?? '')) }));
   if (list.length === 0) return;
   try {
     await setKeys(list);
