@@ -37,9 +37,9 @@ void require_key(const std::string& key, const std::vector<NamePart>& parts) {
     if (next == nullptr) {
       const std::string near = part.item ? "" : nearest_word(part.text, place->member_names());
       const std::string hint = near.empty() ? "" : fmt::format("; did you mean '{}{}'?", there, near);
-      throw std::invalid_argument("'" + key + "' is no key of a model" + hint);
+      throw std::invalid_argument(fmt::format("'{}' is no key of a model{}", key, hint));
     }
-    there += part.item ? "" : part.text + ".";
+    if (!part.item) there.append(part.text).append(".");
     place = next;
   }
 }
