@@ -90,7 +90,8 @@ std::vector<double> probes(const Field& field) {
 }
 
 bool may_be(const Field& field, double value) {
-  const double limit = field.kind == FieldKind::quantity ? largest_sensible(field.unit) : 1e15;
+  const double largest = field.kind == FieldKind::integer ? 9e15 : 1e15;  // whole numbers are exact up to 2^53
+  const double limit = field.kind == FieldKind::quantity ? largest_sensible(field.unit) : largest;
   return field.range.contains(value) && std::abs(value) <= limit;
 }
 

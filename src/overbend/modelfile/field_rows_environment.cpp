@@ -3,6 +3,12 @@
 #include "modelfile/field_rows.h"
 
 namespace overbend::field_rows {
+namespace {
+
+constexpr double kShortestWave = 0.5;  ///< Waves of 0.4 m, shorter than a pipe is thick [s].
+
+}  // namespace
+
 std::vector<Field> waves() {
   const std::string p = "environment.waves";
   return {
@@ -25,7 +31,7 @@ std::vector<Field> waves() {
        .text = "Peak period of an irregular sea.",
        .unit = "s",
        .show = "s",
-       .range = {.low = 0.0, .high = 100.0, .low_open = true}},
+       .range = {.low = kShortestWave, .high = 100.0}},
       {.path = p + ".height",
        .member = fills(&WavesDescription::height),
        .kind = FieldKind::quantity,
@@ -39,7 +45,7 @@ std::vector<Field> waves() {
        .text = "Period of a regular wave.",
        .unit = "s",
        .show = "s",
-       .range = {.low = 0.0, .high = 1000.0, .low_open = true}},
+       .range = {.low = kShortestWave, .high = 1000.0}},
       {.path = p + ".phase",
        .member = defaults(&WavesDescription::phase),
        .kind = FieldKind::quantity,
@@ -117,7 +123,7 @@ std::vector<Field> environment() {
        .unit = "N/m^2",
        .show = "kN/m^2",
        .required = true,
-       .range = {.low = 0.0, .low_open = true},
+       .range = {.low = 100.0},
        .usual = {.low = 1e3, .high = 1e8}},
   };
   append(rows, friction<SeabedDescription>("environment.seabed.friction", "Coulomb friction of the pipe on the seabed",

@@ -62,7 +62,7 @@ std::vector<Field> harmonic_motion() {
                     .unit = "s",
                     .show = "s",
                     .required = true,
-                    .range = {.low = 0.0, .low_open = true}});
+                    .range = {.low = 0.1}});
     rows.push_back({.path = key + ".phase",
                     .member = defaults(&HarmonicMotion::phase),
                     .kind = FieldKind::quantity,

@@ -40,8 +40,14 @@ FieldValue valued(FieldValue::Kind kind, const YamlNode& node) {
   return value;
 }
 
+/// Beyond it a number is not meant, or not what is kept: whole numbers are exact up to 2^53.
+double largest(const Field& field) {
+  if (field.kind == FieldKind::quantity) return largest_sensible(field.unit);
+  return field.kind == FieldKind::integer ? 9e15 : 1e15;
+}
+
 ScalarReading accept_number(double number, FieldValue value, const Field& field) {
-  const double limit = field.kind == FieldKind::quantity ? largest_sensible(field.unit) : 1e15;
+  const double limit = largest(field);
   if (!within(field.range, number)) return refuse(value.shown, field);
   if (!(std::abs(number) <= limit)) return refuse(value.shown + ", beyond anything sensible", field);
   value.number = number;
