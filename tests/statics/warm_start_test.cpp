@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "modelfile/yaml_reader.h"
@@ -94,6 +95,32 @@ TEST(warm_start, turns_the_laid_line_with_its_route_so_that_nothing_bends_at_its
   EXPECT_EQ(after.solution->report.method, "newton, from the last solution");
   EXPECT_LE(after.solution->report.iterations, 8);
   EXPECT_LT(results_of(turned, after).stations.front().bending_moment, 1e3);  // 298 kNm if it kept its direction
+}
+
+TEST(warm_start, follows_a_line_of_another_given_length) {
+  Description description = bgl1();
+  description.environment.current.clear();
+  const StaticSolution laid = solve_statics(build_model(description)).solution.value();
+  const double length = laid.mesh.total_length();
+  description.pipe.length = length;
+  description.pipe.anchor = recover_statics(build_model(description), laid).anchor_W.x() * -1.0 - 60.0;
+  description.tensioner.tension.reset();
+  const StaticSolution before = solve_statics(build_model(description)).solution.value();
+  description.pipe.length = length + 0.3;  // touchdown stays where the elements are short
+  const Model longer = build_model(description);
+  const StaticOutcome warm = solve_statics(longer, &before);
+  EXPECT_NEAR(warm.solution->mesh.total_length(), length + 0.3, 1e-6);
+  const double cold = results_of(longer, solve_statics(longer)).top_tension;
+  EXPECT_NEAR(results_of(longer, warm).top_tension, cold, 1e-3 * cold);
+}
+
+TEST(warm_start, makes_the_elements_that_are_asked_for_now) {
+  Description description = bgl1();
+  const StaticSolution before = solve_statics(build_model(description)).solution.value();
+  description.mesh.longest_element = 1.0;
+  const Model finer = build_model(description);
+  const StaticSolution after = solve_statics(finer, &before).solution.value();
+  EXPECT_LE(*std::max_element(after.mesh.length.begin(), after.mesh.length.end()), 1.0 + 1e-9);
 }
 
 TEST(warm_start, makes_another_mesh_where_touchdown_has_left_the_fine_zone_step_by_step) {

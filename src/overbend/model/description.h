@@ -230,6 +230,7 @@ struct MeshDescription {
   std::optional<double> overbend_element;   ///< Element length over the supports [m]; rule of the mesh if not given.
   std::optional<double> touchdown_element;  ///< Element length around touchdown [m].
   std::optional<double> longest_element;    ///< [m]
+  bool operator==(const MeshDescription&) const = default;
 };
 
 struct StaticSettings {

@@ -20,8 +20,17 @@ namespace {
 constexpr int kMeshPasses = 6;         ///< Times the mesh may follow the touchdown found.
 constexpr double kLargestMiss = 0.01;  ///< Of what is wanted; ordinary lays miss it by 2e-4 at most.
 
-/// Whether the nodes of a mesh lie where the sections of the model end.
-bool mesh_fits(const Model& model, const LineMesh& mesh) {
+/// Whether a line of given length is as long in the model as a mesh is.
+bool length_fits(const Model& model, const LineMesh& mesh) {
+  const std::optional<double>& length = model.description.pipe.length;
+  return !length || std::abs(mesh.total_length() - *length) <= 1e-9 * *length;
+}
+
+/// Whether a solution's mesh can stay: it is as long as the line, has the elements that are asked for, and its nodes
+/// lie where the sections of the model end.
+bool mesh_fits(const Model& model, const StaticSolution& start) {
+  const LineMesh& mesh = start.mesh;
+  if (!length_fits(model, mesh) || !(model.description.mesh == start.mesh_asked)) return false;
   for (std::size_t e = 0; e < mesh.section.size(); ++e) {
     const double middle = mesh.total_length() - 0.5 * (mesh.s[e] + mesh.s[e + 1]);
     if (mesh.section[e] != model.section_at(middle)) return false;
@@ -211,7 +220,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*obstacle);
   }
   const LayPlane plane = lay_plane(model, model.mean_pose);
-  const bool same_line = start != nullptr && mesh_fits(model, start->mesh);
+  const bool same_line = start != nullptr && mesh_fits(model, *start);
   StartingPoint from = same_line ? point_beside(model, plane, *start) : starting_point(model, plane);
   if (from.failure) {
     return fail(*from.failure);
@@ -284,6 +293,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   solution.pose = model.mean_pose;
   solution.past = past;
   solution.zones = from.zones;
+  solution.mesh_asked = model.description.mesh;
   return {std::move(solution), std::nullopt};
 }
 

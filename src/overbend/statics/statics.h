@@ -49,6 +49,7 @@ struct StaticSolution {
   LinePast past;                          ///< What it was solved from.
   StingerAtRest stinger;                  ///< Of a stinger on hinges, see statics/stinger_rest.h.
   std::optional<MeshZones> zones;         ///< What its mesh was made for.
+  MeshDescription mesh_asked;             ///< Elements that the model asked for.
 };
 
 /// The equations of a line on a mesh, with its past.
