@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "resultfiles/study_outputs.h"
 #include "resultfiles/summary_json.h"
 #include "support/solved_case.h"
 
@@ -50,12 +51,27 @@ TEST(named_results, gather_what_a_pattern_matches) {
               std::sqrt(squares / count - mean * mean), 1e-9 * mean);
 }
 
+TEST(named_results, of_a_stage_are_those_of_a_lay_and_its_own) {
+  const auto unit = [](const std::string& name) {
+    const auto output = study_output(StudyAnalysis::operation, name, {});
+    return output ? output->unit : "";
+  };
+  EXPECT_EQ(unit("operation.stages[2].head.z"), "m");
+  EXPECT_EQ(unit("operation.stages[half way].barge_ahead"), "m");
+  EXPECT_EQ(unit("max(operation.stages[*].tension)"), "N");
+  EXPECT_EQ(unit("operation.stages[2].governing"), "");
+  EXPECT_FALSE(study_output(StudyAnalysis::statics, "operation.stages[2].tension", {}));
+}
+
 TEST(named_results, have_the_unit_of_their_dimension) {
   EXPECT_EQ(result_unit("static.sagbend.max_bending_stress"), "N/m^2");
   EXPECT_EQ(result_unit("static.overbend.max_bending_moment"), "N*m");
   EXPECT_EQ(result_unit("spread(static.supports[*].reaction)"), "N");
   EXPECT_EQ(result_unit("static.supports[stinger 7].rows[0].bottom.reaction"), "N");
   EXPECT_EQ(result_unit("static.touchdown.z"), "m");
+  EXPECT_EQ(result_unit("static.head.z"), "m");
+  EXPECT_EQ(result_unit("static.stinger.tip_roller.z"), "m");
+  EXPECT_EQ(result_unit("static.stinger.sections[outer].angle"), "rad");
   EXPECT_EQ(result_unit("static.departure_angle"), "rad");
   EXPECT_EQ(result_unit("static.moorings[line 1].fairlead_tension"), "N");
   EXPECT_EQ(result_unit("static.vessel.surge"), "m");

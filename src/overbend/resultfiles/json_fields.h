@@ -23,6 +23,7 @@ template <Output kWhere>
 struct ValueStyle {
   static constexpr Output kOutput = kWhere;
   static constexpr bool kTypes = false;  ///< Of a style that writes types.
+  static constexpr bool kWhole = false;  ///< Of a style that writes one of everything that may be there.
 
   Json text(const std::string& value) const { return value; }
   Json texts(const std::vector<std::string>& values) const { return values; }

@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "resultfiles/summary_fields.h"
+#include "results/fields/lay_operation_fields.h"
 #include "results/fields/moored_fields.h"
 #include "results/fields/mooring_fields.h"
+#include "results/operation_results.h"
 
 namespace overbend {
 namespace {
@@ -34,6 +36,7 @@ Json told_of(const ResultField& f, Told told) {
 
 /// One of everything that may be there, whatever the results at hand.
 struct UnitStyle : ValueStyle<Output::summary> {
+  static constexpr bool kWhole = true;
   Told told = Told::dimension;
 
   static Json number(double) { return nullptr; }
@@ -176,6 +179,15 @@ const Json& summary_units() {
 
 const Json& dynamic_summary_units() {
   static const Json kUnits = dynamic_summary_told(telling(Told::dimension));
+  return kUnits;
+}
+
+const Json& stage_units() {
+  static const Json kUnits = object_of(telling(Told::dimension), [](auto& stage) {
+    const StageResult any;
+    visit_lay_stage(any.stage, stage);
+    visit_stage_result(any, stage);
+  });
   return kUnits;
 }
 

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "resultfiles/named_dynamics.h"
 #include "resultfiles/named_results.h"
+#include "resultfiles/result_units.h"
 
 namespace overbend {
 namespace {
@@ -27,6 +28,15 @@ std::string stage_path(const std::string& path) {
   if (!path.starts_with(kStages) || point == std::string::npos) return path;
   const std::string below = path.substr(point + 2);
   return below.starts_with("checks.") ? below : "static." + below;
+}
+
+/// Unit of what a stage has besides the keys of a lay: "operation.stages[3].barge_ahead".
+std::optional<std::string> own_unit_of_stage(const std::string& path) {
+  const std::size_t point = path.find("].");
+  if (!path.starts_with(kStages) || point == std::string::npos) return std::nullopt;
+  const auto unit = stage_units().find(path.substr(point + 2));
+  if (unit == stage_units().end() || !unit->is_string()) return std::nullopt;
+  return unit->get<std::string>();
 }
 
 std::string with_function(const ResultName& name, const std::string& path) {
@@ -96,7 +106,10 @@ std::optional<StudyOutput> study_output(StudyAnalysis analysis, const std::strin
   if (analysis == StudyAnalysis::seek && name.starts_with("seek.")) return seek_output(name, seek);
   const ResultName parsed = parsed_result_name(name);
   std::string path = own_path(analysis, parsed.path);
-  if (analysis == StudyAnalysis::operation) path = stage_path(path);
+  if (analysis == StudyAnalysis::operation) {
+    if (const auto unit = own_unit_of_stage(path)) return StudyOutput{name, *unit, false};
+    path = stage_path(path);
+  }
   for (const char* ending : {"", ".max"}) {
     if (const auto unit = unit_of(analysis, with_function(parsed, path + ending))) {
       return StudyOutput{name, *unit, false};

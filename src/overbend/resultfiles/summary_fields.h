@@ -87,7 +87,7 @@ void put_cable_parts(const Style& style, const StaticResults& r, JsonWriter<Styl
     const HeadResult head = r.head.value_or(HeadResult{});
     JsonWriter<Style> one(style);
     visit_head(head, one);
-    one["z"] = style.number(head.p_W.z());
+    one(ResultField{"z", "m", "Height of the head above the mean water level"}.summary(), head.p_W.z());
     members["head"] = one.take();
   });
   json.part(r.cable.has_value(), [&](auto& members) {
@@ -140,8 +140,8 @@ auto summary_stinger_section(const Style& style, const StaticResults& r, const S
   JsonWriter<Style> json(style);
   visit_stinger_section(section, json);
   const Vec3 tip_V = r.R_WV.transpose() * (section.tip_W - r.stern_shoe_W);
-  json["tip_roller"]["x"] = style.number(-tip_V.x());
-  json["tip_roller"]["z"] = style.number(tip_V.z());
+  json(ResultField{"tip_x", "m", "Last roller astern of the stern shoe"}.summary("tip_roller/x"), -tip_V.x());
+  json(ResultField{"tip_z", "m", "Last roller above the stern shoe"}.summary("tip_roller/z"), tip_V.z());
   json["tanks"] = style.rows(section.tanks, [&](const StingerTankResult& tank) {
     return style.named("StingerTank", object_of(style, [&](auto& one) { visit_stinger_tank(tank, one); }));
   });
@@ -153,7 +153,7 @@ template <class Style>
 void put_stinger(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(!r.stinger.empty(), [&](auto& members) {
     auto stinger = summary_stinger_section(style, r, r.stinger.empty() ? StingerSectionResult{} : r.stinger.front());
-    if (r.stinger.size() > 1 || Style::kTypes) {
+    if (r.stinger.size() > 1 || Style::kTypes || Style::kWhole) {
       stinger[Style::kTypes ? "sections?" : "sections"] = style.rows(r.stinger, [&](const StingerSectionResult& one) {
         return style.named("StingerSection", summary_stinger_section(style, r, one));
       });
@@ -256,7 +256,8 @@ auto dynamic_part(const Style& style, const StaticResults& statics, const Dynami
   json["extremes"] = style.rows(r.extremes, [&](const ExtremeEstimate& e) {
     return object_of(style, [&](auto& one) { visit_estimate(e, one); });
   });
-  json["energy_drift"] = style.number(r.energy.drift());
+  json(ResultField{"energy_drift", "1", "Error of the energy balance relative to the energy exchanged"}.summary(),
+       r.energy.drift());
   visit_dynamic_run(r.run, json);
   json["checks"] = summary_checks(style, r.checks);
   return json.take();

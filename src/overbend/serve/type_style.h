@@ -21,6 +21,7 @@ template <Output kWhere>
 struct TypeStyle {
   static constexpr Output kOutput = kWhere;
   static constexpr bool kTypes = true;
+  static constexpr bool kWhole = true;
 
   NamedTypes* types = nullptr;
 
