@@ -246,6 +246,16 @@ TEST(lay_operation, the_barge_moves_by_the_cable_that_it_pays_out_once_all_lies_
   EXPECT_NEAR(found.stages[1].barge_ahead, 30.0, 0.03);  // and its stretch
 }
 
+TEST(lay_operation, the_barge_moves_over_a_slope_by_the_level_part_of_what_it_lays) {
+  Description d = stages_of_lay(400.0, 430.0, 1);
+  d.operation.lay.program->values = {120e3};
+  d.environment.seabed.slope = 12.0 * kDegree;
+  d.environment.seabed.slope_towards = d.vessel.heading;
+  const OperationResults found = solve_operation(d);
+  ASSERT_TRUE(found.stages[1].lay.has_value()) << found.stages[1].failure->why;
+  EXPECT_NEAR(found.stages[1].barge_ahead, 30.0 * std::cos(12.0 * kDegree), 0.03);
+}
+
 TEST(lay_operation, recovery_has_the_stages_of_abandonment_in_reverse) {
   Description d = read("/validation/operation_cases/AR12-J.yaml");
   const OperationResults down = solve_operation(d);
@@ -272,6 +282,24 @@ TEST(lay_operation, pipe_that_yielded_over_the_stinger_is_still_bent_when_its_he
   const double before = recover_statics(as_laid, *lay.solution).residual_curvature;
   EXPECT_GT(before, 1e-4);
   EXPECT_NEAR(found.stages[0].lay->residual_curvature, before, 0.05 * before);
+}
+
+TEST(lay_operation, a_stage_that_does_not_stand_from_the_one_before_is_solved_from_nothing) {
+  Description d = read("/examples/floating_stinger.yaml");
+  d.vessel.trim = 1.0 * kDegree;
+  StingerSectionDescription& stinger = d.supports.sections.front();
+  stinger.limits = {-20.0 * kDegree, 20.0 * kDegree};
+  stinger.springs.push_back({"tower", {-3.0, 6.096}, {20.0, -9.0}, 72.966e3, 177.929e3});
+  LayStageDescription light, heavy;  // under them the pipe lies on its side rollers in different ways
+  light.tank_weight = 90e3;
+  light.tank_ballast = 0.1;
+  heavy.tank_ballast = 0.5;
+  d.operation.lay.stages = {light, heavy};
+  const OperationResults found = solve_operation(d);
+  ASSERT_TRUE(found.stages[1].lay.has_value()) << found.stages[1].failure->why;
+  d.operation.lay.stages = {heavy};
+  const OperationResults alone = solve_operation(d);
+  EXPECT_NEAR(found.stages[1].lay->stinger[0].angle, alone.stages[0].lay->stinger[0].angle, 1e-5);
 }
 
 TEST(lay_operation, field_joints_and_segments_go_with_the_pipe_when_the_barge_moves) {

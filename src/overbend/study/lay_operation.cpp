@@ -11,6 +11,18 @@
 namespace overbend {
 namespace {
 
+/// How far a length of the pipe that lies on the bed goes over level ground: the cosine of the bed's slope, of an
+/// uneven bed that of the whole laid part.
+double level_share(const StaticResults& r) {
+  double along = 0.0, level = 0.0;
+  for (std::size_t i = 1; i < r.stations.size() && r.stations[i].region == Region::seabed; ++i) {
+    const Vec3 step = r.stations[i].p_W - r.stations[i - 1].p_W;
+    along += step.norm();
+    level += step.head<2>().norm();
+  }
+  return along > 0.0 ? level / along : 1.0;
+}
+
 /// Horizontal distance from the stern shoe to a point of the line that lies still on the bed, and stays there from
 /// stage to stage, but for a constant [m].
 double distance_to_laid(const StageResult& stage) {
@@ -18,7 +30,7 @@ double distance_to_laid(const StageResult& stage) {
   if (r.far_anchor) return r.far_anchor->distance;
   const LayStageDescription& at = stage.stage;
   const double come = at.cable_out.value_or(at.ahead.value_or(at.passed.value_or(0.0)));
-  return r.lay_back - (r.length_top_to_touchdown - come);
+  return r.lay_back - level_share(r) * (r.length_top_to_touchdown - come);
 }
 
 /// Against the first stage that stands. While ballast is changed the barge stays, and the tensioner pays out or takes

@@ -175,6 +175,10 @@ StageSolver::Tried StageSolver::with_bottom_tension(LayStageDescription& stage) 
           StaticFailure{"the bottom tension is not reached", "", "it does not follow the tension at the top"}};
 }
 
+StageSolver::Tried StageSolver::as_asked(LayStageDescription& stage) {
+  return stage.bottom_tension ? with_bottom_tension(stage) : solve_at(stage, {});
+}
+
 /// Each tension the largest of its neighbours', then their mean: never less than it has to be.
 void StageSolver::even_out(std::vector<PlannedStage>& stages) {
   const std::size_t count = stages.size();
@@ -238,7 +242,15 @@ StageResult StageSolver::solve(const PlannedStage& planned) {
   result.failure = planned.hopeless;
   if (result.failure) return result;
   if (planned.close) last_ = *planned.close;
-  Tried tried = planned.stage.bottom_tension ? with_bottom_tension(result.stage) : solve_at(planned.stage, {});
+  Tried tried = as_asked(result.stage);
+  if (tried.failure && !tried.failure->input && last_) {
+    // The stage before may lie in another of several equilibria, on other rollers, from which no way leads here.
+    std::optional<StaticSolution> before;
+    before.swap(last_);
+    result.stage = planned.stage;
+    tried = as_asked(result.stage);
+    if (tried.failure) last_ = std::move(before);
+  }
   result.lay = std::move(tried.lay);
   if (!tried.failure) {
     keep_past(planned.stage);

@@ -46,6 +46,8 @@ class StageSolver {
   Tried solve_at(LayStageDescription stage, std::optional<double> tension);
   /// What is used most at a tension; above 1 without an equilibrium.
   Use worst_use(const LayStageDescription& stage, double tension);
+  /// With the tension, or the bottom tension, that the stage says.
+  Tried as_asked(LayStageDescription& stage);
   /// Gives the stage the tension at the top with which its bottom tension is as asked for.
   Tried with_bottom_tension(LayStageDescription& stage);
   static PlannedStage hopeless(const LayStageDescription& stage, const Use& nearest, double tension, double most);
