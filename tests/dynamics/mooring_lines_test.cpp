@@ -103,6 +103,24 @@ TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_ho
   expect_statics_at_start(d, 0.02);
 }
 
+/// Points of the bed now stick and now slide, from one step of Newton's method to the next.
+TEST(mooring_lines, come_to_rest_in_a_current_whatever_the_friction_of_the_bed) {
+  for (const double friction : {0.1, 0.3, 0.6, 0.8}) {
+    for (const double speed : {0.3, 1.0}) {
+      SCOPED_TRACE(::testing::Message() << "friction " << friction << ", current " << speed << " m/s");
+      Description d = barge_on(in_water(wire_rope(0.064, RopeCore::wire)), friction);
+      d.environment.current = {{0.0, speed, 0.5}, {d.environment.water_depth, speed, 0.5}};
+      d.vessel.coupled->current = {};
+      d.vessel.coupled->current.form = HullCurrentForm::none;
+      const testing::SolvedHull at(d);
+      MooredSimulation simulation(at.model, at.start(), dynamic_options(at.model));
+      ASSERT_FALSE(simulation.failure()) << simulation.failure()->what;
+      EXPECT_LT(simulation.run().state().bodies.at(0).acc.head<3>().norm(), 1e-6 * kGravity);
+      if (speed < 0.5) expect_statics_at_start(d, 0.02);  // of less than a metre's bow
+    }
+  }
+}
+
 /// Chain of little friction on the bed, and wire of more that hangs: what lies has that of the chain.
 TEST(mooring_lines, rub_on_the_bed_by_the_friction_of_what_lies_there) {
   Description d = barge_on(in_water(wire_rope(0.076, RopeCore::wire)), 0.9);
@@ -125,6 +143,20 @@ TEST(mooring_lines, of_rope_and_chain_start_with_the_tensions_of_statics) {
     LineSegmentDescription chain_end = line.segments.front();
     chain_end.length = 700.0;
     line.segments.front().type = rope;
+    line.segments.push_back(chain_end);
+  }
+  expect_statics_at_start(d, 0.02);
+}
+
+/// Rope of less than half the thickness of the chain that it lies before: it lies lower on the line's one bed, and the
+/// bed holds it as it holds the chain.
+TEST(mooring_lines, of_thin_rope_and_thick_chain_on_the_bed_start_with_the_tensions_of_statics) {
+  Description d = barge_on(in_water(wire_rope(0.064, RopeCore::wire)), 1.0);
+  for (MooringLineDescription& line : d.moorings->lines) {
+    LineSegmentDescription chain_end = line.segments.front();
+    chain_end.length = 200.0;
+    chain_end.type = in_water(chain(0.076, ChainLink::studless));
+    chain_end.type.friction = 1.0;
     line.segments.push_back(chain_end);
   }
   expect_statics_at_start(d, 0.02);

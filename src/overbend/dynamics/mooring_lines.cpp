@@ -74,10 +74,17 @@ double last_element(const Model& model, std::size_t line) {
   return kOverWay * way;
 }
 
-/// How deep an element sinks into the bed by its weight [m].
-double sunk(const Line& line, std::size_t element) {
+/// How far under the bed's surface the axis of an element lies: the bed of a line is lowered by the radius of its
+/// thickest part, on which thinner ones lie lower, and each sinks in by its weight [m].
+double lies_under(const Line& line, std::size_t element) {
   const double weight = line.elements.weight[element] - line.elements.buoyancy[element];
-  return std::max(weight, 0.0) / line.environment.bed_stiffness;
+  const LineEnvironment& env = line.environment;
+  return env.bed_lowered - line.elements.radius[element] + std::max(weight, 0.0) / env.bed_stiffness;
+}
+
+/// The element by which a node lies: both nodes of a joint by the joint, which a step between them would stretch.
+std::size_t lying_element(const LineMesh& mesh, std::size_t node) {
+  return node == mesh.length.size() || (node > 0 && mesh.joint(node - 1)) ? node - 1 : node;
 }
 
 /// At a node. Where segments meet, or at a weight, stretch and direction are those of the longer of its elements: the
@@ -101,7 +108,7 @@ std::vector<double> catenary_nodes(const MooringSpread& spread, const MooredLine
     const CatenaryPlace at = place_of_node(moored, solution, line.mesh, node);
     Vec3 r = Vec3(fairlead_W.x(), fairlead_W.y(), at.z) + at.x * towards;
     const double bed = spread.bed.height(r.x(), r.y());
-    if (at.lies || r.z() < bed) r.z() = bed - (at.lies ? sunk(line, std::min(node, line.mesh.length.size() - 1)) : 0.0);
+    if (at.lies || r.z() < bed) r.z() = bed - (at.lies ? lies_under(line, lying_element(line.mesh, node)) : 0.0);
     const Vec3 t = -at.along * towards - at.upwards * Vec3::UnitZ();
     q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
   }

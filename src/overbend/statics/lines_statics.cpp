@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "statics/step_search.h"
 
@@ -22,6 +23,7 @@ struct RestingLine {
   const std::vector<RigidMotion>& bodies;
   const HeldDirections &first, &last;
   const LineState* laid;  ///< Where friction began to hold; null: on the straight course.
+  double slowly = kSlowly;
 
   void balance(LineState& state, bool with_tangent) {
     static const std::vector<double> kCalm;
@@ -29,8 +31,8 @@ struct RestingLine {
       line.evaluate_at_rest(bodies, state, LayHistory::monotonic, with_tangent);
       return;
     }
-    for (std::size_t i = 0; i < state.q.size(); ++i) state.v[i] = (state.q[i] - laid->q[i]) / kSlowly;
-    line.evaluate(state, *laid, {1.0 / kSlowly, 0.0, kSlowly}, kCalm, with_tangent, ContactMode::free);
+    for (std::size_t i = 0; i < state.q.size(); ++i) state.v[i] = (state.q[i] - laid->q[i]) / slowly;
+    line.evaluate(state, *laid, {1.0 / slowly, 0.0, slowly}, kCalm, with_tangent, ContactMode::free);
   }
 
   void evaluate(LineState& state, bool with_tangent) {
@@ -121,7 +123,7 @@ NewtonReport harden_and_rest(const RestingLine& resting, LineState& state, const
     BlockTridiagonal tangent(line.mesh.nodes());
     const std::vector<Body> none;
     LineAssembly assembly(soft, none, tangent);
-    const RestingLine trial{assembly, resting.bodies, resting.first, resting.last, resting.laid};
+    const RestingLine trial{assembly, resting.bodies, resting.first, resting.last, resting.laid, resting.slowly};
     iterations += come_to_rest(trial, state, {kRoughly, settings.max_iterations}).iterations;
     most *= kHarder;
   }
@@ -137,11 +139,30 @@ HeldDirections held_by(const Attachment& attachment, const EndMotion& end) {
   return held;
 }
 
+/// What holds the ends of a line: the first, the last.
+std::pair<HeldDirections, HeldDirections> held_ends(const Assembly& assembly, std::size_t line) {
+  const System& system = assembly.system();
+  std::pair<HeldDirections, HeldDirections> held;
+  for (std::size_t a = 0; a < system.attachments.size(); ++a) {
+    const Attachment& attachment = system.attachments[a];
+    if (attachment.line != static_cast<int>(line)) continue;
+    (attachment.end == LineEnd::first ? held.first : held.second) =
+        held_by(attachment, assembly.surroundings().ends[a]);
+  }
+  return held;
+}
+
 }  // namespace
 
-NewtonReport rest_line(LineAssembly& line, const std::vector<RigidMotion>& bodies, const HeldDirections& first,
-                       const HeldDirections& last, LineState& state, const LineRestSettings& settings) {
-  return come_to_rest({line, bodies, first, last, nullptr}, state, settings);
+NewtonReport rest_line(Assembly& assembly, std::size_t line, const LineState& laid, double slowly, LineState& state,
+                       const LineRestSettings& settings) {
+  const auto [first, last] = held_ends(assembly, line);
+  RestingLine resting{assembly.line(line), assembly.surroundings().bodies, first, last, &laid, slowly};
+  const LineState start = state;
+  NewtonReport report = come_to_rest(resting, state, settings);
+  if (report.converged()) return report;
+  state = start;
+  return harden_and_rest(resting, state, settings);
 }
 
 bool LinesRest::converged() const {
@@ -154,12 +175,7 @@ LinesRest rest_lines(Assembly& assembly, SystemState& state, const LineRestSetti
   assembly.impose_ends(state);
   LinesRest rest;
   for (std::size_t i = 0; i < system.lines.size(); ++i) {
-    HeldDirections first, last;
-    for (std::size_t a = 0; a < system.attachments.size(); ++a) {
-      const Attachment& attachment = system.attachments[a];
-      if (attachment.line != static_cast<int>(i)) continue;
-      (attachment.end == LineEnd::first ? first : last) = held_by(attachment, assembly.surroundings().ends[a]);
-    }
+    const auto [first, last] = held_ends(assembly, i);
     LineState& line = state.lines[i];
     const LineState start = line;
     const std::vector<RigidMotion>& bodies = assembly.surroundings().bodies;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "statics/lines_statics.h"
+
 namespace overbend {
 namespace {
 
@@ -11,6 +13,7 @@ constexpr double kLongTime = 1e6;
 constexpr double kGrowthHeld = 10.0;  ///< Of the residual, that an iteration may bring: cables stiffen as they turn.
 constexpr double kGrowthFree = 2.0;   ///< The same where bodies move: the pipe must not leave its rollers behind.
 constexpr int kHalvings = 8;
+constexpr int kTries = 300;       ///< Iterations of a line by itself.
 constexpr double kAlmost = 0.05;  ///< Unbalanced force from which Newton's method is tried again in the fallback.
 
 void add(MotionValues& values, double d) {
@@ -132,10 +135,30 @@ class Rest {
     }
   }
 
+  /// Lines between held ends, each by itself and searched along its steps: points of the bed's friction that now stick
+  /// and now slide send a whole Newton step to and fro. What lies on rollers is left as it is.
+  void rest_one_by_one() {
+    residual_of(now_, false);  // ends in their places
+    for (std::size_t i = 0; i < now_.lines.size(); ++i) {
+      if (assembly_.line(i).contacts().count() > 0) continue;
+      LineState line = now_.lines[i];
+      const NewtonReport rest =
+          rest_line(assembly_, i, before_.lines[i], kLongTime, line, {settings_.tolerance, kTries});
+      report_.iterations += rest.iterations;
+      if (rest.converged()) now_.lines[i] = std::move(line);
+    }
+  }
+
   /// Lines on held bodies.
   void rest_lines() {
     const std::vector<std::pair<int, int>> held = hold_all();
+    const SystemState from = now_;
     newton(settings_.max_iterations, kGrowthHeld);
+    if (!report_.converged) {
+      now_ = from;
+      rest_one_by_one();
+      newton(settings_.max_iterations, kGrowthHeld);
+    }
     for (const auto& [body, freedom] : held) {
       assembly_.hold_body(body, freedom, false);
     }
