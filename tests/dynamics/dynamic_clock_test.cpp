@@ -20,6 +20,12 @@ TEST(clock, has_a_row_at_zero_and_at_the_end_whatever_the_build_up) {
   EXPECT_EQ(rows, 15 + 1 + 20);
 }
 
+TEST(clock, ends_with_the_first_row_at_or_after_the_duration) {
+  EXPECT_DOUBLE_EQ(end_of_run(12.2, 0.5), 12.5);
+  EXPECT_DOUBLE_EQ(end_of_run(12.0, 0.5), 12.0);
+  EXPECT_DOUBLE_EQ(end_of_run(0.3, 0.1), 0.3);  // 0.3/0.1 is a little less than 3
+}
+
 TEST(clock, names_the_row_after_any_tick) {
   Clock clock;
   clock.ticks_per_row = 4;

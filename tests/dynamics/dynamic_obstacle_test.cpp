@@ -63,5 +63,24 @@ TEST(dynamic_obstacle, lets_a_told_vessel_start_in_full_motion_only_where_static
   EXPECT_FALSE(dynamic_obstacle(build_model(d)));
 }
 
+TEST(dynamic_obstacle, is_a_record_that_ends_before_the_last_row_of_the_run) {
+  Description d = workable();
+  d.vessel.motion = VesselMotion::history;
+  d.vessel.history.emplace();
+  for (int i = 0; i <= 61; ++i) {
+    d.vessel.history->time.push_back(0.2 * i);
+    d.vessel.history->freedoms.push_back({});
+  }
+  d.dynamics->duration = 12.0;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+  d.dynamics->duration = 12.2;  // of the whole record: the last row is at 12.5 s
+  const std::optional<StaticFailure> obstacle = dynamic_obstacle(build_model(d));
+  ASSERT_TRUE(obstacle);
+  EXPECT_EQ(obstacle->key, "vessel.motion.history");
+  EXPECT_NE(obstacle->why.find("the run from 0 s to 12.5 s"), std::string::npos) << obstacle->why;
+  d.dynamics->output_step = 0.2;
+  EXPECT_FALSE(dynamic_obstacle(build_model(d)));
+}
+
 }  // namespace
 }  // namespace overbend

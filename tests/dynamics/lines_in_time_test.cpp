@@ -199,6 +199,62 @@ TEST(lines_in_time, on_a_heaving_vessel_swing_as_if_their_end_were_told_to) {
   EXPECT_NEAR(carried.least_last, told.least_last, 0.01 * told.most_last);
 }
 
+TEST(lines_in_time, have_their_extremes_along_the_line_whatever_the_output_step) {
+  DynamicOptions rare = options_for(9.0, 9.0);
+  rare.output_step = 9.0;
+  const LineHistory often = testing::run_lines(busy_line(), options_for(9.0, 9.0)).front();
+  const LineHistory seldom = testing::run_lines(busy_line(), rare).front();
+  for (const LineHistory* line : {&often, &seldom}) {
+    // The node of the end bears what holds it.
+    EXPECT_NEAR(line->most_tension.back(), line->most_last, 0.01 * line->most_last);
+    EXPECT_NEAR(line->least_tension.back(), line->least_last, 0.01 * line->most_last);
+  }
+  for (std::size_t node = 0; node < often.most_tension.size(); ++node) {
+    EXPECT_NEAR(seldom.most_tension[node], often.most_tension[node], 0.05 * often.most_last) << node;
+    EXPECT_NEAR(seldom.least_tension[node], often.least_tension[node], 0.05 * often.most_last) << node;
+  }
+}
+
+/// A cable that lies a little slack on a bed that rubs, and is moved along it with both ends.
+TEST(lines_in_time, that_are_pushed_along_the_bed_have_a_negative_tension_at_the_end_that_pushes) {
+  Description d = testing::water_alone(1025.0, 100.0);
+  d.environment.seabed.stiffness = 200e3;
+  d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.5;
+  d.lines = {testing::free_line(testing::cable_type(60.0, 0.1, 1e8, 10.0, 1025.0), 100.0, Vec3(0.0, 0.0, -100.0),
+                                Vec3(99.9, 0.0, -100.0))};
+  for (LineEndDescription* end : {&d.lines[0].first, &d.lines[0].second}) {
+    end->kind = LineEndKind::bed;
+    end->amplitude = Vec3(3.0, 0.0, 0.0);
+    end->period = 120.0;
+  }
+  const LineHistory line = testing::run_lines(d, options_for(60.0, 60.0)).front();
+  const double rub = 0.5 * 100.0 * d.lines[0].segments[0].type.weight_submerged;
+  EXPECT_LT(line.least_first, -0.5 * rub);
+  EXPECT_NEAR(line.least_first, line.least_tension.front(), 0.05 * rub);
+  for (std::size_t i = 0; i < line.first.size(); ++i) {
+    EXPECT_NEAR(std::abs(line.last[i] - line.first[i]), rub, 0.05 * rub) << line.time[i];
+    if (line.time[i] > 25.0) break;  // it turns at 30 s
+  }
+}
+
+/// A long line whose upper end stands out of the water between two that are held still: waves are felt over a
+/// fifteenth of it.
+TEST(lines_in_time, in_waves_swing_as_with_a_fine_mesh) {
+  Description d = testing::water_alone(1025.0, 500.0);
+  d.lines = {testing::free_line(testing::cable_type(25.0, 0.15, 20e6, 0.1, 1025.0), 600.0, Vec3(0.0, 0.0, -250.0),
+                                Vec3(150.0, 0.0, 5.0))};
+  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.height = 6.0;
+  d.environment.waves.period = 7.0;
+  d.environment.waves.from = 1.5 * std::numbers::pi;  // along x
+  const LineHistory usual = testing::run_lines(d, options_for(28.0, 28.0)).front();
+  d.lines[0].element = 1.0;
+  const LineHistory fine = testing::run_lines(d, options_for(28.0, 28.0)).front();
+  const double swing = fine.most_last - fine.least_last;
+  EXPECT_NEAR(swing, 2.8e3, 0.3e3);                                      // 2.9 kN by a chain of point masses
+  EXPECT_NEAR(usual.most_last - usual.least_last, swing, 0.15 * swing);  // 5.8 kN with elements of 30 m
+}
+
 TEST(lines_in_time, allocate_nothing_in_a_step) {
   testing::RestingLines rest(busy_line());
   const Sea sea = make_sea(rest.model.description.environment.waves, 100.0, 20.0, 1);

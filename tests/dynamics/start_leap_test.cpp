@@ -34,6 +34,21 @@ TEST(start_leap, is_the_way_from_statics_to_where_a_told_motion_begins) {
   EXPECT_EQ(leap_at_start(build_model(d)), 0.0);
 }
 
+TEST(start_leap, may_be_one_of_speed_alone) {
+  Description d = lifted_at_once();
+  EXPECT_NEAR(speed_at_start(build_model(d)), 0.0, 1e-12);
+  d.vessel.harmonic["heave"].phase = 0.0;  // passes its mean at t = 0
+  EXPECT_NEAR(speed_at_start(build_model(d)), 0.05 * 2.0 * std::numbers::pi / 10.0, 1e-12);
+  const testing::TimedLay c(d);
+  testing::EmptySink sink;
+  const std::vector<std::string> warnings = c.results(sink).warnings;
+  EXPECT_TRUE(std::ranges::any_of(warnings, [](const std::string& words) {
+    return words.find("the stern shoe has 0.0314 m/s at once") != std::string::npos;
+  }));
+  d.dynamics->build_up = 10.0;
+  EXPECT_EQ(speed_at_start(build_model(d)), 0.0);
+}
+
 TEST(start_leap, of_centimetres_is_told_by_the_run) {
   const testing::TimedLay c(lifted_at_once());
   testing::EmptySink sink;

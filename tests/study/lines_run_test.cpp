@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <numbers>
 
 #include "base/json.h"
 #include "resultfiles/hdf5_file.h"
@@ -95,6 +97,53 @@ TEST(lines_run, says_which_line_pulls_its_end_off_the_bed) {
   EXPECT_NE(outcome.results->warnings[0].find("\"east\": pulls its end on the bed up"), std::string::npos);
 }
 
+TEST(lines_run, refuses_an_end_that_leaps_at_the_beginning) {
+  Description d = two_chains();
+  d.lines[0].second.phase = 0.5 * std::numbers::pi;  // 2 m up at t = 0
+  DynamicOptions options = short_run();
+  options.build_up = 0.0;
+  const LinesOutcome outcome = run_lines(build_model(d), options);
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->key, "analysis.dynamic.build_up");
+  EXPECT_NE(outcome.failure->why.find("leaps by 2 m"), std::string::npos) << outcome.failure->why;
+}
+
+TEST(lines_run, refuses_a_vessel_that_leaps_or_whose_record_ends_before_the_run) {
+  Description d = two_chains();
+  d.lines[0].second.kind = LineEndKind::body;
+  d.vessel.motion = VesselMotion::harmonic;
+  d.vessel.harmonic["heave"] = {1.0, 10.0, 0.5 * std::numbers::pi};
+  DynamicOptions options = short_run();
+  options.build_up = 0.0;
+  LinesOutcome outcome = run_lines(build_model(d), options);
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_NE(outcome.failure->why.find("leaps by 1 m"), std::string::npos) << outcome.failure->why;
+  d.vessel.motion = VesselMotion::history;
+  d.vessel.history.emplace();
+  for (int i = 0; i <= 9; ++i) {
+    d.vessel.history->time.push_back(i);
+    d.vessel.history->freedoms.push_back({});
+  }
+  outcome = run_lines(build_model(d), short_run());  // of 10 s
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->key, "vessel.motion.history");
+}
+
+bool has_warning(const LinesResults& results, const std::string& words) {
+  return std::ranges::any_of(results.warnings,
+                             [&](const std::string& told) { return told.find(words) != std::string::npos; });
+}
+
+TEST(lines_run, warns_of_a_breaking_load_that_is_exceeded_in_time_alone) {
+  Description d = two_chains();
+  d.lines[0].segments[0].type.breaking_load = 1.05e6;  // 1,002 kN at rest, some 1,100 kN in time
+  const LinesOutcome outcome = run_lines(build_model(d), short_run());
+  ASSERT_TRUE(outcome.results);
+  EXPECT_LT(*outcome.results->lines[0].utilisation, 1.0);
+  EXPECT_TRUE(has_warning(*outcome.results, "line \"west\": its largest tension of the run is 1.0"));
+  EXPECT_FALSE(has_warning(*outcome.results, "compression"));
+}
+
 /// Two chains in a sea, with a run of ten seconds.
 Description chains_in_waves() {
   Description d = two_chains();
@@ -106,6 +155,20 @@ Description chains_in_waves() {
   d.dynamics->duration = 4.0;
   d.dynamics->build_up = 2.0;
   return d;
+}
+
+TEST(lines_run, warns_of_a_sea_that_the_vessels_raos_do_not_reach) {
+  Description d = chains_in_waves();
+  d.lines[0].second.kind = LineEndKind::body;
+  d.vessel.motion = VesselMotion::raos;
+  d.vessel.raos.emplace();
+  d.vessel.raos->omegas = {0.1, 0.3};
+  d.vessel.raos->headings = {0.0, std::numbers::pi};
+  d.vessel.raos->values.assign(2 * 2 * 6, 0.0);
+  const Model model = build_model(d);
+  const LinesOutcome outcome = run_lines(model, dynamic_options(model));
+  ASSERT_TRUE(outcome.results) << outcome.failure->what;
+  EXPECT_TRUE(has_warning(*outcome.results, "lies above the highest frequency of the RAOs"));
 }
 
 DynamicControl go_on(const DynamicProgress&) {

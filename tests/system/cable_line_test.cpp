@@ -53,6 +53,17 @@ TEST(cable_line, has_nodes_where_segments_meet_and_at_points) {
   EXPECT_LE(lengths[lengths.size() / 5], 26.0);  // by touchdown
 }
 
+TEST(cable_line, has_short_elements_where_they_are_wanted_and_grows_away_from_there) {
+  const CableParts parts = chain_and_wire();
+  CableMesh wanted;
+  wanted.fine = {{950.0, 1000.0, 5.0}};
+  const LineMesh mesh = cable_mesh(parts, wanted);
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    EXPECT_LE(mesh.length[e], mesh.s[e] >= 950.0 ? 5.0 * (1.0 + 1e-9) : 50.0) << e;
+  }
+  EXPECT_GT(mesh.length.front(), 40.0);
+}
+
 TEST(cable_line, has_a_joint_of_the_softer_segment_where_two_meet_and_at_points) {
   CableParts parts = chain_and_wire();
   LineMesh mesh = cable_mesh(parts, {});

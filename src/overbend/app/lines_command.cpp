@@ -31,7 +31,9 @@ void print_line(const LineResult& line, bool moved) {
     if (moved) std::cout << fmt::format(", {:.2f} to {:.2f} kN", end->in_time.min / 1e3, end->in_time.max / 1e3);
     std::cout << "\n";
   }
-  if (line.utilisation) std::cout << fmt::format("    {:<26}{:>12.3f}\n", "of the breaking load", *line.utilisation);
+  if (line.utilisation)
+    std::cout << fmt::format("    {:<26}{:>12.3f}{}\n", "of the breaking load", *line.utilisation,
+                             moved ? " at rest" : "");
 }
 
 void print(const LinesResults& results) {

@@ -18,16 +18,23 @@ constexpr double kNextToNothing = 0.01;       ///< Of the tolerance: steps that 
 constexpr int kMostUnseen = 4;                ///< Steps in succession without an estimate of their error,
 constexpr double kUnseenTime = 0.1;           ///< and how long they may be together, of the longest step.
 
+/// Steps of output that cover a time: a time just over a whole number of them is that number.
+std::int64_t rows_in(double time, double output_step) {
+  return static_cast<std::int64_t>(std::ceil(time / output_step - 1e-9));
+}
+
 }  // namespace
+
+double end_of_run(double duration, double output_step) {
+  return static_cast<double>(rows_in(duration, output_step)) * output_step;
+}
 
 Clock make_clock(const DynamicOptions& options, double interval) {
   Clock clock;
   clock.interval = interval;
   clock.ticks_per_row = std::llround(options.output_step / interval);
-  const std::int64_t rows_before = static_cast<std::int64_t>(std::ceil(options.build_up / options.output_step - 1e-9));
-  const std::int64_t rows_after = static_cast<std::int64_t>(std::ceil(options.duration / options.output_step - 1e-9));
-  clock.tick = -rows_before * clock.ticks_per_row;
-  clock.last_tick = rows_after * clock.ticks_per_row;
+  clock.tick = -rows_in(options.build_up, options.output_step) * clock.ticks_per_row;
+  clock.last_tick = rows_in(options.duration, options.output_step) * clock.ticks_per_row;
   return clock;
 }
 

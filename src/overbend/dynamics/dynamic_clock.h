@@ -21,6 +21,9 @@ struct Clock {
   }
 };
 
+/// When a run ends: at the first row at or after its duration [s].
+double end_of_run(double duration, double output_step);
+
 Clock make_clock(const DynamicOptions& options, double interval);
 
 /// Watches how the tension at the top bends from step to step. Steps that follow its swings to a fraction of their

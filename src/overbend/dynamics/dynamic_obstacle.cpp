@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "dynamics/dynamic_clock.h"
 #include "dynamics/start_leap.h"
 #include "model/station.h"
 #include "statics/moored_statics.h"
@@ -10,7 +11,7 @@
 namespace overbend {
 namespace {
 
-constexpr double kLargestLeap = 0.1;  ///< Of the stern shoe at t = 0 [m].
+constexpr double kLargestLeap = 0.1;  ///< Of the stern shoe, or the end of a line, at t = 0 [m].
 
 StaticFailure refused(const char* key, std::string what, std::string why) {
   return {std::move(what), "", std::move(why), true, key};
@@ -73,8 +74,35 @@ std::optional<StaticFailure> leap_obstacle(const Model& model) {
                   leap));
 }
 
+/// A record that ends before the run does. The vessel would stop dead there, and strike what hangs on it.
+std::optional<StaticFailure> record_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+  const double first = vessel.history->time.front(), last = vessel.history->time.back();
+  const double end = end_of_run(run.duration, run.output_step);
+  if (first <= 0.0 && last >= end * (1.0 - 1e-9)) return std::nullopt;
+  std::string why = fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s", vessel.motion_file,
+                                first, last, end);
+  if (end > run.duration * (1.0 + 1e-9)) {
+    why += fmt::format(
+        ": it ends with the first row of output (analysis.dynamic.output_step, {:g} s) at or after its "
+        "duration of {:g} s",
+        run.output_step, run.duration);
+  }
+  return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run", std::move(why));
+}
+
+/// A motion without the file that it is in, or with one that ends too early.
+std::optional<StaticFailure> file_obstacle(const VesselDescription& vessel, const DynamicOptions& run) {
+  if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
+      (vessel.motion == VesselMotion::history && !vessel.history)) {
+    return refused("vessel.motion", "the vessel motion cannot be used",
+                   "the file " + vessel.motion_file + " could not be read");
+  }
+  return vessel.motion == VesselMotion::history ? record_obstacle(vessel, run) : std::nullopt;
+}
+
 /// A motion that cannot be followed over the whole run.
-std::optional<StaticFailure> motion_obstacle(const Description& d) {
+std::optional<StaticFailure> motion_obstacle(const Model& model) {
+  const Description& d = model.description;
   const VesselDescription& vessel = d.vessel;
   if (has_station(d) && d.operation.type == OperationType::pull_ahead && !d.operation.loads.empty()) {
     return refused("operation.loads", "loads of a pull-ahead act in statics alone",
@@ -90,21 +118,14 @@ std::optional<StaticFailure> motion_obstacle(const Description& d) {
     return refused("operation.acceleration_time", "the vessel cannot be at its speed at once",
                    "a told motion without time to reach its speed strikes the pipe; give some seconds");
   }
-  if ((vessel.motion == VesselMotion::raos && !vessel.raos) ||
-      (vessel.motion == VesselMotion::history && !vessel.history)) {
-    return refused("vessel.motion", "the vessel motion cannot be used",
-                   "the file " + vessel.motion_file + " could not be read");
-  }
-  if (vessel.motion != VesselMotion::history) {
-    return std::nullopt;
-  }
-  const double first = vessel.history->time.front(), last = vessel.history->time.back();
-  if (first > 0.0 || last < d.dynamics->duration * (1.0 - 1e-9)) {
-    return refused("vessel.motion.history", "the record of the vessel's motion does not cover the run",
-                   fmt::format("{} goes from t = {:g} s to {:g} s, the run from 0 s to {:g} s", vessel.motion_file,
-                               first, last, d.dynamics->duration));
-  }
-  return std::nullopt;
+  return file_obstacle(vessel, dynamic_options(model));
+}
+
+/// A sea without the file that it is in.
+std::optional<StaticFailure> sea_obstacle(const WavesDescription& waves) {
+  if (waves.type != WaveType::user || !waves.spectrum.empty()) return std::nullopt;
+  return refused("environment.waves.spectrum_file", "the sea cannot be generated",
+                 "the file " + waves.spectrum_file + " could not be read");
 }
 
 }  // namespace
@@ -120,13 +141,10 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
     if (std::optional<StaticFailure> obstacle = static_obstacle(d)) return obstacle;
   }
   if (!d.dynamics) return without_dynamics();
-  if (std::optional<StaticFailure> obstacle = motion_obstacle(d)) {
+  if (std::optional<StaticFailure> obstacle = motion_obstacle(model)) {
     return obstacle;
   }
-  if (d.environment.waves.type == WaveType::user && d.environment.waves.spectrum.empty()) {
-    return refused("environment.waves.spectrum_file", "the sea cannot be generated",
-                   "the file " + d.environment.waves.spectrum_file + " could not be read");
-  }
+  if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
   if (std::optional<StaticFailure> obstacle = leap_obstacle(model)) return obstacle;
   if (d.tensioner.range_low && d.tensioner.tension &&
       (*d.tensioner.tension < *d.tensioner.range_low || *d.tensioner.tension > *d.tensioner.range_high)) {
@@ -134,6 +152,19 @@ std::optional<StaticFailure> dynamic_obstacle(const Model& model) {
                    "the tensioner would move from the start");
   }
   return std::nullopt;
+}
+
+std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOptions& options) {
+  const Description& d = model.description;
+  if (std::optional<StaticFailure> obstacle = file_obstacle(d.vessel, options)) return obstacle;
+  if (std::optional<StaticFailure> obstacle = sea_obstacle(d.environment.waves)) return obstacle;
+  const double leap = line_leap_at_start(model, options);
+  if (leap <= kLargestLeap) return std::nullopt;
+  return refused(
+      "analysis.dynamic.build_up", "the ends of the lines cannot be at once where their motion has them",
+      fmt::format("without build-up an end leaps by {:.3g} m from where statics have it, and jerks its line; "
+                  "give some periods",
+                  leap));
 }
 
 }  // namespace overbend

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "dynamics/dynamics.h"
 #include "statics/statics.h"
 
 namespace overbend {
@@ -12,5 +13,8 @@ StaticFailure without_dynamics();
 
 /// Why a dynamic analysis of a model is not possible although its statics are; nothing when it is.
 std::optional<StaticFailure> dynamic_obstacle(const Model& model);
+
+/// The same of lines by themselves.
+std::optional<StaticFailure> lines_obstacle(const Model& model, const DynamicOptions& options);
 
 }  // namespace overbend

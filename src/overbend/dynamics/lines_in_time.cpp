@@ -30,6 +30,15 @@ void add_swing(const Swing& swing, double time, const BuildUp& b, EndMotion& end
   end.acceleration += (b.acceleration * s + 2.0 * b.rate * rate + b.value * bend) * swing.amplitude;
 }
 
+/// Size of the force that holds an end, negative where it pushes: a line that is stiff, or held by the bed's friction,
+/// bears some compression.
+double end_tension(const SystemRun& run, std::size_t line, LineEnd which) {
+  const std::size_t node = static_cast<std::size_t>(run.assembly().line(line).end_node(which));
+  const Vec3 along = Eigen::Map<const Vec3>(run.state().lines[line].q.data() + 6 * node + 3);
+  const Vec3 force = run.end_force(line, which);
+  return std::copysign(force.norm(), (which == LineEnd::last ? 1.0 : -1.0) * force.dot(along));
+}
+
 }  // namespace
 
 LeadEnds moving_ends(const Model& model, VesselMotionModel vessel, double build_up) {
@@ -73,11 +82,20 @@ void LineRecorder::stepped(const SystemRun& run) {
   if (run.time() < 0.0) return;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     LineHistory& line = lines_[i];
-    const double first = run.end_force(i, LineEnd::first).norm(), last = run.end_force(i, LineEnd::last).norm();
+    const double first = end_tension(run, i, LineEnd::first), last = end_tension(run, i, LineEnd::last);
     line.least_first = std::min(line.least_first, first);
     line.most_first = std::max(line.most_first, first);
     line.least_last = std::min(line.least_last, last);
     line.most_last = std::max(line.most_last, last);
+    // Of every step: a slack line's snatch is over between two rows.
+    const std::vector<double>& q = run.state().lines[i].q;
+    for (std::size_t node = 0; node < line.least_tension.size(); ++node) {
+      const CutForces cut = cut_at_node(run.assembly().line(i).cuts(), q, node);
+      const Vec3 tangent = Eigen::Map<const Vec3>(q.data() + 6 * node + 3).normalized();
+      const double tension = cut.force.dot(tangent);
+      line.least_tension[node] = std::min(line.least_tension[node], tension);
+      line.most_tension[node] = std::max(line.most_tension[node], tension);
+    }
   }
 }
 
@@ -122,16 +140,8 @@ void LineRecorder::row(const SystemRun& run) {
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     LineHistory& line = lines_[i];
     line.time.push_back(run.time());
-    line.first.push_back(run.end_force(i, LineEnd::first).norm());
-    line.last.push_back(run.end_force(i, LineEnd::last).norm());
-    const std::vector<double>& q = run.state().lines[i].q;
-    for (std::size_t node = 0; node < line.least_tension.size(); ++node) {
-      const CutForces cut = cut_at_node(run.assembly().line(i).cuts(), q, node);
-      const Vec3 tangent = Eigen::Map<const Vec3>(q.data() + 6 * node + 3).normalized();
-      const double tension = cut.force.dot(tangent);
-      line.least_tension[node] = std::min(line.least_tension[node], tension);
-      line.most_tension[node] = std::max(line.most_tension[node], tension);
-    }
+    line.first.push_back(end_tension(run, i, LineEnd::first));
+    line.last.push_back(end_tension(run, i, LineEnd::last));
   }
 }
 

@@ -1,18 +1,58 @@
 #include "dynamics/start_leap.h"
 
-#include "dynamics/dynamics.h"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "mechanics/sea.h"
 #include "mechanics/vessel_motion.h"
+#include "statics/lines_setup.h"
 
 namespace overbend {
 
-double leap_at_start(const Model& model) {
+namespace {
+
+Vec3 shoe_of(const VesselDescription& vessel) {
+  return {vessel.stern_shoe_x, 0.0, vessel.stern_shoe_z};
+}
+
+/// The stern shoe at t = 0 of a told motion without build-up; none where there is no such.
+std::optional<PointMotion> shoe_at_start(const Model& model) {
   const Description& d = model.description;
-  if (d.dynamics->build_up > 0.0 || d.vessel.motion == VesselMotion::coupled) return 0.0;
+  if (d.dynamics->build_up > 0.0 || d.vessel.motion == VesselMotion::coupled) return std::nullopt;
   const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, dynamic_options(model).seed);
-  const Vec3 shoe_V(d.vessel.stern_shoe_x, 0.0, d.vessel.stern_shoe_z);
-  const Vec3 at_rest = model.mean_pose.p_WV + model.mean_pose.R_WV * shoe_V;
-  return (point_motion(vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{}), shoe_V).place - at_rest).norm();
+  return point_motion(vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{}), shoe_of(d.vessel));
+}
+
+}  // namespace
+
+double leap_at_start(const Model& model) {
+  const std::optional<PointMotion> shoe = shoe_at_start(model);
+  if (!shoe) return 0.0;
+  const VesselPose& mean = model.mean_pose;
+  return (shoe->place - (mean.p_WV + mean.R_WV * shoe_of(model.description.vessel))).norm();
+}
+
+double speed_at_start(const Model& model) {
+  const std::optional<PointMotion> shoe = shoe_at_start(model);
+  return shoe ? shoe->velocity.norm() : 0.0;
+}
+
+double line_leap_at_start(const Model& model, const DynamicOptions& options) {
+  const Description& d = model.description;
+  if (options.build_up > 0.0) return 0.0;
+  const Sea sea = make_sea(d.environment.waves, d.environment.water_depth, 0.0, options.seed);
+  const RigidMotion vessel = vessel_motion(make_vessel_motion(model, sea), 0.0, BuildUp{});
+  double largest = 0.0;
+  for (const FreeLineDescription& line : d.lines) {
+    for (const LineEndDescription* end : {&line.first, &line.second}) {
+      const double leap = end->kind == LineEndKind::body
+                              ? (point_motion(vessel, end->at).place - end_place(model, *end)).norm()
+                              : std::abs(std::sin(end->phase)) * (end->period > 0.0 ? end->amplitude.norm() : 0.0);
+      largest = std::max(largest, leap);
+    }
+  }
+  return largest;
 }
 
 }  // namespace overbend

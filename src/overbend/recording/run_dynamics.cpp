@@ -12,7 +12,8 @@
 namespace overbend {
 namespace {
 
-constexpr double kSmallLeap = 1e-3;  ///< Of the stern shoe at t = 0, not worth a word [m].
+constexpr double kSmallLeap = 1e-3;   ///< Of the stern shoe at t = 0, not worth a word [m].
+constexpr double kSmallSpeed = 0.01;  ///< Likewise [m/s].
 
 DynamicRunReport finished(DynamicRunReport report, const DynamicOptions& options, double simulated) {
   report.real_time_ratio = report.wall_time > 0.0 ? simulated / report.wall_time : 0.0;
@@ -38,6 +39,12 @@ DynamicResults begun_results(const Model& model, const Run& run) {
         fmt::format("without build-up the stern shoe leaps by {:.3g} m from where statics have it: what rings after "
                     "t = 0 comes from that; give some wave periods (analysis.dynamic.build_up)",
                     leap));
+  }
+  if (const double speed = speed_at_start(model); speed > kSmallSpeed) {
+    r.warnings.push_back(fmt::format(
+        "without build-up the stern shoe has {:.3g} m/s at once: impacts and tensions after t = 0 come from "
+        "that; give some wave periods (analysis.dynamic.build_up)",
+        speed));
   }
   return r;
 }

@@ -1,10 +1,14 @@
 #include "study/lines_run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "base/file_lock.h"
+#include "dynamics/dynamic_obstacle.h"
 #include "dynamics/lines_in_time.h"
+#include "dynamics/start_leap.h"
 #include "model/station.h"
 #include "report/report.h"
 #include "resultfiles/lines_writer.h"
@@ -12,6 +16,7 @@
 #include "runstore/staged_folder.h"
 #include "statics/lines_recovery.h"
 #include "study/prepared_case.h"
+#include "study/run_warnings.h"
 #include "study/seeds_gather.h"
 
 namespace overbend {
@@ -75,6 +80,53 @@ void add_history(const LineHistory& history, LineResult& line) {
   line.largest_in_time = *std::max_element(history.most_tension.begin(), history.most_tension.end());
 }
 
+constexpr double kPushed = 0.01;     ///< Compression, of the largest tension: worth a word [-].
+constexpr double kSmallLeap = 1e-3;  ///< Of an end at t = 0, not worth a word [m].
+
+/// Largest share of a breaking load over the run, each segment by its own.
+double use_in_time(const FreeLineDescription& description, const LineResult& line) {
+  double use = 0.0, from = 0.0;
+  for (const LineSegmentDescription& segment : description.segments) {
+    const double to = from + segment.length.value_or(0.0);
+    for (const LineNodeResult& node : line.nodes) {
+      if (!segment.type.breaking_load || node.s < from - 1e-9 || node.s > to + 1e-9) continue;
+      use = std::max(use, node.largest_tension / *segment.type.breaking_load);
+    }
+    from = to;
+  }
+  return use;
+}
+
+/// What in the run calls for a second look.
+void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResults& results) {
+  for (std::size_t i = 0; i < results.lines.size(); ++i) {
+    const LineResult& line = results.lines[i];
+    if (const double use = use_in_time(model.description.lines[i], line); use > 1.0) {
+      results.warnings.push_back(
+          fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use));
+    }
+    if (line.least_in_time < -kPushed * line.largest_in_time) {
+      results.warnings.push_back(fmt::format(
+          "line \"{}\": falls slack, and where it is pushed bears {:.1f} kN of compression at most: it may buckle, "
+          "which the model represents only as far as its elements allow",
+          line.name, -1e-3 * line.least_in_time));
+    }
+  }
+  if (const double leap = line_leap_at_start(model, options); leap > kSmallLeap) {
+    results.warnings.push_back(fmt::format(
+        "without build-up an end leaps by {:.3g} m from where statics have it: what rings after t = 0 comes "
+        "from that; give some periods (analysis.dynamic.build_up)",
+        leap));
+  }
+  DynamicResults run;
+  run.duration = options.duration;
+  run.build_up = options.build_up;
+  run.seed = options.seed;
+  warn_of_sea(model.description, run);
+  warn_of_energy(results.energy_drift, run);
+  results.warnings.insert(results.warnings.end(), run.warnings.begin(), run.warnings.end());
+}
+
 }  // namespace
 
 bool is_lines_alone(const Description& description) {
@@ -88,6 +140,7 @@ LinesOutcome solve_lines(const Model& model) {
 
 LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const LinesSitting& sitting) {
   if (const auto obstacle = obstacle_of(model.description)) return {std::nullopt, *obstacle};
+  if (const auto obstacle = lines_obstacle(model, options)) return {std::nullopt, *obstacle};
   RestOfModel found = rest_of(model);
   if (found.outcome.failure) return found.outcome;
   const EnvironmentDescription& around = model.description.environment;
@@ -115,6 +168,7 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   results.energy_drift = run.energy().drift();
   results.time = recorder.histories().front().time;
   for (std::size_t i = 0; i < results.lines.size(); ++i) add_history(recorder.histories()[i], results.lines[i]);
+  warn_of_motion(model, options, results);
   return found.outcome;
 }
 

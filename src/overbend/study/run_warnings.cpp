@@ -80,16 +80,15 @@ void warn_of_tension(DynamicResults& results, std::span<const double> tension) {
   }
 }
 
-void warn_of_energy(DynamicResults& results) {
-  const double drift = results.energy.drift();
+}  // namespace
+
+void warn_of_energy(double drift, DynamicResults& results) {
   if (std::abs(drift) <= kMostDrift) return;
   results.warnings.push_back(
       fmt::format("the energy balance of the run has an error of {:.2g} of the energy exchanged: the motion is not "
                   "resolved; reduce analysis.dynamic.max_step, or omit a fixed step",
                   std::abs(drift)));
 }
-
-}  // namespace
 
 double trend(std::span<const double> values) {
   const std::size_t each = values.size() / kBlocks;
@@ -184,7 +183,7 @@ void warn_of_run(const WavesDescription& waves, DynamicResults& results, std::sp
   if (is_irregular(waves.type)) warn_of_short_run(results);  // the peaks of a regular wave are all alike
   warn_of_still_vessel(results);
   warn_of_tension(results, tension);
-  warn_of_energy(results);
+  warn_of_energy(results.energy.drift(), results);
 }
 
 }  // namespace overbend

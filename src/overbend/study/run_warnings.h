@@ -25,6 +25,9 @@ void warn_of_large_motion(const VesselDescription& vessel, DynamicResults& resul
 /// RAOs that do not reach the frequencies of the run's sea, and a sea of so few waves that it comes back to itself.
 void warn_of_sea(const Description& description, DynamicResults& results);
 
+/// An energy balance that does not close: the error `drift` relative to the energy exchanged.
+void warn_of_energy(double drift, DynamicResults& results);
+
 /// Change of a record over its length by a straight line through the means of eight blocks, where it is beyond chance
 /// (five standard errors); else 0. [unit of the values]
 double trend(std::span<const double> values);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "mechanics/element_constants.h"
-#include "system/graded_mesh.h"
 
 namespace overbend {
 namespace {
@@ -76,6 +75,7 @@ LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   const double length = parts.length();
   MeshPlan plan;
   plan.longest = wanted.element.value_or(kLongestShare * length);
+  plan.fine = wanted.fine;
   if (wanted.touchdown) {
     const double fine = std::min(plan.longest, kShortestShare * length), reach = kFineShare * length;
     plan.fine.push_back({*wanted.touchdown - reach, *wanted.touchdown + reach, fine});

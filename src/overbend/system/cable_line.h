@@ -7,6 +7,7 @@
 
 #include "model/line_description.h"
 #include "model/model.h"
+#include "system/graded_mesh.h"
 #include "system/line.h"
 
 namespace overbend {
@@ -20,15 +21,16 @@ struct CableParts {
 
 /// What the mesh of a cable is made for.
 struct CableMesh {
-  std::optional<double> touchdown;  ///< Arc length at which it leaves the bed, where it does [m].
-  std::optional<double> element;    ///< Asked for: all elements at most so long [m].
-  double last = 0.0;                ///< The last element at least so long, if nothing of the line ends there [m].
+  std::optional<double> touchdown;     ///< Arc length at which it leaves the bed, where it does [m].
+  std::optional<double> element;       ///< Asked for: all elements at most so long [m].
+  double last = 0.0;                   ///< The last element at least so long, if nothing of the line ends there [m].
+  std::vector<FineStretch> fine = {};  ///< Where shorter elements are wanted besides, as where waves are felt.
 };
 
-/// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown;
-/// nodes on the ends of segments and at points, a joint of a hundred-thousandth behind each. Some 20 to 30 elements
-/// give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary, more of them nothing that the bed's
-/// stiffness would not hide.
+/// The rule: elements of a twentieth of the length, down to a fortieth within a tenth of the length around touchdown
+/// and to what else is wanted; nodes on the ends of segments and at points, a joint of a hundred-thousandth behind
+/// each. Some 20 to 30 elements give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary, more of
+/// them nothing that the bed's stiffness would not hide.
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
 
 /// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says

@@ -39,9 +39,11 @@ void visit_line_in_time(Row& r, Visit& visit) {
         r.least_in_time);
   visit(ResultField{"largest_tension", "N", "Largest effective tension along the line over time"}.summary(),
         r.largest_in_time);
-  visit_spread(ResultField{"first_tension", "N", "Tension at the first end"}.summary("first_tension/*"),
+  visit_spread(ResultField{"first_tension", "N", "Tension at the first end, negative where it is pushed"}.summary(
+                   "first_tension/*"),
                r.first.in_time, visit);
-  visit_spread(ResultField{"second_tension", "N", "Tension at the second end"}.summary("second_tension/*"),
+  visit_spread(ResultField{"second_tension", "N", "Tension at the second end, negative where it is pushed"}.summary(
+                   "second_tension/*"),
                r.second.in_time, visit);
 }
 
