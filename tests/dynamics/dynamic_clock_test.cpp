@@ -112,6 +112,21 @@ TEST(step_chooser, estimates_the_error_of_a_step_that_its_length_makes_large) {
   EXPECT_EQ(estimated, 2);
 }
 
+TEST(step_chooser, begins_with_short_steps_where_a_line_parts) {
+  StepChooser chooser;
+  chooser.wanted = 0.125;
+  chooser.took(0.125);
+  chooser.error(1e-3, 1.0, [] { return 1e-9; });  // of rest
+  chooser.start_short();
+  EXPECT_LE(chooser.choose(0.125, 1e300), 1e-3);
+  chooser.took(1e-3);
+  EXPECT_EQ(chooser.error(1e-3, 1.0, [] { return 5.0; }), 5.0);  // nothing that was estimated before serves
+  chooser.start_short();
+  chooser.wanted = 1e-4;
+  chooser.start_short();
+  EXPECT_EQ(chooser.wanted, 1e-4);
+}
+
 TEST(step_chooser, goes_on_from_what_it_saved) {
   StepChooser chooser, other;
   chooser.wanted = 0.04;

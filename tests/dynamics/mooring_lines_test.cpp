@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "dynamics/dynamic_obstacle.h"
 #include "dynamics/moored_simulation.h"
@@ -101,6 +102,14 @@ TEST(mooring_lines, of_chain_start_with_the_tensions_of_statics_on_a_bed_that_ho
   d.vessel.coupled->current = {};
   d.vessel.coupled->current.form = HullCurrentForm::none;
   expect_statics_at_start(d, 0.02);
+}
+
+/// Across a slope that friction holds them on they lie as in statics, not in a bow downhill.
+TEST(mooring_lines, on_a_slope_start_with_the_tensions_of_statics) {
+  Description d = barge_on(in_water(chain(0.06, ChainLink::studless)), 0.25);
+  d.environment.seabed.slope = 0.1;
+  d.environment.seabed.slope_towards = 0.5 * std::numbers::pi;
+  expect_statics_at_start(d, 0.01);
 }
 
 /// Points of the bed now stick and now slide, from one step of Newton's method to the next.
@@ -410,6 +419,11 @@ TEST(mooring_lines, are_refused_in_time_where_more_is_asked_of_them_than_they_do
   EXPECT_TRUE(refused([](Description& d) {
     d.moorings->model = MooringModel::quasi_static;
     d.moorings->lines.front().fails_at = 100.0;
+  }));
+  EXPECT_TRUE(refused([](Description& d) {
+    d.moorings->model = MooringModel::quasi_static;
+    d.moorings->winches.front().mode = WinchMode::length;
+    d.moorings->winches.front().program = {{60.0, -8.0}};
   }));
   EXPECT_FALSE(refused([](Description& d) { d.moorings->winches.front().mode = WinchMode::tension; }));
   EXPECT_FALSE(refused([](Description& d) { d.moorings->lines.front().fails_at = 100.0; }));

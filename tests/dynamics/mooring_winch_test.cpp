@@ -32,6 +32,18 @@ TEST(mooring_winch, that_holds_whatever_the_tension_is_none) {
   EXPECT_EQ(law->program.at(100.0).rate, 0.0);
 }
 
+/// An operation gives it a program.
+TEST(mooring_winch, that_holds_without_a_brake_stalls_where_it_says) {
+  WinchDescription stalls = winch(WinchMode::hold);
+  stalls.stall = 330e3;
+  ASSERT_TRUE(law_of(stalls));
+  EXPECT_EQ(law_of(stalls)->stall, 330e3);
+  WinchDescription hauls = winch(WinchMode::hold);
+  hauls.haul = 300e3;
+  ASSERT_TRUE(law_of(hauls));
+  EXPECT_EQ(law_of(hauls)->stall, 300e3);
+}
+
 TEST(mooring_winch, in_mode_speed_makes_its_moves_one_after_the_other) {
   WinchDescription mover = winch(WinchMode::speed);
   mover.program = {{10.0, 2.0}, {20.0, -1.0}};  // the second begins when the first is done, at 35 s

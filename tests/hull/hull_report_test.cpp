@@ -67,6 +67,34 @@ TEST(hull_report, warns_of_positioning_whose_filter_takes_all_its_damping) {
   EXPECT_GT(hull_report(made, model, Sea{}, Mat6::Zero()).damping[1].station_keeping, 0.1);
 }
 
+/// At the natural period of 71 s the damper seems to leave 37 % of critical damping, but the loop swings at 41 s.
+TEST(hull_report, warns_of_positioning_that_lags_too_far_to_be_stable) {
+  const double w = 2.0 * std::numbers::pi / 71.4;
+  SlowLoop loop;
+  loop.slow_stiffness = 2e8;
+  loop.mass = loop.slow_stiffness / (w * w);
+  loop.slow_damping = 8e9;
+  loop.slow_period = 40.0;
+  const LeastDamped found = least_damped(loop);
+  EXPECT_NEAR(found.damping, -0.067, 0.001);
+  EXPECT_NEAR(found.period, 41.2, 0.1);
+  loop.slow_period = 15.0;
+  loop.slow_damping = 4e9;
+  EXPECT_NEAR(least_damped(loop).damping, 0.419, 0.001);
+  loop.slow_damping = loop.slow_stiffness = 0.0;  // nothing lags: the oscillator itself
+  loop.stiffness = 2e8;
+  loop.damping = 0.1 * 2.0 * loop.stiffness / w;
+  EXPECT_NEAR(least_damped(loop).damping, 0.1, 1e-9);
+  const Model model = build_model(testing::bgl1_hull_description());
+  MadeHull made = testing::made_bgl1_hull();
+  made.hull.station_keeping = StationKeeping{made.hull.drawn.head<3>(), {Vec3(1e5, 1e5, 2e8), Vec3(4e6, 4e6, 8e9)}};
+  const HullReport report = hull_report(made, model, Sea{}, Mat6::Zero());
+  EXPECT_GT(report.damping[2].total(), 0.0);
+  EXPECT_TRUE(std::any_of(report.warnings.begin(), report.warnings.end(), [](const std::string& warning) {
+    return warning.find("makes the slow yaw swing up") != std::string::npos;
+  }));
+}
+
 TEST(hull_report, warns_of_a_sea_beyond_the_table_and_of_shallow_water) {
   Model model = build_model(testing::bgl1_hull_description());
   MadeHull made = testing::made_bgl1_hull();

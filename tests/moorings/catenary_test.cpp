@@ -234,6 +234,8 @@ TEST(catenary, on_a_falling_bed_weight_helps_to_hold_the_line) {
   const double at_touchdown = std::hypot(found.pull, found.pull * slope.bed_descent);
   const double at_anchor = std::hypot(found.trace.end.pull.v, found.trace.end.sink.v);
   EXPECT_NEAR(at_touchdown - at_anchor, 148.0 * found.trace.on_bed * std::sin(0.05), 1.0);
+  EXPECT_NEAR(found.anchor_tension(), at_anchor, 1e-9 * at_anchor);  // along the line, not its horizontal part
+  EXPECT_EQ(found.anchor_uplift, 0.0);
 }
 
 TEST(catenary, a_taut_line_on_a_sloping_bed_has_a_shape_for_every_pull) {

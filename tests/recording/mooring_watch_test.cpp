@@ -173,6 +173,16 @@ TEST(mooring_watch, tells_what_a_brake_lets_out) {
   }));
 }
 
+/// Catenaries follow lengths whatever the tension.
+TEST(mooring_watch, says_that_a_brake_of_quasi_static_lines_would_have_rendered) {
+  const Second second = second_with([](MooringsDescription& moorings) {
+    moorings.model = MooringModel::quasi_static;
+    moorings.winches.front().brake = 100e3;
+  });
+  EXPECT_TRUE(
+      says(second.results.warnings, "more than its winch's brake (quasi-static lines: not rendered) of 100.0 kN"));
+}
+
 TEST(mooring_watch, says_at_which_tension_a_winch_without_a_stall_of_its_own_hauls_no_more) {
   const Second second = second_with([](MooringsDescription& moorings) {
     for (WinchDescription& winch : moorings.winches) {

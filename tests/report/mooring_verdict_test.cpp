@@ -51,5 +51,16 @@ TEST(mooring_verdict, of_lines_in_a_run_is_that_of_the_largest_tension_over_time
   EXPECT_NEAR(bars[0].utilisation, 0.663, 1e-12);
 }
 
+/// A weak end that hardly pulls at rest governs in time.
+TEST(mooring_verdict, of_lines_in_a_run_is_that_of_the_segment_used_most_over_time) {
+  LinesResults results = synthetic_lines(true);
+  results.lines[0].utilisation = 0.51;
+  results.lines[0].utilisation_in_time = 1.06;
+  const std::vector<UtilisationBar> bars = line_bars(results);
+  ASSERT_EQ(bars.size(), 1u);
+  EXPECT_NEAR(bars[0].utilisation, 1.06, 1e-12);
+  EXPECT_EQ(load_verdict(bars, {}).kind, VerdictKind::exceeded);
+}
+
 }  // namespace
 }  // namespace overbend

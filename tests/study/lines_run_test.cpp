@@ -65,6 +65,43 @@ TEST(lines_run, in_time_swings_the_line_whose_end_moves_and_leaves_the_other) {
   EXPECT_LT(std::abs(outcome.results->energy_drift), 1e-3);
 }
 
+/// Rows that fall on one phase of the swing alone say nothing of its mean.
+TEST(lines_run, has_a_mean_and_a_deviation_that_do_not_hang_on_the_rows) {
+  const Model model = build_model(two_chains());
+  DynamicOptions options = short_run();
+  options.duration = 20.0;
+  options.output_step = 0.1;
+  const LinesOutcome fine = run_lines(model, options);
+  options.output_step = 10.0;
+  const LinesOutcome coarse = run_lines(model, options);
+  ASSERT_TRUE(fine.results && coarse.results);
+  const Spread &one = fine.results->lines[0].second.in_time, &other = coarse.results->lines[0].second.in_time;
+  ASSERT_GT(one.std, 0.0);
+  EXPECT_NEAR(other.mean, one.mean, 0.05 * one.std);
+  EXPECT_NEAR(other.std, one.std, 0.05 * one.std);
+}
+
+TEST(lines_run, takes_the_breaking_load_of_each_segment_over_time) {
+  constexpr double kWeak = 205.0;
+  Description d = two_chains();
+  std::vector<LineSegmentDescription>& segments = d.lines[0].segments;
+  segments.push_back(segments.front());
+  segments[1].length = *segments[0].length - kWeak;
+  segments[0].length = kWeak;
+  segments[0].type.breaking_load = 1.2e6;
+  const LinesOutcome outcome = run_lines(build_model(d), short_run());
+  ASSERT_TRUE(outcome.results) << outcome.failure->what;
+  const LineResult& west = outcome.results->lines[0];
+  double use = 0.0;
+  for (const LineNodeResult& node : west.nodes) {
+    use = std::max(use, node.largest_tension / (node.s < kWeak + 1e-9 ? 1.2e6 : 2e6));
+  }
+  ASSERT_TRUE(west.utilisation_in_time);
+  EXPECT_NEAR(*west.utilisation_in_time, use, 1e-12);
+  EXPECT_GE(*west.utilisation_in_time, *west.utilisation);
+  EXPECT_FALSE(outcome.results->lines[1].utilisation_in_time);
+}
+
 TEST(lines_run, files_hold_what_was_found) {
   const Description description = two_chains();
   const Model model = build_model(description);
@@ -211,6 +248,25 @@ TEST(lines_run, a_run_of_another_model_is_not_taken_up) {
   d.source_text = "another";
   const Model other = build_model(d);
   EXPECT_THROW(run_lines_in(folder.path(), other, dynamic_options(other), true, go_on), std::runtime_error);
+}
+
+TEST(lines_run, a_seed_that_fails_leaves_the_others_their_results) {
+  const Description d = chains_in_waves();
+  const Model model = build_model(d);
+  const auto run = [&](std::uint64_t seed, const std::string&) {
+    if (seed == 2) return LinesOutcome{std::nullopt, StaticFailure{"a step cannot be solved", "", ""}};
+    DynamicOptions options = dynamic_options(model);
+    options.seed = seed;
+    return run_lines(model, options);
+  };
+  const LineSeeds all = run_line_seeds(d, {1, 2, 3}, run);
+  EXPECT_FALSE(all.failure);
+  ASSERT_EQ(all.seeds.runs.size(), 2U);
+  EXPECT_EQ(all.seeds.runs[1].folder, "seed-3");
+  ASSERT_EQ(all.seeds.failed.size(), 1U);
+  EXPECT_EQ(all.seeds.failed[0].seed, 2U);
+  EXPECT_NE(all.seeds.failed[0].why.find("a step cannot be solved"), std::string::npos);
+  EXPECT_TRUE(run_line_seeds(d, {2}, run).failure);
 }
 
 TEST(lines_run, seeds_are_told_together) {

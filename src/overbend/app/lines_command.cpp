@@ -11,7 +11,9 @@
 #include "app/progress.h"
 #include "app/warning_lines.h"
 #include "dynamics/dynamic_obstacle.h"
+#include "report/warning_weight.h"
 #include "resultfiles/lines_writer.h"
+#include "results/shared_warnings.h"
 #include "runstore/append_file.h"
 #include "runstore/staged_folder.h"
 #include "study/case.h"
@@ -31,9 +33,10 @@ void print_line(const LineResult& line, bool moved) {
     if (moved) std::cout << fmt::format(", {:.2f} to {:.2f} kN", end->in_time.min / 1e3, end->in_time.max / 1e3);
     std::cout << "\n";
   }
-  if (line.utilisation)
-    std::cout << fmt::format("    {:<26}{:>12.3f}{}\n", "of the breaking load", *line.utilisation,
-                             moved ? " at rest" : "");
+  if (!line.utilisation) return;
+  std::cout << fmt::format("    {:<26}{:>12.3f}", "of the breaking load", *line.utilisation);
+  if (moved) std::cout << fmt::format(" at rest, {:.3f} at most", line.utilisation_in_time.value_or(*line.utilisation));
+  std::cout << "\n";
 }
 
 void print(const LinesResults& results) {
@@ -68,24 +71,29 @@ LinesOutcome run_seed(const Model& model, std::uint64_t seed, const fs::path& fo
 /// done before are run again.
 int run_seeds(const Model& model, const std::vector<std::uint64_t>& seeds, const fs::path& folder, bool resume,
               double checkpoint_every) {
-  std::vector<SeedRun> runs;
-  LinesResults last;
-  for (const std::uint64_t seed : seeds) {
-    const std::string name = "seed-" + std::to_string(seed);
-    LinesOutcome outcome = run_seed(model, seed, folder / name, resume, checkpoint_every);
-    if (outcome.stopped) return kInterrupted;
-    if (outcome.failure) return tell(failed_end(*outcome.failure, model.description));
-    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->warnings});
-    last = std::move(*outcome.results);
+  const LineSeeds all = run_line_seeds(model.description, seeds, [&](std::uint64_t seed, const std::string& name) {
+    return run_seed(model, seed, folder / name, resume, checkpoint_every);
+  });
+  if (all.stopped) return kInterrupted;
+  if (all.failure) return tell(failed_end(*all.failure, model.description));
+  const SeedsResults& gathered = all.seeds;
+  for (const FailedSeed& failed : gathered.failed) {
+    std::cerr << "overbend: seed " << failed.seed << ": " << failed.why << "\n";
   }
-  const SeedsResults gathered = gather_lines(model.description, runs);
-  write_lines_seeds(last, gathered, folder);
-  std::cout << last.title << "\n";
+  write_lines_seeds(all.last, gathered, folder);
+  std::cout << all.last.title << "\n";
   for (std::size_t i = 0; i < gathered.quantities.size(); ++i) {
     std::cout << fmt::format("  {:<36}{:>10.2f} to {:.2f} kN over {} seeds\n", gathered.quantities[i].name,
-                             gathered.statistics[i].min / 1e3, gathered.statistics[i].max / 1e3, runs.size());
+                             gathered.statistics[i].min / 1e3, gathered.statistics[i].max / 1e3, gathered.runs.size());
   }
-  return told_folder(folder);
+  std::vector<std::vector<std::string>> warnings;
+  for (const SeedRun& run : gathered.runs) warnings.push_back(run.warnings);
+  for (const SharedWarning& one : shared_warnings(warnings)) {
+    std::cout << fmt::format("  warning ({} of {} seeds): {}\n", one.runs, gathered.runs.size(),
+                             without_mark(one.text));
+  }
+  told_folder(folder);
+  return gathered.failed.empty() ? kDone : kNoSolution;
 }
 
 }  // namespace

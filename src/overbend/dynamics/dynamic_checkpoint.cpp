@@ -170,7 +170,8 @@ std::vector<double> body_numbers(const HullState& body) {
   out.insert(out.end(), body.radiation.values.begin(), body.radiation.values.end());
   out.push_back(body.hinge_slip);
   for (const LineEndForces& line : body.lines) {
-    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift, line.length, line.on_bed});
+    out.insert(out.end(), {line.pull, line.sink, line.anchor_pull, line.anchor_uplift, line.length, line.on_bed,
+                           line.anchor_rise});
   }
   return out;
 }
@@ -187,7 +188,8 @@ void restore_body(const std::vector<double>& in, HullState& body) {
   for (double& value : body.radiation.values) value = in.at(next++);
   body.hinge_slip = in.at(next++);
   for (LineEndForces& line : body.lines) {
-    for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed}) {
+    for (double* value : {&line.pull, &line.sink, &line.anchor_pull, &line.anchor_uplift, &line.length, &line.on_bed,
+                          &line.anchor_rise}) {
       *value = in.at(next++);
     }
   }

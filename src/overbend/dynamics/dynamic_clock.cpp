@@ -58,6 +58,13 @@ void StepChooser::took(double h) {
   taken = h;
 }
 
+void StepChooser::start_short() {
+  constexpr double kShort = 1e-3;  // a jerk goes through a wire with the speed of sound, some metres in it [s]
+  wanted = std::min(wanted, kShort);
+  estimated_step = 0.0;
+  unseen = 0;
+}
+
 double StepChooser::expected_error() const {
   const double ratio = estimated_step > 0.0 ? taken / estimated_step : 0.0;
   return estimated * ratio * ratio * ratio;

@@ -62,6 +62,8 @@ struct StepChooser {
   }
   /// After a step of `h`.
   void took(double h);
+  /// At an instant from which on what is to come does not follow from what was: errors estimated before say nothing.
+  void start_short();
   /// Error of the step taken, from `estimate()`; where that of a few steps before leads to next to nothing, and
   /// `longest` is far longer than they were, as with the short steps of impacts, by the cube of the step.
   template <class Estimate>

@@ -31,7 +31,8 @@ std::optional<StaticFailure> quasi_static_obstacle(const Description& d) {
     }
   }
   for (const WinchDescription& winch : d.moorings->winches) {
-    if (winch.mode == WinchMode::tension || winch.mode == WinchMode::speed) {
+    const bool by_itself = winch.mode == WinchMode::length && !winch.program.empty();
+    if (winch.mode == WinchMode::tension || winch.mode == WinchMode::speed || by_itself) {
       return refuse("follow the lengths of the operation alone: winch '" + winch.name + "'");
     }
   }

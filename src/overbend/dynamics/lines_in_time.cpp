@@ -1,6 +1,7 @@
 #include "dynamics/lines_in_time.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -87,6 +88,8 @@ void LineRecorder::stepped(const SystemRun& run) {
     line.most_first = std::max(line.most_first, first);
     line.least_last = std::min(line.least_last, last);
     line.most_last = std::max(line.most_last, last);
+    // A step stands for the time that it took: rows may all fall on one phase of a swing.
+    if (run.time() > 0.0) line.ends.add(std::array{first, last}, run.state().last_step);
     // Of every step: a slack line's snatch is over between two rows.
     const std::vector<double>& q = run.state().lines[i].q;
     for (std::size_t node = 0; node < line.least_tension.size(); ++node) {
@@ -110,6 +113,7 @@ void LineRecorder::save(DynamicCheckpoint& checkpoint) const {
     put("first", line.first);
     put("last", line.last);
     put("ends", {line.least_first, line.most_first, line.least_last, line.most_last});
+    put("statistics", line.ends.save());
     put("least", line.least_tension);
     put("most", line.most_tension);
   }
@@ -130,6 +134,7 @@ void LineRecorder::restore(const DynamicCheckpoint& checkpoint) {
     line.most_first = ends.at(1);
     line.least_last = ends.at(2);
     line.most_last = ends.at(3);
+    line.ends.restore(get("statistics"));
     line.least_tension = get("least");
     line.most_tension = get("most");
   }

@@ -3,6 +3,7 @@
 
 #include "dynamics/system_run.h"
 #include "mechanics/vessel_motion.h"
+#include "numerics/running_statistics.h"
 #include "statics/lines_setup.h"
 
 namespace overbend {
@@ -20,6 +21,7 @@ struct LineHistory {
   std::vector<double> first, last;  ///< Tension at the ends: size of what holds them, negative where it pushes [N].
   double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< Over all steps [N].
   std::vector<double> least_tension, most_tension;  ///< At the nodes, over all steps [N].
+  RunningStatistics ends{2};                        ///< Of `first` and `last`, every step by its length.
 };
 
 /// Keeps them from t = 0 on.

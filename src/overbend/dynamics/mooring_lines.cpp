@@ -165,6 +165,21 @@ bool stretch_as_pulled_in(const Line& line, LineState& state) {
   return tension > 0.0;
 }
 
+/// Whether the bed falls across what lies of a line: there its friction alone keeps it from sliding down into a bow
+/// that pulls it taut.
+bool lies_across_a_slope(const Line& line, const LineState& state) {
+  constexpr double kLevel = 1e-3;  // of the weight
+  for (std::size_t node = 0; node < line.mesh.s.size(); ++node) {
+    const Vec3 r = Eigen::Map<const Vec3>(state.q.data() + 6 * node);
+    const Vec3 t = Eigen::Map<const Vec3>(state.q.data() + 6 * node + 3);
+    const GroundPoint at = ground_at(line.environment, r);
+    if (at.clearance > 2.0 * line.elements.radius[lying_element(line.mesh, node)]) continue;
+    const Vec3 across = Vec3(-t.y(), t.x(), 0.0).stableNormalized();
+    if (std::abs(at.normal.dot(across)) > kLevel) return true;
+  }
+  return false;
+}
+
 /// The mooring lines of a state, on bodies that stay where they are.
 RestReport rest_alone(const System& system, const std::vector<RigidMotion>& bodies, SystemState& state) {
   const auto first = static_cast<std::ptrdiff_t>(first_mooring(system));
@@ -237,7 +252,8 @@ System pulled_in(const System& system, SystemState& state) {
   System pulled = system;
   for (std::size_t i = first_mooring(system); i < pulled.lines.size(); ++i) {
     LineEnvironment& env = pulled.lines[i].environment;
-    if (stretch_as_pulled_in(system.lines[i], state.lines[i])) env.bed_friction_lateral = 0.0;
+    const bool reached = stretch_as_pulled_in(system.lines[i], state.lines[i]);
+    if (reached && !lies_across_a_slope(system.lines[i], state.lines[i])) env.bed_friction_lateral = 0.0;
     env.current_rows = 0;
   }
   return pulled;

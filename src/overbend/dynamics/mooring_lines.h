@@ -21,8 +21,8 @@ double winch_range(const Line& line);
 /// The system in which its mooring lines, all from first_mooring() on, come to rest as what has been pulled in over a
 /// bed that rubs: tension falls from touchdown towards the anchor by the friction, as in a catenary. Stretches the
 /// friction of `state` so that it slides that way. Across their course nothing holds them, but those whose tension ends
-/// before the anchor; no current flows on them. With friction and current they come to rest from there: what lies is
-/// held by the bed, and does not drift.
+/// before the anchor, or that lie across a slope; no current flows on them. With friction and current they come to rest
+/// from there: what lies is held by the bed, and does not drift.
 System pulled_in(const System& system, SystemState& state);
 
 /// Brings the mooring lines of a state to rest, pulled in, on bodies that stay where they are; or says which does not.

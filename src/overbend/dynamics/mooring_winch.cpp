@@ -64,7 +64,10 @@ const WinchDescription* winch_named_by(const MooringsDescription& moorings, cons
 
 std::optional<WinchLaw> winch_of(const MooringsDescription& moorings, const MooringLineDescription& line) {
   const WinchDescription* const named = winch_named_by(moorings, line);
-  if (named == nullptr || (named->mode == WinchMode::hold && !named->brake)) return std::nullopt;
+  if (named == nullptr) return std::nullopt;
+  // One that holds may still be led by an operation, and then hauls no harder than it can.
+  const bool limited = named->brake || named->stall || named->haul;
+  if (named->mode == WinchMode::hold && !limited) return std::nullopt;
   return winch_law(*named);
 }
 

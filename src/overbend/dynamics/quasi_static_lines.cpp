@@ -35,8 +35,8 @@ class QuasiStaticLine {
     }
     force.force = pull.force_W;
     force.stiffness = pull.stiffness;
-    force.ends = {found.pull,          found.sink,         found.anchor_pull,
-                  found.anchor_uplift, line.line.length(), found.trace.on_bed};
+    force.ends = {found.pull,         found.sink,         found.anchor_pull, found.anchor_uplift,
+                  line.line.length(), found.trace.on_bed, found.anchor_rise};
     return force;
   }
 

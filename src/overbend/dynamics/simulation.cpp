@@ -115,6 +115,7 @@ bool Simulation::part_lines() {
   assembly_->set_time(state_.time, state_);
   assembly_->set_drive(tensioner(state_).machine.drive);
   stepper_->forget();
+  if (!options_.fixed_step) chooser_.start_short();
   return begin_motion(*assembly_, state_);
 }
 

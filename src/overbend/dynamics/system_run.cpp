@@ -90,6 +90,7 @@ bool SystemRun::part_lines() {
   if (!part_due_lines(system_, state_)) return true;
   assembly_->set_time(state_.time, state_);
   stepper_->forget();
+  if (!options_.fixed_step) chooser_.start_short();
   return begin_motion(*assembly_, state_);
 }
 

@@ -1,5 +1,6 @@
 #include "hull/damping_ratios.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -19,7 +20,38 @@ double damping_by_slow_motion(double stiffness, double damping, double omega, do
   return (filter * (stiffness + damping * s)).imag() / omega;
 }
 
+/// The swing of a positioned mode with the added mass of its own frequency, begun at `omega` [rad/s]; `damping` acts on
+/// the hull's own velocity.
+LeastDamped positioned_swing(const HydrodynamicData& data, int freedom, double mass, double omega, SlowLoop loop) {
+  constexpr int kTimes = 5;  // added mass hardly changes at slow periods
+  LeastDamped found;
+  for (int i = 0; i < kTimes; ++i) {
+    loop.mass = mass + added_mass_at(data, omega)(freedom, freedom);
+    found = least_damped(loop);
+    if (!(found.period > 0.0)) break;
+    omega = 2.0 * std::numbers::pi / found.period;
+  }
+  return found;
+}
+
 }  // namespace
+
+LeastDamped least_damped(const SlowLoop& loop) {
+  // In z = s/w: (z^2 + a z + b) (z + 1)^2 + d + f z.
+  const double w = 2.0 * std::numbers::pi / loop.slow_period;
+  const double a = loop.damping / (loop.mass * w), b = loop.stiffness / (loop.mass * w * w);
+  const double f = loop.slow_damping / (loop.mass * w), d = loop.slow_stiffness / (loop.mass * w * w);
+  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
+  companion.diagonal(-1).setOnes();
+  companion.col(3) << -(b + d), -(a + 2.0 * b + f), -(1.0 + 2.0 * a + b), -(2.0 + a);
+  const Eigen::EigenSolver<Eigen::Matrix4d> roots(companion, false);
+  LeastDamped least{0.0, 1.0};
+  for (const std::complex<double>& z : roots.eigenvalues()) {
+    const double damping = -z.real() / std::abs(z);
+    if (z.imag() > 0.0 && damping < least.damping) least = {2.0 * std::numbers::pi / (w * z.imag()), damping};
+  }
+  return least;
+}
 
 Mat6 added_mass_at(const HydrodynamicData& data, double omega) {
   const std::vector<RadiationPoint>& points = data.radiation;
@@ -75,6 +107,13 @@ std::array<ModeDamping, 3> horizontal_damping(const Hull& hull, const Hydrodynam
     if (hull.station_keeping) {
       const double damping = hull.station_keeping->law.damping(place);
       mode.station_keeping = damping_by_slow_motion(by_station, damping, omega, hull.slow_period) / mode.critical;
+      SlowLoop loop;
+      loop.damping = mode.critical * (mode.radiation + mode.drift + mode.viscous) + (slow ? 0.0 : by_current);
+      loop.stiffness = station_stiffness(k, k);
+      loop.slow_damping = damping + (slow ? by_current : 0.0);
+      loop.slow_stiffness = by_station;
+      loop.slow_period = hull.slow_period;
+      mode.loop = positioned_swing(data, k, mass, omega, loop);
     }
   }
   return modes;

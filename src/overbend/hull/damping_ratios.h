@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,21 @@ double natural_frequency(const HydrodynamicData& data, int mode, double mass, do
 /// 2 c / w with that frequency. [N s/m, N m s]
 double critical_damping(const HydrodynamicData& data, int mode, double mass, double stiffness);
 
+/// The swing of one mode that is damped least.
+struct LeastDamped {
+  double period = 0.0;   ///< [s]
+  double damping = 0.0;  ///< Share of critical; negative: it grows by itself.
+};
+
+/// One mode with a spring and a damper that act on the slow motion: m s^2 + b s + k + F (k' + c' s) = 0 with the filter
+/// F = w^2/(s + w)^2. `mass`: with added mass [kg, kg m^2].
+struct SlowLoop {
+  double mass = 0.0, damping = 0.0, stiffness = 0.0;
+  double slow_damping = 0.0, slow_stiffness = 0.0;  ///< Of what acts on the slow motion.
+  double slow_period = 0.0;                         ///< Of the filter's corner [s].
+};
+LeastDamped least_damped(const SlowLoop& loop);
+
 /// Shares of critical damping of one mode.
 struct ModeDamping {
   std::string mode;       ///< surge, sway, yaw.
@@ -28,6 +44,9 @@ struct ModeDamping {
   double radiation = 0.0, drift = 0.0, current = 0.0, viscous = 0.0;
   /// Of dynamic positioning, whose slow motion lags: may be negative.
   double station_keeping = 0.0;
+  /// With dynamic positioning: a spring and a damper that lag shift the period, and the shares above, which are of the
+  /// natural period, do not tell whether the loop is stable.
+  std::optional<LeastDamped> loop{};
 
   double total() const { return radiation + drift + current + viscous + station_keeping; }
 };

@@ -77,9 +77,10 @@ struct LineEndForces {
   double pull = 0.0, sink = 0.0;                  ///< On the hull: towards the anchor, downwards [N].
   double anchor_pull = 0.0, anchor_uplift = 0.0;  ///< On the anchor: towards the hull, upwards [N].
   double length = 0.0, on_bed = 0.0;              ///< Unstressed, of the whole and of what lies on the bed [m].
+  double anchor_rise = 0.0;  ///< Vertical part of the tension at the anchor, also of a line that lies on a slope [N].
 
-  double fairlead_tension() const { return std::hypot(pull, sink); }                ///< [N]
-  double anchor_tension() const { return std::hypot(anchor_pull, anchor_uplift); }  ///< [N]
+  double fairlead_tension() const { return std::hypot(pull, sink); }              ///< [N]
+  double anchor_tension() const { return std::hypot(anchor_pull, anchor_rise); }  ///< Along the line [N].
 };
 
 /// Everything that the hull remembers. Copied it resumes bit for bit.

@@ -99,7 +99,15 @@ HullReport hull_report(const MadeHull& made, const Model& model, const Sea& sea,
   if (!given || !given->data) return out;
   out.damping = horizontal_damping(made.hull, *given->data, station_stiffness);
   for (const ModeDamping& mode : out.damping) {
-    if (mode.critical > 0.0 && mode.total() < 0.0) {
+    if (mode.loop && mode.loop->damping < 0.0) {
+      char period[32];
+      std::snprintf(period, sizeof period, "%.0f", mode.loop->period);
+      out.warnings.push_back("dynamic positioning makes the slow " + mode.mode +
+                             " swing up by itself, with a period of " + std::string(period) + " s and " +
+                             percent(mode.loop->damping) +
+                             " of critical damping: the filter of the slow motion lags; a shorter "
+                             "vessel.motion.coupled.slow_period or a softer spring helps, more damping may not");
+    } else if (mode.critical > 0.0 && mode.total() < 0.0) {
       out.warnings.push_back("the slow " + mode.mode + " is fed rather than damped: " + percent(mode.total()) +
                              " of critical damping");
     }

@@ -53,6 +53,7 @@ void fill(CatenarySolution& solution, const CatenaryTrace& trace, double pull) {
   solution.pull = pull;
   solution.sink = trace.sink.v;
   solution.anchor_pull = trace.end.pull.v;
+  solution.anchor_rise = trace.end.sink.v;
   solution.anchor_uplift = trace.lies_to_end ? 0.0 : trace.end.sink.v;
   if (solution.slack) {  // the pull stays 0 whatever moves
     solution.stiffness(1, 1) = trace.sink[Of::height];

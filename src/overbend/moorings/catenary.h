@@ -22,12 +22,13 @@ struct CatenarySolution {
   double sink = 0.0;           ///< Vertical force on the fairlead, downwards [N].
   double anchor_pull = 0.0;    ///< Horizontal force on the anchor towards the fairlead [N].
   double anchor_uplift = 0.0;  ///< Vertical force on the anchor, upwards; 0 where the line lies before it [N].
+  double anchor_rise = 0.0;  ///< Vertical part of the tension there, upwards, also of a line that lies on a slope [N].
   Eigen::Matrix2d stiffness = Eigen::Matrix2d::Zero();  ///< d(pull, sink)/d(distance, height of the fairlead) [N/m].
   Eigen::Vector2d by_length = Eigen::Vector2d::Zero();  ///< d(pull, sink)/d(length of the first piece) [N/m].
   CatenaryTrace trace;
 
-  double tension() const { return std::hypot(pull, sink); }  ///< At the fairlead [N].
-  double anchor_tension() const { return std::hypot(anchor_pull, anchor_uplift); }
+  double tension() const { return std::hypot(pull, sink); }                       ///< At the fairlead [N].
+  double anchor_tension() const { return std::hypot(anchor_pull, anchor_rise); }  ///< Along the line [N].
 };
 
 /// The line with its anchor at a horizontal distance from the fairlead [m]. `near`: a solution of a case close by.

@@ -139,6 +139,7 @@ void MooringWatch::start(const SystemState& state, const Assembly& assembly) {
   look(state, assembly);
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     lines_[i].start = sample(i, kFairlead);
+    if (quasi_static_) lines_[i].length = sample(i, kLength);
   }
 }
 
@@ -222,6 +223,11 @@ void MooringWatch::watch_slack(std::size_t line, double time) {
   }
 }
 
+bool MooringWatch::hauled_in(std::size_t line) const {
+  constexpr double kLeast = 0.01;  // less is not worth a word [m]
+  return statistics_.weight() > 0.0 && statistics_.min()[kQuantities * line + kLength] < lines_[line].length - kLeast;
+}
+
 std::vector<std::string> MooringWatch::warnings() const {
   std::vector<std::string> list;
   const auto warn = [&](const Watched& line, const Peak& peak, const std::optional<double>& limit, const char* of) {
@@ -235,8 +241,14 @@ std::vector<std::string> MooringWatch::warnings() const {
       warn(line, line.fairlead, line.working, "the working load");
     }
     if (!line.slides) warn(line, line.anchor, line.holding, "its anchor's holding power (anchor_slides: no)");
+    if (quasi_static_) warn(line, line.fairlead, line.brake, "its winch's brake (quasi-static lines: not rendered)");
   }
-  for (std::size_t i = 0; i < lines_.size(); ++i) warn_of_shape(i, list);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (quasi_static_ && hauled_in(i)) {
+      warn(lines_[i], lines_[i].fairlead, lines_[i].stall, "its winch's stall (quasi-static lines: not obeyed)");
+    }
+    warn_of_shape(i, list);
+  }
   return list;
 }
 

@@ -67,6 +67,8 @@ class MooringWatch {
   void watch_element(std::size_t line, const GivenWay& way, const LineMesh& mesh);
   static void warn_of_winch(const Watched& line, std::vector<std::string>& list);
   void warn_of_shape(std::size_t line, std::vector<std::string>& list) const;
+  /// Whether a line was shorter than at the start.
+  bool hauled_in(std::size_t line) const;
   void look(const SystemState& state, const Assembly& assembly);
   const LineAssembly& line_of(const Assembly& assembly, std::size_t i) const { return assembly.line(first_ + i); }
   double sample(std::size_t line, Quantity quantity) const { return sample_[kQuantities * line + quantity]; }

@@ -81,10 +81,15 @@ std::vector<UtilisationBar> line_bars(const LinesResults& results) {
   Worst breaking;
   for (const LineResult& line : results.lines) {
     if (!line.utilisation || !(line.largest_tension > 0.0)) continue;
+    if (results.moved && line.utilisation_in_time) {  // another segment may be used most than at rest
+      breaking.add("Lines", std::max(*line.utilisation_in_time, *line.utilisation),
+                   line.name + ", largest of the run, of the breaking load of the segment used most");
+      continue;
+    }
+    // Results of before that have no use over time: that of the segment that is used most at rest.
     const double most = results.moved ? std::max(line.largest_in_time, line.largest_tension) : line.largest_tension;
-    // Of the segment that is used most at rest.
     breaking.add("Lines", *line.utilisation * most / line.largest_tension,
-                 line.name + ", " + kilo(most) + (results.moved ? ", largest of the run," : "") +
+                 line.name + (results.moved ? ", " + kilo(most) + ", largest of the run," : ", at rest,") +
                      " of the breaking load of the segment used most at rest");
   }
   return there({breaking});

@@ -40,6 +40,7 @@ struct LineResult {
   std::vector<LineNodeResult> nodes;
   /// Over time, where there was a run: least and largest tension along the line, and the histories at the ends.
   double least_in_time = 0.0, largest_in_time = 0.0;  ///< [N]
+  std::optional<double> utilisation_in_time;          ///< Largest over time over its segment's breaking load [-].
   std::vector<double> first_history, second_history;  ///< [N]
 };
 

@@ -59,17 +59,10 @@ RestOfModel rest_of(const Model& model) {
   return found;
 }
 
-Spread spread_of(const std::vector<double>& rows, double least, double most) {
-  Spread spread{least, most, 0.0, 0.0};
-  for (const double value : rows) spread.mean += value / static_cast<double>(rows.size());
-  for (const double value : rows) spread.std += (value - spread.mean) * (value - spread.mean);
-  spread.std = std::sqrt(spread.std / static_cast<double>(std::max<std::size_t>(rows.size(), 1)));
-  return spread;
-}
-
 void add_history(const LineHistory& history, LineResult& line) {
-  line.first.in_time = spread_of(history.first, history.least_first, history.most_first);
-  line.second.in_time = spread_of(history.last, history.least_last, history.most_last);
+  const std::vector<double> deviation = history.ends.standard_deviation();
+  line.first.in_time = {history.least_first, history.most_first, history.ends.mean()[0], deviation[0]};
+  line.second.in_time = {history.least_last, history.most_last, history.ends.mean()[1], deviation[1]};
   line.first_history = history.first;
   line.second_history = history.last;
   for (std::size_t node = 0; node < line.nodes.size(); ++node) {
@@ -83,14 +76,16 @@ void add_history(const LineHistory& history, LineResult& line) {
 constexpr double kPushed = 0.01;     ///< Compression, of the largest tension: worth a word [-].
 constexpr double kSmallLeap = 1e-3;  ///< Of an end at t = 0, not worth a word [m].
 
-/// Largest share of a breaking load over the run, each segment by its own.
-double use_in_time(const FreeLineDescription& description, const LineResult& line) {
-  double use = 0.0, from = 0.0;
+/// Largest share of a breaking load over the run, each segment by its own: not that used most at rest need be the one.
+/// None where no segment says.
+std::optional<double> use_in_time(const FreeLineDescription& description, const LineResult& line) {
+  std::optional<double> use;
+  double from = 0.0;
   for (const LineSegmentDescription& segment : description.segments) {
     const double to = from + segment.length.value_or(0.0);
     for (const LineNodeResult& node : line.nodes) {
       if (!segment.type.breaking_load || node.s < from - 1e-9 || node.s > to + 1e-9) continue;
-      use = std::max(use, node.largest_tension / *segment.type.breaking_load);
+      use = std::max(use.value_or(0.0), node.largest_tension / *segment.type.breaking_load);
     }
     from = to;
   }
@@ -101,7 +96,7 @@ double use_in_time(const FreeLineDescription& description, const LineResult& lin
 void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResults& results) {
   for (std::size_t i = 0; i < results.lines.size(); ++i) {
     const LineResult& line = results.lines[i];
-    if (const double use = use_in_time(model.description.lines[i], line); use > 1.0) {
+    if (const double use = line.utilisation_in_time.value_or(0.0); use > 1.0) {
       results.warnings.push_back(
           fmt::format("line \"{}\": its largest tension of the run is {:.2f} times its breaking load", line.name, use));
     }
@@ -167,7 +162,10 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
   results.steps = static_cast<int>(run.report().steps);
   results.energy_drift = run.energy().drift();
   results.time = recorder.histories().front().time;
-  for (std::size_t i = 0; i < results.lines.size(); ++i) add_history(recorder.histories()[i], results.lines[i]);
+  for (std::size_t i = 0; i < results.lines.size(); ++i) {
+    add_history(recorder.histories()[i], results.lines[i]);
+    results.lines[i].utilisation_in_time = use_in_time(model.description.lines[i], results.lines[i]);
+  }
   warn_of_motion(model, options, results);
   return found.outcome;
 }
@@ -185,6 +183,34 @@ LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& mode
   if (outcome.results) write_lines_run(*outcome.results, model.description, folder);
   store.remove();
   return outcome;
+}
+
+LineSeeds run_line_seeds(const Description& description, const std::vector<std::uint64_t>& seeds,
+                         const std::function<LinesOutcome(std::uint64_t, const std::string&)>& run) {
+  LineSeeds all;
+  std::vector<SeedRun> runs;
+  std::vector<FailedSeed> failed;
+  for (const std::uint64_t seed : seeds) {
+    const std::string name = "seed-" + std::to_string(seed);
+    LinesOutcome outcome = run(seed, name);
+    if (outcome.stopped) {
+      all.stopped = true;
+      return all;
+    }
+    if (outcome.failure) {
+      all.failure = outcome.failure;
+      if (outcome.failure->input) return all;
+      failed.push_back({seed, failed_end(*outcome.failure, description).why});
+      continue;
+    }
+    runs.push_back({seed, name, lines_values(*outcome.results), outcome.results->warnings});
+    all.last = std::move(*outcome.results);
+  }
+  if (runs.empty()) return all;
+  all.failure.reset();
+  all.seeds = gather_lines(description, runs);
+  all.seeds.failed = std::move(failed);
+  return all;
 }
 
 std::vector<double> lines_values(const LinesResults& results) {

@@ -42,6 +42,19 @@ LinesOutcome run_lines(const Model& model, const DynamicOptions& options, const 
 LinesOutcome run_lines_in(const std::filesystem::path& folder, const Model& model, const DynamicOptions& options,
                           bool resume, const std::function<DynamicControl(const DynamicProgress&)>& control);
 
+/// What several seeds gave together.
+struct LineSeeds {
+  LinesResults last;  ///< Of the last seed that was done: the lines at rest are those of all.
+  SeedsResults seeds;
+  std::optional<StaticFailure> failure;  ///< Where no seed gave a result: why the last one did not.
+  bool stopped = false;
+};
+
+/// Runs the seeds one after the other by `run`, which is told the seed and the name of its folder. One that fails is
+/// listed and does not stop the others, unless what it asks for is not computed: then none does it.
+LineSeeds run_line_seeds(const Description& description, const std::vector<std::uint64_t>& seeds,
+                         const std::function<LinesOutcome(std::uint64_t, const std::string&)>& run);
+
 /// Of several seeds: largest and smallest tensions at the ends of every line. `runs` as they ended.
 SeedsResults gather_lines(const Description& description, const std::vector<SeedRun>& runs);
 /// The values of a run, in the order of the quantities there.

@@ -39,6 +39,8 @@ void visit_line_in_time(Row& r, Visit& visit) {
         r.least_in_time);
   visit(ResultField{"largest_tension", "N", "Largest effective tension along the line over time"}.summary(),
         r.largest_in_time);
+  visit(ResultField{"utilisation", "1", "Largest tension over time over the breaking load of its segment"}.summary(),
+        r.utilisation_in_time);
   visit_spread(ResultField{"first_tension", "N", "Tension at the first end, negative where it is pushed"}.summary(
                    "first_tension/*"),
                r.first.in_time, visit);
