@@ -83,6 +83,31 @@ TEST(conveyor, joints_come_in_by_the_build_of_the_pipe) {
   EXPECT_NEAR(bare + coated, laid.conveyor.fed(), 1e-9);
 }
 
+TEST(conveyor, pipe_that_comes_in_is_none_of_a_structure_further_down_the_line) {
+  Description d = jointed();
+  StructureDescription tee;
+  tee.name = "tee";
+  tee.at = 300.0;
+  tee.length = 5.5;
+  tee.weight_in_air = 95e3;
+  tee.weight_submerged = 70e3;
+  tee.bending_stiffness = 4e8;
+  d.pipe.structures = {tee};
+  const TimedLay c(d);
+  ASSERT_EQ(c.model.sections.size(), 3u);  // the pipe, coated between its joints, the tee
+  Laid laid(c);
+  const double start = laid.line().mesh.total_length();
+  laid.pay_out(40.0 * 12.2 + 1.0);
+  int coated = 0;
+  for (std::size_t e = 0; e < laid.line().mesh.length.size(); ++e) {
+    if (laid.line().mesh.s[e] < start - 1e-6) continue;
+    EXPECT_LT(laid.line().mesh.section[e], 2) << e;
+    EXPECT_LE(laid.line().elements.EI[e], 1.5 * c.model.sections[0].EI) << e;
+    coated += laid.line().mesh.section[e] == 1 ? 1 : 0;
+  }
+  EXPECT_GT(coated, 0);
+}
+
 TEST(conveyor, hauls_in_what_it_paid_out) {
   Laid laid(plain());
   const std::vector<double> q = laid.state.lines[0].q;

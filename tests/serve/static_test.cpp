@@ -60,6 +60,26 @@ TEST(serve_static, from_the_last_solution_and_from_nothing_are_the_same_state) {
   }
 }
 
+TEST(serve_static, a_lay_in_a_current_is_that_of_a_run_once_a_value_rests) {
+  const Serving serving(
+      with(kSmallLay, "environment:", "environment:\n  current: [{depth: 0 m, speed: 0.3 m/s, towards: 180 deg}]"));
+  serving.post("/api/static", change("tensioner.tension", "330 kN"));
+  const Json rests = serving.post("/api/static", Json::object()).json;
+  ASSERT_EQ(rests["status"], "converged") << rests;
+  EXPECT_EQ(rests["warm"], false);
+  const auto told = [](const Json& answer) {
+    int count = 0;
+    for (const Json& warning : answer["warnings"]) {
+      count += warning.get<std::string>().find("found from the last one") != std::string::npos ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(told(rests), 0);
+  const Json dragged = serving.post("/api/static", {{"lists", {"effective_tension"}}}).json;
+  EXPECT_EQ(dragged["warm"], true);
+  EXPECT_EQ(told(dragged), 1);
+}
+
 TEST(serve_static, a_case_without_solution_says_what_where_and_why) {
   const Serving serving(kSmallLay);
   const Reply reply = serving.post("/api/static", change("tensioner.tension", "2 kN"));

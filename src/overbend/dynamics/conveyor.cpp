@@ -55,8 +55,7 @@ PieceAbove piece_above(const Model& model, double above) {
   const double first = joint->first.value_or(0.5 * joint->length) + 0.5 * joint->field_joint;
   const double begun = std::floor((above + first) / joint->length) * joint->length - first;  // of a field joint
   const double bare = begun + joint->field_joint;
-  const int coated = static_cast<int>(model.sections.size()) - 1;
-  return above < bare ? PieceAbove{0, begun, bare} : PieceAbove{coated, bare, begun + joint->length};
+  return above < bare ? PieceAbove{0, begun, bare} : PieceAbove{model.coated, bare, begun + joint->length};
 }
 
 Conveyor::Conveyor(const Model& model, const System& system, std::optional<double> element) : model_(&model) {

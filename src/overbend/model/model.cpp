@@ -128,6 +128,7 @@ void resolve_joints(Model& model) {
   coated.EI *= joint->coated_stiffness;
   const int section = static_cast<int>(model.sections.size());
   add_section(model, coated, model.description.pipe.section);
+  model.coated = section;  // structures will be sections behind it
   double end = jointed_length(model.description, joint->length);
   double from = 0.0;
   for (const SectionSpan& span : model.spans) {

@@ -53,6 +53,7 @@ struct Model {
   std::vector<Section> sections;
   std::vector<SectionDescription> described;  ///< What each of them was made from; of a cable, the pipe's.
   std::vector<SectionSpan> spans;             ///< By distance from the tensioner; the rest has section 0.
+  int coated = 0;  ///< Section of the coated pipe between field joints; 0 where these are not told apart.
   Supports supports;
   VesselPose mean_pose;   ///< Where the vessel lies.
   VesselPose drawn_pose;  ///< As described: the lay route runs astern from there.

@@ -2,18 +2,25 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "modelfile/yaml_edit.h"
 #include "modelfile/yaml_reader.h"
 #include "report/json_number.h"
+#include "seafiles/hydrodynamics_reader.h"
 #include "serve/diagnose.h"
 #include "serve/static_json.h"
+#include "study/lay_beside.h"
 #include "study/model_statics.h"
 
 namespace overbend {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr const char* kFromTheLast =
+    "the equilibrium was found from the last one; something pushes the pipe sideways, so that there may be several, "
+    "and a run, which finds its own from nothing, may have another";
 
 double milliseconds_since(Clock::time_point start) {
   return seven_digits(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -31,6 +38,23 @@ std::string with_changes(const ModelText& model, const std::vector<YamlChange>& 
   }
 }
 
+/// Of the files that a hull is made from: when they were last written, and how long they are.
+std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps_of(const CoupledHullDescription& hull) {
+  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> stamps;
+  const auto add = [&](const std::string& file) {
+    std::error_code absent;
+    const auto written = std::filesystem::last_write_time(file, absent);
+    const auto size = absent ? 0 : std::filesystem::file_size(file, absent);
+    stamps.emplace_back(absent ? std::filesystem::file_time_type() : written, absent ? 0 : size);
+  };
+  for (const char* ending : {"", ".1", ".2", ".3", ".7", ".8", ".9", ".hst"}) {
+    add(hydrodynamics_stem(hull.hydrodynamics) + ending);
+  }
+  add(hull.current.table_file);
+  add(hull.wind.table_file);
+  return stamps;
+}
+
 }  // namespace
 
 /// Another file or another set of rollers is another lay: nothing to start from.
@@ -42,9 +66,17 @@ bool LiveStatics::close_to_last(const Model& model) const {
 Json LiveStatics::solve(Model model, const StaticWish& wish) {
   // While a value is dragged the stages of an operation can wait.
   if (wish.lists) model.description.operation = {};
-  const bool warm = !wish.full && close_to_last(model);
+  const bool near = !wish.full && close_to_last(model);
+  bool warm = near && !(model.description.has_pipe && pushed_sideways(model) && !wish.lists);
   const auto start = Clock::now();
   ModelStatics found = solve_model(model, warm ? &*last_ : nullptr);
+  if (found.failure && near && !warm) {
+    warm = true;
+    model = build_model(model.description);  // as it was before the attempt
+    found = solve_model(model, &*last_);
+  }
+  // Found only from the last one, a lay that is pushed sideways is not the one that a run would find.
+  if (warm && found.lay && pushed_sideways(model)) found.lay->warnings.emplace_back(kFromTheLast);
   const double solve_ms = milliseconds_since(start);
   if (found.failure) {
     const StaticFailure& f = *found.failure;
@@ -61,7 +93,7 @@ Json LiveStatics::solve(Model model, const StaticWish& wish) {
 }
 
 void LiveStatics::parse(const ModelText& model) {
-  if (parsed_ && parsed_text_ == model.text) return;
+  if (parsed_ && parsed_text_ == model.text && (!hull_ || stamps_of(*hull_) == hull_stamps_)) return;
   Diagnostics faults;
   parsed_ = parse_yaml(model.text, model.path, faults);
   parsed_text_ = model.text;
@@ -72,6 +104,7 @@ void LiveStatics::parse(const ModelText& model) {
   if (!still.description || !still.description->vessel.coupled) return;
   const ModelReading whole = read_model_text(model.text, model.path);
   if (whole.description) hull_ = whole.description->vessel.coupled;
+  if (hull_) hull_stamps_ = stamps_of(*hull_);
 }
 
 /// The short way, without writing and reading the text; nothing where the change is not a simple one or at fault. A

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/yaml_document.h"
@@ -36,6 +38,8 @@ class LiveStatics {
   std::string parsed_text_;  ///< What `parsed_` is the tree of.
   std::optional<YamlNode> parsed_;
   std::optional<CoupledHullDescription> hull_;  ///< Of that text, with the contents of its files.
+  /// Of these files as they were read: another program may write them while this one runs.
+  std::vector<std::pair<std::filesystem::file_time_type, std::uintmax_t>> hull_stamps_;
   std::optional<StaticSolution> last_;
   std::string last_file_;         ///< Of the model that it is a solution of.
   std::size_t last_rollers_ = 0;  ///< Likewise.

@@ -176,22 +176,24 @@ bool cable_on_rollers(const Model& model) {
   return has_cable(model.description) && !model.supports.rollers.empty();
 }
 
-/// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently.
+/// The current rises step by step on hard rollers, so that the pipe finds its side rollers gently. A step that fails is
+/// halved: given up, it would leave the lay to softer ways, on which a pipe that its rollers can hold may slip off
+/// them.
 bool ease_in_current(StaticCase& at) {
   if (at.model.current.z.empty() || cable_on_rollers(at.model) || !settle_in_plane(at)) {
     return false;
   }
+  constexpr double kFirst = 0.02, kGrowth = 1.5;
   at.system.use_side_rollers(true);
   at.system.limit_roller_stiffness(1e300);
-  double scale = 0.02;
-  while (scale < 1.0) {
-    at.system.scale_current(scale);
-    scale *= 1.5;
-    if (!run_newton(at, finally(at), "rising current")) {
-      return false;
-    }
+  at.system.scale_current(kFirst);
+  if (!run_newton(at, finally(at), "rising current")) {
+    return false;
   }
-  return follow(at, "full current") && carried(at);
+  const Steps steps{.first = std::log(kGrowth) / -std::log(kFirst), .growth = 1.0, .least = 2e-3};
+  return follow_in_steps(at, "rising current", steps,
+                         [&](double reached) { at.system.scale_current(std::pow(kFirst, 1.0 - reached)); }) &&
+         follow(at, "full current") && carried(at);
 }
 
 /// Rollers and bed from ten times a soft roller and a soft bed, which the state is the solution of, to what they are.
