@@ -132,5 +132,26 @@ TEST(model, stiff_coated_pipe_leaves_the_field_joints_bare) {
   EXPECT_EQ(build_model(d).section_at(14.0), 0);
 }
 
+/// To name a stretch of the same pipe a segment changes nothing; one of another stiffness has its own.
+TEST(model, stiff_coated_pipe_goes_on_through_segments) {
+  Description d = one_box();
+  d.pipe.section.joint->coated_stiffness = 1.3;
+  const Model whole = build_model(d);
+  d.pipe.segments = {{"same", 20.0, d.pipe.section}};
+  const Model cut = build_model(d);
+  const auto stiffness = [](const Model& m, double at) {
+    return m.sections[static_cast<std::size_t>(m.section_at(at))].EI;
+  };
+  for (double at = 0.05; at < 100.0; at += 0.1) {
+    EXPECT_EQ(stiffness(cut, at), stiffness(whole, at)) << at;
+  }
+  ASSERT_GT(cut.coated, 0);  // what a run feeds in is of the main section
+  EXPECT_EQ(cut.sections[static_cast<std::size_t>(cut.coated)].EI, whole.sections[1].EI);
+  d.pipe.segments[0].section.joint->coated_stiffness = 2.0;
+  EXPECT_DOUBLE_EQ(stiffness(build_model(d), 10.0), 2.0 * whole.sections[0].EI);
+  EXPECT_EQ(stiffness(build_model(d), 6.0), whole.sections[0].EI);
+  EXPECT_EQ(stiffness(build_model(d), 21.0), whole.sections[1].EI);
+}
+
 }  // namespace
 }  // namespace overbend

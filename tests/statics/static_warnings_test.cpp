@@ -121,20 +121,6 @@ TEST(static_warnings, a_slope_on_which_friction_does_not_hold_the_laid_pipe_is_t
   EXPECT_EQ(told(0.0, 0.0), 0);
 }
 
-TEST(static_warnings, a_segment_over_the_supports_has_no_stiffer_coated_pipe) {
-  const auto told = [](double stiffness, double length) {
-    return mentions(warnings_with([&](Description& d, StaticResults&) {
-                      d.pipe.section.joint = JointDescription{12.0, 0.6, 10e3};
-                      d.pipe.section.joint->coated_stiffness = stiffness;
-                      if (length > 0.0) d.pipe.segments = {{"upper", length, d.pipe.section}};
-                    }),
-                    "joint.coated_stiffness acts in the main section alone: over the supports the segments 'upper'");
-  };
-  EXPECT_EQ(told(1.3, 0.0), 0);
-  EXPECT_EQ(told(1.3, 60.0), 1);
-  EXPECT_EQ(told(1.0, 60.0), 0);
-}
-
 TEST(static_warnings, strain_at_field_joints_that_nobody_told_is_missing) {
   const auto joint = [](Description& d, StaticResults&) {
     d.pipe.section.coatings = {{"concrete", 0.04, 22e3}};

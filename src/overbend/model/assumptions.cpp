@@ -19,15 +19,31 @@ double degrees(double radians) {
   return radians * kToDegrees;
 }
 
+/// How many times as stiff the coated pipe of sections is: "1.3", "1.3 (segment 'thick': 1.2)".
+std::string coated_stiffnesses(const PipeDescription& pipe) {
+  const auto of = [](const SectionDescription& section) {
+    return section.joint ? section.joint->coated_stiffness : 1.0;
+  };
+  const double main = of(pipe.section);
+  std::string others;
+  for (const SegmentDescription& segment : pipe.segments) {
+    const double stiffness = of(segment.section);
+    if (stiffness == main) continue;
+    others += fmt::format("{}segment '{}': {:.3g}", others.empty() ? "" : ", ", segment.name, stiffness);
+  }
+  if (main <= 1.0 && others.empty()) return {};
+  return fmt::format("{:.3g}{}", main, others.empty() ? "" : " (" + others + ")");
+}
+
 void assume_pipe(std::vector<std::string>& list, const Model& model) {
   const Section& pipe = model.sections.front();
-  const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
-  list.push_back(joint && joint->coated_stiffness > 1.0
-                     ? fmt::format("EA is that of the steel only. EI is also that of the steel, except for the coated "
+  const std::string stiff = coated_stiffnesses(model.description.pipe);
+  list.push_back(stiff.empty()
+                     ? "EA and EI are those of the steel only; coatings add weight, not stiffness."
+                     : fmt::format("EA is that of the steel only. EI is also that of the steel, except for the coated "
                                    "pipe between the field joints over the supports and three joints beyond, which is "
-                                   "{:.3g} times as stiff; stress is that in the steel.",
-                                   joint->coated_stiffness)
-                     : "EA and EI are those of the steel only; coatings add weight, not stiffness.");
+                                   "{} times as stiff; stress is that in the steel.",
+                                   stiff));
   for (const std::string& text : material_assumptions(model)) list.push_back(text);
   if (model.description.pipe.section.joint) {
     list.push_back(

@@ -119,27 +119,75 @@ double first_joint(const Description& d, const JointDescription& joint) {
   return first + gone - joint.length * std::floor((first + gone) / joint.length);
 }
 
-/// Stiffer pipe between the field joints, behind the segments.
-void resolve_joints(Model& model) {
-  const std::optional<JointDescription>& joint = model.description.pipe.section.joint;
-  if (!joint || joint->coated_stiffness <= 1.0) return;
-  Section coated = model.sections.front();
-  coated.name = "coated pipe between field joints";
-  coated.EI *= joint->coated_stiffness;
-  const int section = static_cast<int>(model.sections.size());
-  add_section(model, coated, model.description.pipe.section);
-  model.coated = section;  // structures will be sections behind it
-  double end = jointed_length(model.description, joint->length);
+/// Joints of a section whose coated pipe is stiffer between them; null where it is not.
+const JointDescription* stiff_between_joints(const Model& model, int section) {
+  const auto i = static_cast<std::size_t>(section);
+  const std::optional<JointDescription>& joint = model.described[i].joint;
+  if (model.sections[i].kind != SectionKind::pipe || !joint || joint->coated_stiffness <= 1.0) return nullptr;
+  return &*joint;
+}
+
+/// The whole line in pieces of one section each, from the tensioner.
+std::vector<SectionSpan> whole_line(const std::vector<SectionSpan>& spans) {
+  std::vector<SectionSpan> pieces;
   double from = 0.0;
-  for (const SectionSpan& span : model.spans) {
-    if (span.from <= from) from = span.to;
-    if (span.from > from) end = std::min(end, span.from);
+  for (const SectionSpan& span : spans) {
+    if (span.from > from) pieces.push_back({from, span.from, 0});
+    pieces.push_back(span);
+    from = span.to;
   }
-  for (double middle = first_joint(model.description, *joint); from < end; middle += joint->length) {
-    const double to = middle - 0.5 * joint->field_joint;
-    if (to > from) model.spans.push_back({from, to, section});
-    from = std::max(from, to + joint->field_joint);
+  pieces.push_back({from, kInfinity, 0});
+  return pieces;
+}
+
+/// The section of coated pipe between the field joints of a section.
+int add_coated(Model& model, int section, double stiffness) {
+  Section coated = model.sections[static_cast<std::size_t>(section)];
+  coated.name = section == 0 ? "coated pipe between field joints" : coated.name + " between field joints";
+  coated.EI *= stiffness;
+  const SectionDescription described = model.described[static_cast<std::size_t>(section)];
+  add_section(model, coated, described);
+  return static_cast<int>(model.sections.size()) - 1;
+}
+
+/// A piece of the line whose pipe is stiffer between its field joints, up to `end`.
+void put_joints(Model& model, const SectionSpan& piece, int coated, const JointDescription& joint, double end) {
+  const auto put = [&](double from, double to, int section) {
+    if (to > from && section != 0) model.spans.push_back({from, to, section});
+  };
+  double from = piece.from;
+  for (double middle = first_joint(model.description, joint); from < std::min(end, piece.to); middle += joint.length) {
+    const double bare = std::clamp(middle - 0.5 * joint.field_joint, from, piece.to);
+    const double next = std::clamp(middle + 0.5 * joint.field_joint, from, piece.to);
+    put(from, bare, coated);
+    put(bare, next, piece.section);
+    from = next;
   }
+  put(from, piece.to, piece.section);
+}
+
+/// Stiffer pipe between the field joints, of the main section and of segments.
+void resolve_joints(Model& model) {
+  const std::vector<SectionSpan> pieces = whole_line(model.spans);
+  std::map<int, int> coated;
+  model.spans.clear();
+  for (const SectionSpan& piece : pieces) {
+    const JointDescription* const stiff = stiff_between_joints(model, piece.section);
+    const double end = stiff != nullptr ? jointed_length(model.description, stiff->length) : 0.0;
+    if (piece.from >= end) {
+      if (piece.section != 0) model.spans.push_back(piece);
+      continue;
+    }
+    const JointDescription joint = *stiff;  // sections are added
+    if (!coated.contains(piece.section)) {
+      coated[piece.section] = add_coated(model, piece.section, joint.coated_stiffness);
+    }
+    put_joints(model, piece, coated[piece.section], joint, end);
+  }
+  if (const JointDescription* const stiff = stiff_between_joints(model, 0); stiff != nullptr && !coated.contains(0)) {
+    coated[0] = add_coated(model, 0, stiff->coated_stiffness);  // a run feeds it in, wherever segments lie
+  }
+  model.coated = coated.contains(0) ? coated[0] : 0;  // structures will be sections behind it
 }
 
 /// What loads the wall from the tensioner down to the bed while the pipe hangs there: the wanted tension, or the one

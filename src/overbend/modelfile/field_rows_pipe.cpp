@@ -218,7 +218,7 @@ std::vector<Field> section(const std::string& p) {
        .member = defaults(&JointDescription::coated_stiffness),
        .kind = FieldKind::number,
        .text = "Ratio of the bending stiffness between field joints, stiffened by concrete, to that of the bare steel, "
-               "which applies at the joints. Used over the supports and three joints beyond, for the main section.",
+               "which applies at the joints. Used over the supports and three joints beyond.",
        .range = {.low = 1.0, .high = 5.0}},
       {.path = p + ".joint.first",
        .member = fills(&JointDescription::first),

@@ -56,6 +56,8 @@ const std::vector<std::string>& serious_phrases() {
       "lifts its anchor with",
       "lifted its anchor with",
       "fewer than three do not hold surge, sway and yaw",
+      "swing up by itself",
+      "times its breaking load",
   };
   return kPhrases;
 }

@@ -123,27 +123,6 @@ void warn_of_field_joints(Warnings& list, const Model& model) {
       "given; the strain checks use a factor of 1");
 }
 
-/// Coated pipe is stiffer between its field joints in the line's own section alone.
-void warn_of_segments_without_coating(Warnings& list, const Model& model) {
-  double last = 0.0;
-  for (const SupportRow& row : model.supports.rows) last = std::max(last, row.from_top);
-  double from = pipe_gone(model.description);
-  std::string names;
-  for (const SegmentDescription& segment : model.description.pipe.segments) {
-    const double to = from + segment.length;
-    const auto& joint = segment.section.joint;
-    if (joint && joint->coated_stiffness > 1.0 && to > 0.0 && from < last) {
-      names += fmt::format("{}'{}'", names.empty() ? "" : ", ", segment.name);
-    }
-    from = to;
-  }
-  if (names.empty()) return;
-  list.push_back(
-      "joint.coated_stiffness acts in the main section alone: over the supports the segments " + names +
-      " bend with the stiffness of the steel, without the strain concentration at their field joints; give them "
-      "joint.strain_factor, or leave out segments that are the main section");
-}
-
 /// Structures that the line, or the pipe of a start-up, ends before or in.
 void warn_of_structures_beyond(Warnings& list, const Model& model, const StaticResults& results) {
   const double last = pipe_ends(model.description), end = std::min(results.total_length, last);
@@ -187,7 +166,6 @@ void warn_statics(const Model& model, StaticResults& results) {
   warn_of_shoe(list, results);
   warn_of_proud_box(list, model);
   warn_of_field_joints(list, model);
-  warn_of_segments_without_coating(list, model);
   warn_of_structures_beyond(list, model, results);
   warn_of_slope(list, model, results);
 }
