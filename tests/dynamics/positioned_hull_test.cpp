@@ -115,6 +115,14 @@ TEST(positioned_hull, stays_in_calm_water_where_statics_put_it_with_its_pipe) {
   EXPECT_NEAR(shift[1], rest.vessel.sway, 1e-3);
 }
 
+TEST(positioned_hull, at_rest_does_not_drift_by_its_rounding) {
+  const SolvedHull hull(without_pipe(20.0));
+  MooredSimulation run(hull.model, hull.start(), dynamic_options(hull.model));
+  ASSERT_FALSE(run.failure());
+  EXPECT_TRUE(run.run().advance(run.run().end()));
+  EXPECT_LT(std::abs(run.run().energy().drift()), 1e-9);  // of what it weighs, moved by a thousandth of a millimetre
+}
+
 TEST(positioned_hull, is_pulled_ahead_by_its_wanted_place) {
   Description d = without_pipe(400.0);
   d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(-60e3, 0.0, 0.0), Vec3::Zero()}};

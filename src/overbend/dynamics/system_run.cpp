@@ -59,6 +59,7 @@ bool SystemRun::begin() {
     watches_[2 * i].start(end_force(i, LineEnd::first).norm());
     watches_[2 * i + 1].start(end_force(i, LineEnd::last).norm());
   }
+  for (std::size_t i = 0; i < assembly_->free_bodies(); ++i) scale += assembly_->free_body(i).force_scale;
   energy_.start(assembly_->energy(state_), kLeastMotion * scale, assembly_->free_bodies() > 0);
   next_ = state_;
   return true;

@@ -57,6 +57,7 @@ const std::vector<std::string>& serious_phrases() {
       "lifted its anchor with",
       "fewer than three do not hold surge, sway and yaw",
       "swing up by itself",
+      "at its limit it holds no more",
       "times its breaking load",
   };
   return kPhrases;
