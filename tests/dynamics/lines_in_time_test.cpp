@@ -237,6 +237,25 @@ TEST(lines_in_time, that_are_pushed_along_the_bed_have_a_negative_tension_at_the
   }
 }
 
+/// A hose clamped level at both ends, which bear its weight across it, while it is now pulled, now pushed a little.
+TEST(lines_in_time, that_hang_from_level_clamps_do_not_leap_from_a_pull_to_a_push) {
+  Description d = testing::water_alone(1025.0, 100.0);
+  d.lines = {testing::free_line(testing::cable_type(165.0, 0.3, 500e6, 300e3, 1025.0), 36.0, Vec3(0.0, 0.0, -30.0),
+                                Vec3(30.0, 0.0, -30.0))};
+  for (LineEndDescription* end : {&d.lines[0].first, &d.lines[0].second}) {
+    end->clamped = true;
+    end->direction = Vec3::UnitX();
+  }
+  d.lines[0].second.amplitude = Vec3(1.5, 0.0, 0.0);
+  d.lines[0].second.period = 8.0;
+  const LineHistory line = testing::run_lines(d, options_for(16.0, 16.0)).front();
+  EXPECT_NEAR(line.most_first, line.most_tension.front(), 300.0);
+  EXPECT_NEAR(line.least_first, line.least_tension.front(), 300.0);
+  for (std::size_t i = 1; i < line.first.size(); ++i) {
+    EXPECT_NEAR(line.first[i], line.first[i - 1], 2e3) << line.time[i];  // of 16 kN across
+  }
+}
+
 /// A long line whose upper end stands out of the water between two that are held still: waves are felt over a
 /// fifteenth of it.
 TEST(lines_in_time, in_waves_swing_as_with_a_fine_mesh) {
@@ -253,6 +272,27 @@ TEST(lines_in_time, in_waves_swing_as_with_a_fine_mesh) {
   const double swing = fine.most_last - fine.least_last;
   EXPECT_NEAR(swing, 2.8e3, 0.3e3);                                      // 2.9 kN by a chain of point masses
   EXPECT_NEAR(usual.most_last - usual.least_last, swing, 0.15 * swing);  // 5.8 kN with elements of 30 m
+}
+
+/// A lazy wave: its buoyancy lifts the middle to the surface, from where the catenary of its mean weight is far.
+TEST(lines_in_time, whose_buoyancy_lifts_them_into_the_waves_swing_as_with_a_fine_mesh) {
+  Description d = testing::water_alone(1025.0, 120.0);
+  d.environment.seabed.stiffness = 100e3;
+  const LineTypeDescription heavy = testing::cable_type(60.0, 0.2, 2e8, 1e4, 1025.0);
+  const LineTypeDescription light = testing::cable_type(80.0, 0.4, 2e8, 1e4, 1025.0);
+  d.lines = {testing::free_line(heavy, 150.0, Vec3(-250.0, 0.0, -120.0), Vec3(0.0, 0.0, -5.0))};
+  d.lines[0].first.kind = LineEndKind::bed;
+  d.lines[0].segments.push_back({"", 90.0, light});
+  d.lines[0].segments.push_back({"", 120.0, heavy});
+  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.height = 4.0;
+  d.environment.waves.period = 8.0;
+  d.environment.waves.from = 1.5 * std::numbers::pi;  // along x
+  const LineHistory usual = testing::run_lines(d, options_for(32.0, 32.0)).front();
+  d.lines[0].element = 1.0;
+  const LineHistory fine = testing::run_lines(d, options_for(32.0, 32.0)).front();
+  const double swing = fine.most_first - fine.least_first;
+  EXPECT_NEAR(usual.most_first - usual.least_first, swing, 0.2 * swing);
 }
 
 TEST(lines_in_time, allocate_nothing_in_a_step) {

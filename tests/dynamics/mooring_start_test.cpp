@@ -103,6 +103,21 @@ TEST(mooring_start, come_to_rest_in_a_current_whatever_the_friction_of_the_bed) 
   }
 }
 
+/// Lines of little tension, of which much lies: all at once they would be thrown about on the bed and come to rest
+/// elsewhere, from where the barge would have to go tens of metres.
+TEST(mooring_start, of_little_tension_come_to_rest_in_a_current_where_statics_have_them) {
+  for (const double tension : {100e3, 140e3, 200e3}) {
+    for (const double speed : {0.3, 0.51}) {
+      SCOPED_TRACE(::testing::Message() << "tension " << tension << " N, current " << speed << " m/s");
+      Description d = testing::coarse_example("moored-barge", 1.0, 0.0);
+      d.environment.waves.type = WaveType::none;
+      d.environment.current = {{0.0, speed, 0.0}, {d.environment.water_depth, 0.3, 0.0}};
+      for (MooringLineDescription& line : d.moorings->lines) line.tension = tension;
+      expect_statics_at_start(d, 0.06);  // which leave out the current on the lines
+    }
+  }
+}
+
 /// Chain of little friction on the bed, and wire of more that hangs: what lies has that of the chain.
 TEST(mooring_start, rub_on_the_bed_by_the_friction_of_what_lies_there) {
   Description d = barge_on(in_water(wire_rope(0.076, RopeCore::wire)), 0.9);

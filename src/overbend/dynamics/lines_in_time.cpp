@@ -31,13 +31,13 @@ void add_swing(const Swing& swing, double time, const BuildUp& b, EndMotion& end
   end.acceleration += (b.acceleration * s + 2.0 * b.rate * rate + b.value * bend) * swing.amplitude;
 }
 
-/// Size of the force that holds an end, negative where it pushes: a line that is stiff, or held by the bed's friction,
-/// bears some compression.
+/// The part along the line of the force that holds an end, negative where it pushes: a line that is stiff, or held by
+/// the bed's friction, bears some compression. Not the force's size with a sign: at a clamped end that bears a weight
+/// across the line, it would leap from one side of zero to the other with every small push.
 double end_tension(const SystemRun& run, std::size_t line, LineEnd which) {
   const std::size_t node = static_cast<std::size_t>(run.assembly().line(line).end_node(which));
   const Vec3 along = Eigen::Map<const Vec3>(run.state().lines[line].q.data() + 6 * node + 3);
-  const Vec3 force = run.end_force(line, which);
-  return std::copysign(force.norm(), (which == LineEnd::last ? 1.0 : -1.0) * force.dot(along));
+  return (which == LineEnd::last ? 1.0 : -1.0) * run.end_force(line, which).dot(along.normalized());
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ SystemState resting_lines(const System& system, const SystemState& at_rest, cons
 /// Histories of a run: tension at both ends of every line and how it moves.
 struct LineHistory {
   std::vector<double> time;         ///< [s]
-  std::vector<double> first, last;  ///< Tension at the ends: size of what holds them, negative where it pushes [N].
+  std::vector<double> first, last;  ///< Tension at the ends, along the line, negative where they are pushed [N].
   double least_first = 1e300, most_first = -1e300, least_last = 1e300, most_last = -1e300;  ///< Over all steps [N].
   std::vector<double> least_tension, most_tension;  ///< At the nodes, over all steps [N].
   RunningStatistics ends{2};                        ///< Of `first` and `last`, every step by its length.

@@ -28,7 +28,7 @@ LineEndResult end_of(const LineAssembly& line, const std::vector<double>& q, Lin
   const Vec3 tangent = Vec3Map(q.data() + 6 * static_cast<std::size_t>(line.end_node(which)) + 3).normalized();
   LineEndResult end;
   end.force = Vec3(force[0], force[1], force[2]);
-  end.tension = end.force.norm();
+  end.tension = (which == LineEnd::last ? 1.0 : -1.0) * end.force.dot(tangent);  // as in time
   end.declination = std::asin(std::clamp(which == LineEnd::last ? tangent.z() : -tangent.z(), -1.0, 1.0));
   end.in_time = {end.tension, end.tension, end.tension, 0.0};
   return end;

@@ -14,6 +14,7 @@ constexpr double kGrowthHeld = 10.0;  ///< Of the residual, that an iteration ma
 constexpr double kGrowthFree = 2.0;   ///< The same where bodies move: the pipe must not leave its rollers behind.
 constexpr int kHalvings = 8;
 constexpr int kTries = 300;       ///< Iterations of a line by itself.
+constexpr int kTogether = 20;     ///< Of all lines at once, before each is tried by itself.
 constexpr double kAlmost = 0.05;  ///< Unbalanced force from which Newton's method is tried again in the fallback.
 
 void add(MotionValues& values, double d) {
@@ -149,11 +150,12 @@ class Rest {
     }
   }
 
-  /// Lines on held bodies.
+  /// Lines on held bodies. Few iterations of all lines at once: on a bed that rubs they may be thrown about, further
+  /// with each, until they come to rest by chance somewhere else, and drag the bodies there.
   void rest_lines() {
     const std::vector<std::pair<int, int>> held = hold_all();
     const SystemState from = now_;
-    newton(settings_.max_iterations, kGrowthHeld);
+    newton(std::min(kTogether, settings_.max_iterations), kGrowthHeld);
     if (!report_.converged) {
       now_ = from;
       rest_one_by_one();

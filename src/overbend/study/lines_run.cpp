@@ -102,7 +102,7 @@ void warn_of_motion(const Model& model, const DynamicOptions& options, LinesResu
     }
     if (line.least_in_time < -kPushed * line.largest_in_time) {
       results.warnings.push_back(fmt::format(
-          "line \"{}\": falls slack, and where it is pushed bears {:.1f} kN of compression at most: it may buckle, "
+          "line \"{}\": falls slack, and where it is pushed bears {:.3g} kN of compression at most: it may buckle, "
           "which the model represents only as far as its elements allow",
           line.name, -1e-3 * line.least_in_time));
     }

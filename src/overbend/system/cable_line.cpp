@@ -63,6 +63,10 @@ void put(double (&out)[3], const Vec3& v) {
   for (int i = 0; i < 3; ++i) out[i] = v(i);
 }
 
+double longest_element(const CableParts& parts, const CableMesh& wanted) {
+  return wanted.element.value_or(kLongestShare * parts.length());
+}
+
 }  // namespace
 
 double CableParts::length() const {
@@ -71,15 +75,17 @@ double CableParts::length() const {
   return sum;
 }
 
+FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wanted, double at) {
+  const double length = parts.length(), reach = kFineShare * length;
+  return {at - reach, at + reach, std::min(longest_element(parts, wanted), kShortestShare * length)};
+}
+
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted) {
   const double length = parts.length();
   MeshPlan plan;
-  plan.longest = wanted.element.value_or(kLongestShare * length);
+  plan.longest = longest_element(parts, wanted);
   plan.fine = wanted.fine;
-  if (wanted.touchdown) {
-    const double fine = std::min(plan.longest, kShortestShare * length), reach = kFineShare * length;
-    plan.fine.push_back({*wanted.touchdown - reach, *wanted.touchdown + reach, fine});
-  }
+  if (wanted.touchdown) plan.fine.push_back(stretch_at_touchdown(parts, wanted, *wanted.touchdown));
   plan.fixed = fixed_places(parts);
   LineMesh mesh;
   mesh.s = graded_nodes(plan);

@@ -32,6 +32,8 @@ struct CableMesh {
 /// each. Some 20 to 30 elements give tension within 0.01 % and stiffness within 0.05 % of the elastic catenary, more of
 /// them nothing that the bed's stiffness would not hide.
 LineMesh cable_mesh(const CableParts& parts, const CableMesh& wanted);
+/// The short elements around a place where a cable leaves the bed, for others than `wanted.touchdown`.
+FineStretch stretch_at_touchdown(const CableParts& parts, const CableMesh& wanted, double at);
 
 /// What surrounds a cable between two places: the model's bed, water and current. The bed is as stiff as the model says
 /// but never so soft that the cable sinks into it by more than a centimetre. Its friction holds along the line from
