@@ -55,6 +55,17 @@ TEST(root_scan, finds_two_roots_between_neighbours_of_the_grid) {
   EXPECT_NEAR(scan.crossings[1].nearest(), middle + apart, 1e-7);
 }
 
+/// A peak between an end and the next point of the grid, from where the values only go away from zero.
+TEST(root_scan, finds_two_roots_beside_an_end_from_which_the_values_begin_to_turn) {
+  const auto peak = [](double x) { return 0.4 * x * std::exp(-4.0 * x) - 0.01 * x - 0.02; };
+  for (const bool mirrored : {false, true}) {
+    const RootScan scan = scan_roots([&](double x) { return peak(mirrored ? 12.0 - x : x); }, 0.0, 12.0);
+    ASSERT_EQ(scan.crossings.size(), 2U);
+    for (const Crossing& crossing : scan.crossings)
+      EXPECT_NEAR(peak(mirrored ? 12.0 - crossing.nearest() : crossing.nearest()), 0.0, 1e-8);
+  }
+}
+
 TEST(root_scan, a_gap_hides_no_root_beside_it_and_makes_none) {
   const auto f = [](double x) -> std::optional<double> {
     if (x > 0.4 && x < 0.6) return std::nullopt;

@@ -12,6 +12,7 @@ constexpr double kJump = 0.02;  // of the difference over the first bracket, lef
 constexpr double kTurn = 1e-3;  // of the range of the values, against which they may go and still be monotone
 constexpr int kMostSteps = 100;
 constexpr int kTurnSteps = 12;
+constexpr double kProbe = 0.02;  // of the way from an end of the interval to the next point
 
 bool opposed(double a, double b) {
   return (a <= 0.0) != (b <= 0.0);
@@ -29,6 +30,7 @@ class Scan {
 
   RootScan run() {
     look_at_turns();
+    look_at_ends();
     const std::vector<ScannedPoint> grid = sorted();
     RootScan scan;
     const ScannedPoint* before = nullptr;
@@ -67,6 +69,21 @@ class Scan {
       const double bend = *a - 2.0 * *b + *c, slope = 0.5 * (*c - *a);
       const double vertex = bend == 0.0 ? *b : *b - 0.5 * slope * slope / bend;  // of the parabola through them
       if (opposed(vertex, *b) || std::abs(vertex) < 0.1 * std::abs(*b)) follow_turn(grid[i - 1].x, grid[i + 1].x, *b);
+    }
+  }
+
+  /// Values that go away from zero from an end of the interval to the next point, but towards it at first, turn between
+  /// the two.
+  void look_at_ends() {
+    const int last = settings_.points - 1;
+    const std::vector<ScannedPoint> grid(points_.begin(), points_.begin() + settings_.points);
+    for (const auto& [end, next] : {std::pair(0, 1), std::pair(last, last - 1)}) {
+      const ScannedPoint &from = grid[static_cast<std::size_t>(end)], &to = grid[static_cast<std::size_t>(next)];
+      if (!from.value || !to.value || opposed(*from.value, *to.value)) continue;
+      if (std::abs(*to.value) < std::abs(*from.value) || *from.value == 0.0) continue;
+      const std::optional<double> near = at(from.x + kProbe * (to.x - from.x));
+      if (!near || opposed(*near, *from.value) || std::abs(*near) >= std::abs(*from.value)) continue;
+      follow_turn(std::min(from.x, to.x), std::max(from.x, to.x), *from.value);
     }
   }
 

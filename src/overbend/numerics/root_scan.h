@@ -38,9 +38,9 @@ struct ScanSettings {
   bool both_ends = false;    ///< Whether a bracket is closed also where one end is zero already: for limits.
 };
 
-/// Evaluates a grid from `from` to `to`, looks between its points where the values turn towards zero, and closes every
-/// change of sign by the method of Brent (1973), chapter 4. Roots of even order between points that do not point to
-/// them are missed, as are pairs of roots closer than the grid.
+/// Evaluates a grid from `from` to `to`, looks between its points where the values turn towards zero, at the ends also
+/// where they begin to, and closes every change of sign by the method of Brent (1973), chapter 4. Roots of even order
+/// between points that do not point to them are missed, as are pairs of roots closer than the grid.
 RootScan scan_roots(const ScannedFunction& f, double from, double to, const ScanSettings& settings = {});
 
 /// Whether the values that there are never fall, or never rise, over the interval by more than a thousandth of their
