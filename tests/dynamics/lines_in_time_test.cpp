@@ -256,16 +256,20 @@ TEST(lines_in_time, that_hang_from_level_clamps_do_not_leap_from_a_pull_to_a_pus
   }
 }
 
+void add_wave_along_x(Description& d, double height, double period) {
+  d.environment.waves.type = WaveType::airy;
+  d.environment.waves.height = height;
+  d.environment.waves.period = period;
+  d.environment.waves.from = 1.5 * std::numbers::pi;
+}
+
 /// A long line whose upper end stands out of the water between two that are held still: waves are felt over a
 /// fifteenth of it.
 TEST(lines_in_time, in_waves_swing_as_with_a_fine_mesh) {
   Description d = testing::water_alone(1025.0, 500.0);
   d.lines = {testing::free_line(testing::cable_type(25.0, 0.15, 20e6, 0.1, 1025.0), 600.0, Vec3(0.0, 0.0, -250.0),
                                 Vec3(150.0, 0.0, 5.0))};
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 6.0;
-  d.environment.waves.period = 7.0;
-  d.environment.waves.from = 1.5 * std::numbers::pi;  // along x
+  add_wave_along_x(d, 6.0, 7.0);
   const LineHistory usual = testing::run_lines(d, options_for(28.0, 28.0)).front();
   d.lines[0].element = 1.0;
   const LineHistory fine = testing::run_lines(d, options_for(28.0, 28.0)).front();
@@ -284,10 +288,7 @@ TEST(lines_in_time, whose_buoyancy_lifts_them_into_the_waves_swing_as_with_a_fin
   d.lines[0].first.kind = LineEndKind::bed;
   d.lines[0].segments.push_back({"", 90.0, light});
   d.lines[0].segments.push_back({"", 120.0, heavy});
-  d.environment.waves.type = WaveType::airy;
-  d.environment.waves.height = 4.0;
-  d.environment.waves.period = 8.0;
-  d.environment.waves.from = 1.5 * std::numbers::pi;  // along x
+  add_wave_along_x(d, 4.0, 8.0);
   const LineHistory usual = testing::run_lines(d, options_for(32.0, 32.0)).front();
   d.lines[0].element = 1.0;
   const LineHistory fine = testing::run_lines(d, options_for(32.0, 32.0)).front();

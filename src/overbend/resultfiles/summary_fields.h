@@ -153,7 +153,7 @@ template <class Style>
 void put_stinger(const Style& style, const StaticResults& r, JsonWriter<Style>& json) {
   json.part(!r.stinger.empty(), [&](auto& members) {
     auto stinger = summary_stinger_section(style, r, r.stinger.empty() ? StingerSectionResult{} : r.stinger.front());
-    if (r.stinger.size() > 1 || Style::kTypes || Style::kWhole) {
+    if (r.stinger.size() > 1 || Style::kWhole) {
       stinger[Style::kTypes ? "sections?" : "sections"] = style.rows(r.stinger, [&](const StingerSectionResult& one) {
         return style.named("StingerSection", summary_stinger_section(style, r, one));
       });
