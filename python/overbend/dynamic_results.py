@@ -33,6 +33,7 @@ class DynamicResults(Results):
                "impacts": "/dynamic/impacts", "hardest_impacts": "/dynamic/hardest_impacts",
                "extremes": "/dynamic/extremes", "stinger_sections": "/dynamic/stinger",
                "mooring_lines": "/dynamic/moorings/lines", "mooring_events": "/dynamic/moorings/events",
+               "thrust": "/dynamic/thrust",
                "fatigue_spots": "/dynamic/fatigue/spots"}
     _in_static = {"effective_tension": "static_tension", "bending_moment": "static_moment"}
 

@@ -47,6 +47,38 @@ TEST(seek_command, without_an_answer_it_says_why_and_ends_with_code_3) {
   EXPECT_TRUE(summary["seek"]["answer"].is_null());
 }
 
+TEST(seek_command, leaves_a_model_of_that_name_in_the_folder_alone) {
+  const Scratch scratch;
+  const std::string text = seeking("{result: static.bottom_tension, equals: 310 kN}");
+  const std::string model = scratch.write("model.yaml", text);
+  const auto refused = run_program("seek " + model + " -o " + scratch.file("."));
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.err.find("is none of earlier results"), std::string::npos) << refused.err;
+  EXPECT_EQ(scratch.read("model.yaml"), text);
+  // Its own answer is replaced by the next one, but never under an analysis that reads it.
+  ASSERT_EQ(run_program("seek " + model + " -o " + scratch.file("out")).code, 0);
+  ASSERT_EQ(run_program("seek " + model + " -o " + scratch.file("out")).code, 0);
+  const std::string answer = scratch.read("out/model.yaml");
+  for (const std::string command : {"static ", "seek ", "lay-table ", "dynamic "}) {
+    const auto kept = run_program(command + scratch.file("out/model.yaml") + " -o " + scratch.file("out"));
+    EXPECT_EQ(kept.code, 2) << command;
+    EXPECT_NE(kept.err.find("is among the results"), std::string::npos) << kept.err;
+    EXPECT_EQ(scratch.read("out/model.yaml"), answer) << command;
+  }
+}
+
+TEST(seek_command, tells_the_warnings_of_the_answer) {
+  const Scratch scratch;
+  // The tension that is found lies outside of the tensioner's range, as `overbend static` would say.
+  const std::string text = testing::with(seeking("{result: static.bottom_tension, equals: 310 kN}"), "tension: 300 kN}",
+                                         "tension: 300 kN, range: [290 kN, 310 kN]}");
+  const auto done = run_program("seek " + scratch.write("lay.yaml", text) + " -o " + scratch.file("out"));
+  ASSERT_EQ(done.code, 0) << done.err;
+  ASSERT_FALSE(read_json(scratch.read("out/summary.json"))["warnings"].empty());
+  EXPECT_NE(done.out.find("  warning: "), std::string::npos) << done.out;
+  EXPECT_NE(done.out.find("does not contain the set tension"), std::string::npos) << done.out;
+}
+
 TEST(seek_command, needs_something_to_seek) {
   const Scratch scratch;
   const auto done = run_program("seek " + scratch.write("lay.yaml", kSmallLay) + " -o " + scratch.file("out"));

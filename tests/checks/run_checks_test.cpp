@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "checks/dnv_combined.h"
 #include "checks/dnv_strength.h"
+#include "checks/steel_grades.h"
 #include "modelfile/yaml_reader.h"
 #include "statics/statics.h"
 #include "study/static_run.h"
@@ -231,6 +233,43 @@ TEST(run_checks, what_lies_outside_a_formula_is_neither_passed_nor_failed) {
   EXPECT_NE(worst->status, CheckStatus::outside_validity);
 }
 
+TEST(run_checks, what_no_formula_judged_is_told_once_for_all_regions) {
+  EXPECT_TRUE(unjudged_checks(bgl1().statics.checks).empty());
+  const CheckTable thick = checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.03; });  // D/t 13.5
+  const std::vector<std::string> words = unjudged_checks(thick);
+  ASSERT_EQ(words.size(), 1U);  // propagation is for information
+  EXPECT_TRUE(words.front().starts_with(kNotJudged));
+  EXPECT_NE(words.front().find("Local buckling, load controlled"), std::string::npos);
+  EXPECT_NE(words.front().find("valid for 15 <= D/t2 <= 45"), std::string::npos);
+}
+
+TEST(run_checks, no_utilisation_is_drawn_along_the_pipe_of_a_formula_that_does_not_hold) {
+  const CheckAlong thick =
+      checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.03; }).along;  // D/t 13.5
+  EXPECT_EQ(*std::ranges::max_element(thick.load), 0.0);
+  EXPECT_GT(*std::ranges::max_element(thick.api), 0.0);
+  const CheckAlong thin = checks_with([](Description& d) { d.pipe.section.steel.wall_thickness = 0.0079; }).along;
+  EXPECT_EQ(*std::ranges::max_element(thin.api), 0.0);  // D/t 51
+  EXPECT_GT(*std::ranges::max_element(bgl1().statics.checks.along.load), 0.0);
+}
+
+TEST(run_checks, limits_of_the_project_that_find_nothing_to_be_held_against_are_told) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
+  d.checks.limits.roller_load = 300e3;
+  d.checks.limits.coating_line_load = 2e6;
+  d.checks.limits.tip_clearance = 0.1;
+  const Model model = build_model(d);
+  StaticResults lay = bgl1().statics;
+  lay.supports.clear();
+  lay.stinger_tip_clearance.reset();
+  const CheckTable table = check_statics(model, lay);
+  for (const char* id : {"roller_load", "coating_line_load", "tip_clearance"}) {
+    const CheckRow& row = row_of(table, id, CheckRegion::line);
+    EXPECT_EQ(row.status, CheckStatus::not_done) << id;
+    EXPECT_NE(row.remark.find("no rollers"), std::string::npos) << id;
+  }
+}
+
 /// The first 30 m from the tensioner, all over the ramp, of other steel.
 CheckTable with_segment(const std::function<void(SteelDescription&)>& change) {
   return checks_with([&](Description& d) {
@@ -256,6 +295,29 @@ TEST(run_checks, a_segment_without_tensile_strength_leaves_its_region_unchecked_
   EXPECT_EQ(row.status, CheckStatus::not_done);
   EXPECT_EQ(row.remark, "tensile strength not given");
   EXPECT_TRUE(row_of(table, "dnv_load_controlled", CheckRegion::sagbend).judged());
+}
+
+/// A station lies in one of the two elements that meet at its node: its stress and the limit are of the same steel.
+TEST(run_checks, where_two_steels_meet_a_station_is_held_against_the_limit_of_its_own) {
+  Description d = bgl1().description;
+  for (int i = 0; i < 6; ++i) {
+    SegmentDescription& segment = d.pipe.segments.emplace_back();
+    segment.length = 9.0 + i;
+    segment.section = d.pipe.section;
+    segment.section.steel.yield_stress = i % 2 == 0 ? 483e6 : 358e6;
+  }
+  Model model = build_model(d);
+  const StaticResults statics = checked_statics(model, solve_lay(model));
+  const CheckAlong& along = statics.checks.along;
+  ASSERT_EQ(along.s.size(), statics.stations.size());
+  std::size_t judged = 0;
+  for (std::size_t i = 0; i < along.s.size(); ++i) {
+    if (along.laying[i] <= 0.0) continue;
+    ++judged;
+    const double limit = laying_limits(statics.stations[i].yield_stress).value().static_strain;
+    EXPECT_NEAR(statics.stations[i].strain / along.laying[i], limit, 1e-9) << statics.total_length - along.s[i];
+  }
+  EXPECT_GT(judged, 50U);
 }
 
 TEST(run_checks, a_large_effective_force_is_outside_validity) {
@@ -333,6 +395,10 @@ TEST(run_checks, limits_of_the_equipment_are_judged_where_given) {
   EXPECT_NEAR(row_of(table, "tensioner_load", CheckRegion::line).utilisation, 250.0 / 240.0, 1e-6);
   EXPECT_NEAR(row_of(table, "tip_clearance", CheckRegion::line).capacity, *bgl1().statics.stinger_tip_clearance, 1e-12);
   EXPECT_DOUBLE_EQ(row_of(table, "yield_share", CheckRegion::overbend).capacity, 0.85 * 414e6);
+  EXPECT_DOUBLE_EQ(row_of(table, "yield_share", CheckRegion::tip).capacity, 0.85 * 414e6);
+  EXPECT_NEAR(std::max(row_of(table, "yield_share", CheckRegion::overbend).demand,
+                       row_of(table, "yield_share", CheckRegion::tip).demand),
+              bgl1().statics.overbend.value().von_mises.value, 1.0);
   EXPECT_EQ(find(table, "yield_share", CheckRegion::sagbend), nullptr);  // needs a dynamic analysis
 }
 

@@ -7,8 +7,10 @@
 
 #include "dynamics/moored_simulation.h"
 #include "dynamics/simulation.h"
+#include "recording/run_dynamics.h"
 #include "recording/vessel_watch.h"
 #include "statics/recovery.h"
+#include "support/memory_sink.h"
 #include "support/moored_lay.h"
 
 namespace overbend {
@@ -113,6 +115,29 @@ TEST(positioned_hull, stays_in_calm_water_where_statics_put_it_with_its_pipe) {
   const auto shift = shift_between(lay.model.drawn_pose, run.now().vessel().pose);
   EXPECT_NEAR(shift[0], rest.vessel.surge, 1e-3);
   EXPECT_NEAR(shift[1], rest.vessel.sway, 1e-3);
+}
+
+/// Against a steady pull, the thrust of a run is what statics tell, in statistics and in every row.
+TEST(positioned_hull, tells_its_thrust_in_time) {
+  Description d = without_pipe(10.0);
+  d.vessel.loads = {{"tug", Vec3::Zero(), Vec3(240e3, -45e3, 0.0), Vec3::Zero()}};
+  d.station_keeping->limit = Vec3(400e3, 1e300, 1e300);
+  const SolvedHull hull(d);
+  const std::vector<double>& rest = hull.rest.moorings->rest.thrust;
+  testing::MemorySink sink;
+  const auto go_on = [](const DynamicProgress&) { return DynamicControl::go_on; };
+  const DynamicResults run =
+      run_dynamics(hull.model, hull.start(), {}, dynamic_options(hull.model), sink, nullptr, go_on).results.value();
+  ASSERT_EQ(run.thrust.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Spread& given = run.thrust[i].given;
+    EXPECT_NEAR(given.mean, rest[i], 1.0) << i;
+    EXPECT_NEAR(given.min, rest[i], 2.0) << i;
+    EXPECT_NEAR(given.max, rest[i], 2.0) << i;
+    for (const double value : sink.column("thrust/" + run.thrust[i].name)) EXPECT_NEAR(value, rest[i], 2.0);
+  }
+  EXPECT_EQ(run.thrust[0].limit, 400e3);
+  EXPECT_EQ(run.thrust[0].time_at_limit, 0.0);
 }
 
 TEST(positioned_hull, at_rest_does_not_drift_by_its_rounding) {

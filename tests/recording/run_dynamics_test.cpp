@@ -213,6 +213,20 @@ TEST(tensioner_in_time, pays_out_until_its_travel_ends_and_says_so) {
   }));
 }
 
+TEST(tensioner_in_time, a_constant_one_that_goes_beyond_its_travel_is_told) {
+  Description d = hauling(TensionerMode::constant);
+  const auto told = [&](double travel) {
+    d.tensioner.travel = travel;
+    const TimedLay c(d);
+    MemorySink sink;
+    const DynamicResults r = c.results(sink);
+    return std::any_of(r.warnings.begin(), r.warnings.end(),
+                       [](const std::string& w) { return w.find("more than tensioner.travel") != std::string::npos; });
+  };
+  EXPECT_TRUE(told(0.001));
+  EXPECT_FALSE(told(50.0));
+}
+
 TEST(tensioner_in_time, without_waves_a_controlled_one_stands) {
   Description d = hauling(TensionerMode::controlled);
   d.environment.waves.type = WaveType::none;

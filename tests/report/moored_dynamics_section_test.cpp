@@ -32,6 +32,22 @@ TEST(moored_dynamics_section, shows_slow_and_wave_parts_and_the_most_probable_la
   EXPECT_EQ(figure, 3);
 }
 
+TEST(moored_dynamics_section, shows_what_dynamic_positioning_gave_and_marks_a_limit_that_was_reached) {
+  int figure = 0;
+  DynamicResults results = moored();
+  EXPECT_EQ(moored_dynamics_section(results, figure).find("Dynamic positioning"), std::string::npos);
+  results.thrust = {{"surge", {-120e3, 800e3, 310e3, 95e3}, 941e3, 800e3, 12.3},
+                    {"sway", {-10e3, 20e3, 5e3, 4e3}, 20e3, std::nullopt, 0.0},
+                    {"yaw", {-3e6, 4e6, 1e6, 2e6}, 4e6, 9e6, 0.0}};
+  const std::string told = moored_dynamics_section(results, figure);
+  EXPECT_NE(told.find("<tr class=\"over\"><td class=\"t\">Thrust ahead</td><td>310.0</td><td>95.0</td><td>-120.0</td>"
+                      "<td>800.0</td><td>941.0</td><td>800.0</td><td>12.3</td><td class=\"t\">kN</td>"),
+            std::string::npos)
+      << told;
+  EXPECT_NE(told.find("<td>20.0</td><td>20.0</td><td>none</td><td>0.0</td>"), std::string::npos);
+  EXPECT_NE(told.find("<td>9000</td><td>0.0</td><td class=\"t\">kN m</td>"), std::string::npos);
+}
+
 TEST(moored_dynamics_section, lists_events_and_what_a_brake_let_out_only_where_there_were_any) {
   int figure = 0;
   DynamicResults results = moored();

@@ -160,6 +160,7 @@ TEST(mooring_writer, moored_dynamics_come_back_from_results_h5) {
   results.vessel->sway.slow.std = 0.6;
   results.vessel->covariance = -0.125;
   results.vessel->confidence = "few cycles";
+  results.thrust = {{"surge", {-1e5, 3e5, 2e5, 4e4}, 5e5, 3e5, 12.5}, {"sway", {}, 1e5, std::nullopt, 0.0}};
   MooringLineDynamics line;
   line.name = "bow, port";
   line.fairlead_tension.most_probable_max = 6e5;
@@ -187,6 +188,9 @@ TEST(mooring_writer, moored_dynamics_come_back_from_results_h5) {
   EXPECT_EQ(read.moorings[1].points, other.points);
   EXPECT_FALSE(read.moorings[1].parted_at);
   EXPECT_EQ(wanted["dynamic"]["vessel"]["sway"]["slow"]["std"], 0.6);
+  EXPECT_EQ(wanted["dynamic"]["thrust"][0]["given"]["max"], 3e5);
+  EXPECT_EQ(wanted["dynamic"]["thrust"][0]["time_at_limit"], 12.5);
+  EXPECT_EQ(wanted["dynamic"]["thrust"][1]["thrust_limit"], nullptr);
   EXPECT_EQ(wanted["dynamic"]["moorings"][0]["fairlead_tension"]["most_probable_max"], 6e5);
   EXPECT_EQ(wanted["dynamic"]["moorings"][0]["events"][0]["what"], "parted");
 }

@@ -45,9 +45,11 @@ TEST(results_writer, makes_the_folder_and_leaves_the_files_alone_in_it) {
 
 TEST(results_writer, replaces_older_results_and_keeps_other_files) {
   const TemporaryFolder folder;
-  testing::write_file(folder / "summary.json", "old");
-  testing::write_file(folder / "notes.txt", "mine");
   const auto& [description, results] = solved_case("J12-D400-T560");
+  StaticResults older = results;
+  older.title = "older";
+  write_static_results(older, description, folder.path());
+  testing::write_file(folder / "notes.txt", "mine");
   write_static_results(results, description, folder.path());
   EXPECT_EQ(testing::file_text(folder / "summary.json"), static_summary(results));
   EXPECT_EQ(testing::file_text(folder / "notes.txt"), "mine");

@@ -76,6 +76,20 @@ TEST(staged_folder, a_file_of_the_user_with_the_name_of_a_result_stays_where_no_
   EXPECT_EQ(file_text(folder / "out/impacts.csv"), "mine");
 }
 
+TEST(staged_folder, writes_over_no_file_that_it_has_not_written) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  write_file(folder / "out/summary.json", "mine");
+  EXPECT_THROW(write_results(folder / "out", {"pipe.csv", "summary.json"}, "new"), UnusableFolder);
+  EXPECT_EQ(names_in(folder / "out"), std::set<std::string>{"summary.json"});
+  EXPECT_EQ(file_text(folder / "out/summary.json"), "mine");
+  EXPECT_EQ(names_in(folder.path()), std::set<std::string>{"out"});
+  fs::remove(folder / "out/summary.json");
+  write_results(folder / "out", {"pipe.csv", "summary.json"}, "new");
+  write_results(folder / "out", {"pipe.csv", "summary.json"}, "newer");
+  EXPECT_EQ(file_text(folder / "out/summary.json"), "newer");
+}
+
 TEST(staged_folder, the_folder_keeps_its_rights_and_a_link_to_it_stays_one) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "data");

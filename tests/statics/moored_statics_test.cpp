@@ -146,6 +146,29 @@ TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   }
 }
 
+TEST(moored_statics, warns_of_lines_that_a_bed_as_it_is_would_bear_elsewhere) {
+  const auto warnings_over = [](double height) {
+    Description d = described("MO8-sym");
+    d.operation = {};
+    // A ridge across the lay route, 600 m astern of the shoe: the stern lines lie over it.
+    d.environment.seabed.profile = {
+        {-2000.0, 89.0}, {550.0, 89.0}, {600.0, 89.0 - height}, {650.0, 89.0}, {2000.0, 89.0}};
+    const MooringResults results = rest_of_hull(d);
+    std::vector<std::string> told;
+    for (const std::string& warning : results.warnings) {
+      if (warning.find("in the seabed") != std::string::npos) told.push_back(warning);
+    }
+    return told;
+  };
+  EXPECT_TRUE(warnings_over(0.2).empty());
+  const std::vector<std::string> told = warnings_over(12.0);
+  ASSERT_GE(told.size(), 2U);
+  for (const std::string& warning : told) {
+    EXPECT_NE(warning.find("up to 12.0 m"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("take the bed as straight"), std::string::npos) << warning;
+  }
+}
+
 /// The hull of MO8-sym with the numbers of a hydrodynamic file: balanced by its crew, or as given.
 Description coupled_barge(Ballast ballast) {
   Description d = described("MO8-sym");

@@ -147,20 +147,6 @@ TEST(motion_parts, a_run_too_short_for_the_slow_motion_is_named) {
   EXPECT_TRUE(enough.warnings.empty());
 }
 
-TEST(motion_parts, thrust_that_the_slow_place_asks_beyond_its_limit_is_named) {
-  const testing::TemporaryFolder folder;
-  RunStore store = run_of(folder.path(), 400.0, 4000.0);
-  Description d = waves_of_ten_seconds();
-  d.station_keeping = StationKeepingDescription{};
-  d.station_keeping->stiffness = Vec3(120e3, 100e3, 2e8);  // 100 kN/m, and the slow sway goes up to 2.2 m
-  for (const double limit : {210e3, 230e3}) {
-    DynamicResults results = results_of(400.0, 4000.0);
-    d.station_keeping->limit = Vec3(1e300, limit, 1e300);
-    finish_motions({}, d, results, store);
-    EXPECT_EQ(warned(results, "the slow sway asks dynamic positioning for 22"), limit < 220e3);
-  }
-}
-
 TEST(motion_parts, of_a_cycle_or_two_no_error_is_told_that_would_be_none) {
   const testing::TemporaryFolder folder;
   RunStore store = run_of(folder.path(), 10.0, 100.0);

@@ -88,6 +88,20 @@ TEST(operability_study, an_answer_is_held_against_the_checks_and_the_conditions)
   EXPECT_EQ(judged_trial(answered(RunEnding::done, true, 0.8), wanted, false).end, TrialEnd::open);
 }
 
+TEST(operability_study, serious_warnings_of_what_passes_are_kept_in_its_record) {
+  const OperabilityDescription wanted;
+  CaseAnswer answer = answered(RunEnding::done, true, 0.8);
+  const std::string left = "the pipe left 'stinger 8' and 1 more box over their sides to port";
+  answer.warnings = {"lay.yaml:3: warning: vessel: is long", left, "the three-hour extremes are extrapolated"};
+  const TrialResult result = judged_trial(answer, wanted, false);
+  EXPECT_EQ(result.end, TrialEnd::passed);
+  EXPECT_EQ(result.serious, (std::vector<std::string>{left}));
+  const Scratch scratch;
+  const CaseQuestion question{{{"environment.waves.hs", "2 m"}}, 1};
+  write_trial({result, 1.0}, question, scratch.file("trial"));
+  EXPECT_EQ(read_trial(scratch.file("trial"), question)->result.serious, result.serious);
+}
+
 TEST(operability_study, what_has_no_solution_has_not_passed_and_what_failed_is_open) {
   const OperabilityDescription wanted;
   const TrialResult none = judged_trial(answered(RunEnding::no_solution, true, 0.0), wanted, false);

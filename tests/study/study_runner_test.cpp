@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -63,6 +64,19 @@ std::vector<std::vector<std::optional<double>>> values_of(const StudyResults& re
   std::vector<std::vector<std::optional<double>>> rows;
   for (const StudyCase& one : results.cases) rows.push_back(one.values);
   return rows;
+}
+
+TEST(study_runner, serious_warnings_of_cases_are_told_though_their_checks_pass) {
+  // Put into its record, since no small lay has such a warning.
+  const Tried tried("axes: [{key: tensioner.tension, values: [280 kN, 300 kN]}]\n");
+  run(tried);
+  StudyCase one = recorded_case(*tried.cases, study_outputs(*tried.base), tried.folder(), 1);
+  one.warnings = {"the pipe has left 'stinger 2' over the side to port: it lies up to 0.57 m beyond"};
+  write_case_record(one, tried.cases->inputs(), study_outputs(*tried.base), tried.folder(), {});
+  const StudyResults results = study_so_far(tried.folder());
+  EXPECT_TRUE(std::ranges::any_of(results.warnings, [](const std::string& warning) {
+    return warning.starts_with("1 of 2 solved cases: the pipe has left 'stinger 2'");
+  }));
 }
 
 TEST(study_runner, statics_agree_with_those_solved_from_nothing) {

@@ -139,6 +139,16 @@ test('a barge that thrusters alone hold is seen, without lines that it does not 
   expect(await page.locator('.slot .empty').first().innerText()).toMatch(/neither pipe nor lines/);
   expect(await colours(page, await picture(page, '.canvas'))).toBeGreaterThan(8);
   await bench.shot(page, 'positioned');
+  await page.click('#tab-runs');
+  await page.fill('#run-duration', '20 s');
+  await page.click('text=Start run');
+  await page.waitForSelector('.run.done', { timeout: 120_000 });
+  const inTime = page.locator('table.overtime');
+  await inTime.locator('tr', { hasText: 'DP yaw' }).waitFor();
+  await inTime.locator('button', { hasText: 'DP sway' }).click();
+  await page.waitForFunction(() => [...document.querySelectorAll('.slot select')].some((s) => (s as HTMLSelectElement).value === 'history:thrust/sway'));
+  await bench.shot(page, 'thrust-in-time');
+  await page.click('text=Back to the model');
 });
 
 test('a line by itself is drawn, and its diagrams are those of the line', async () => {

@@ -1,6 +1,7 @@
 /// The commands of the program. Each prints results to stdout and complaints to stderr and returns the exit code.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/unfinished_run.h"
 #include "model/description.h"
 #include "model/new_model.h"
+#include "study/run_ending.h"
 
 namespace overbend {
 
@@ -17,6 +19,10 @@ std::optional<double> duration_of(const std::string& text);
 
 /// Reads a model; on failure every fault is told on stderr and nothing is returned.
 std::optional<Description> load_model(const std::string& path);
+
+/// Results in `folder` would replace files of the user, or the model itself, because a goal seek wrote it there: an end
+/// with what to tell, before anything is computed; nothing where they leave them alone.
+std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder);
 
 int run_check(const std::string& model_file);
 

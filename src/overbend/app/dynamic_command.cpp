@@ -132,6 +132,7 @@ int run_dynamic(const DynamicArguments& arguments) {
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".results")
                               : fs::path(arguments.output);
+  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
   StudyPlan plan;
   try {
     if (is_lines_alone(*description) && arguments.stage.empty()) {

@@ -93,6 +93,7 @@ int run_lay_table(const LayTableArguments& arguments) {
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".lay-table")
                               : fs::path(arguments.output);
+  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
   const LayTable table = make_lay_table(*description, asked);
   try {
     write_lay_table_run(table, *description, folder);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <stdexcept>
 
@@ -5,6 +6,7 @@
 #include "base/units.h"
 #include "modelfile/field.h"
 #include "modelfile/yaml_reader.h"
+#include "runstore/written_files.h"
 
 namespace overbend {
 
@@ -16,6 +18,20 @@ std::optional<Description> load_model(const std::string& path) {
   const auto count = static_cast<std::size_t>(reading.diagnostics.error_count());
   if (count > kMostShown) std::cerr << "... and " << count - kMostShown << " more\n";
   return std::move(reading.description);
+}
+
+std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder) {
+  if (const auto foreign = file_of_the_user(folder, {"summary.json", "report.html", "results.h5"})) {
+    return RunEnd{RunEnding::wrong_input, "the folder '" + folder.string() + "' cannot be written: " + *foreign};
+  }
+  const std::filesystem::path model(model_file);
+  const std::vector<std::string> written = read_written(folder).files;
+  std::error_code fault;
+  if (std::ranges::find(written, model.filename().string()) == written.end()) return std::nullopt;
+  if (!std::filesystem::equivalent(model, folder / model.filename(), fault)) return std::nullopt;
+  return RunEnd{RunEnding::wrong_input, "the model file '" + model_file + "' is among the results in '" +
+                                            folder.string() +
+                                            "', which new ones replace; copy it first, or give another folder"};
 }
 
 std::optional<double> duration_of(const std::string& text) {

@@ -98,6 +98,16 @@ std::string moored_dynamics_lines(const DynamicResults& results) {
     row("offset m", v.offset, 1.0);
     text += "  " + v.confidence + "\n";
   }
+  if (!results.thrust.empty()) {
+    text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "thrust kN, kN m", "mean", "std", "min",
+                        "max", "limit", "s at limit");
+    for (const ThrustDynamics& one : results.thrust) {
+      text += fmt::format("  {:<16}{:>12.1f}{:>12.1f}{:>12.1f}{:>12.1f}{:>12}{:>12.1f}\n", one.name,
+                          shown(1e-3 * one.given.mean), 1e-3 * one.given.std, shown(1e-3 * one.given.min),
+                          shown(1e-3 * one.given.max), one.limit ? fmt::format("{:.1f}", 1e-3 * *one.limit) : "none",
+                          one.time_at_limit);
+    }
+  }
   if (results.moorings.empty()) return text;
   text += fmt::format("  {:<16}{:>12}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "line tension kN", "mean", "slow std",
                       "wave std", "min", "max", "in 3 h");

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/seek_lines.h"
+#include "app/warning_lines.h"
 #include "modelfile/seek_reader.h"
 #include "runstore/staged_folder.h"
 #include "study/seek_run.h"
@@ -16,6 +17,8 @@ namespace fs = std::filesystem;
 ExitCode tell_run(const SeekRun& run, const Description& description, const fs::path& folder) {
   write_seek_run(run, description, folder);
   std::cout << description.title << "\n" << seek_lines(run.results);
+  if (run.results.found && run.statics.lay) std::cout << warning_lines(run.statics.lay->warnings);
+  if (run.results.found && run.statics.moorings) std::cout << warning_lines(run.statics.moorings->warnings);
   std::cout << "Results are in " << folder.string() << "\n";
   return run.results.found ? kDone : tell({RunEnding::no_solution, run.results.why});
 }
@@ -32,6 +35,7 @@ int run_seek_command(const std::string& model_file, const std::string& output) {
   }
   const fs::path folder =
       output.empty() ? fs::path(fs::path(model_file).stem().string() + ".results") : fs::path(output);
+  if (const std::optional<RunEnd> lost = files_in_the_way(model_file, folder)) return tell(*lost);
   try {
     return tell_run(run_seek(*description, *wanted), *description, folder);
   } catch (const SeekFault& fault) {

@@ -112,6 +112,7 @@ int run_static(const StaticArguments& arguments) {
   std::optional<Description> description = load_model(arguments.model_file);
   if (!description) return kWrongInput;
   const fs::path folder = arguments.output.empty() ? default_folder(arguments.model_file) : fs::path(arguments.output);
+  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder)) return tell(*lost);
   if (!arguments.stage.empty()) {
     std::variant<Description, RunEnd> chosen = choose_stage(*description, arguments.stage);
     if (const RunEnd* fault = std::get_if<RunEnd>(&chosen)) return tell(*fault);

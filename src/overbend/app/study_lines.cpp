@@ -10,6 +10,7 @@
 
 #include "app/interruption.h"
 #include "app/operability_lines.h"
+#include "app/warning_lines.h"
 #include "model/study_words.h"
 #include "resultfiles/study_writer.h"
 
@@ -133,7 +134,7 @@ std::string study_lines(const StudyResults& results, const std::string& study_fi
   if (const std::size_t failed = results.cases.size() - done - open; failed > 0) {
     text += fmt::format("  {} failed:\n", plural(failed, "case")) + failed_lines(results, study_file, folder);
   }
-  return text + "Results are in " + folder + "\n";
+  return text + warning_lines(results.warnings) + "Results are in " + folder + "\n";
 }
 
 std::string tally_line(const StudyTally& tally) {

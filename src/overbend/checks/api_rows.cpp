@@ -71,7 +71,7 @@ CheckRow bending_row(const CheckStations& all, CheckRegion region, const CheckSe
                 {"f_c", "factor on collapse pressure", section.api_pressure_factor, "1"},
                 {"delta", "ovality according to API", section.api_delta, "1"}};
   judge(row);
-  if (any_section(all, region, [](const CheckSection& s) { return s.wall.slenderness() > 50.0; })) {
+  if (any_section(all, region, [](const CheckSection& s) { return s.wall.slenderness() > kApiMostSlender; })) {
     outside(row, "valid for D/t <= 50");
   }
   return row;

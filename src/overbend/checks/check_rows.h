@@ -22,6 +22,8 @@ std::vector<CheckRow> equipment_rows(const Model& model, const StaticResults& st
 /// Fatigue of welds while the pipe is laid, where the run counted it.
 std::vector<CheckRow> fatigue_rows(const DynamicResults& dynamics);
 
+/// Diameter over wall thickness up to which API's formulas of bending hold.
+inline constexpr double kApiMostSlender = 50.0;
 /// Utilisation by API RP 1111 for bending and external pressure at a station [-].
 double api_bending_at(const CheckStations& all, const CheckStation& station, const CheckSettings& settings);
 

@@ -86,9 +86,16 @@ void factor_static(CheckStation& station, const StillEffects& still, const Check
   }
 }
 
+constexpr double kBeside = 1e-6;  ///< Of a node where two sections meet [m].
+
+/// Section that the stresses of a station at rest are told of: where two meet, that of the element above, in which the
+/// station lies. The stresses of one must not be held against the limits of the other.
+std::size_t section_at_rest(const Model& model, double from_top) {
+  return static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
+}
+
 /// Section that the stresses of a node of a run are told of.
 std::size_t section_of_node(const Model& model, double from_top) {
-  constexpr double kBeside = 1e-6;  // of a node where two sections meet [m]
   const std::size_t upper = static_cast<std::size_t>(model.section_at(std::max(0.0, from_top - kBeside)));
   const std::size_t lower = static_cast<std::size_t>(model.section_at(from_top + kBeside));
   return lower_is_told(model.sections[lower], model.sections[upper]) ? lower : upper;
@@ -122,8 +129,7 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
     const Station& at = statics.stations[i];
     if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
     const double total = statics.stations.back().s;
-    CheckStation station =
-        station_of(model, limits, total, at.s, at.p_W, static_cast<std::size_t>(model.section_at(total - at.s)));
+    CheckStation station = station_of(model, limits, total, at.s, at.p_W, section_at_rest(model, total - at.s));
     station.leaves = i > 0 && limits.leaves(statics.stations[i - 1].s, at.s);
     const CheckSection& section = out.section_of(station);
     if (section.cable) continue;

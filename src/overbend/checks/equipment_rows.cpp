@@ -61,7 +61,12 @@ void add_rollers(std::vector<CheckRow>& rows, const Model& model, const StaticRe
   static constexpr CheckTitle kLine = {
       "coating_line_load", "Line load on the coating", kProject, "", "force per length of coating", "N/m"};
   const EquipmentLimits& limits = model.description.checks.limits;
-  if (statics.supports.empty()) return;
+  if (statics.supports.empty()) {
+    for (const auto& [limit, title] : {std::pair{limits.roller_load, kForce}, {limits.coating_line_load, kLine}}) {
+      if (limit) rows.push_back(not_done(row_of(title, CheckRegion::line), "the line has no rollers"));
+    }
+    return;
+  }
   if (limits.roller_load) {
     const WorstRoller worst = worst_roller(
         statics, dynamics, [](const RollerResult& r) { return r.reaction; },
@@ -91,7 +96,12 @@ void add_tension(std::vector<CheckRow>& rows, double limit, const StaticResults&
 void add_tip(std::vector<CheckRow>& rows, double limit, const StaticResults& statics, const DynamicResults* dynamics) {
   static constexpr CheckTitle kTitle = {
       "tip_clearance", "Clearance at the stinger tip", kProject, "", "distance between pipe and roller", "m"};
-  if (!statics.stinger_tip_clearance || statics.supports.empty()) return;
+  if (!statics.stinger_tip_clearance || statics.supports.empty()) {
+    const char* const why =
+        statics.supports.empty() ? "the line has no rollers" : "the pipe does not pass the last roller of a stinger";
+    rows.push_back(not_done(row_of(kTitle, CheckRegion::line), why));
+    return;
+  }
   const double there = dynamics != nullptr ? dynamics->stinger_tip_clearance.min : *statics.stinger_tip_clearance;
   CheckRow row = row_of(kTitle, CheckRegion::line);
   if (std::isnan(there)) {

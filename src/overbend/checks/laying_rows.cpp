@@ -79,13 +79,25 @@ bool has(const CheckStations& all, CheckRegion region) {
   return most_used(all, region, [](const CheckStation&) { return 0.0; }) != nullptr;
 }
 
+constexpr CheckTitle kShare = {"yield_share", "Fraction of yield stress", "project limit", "", "von Mises stress",
+                               "Pa"};
+
 void add_share(std::vector<CheckRow>& rows, const CheckStations& all, CheckRegion region,
                const std::optional<double>& share) {
-  static constexpr CheckTitle kTitle = {
-      "yield_share", "Fraction of yield stress", "project limit", "", "von Mises stress", "Pa"};
   if (!share || !has(all, region)) return;
-  rows.push_back(stress_row(kTitle, all, region, [&](const CheckSection& s) { return *share * s.smys; }));
+  rows.push_back(stress_row(kShare, all, region, [&](const CheckSection& s) { return *share * s.smys; }));
   rows.back().remark = fmt::format("limit {:.4g} % of SMYS{}", 100.0 * *share, all.in_time ? ", dynamic" : ", static");
+}
+
+/// The overbend of the results has its free end as well; of a J-lay the tower stands for it.
+void add_upper_share(std::vector<CheckRow>& rows, const CheckStations& all, const std::optional<double>& share) {
+  const std::size_t before = rows.size();
+  for (const CheckRegion region : {CheckRegion::tower, CheckRegion::overbend, CheckRegion::tip}) {
+    add_share(rows, all, region, share);
+  }
+  if (share && rows.size() == before) {
+    rows.push_back(not_done(row_of(kShare, CheckRegion::overbend), "the line has no overbend"));
+  }
 }
 
 /// The static state of a run, so that its static limits can be checked beside the dynamic ones.
@@ -110,10 +122,10 @@ std::vector<CheckRow> laying_rows(const CheckStations& all, const CheckSettings&
     rows.push_back(stress_row(kStress, all, region, [](const CheckSection& s) { return s.stress_limit; }));
   }
   const CheckStations rest = at_rest(all);
-  add_share(rows, rest, CheckRegion::overbend, share.overbend_static);
+  add_upper_share(rows, rest, share.overbend_static);
   add_share(rows, rest, CheckRegion::sagbend, share.sagbend_static);
   if (all.in_time) {
-    add_share(rows, all, CheckRegion::overbend, share.overbend_dynamic);
+    add_upper_share(rows, all, share.overbend_dynamic);
     add_share(rows, all, CheckRegion::sagbend, share.sagbend_dynamic);
   }
   return rows;

@@ -31,11 +31,14 @@ CheckAlong utilisations_along(const CheckStations& all, const CheckSettings& set
   const bool dnv = settings.codes != CheckCodes::api, api = settings.codes != CheckCodes::dnv;
   for (const CheckStation& station : all.stations) {
     const bool supported = station.region == CheckRegion::overbend, free = !supported || station.leaves;
-    const double load = dnv ? station.load.value : 0.0;
+    const CheckSection& section = all.section_of(station);
+    const bool load_holds = load_formula_holds(section.load, station.largest_force);
+    const double load = dnv && load_holds ? station.load.value : 0.0;
     const double strain = dnv && supported ? station.bend.value : 0.0;
-    const double stress = dnv && free ? station.largest_von_mises.value / all.section_of(station).stress_limit : 0.0;
+    const double stress = dnv && free ? station.largest_von_mises.value / section.stress_limit : 0.0;
     const double laying = dnv && supported ? laying_at(all, station) : 0.0;
-    const double bending = api ? api_bending_at(all, station, settings) : 0.0;
+    const bool bending_holds = section.wall.slenderness() <= kApiMostSlender;
+    const double bending = api && bending_holds ? api_bending_at(all, station, settings) : 0.0;
     along.s.push_back(station.s);
     along.load.push_back(load);
     along.strain.push_back(strain);

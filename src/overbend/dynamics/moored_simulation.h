@@ -25,6 +25,8 @@ class MooredSimulation {
   const std::vector<std::string>& moorings() const { return setup_.mooring_names; }
   /// The way on which the vessel is moved ahead; null where it is not.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }
+  /// The vessel that floats free; null where its motion is told.
+  const Hull* hull() const { return setup_.hull ? &setup_.hull->hull : nullptr; }
   /// Of the water over the mean place of midship [m].
   double elevation() const;
 

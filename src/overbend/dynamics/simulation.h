@@ -59,6 +59,8 @@ class Simulation {
   const DynamicOptions& options() const { return options_; }
   /// The way on which the vessel is moved ahead; null where it is not.
   const MoveProfile* move() const { return setup_.move ? &*setup_.move : nullptr; }
+  /// The vessel that floats free; null where its motion is told.
+  const Hull* hull() const { return setup_.hull ? &setup_.hull->hull : nullptr; }
   /// The present, with the system evaluated at the state: tension, moments, contacts and surroundings can be read.
   Instant now() const;
   double tension() const { return assembly_->machine_tension(); }  ///< Force of the tensioner on the pipe [N].

@@ -42,12 +42,7 @@ Mat6 turning_of(const Mat6& A, double r) {
 // What acts at the slow place and heading, in H ----------------------------------------------------------------------
 
 Vec6 station_force(const StationKeeping& keeping, const SlowMotion& slow, double time) {
-  const Mat3 to_h = turned_about_z(-slow.value.z());
-  const WayPoint at = keeping.move ? keeping.move->at(time) : WayPoint{};
-  const Vec3 ahead(keeping.ahead_W.x(), keeping.ahead_W.y(), 0.0);
-  const Vec3 off = to_h * (keeping.wanted + at.way * ahead - slow.value), rate = to_h * (slow.rate - at.speed * ahead);
-  const Vec3 wanted = keeping.law.stiffness.cwiseProduct(off) - keeping.law.damping.cwiseProduct(rate);
-  const Vec3 thrust = wanted.cwiseMax(-keeping.law.limit).cwiseMin(keeping.law.limit);
+  const Vec3 thrust = station_thrust(keeping, slow, time).given;
   return (Vec6() << thrust.x(), thrust.y(), 0.0, 0.0, 0.0, thrust.z()).finished();
 }
 
@@ -183,6 +178,15 @@ void add_loads(const Hull& hull, const Vec6& h, double stiffness, HullBalance& o
 }
 
 }  // namespace
+
+StationThrust station_thrust(const StationKeeping& keeping, const SlowMotion& slow, double time) {
+  const Mat3 to_h = turned_about_z(-slow.value.z());
+  const WayPoint at = keeping.move ? keeping.move->at(time) : WayPoint{};
+  const Vec3 ahead(keeping.ahead_W.x(), keeping.ahead_W.y(), 0.0);
+  const Vec3 off = to_h * (keeping.wanted + at.way * ahead - slow.value), rate = to_h * (slow.rate - at.speed * ahead);
+  const Vec3 asked = keeping.law.stiffness.cwiseProduct(off) - keeping.law.damping.cwiseProduct(rate);
+  return {asked, asked.cwiseMax(-keeping.law.limit).cwiseMin(keeping.law.limit)};
+}
 
 HullState hull_at_rest(const Hull& hull, const Vec6& h) {
   HullState state;

@@ -40,6 +40,15 @@ struct StationKeeping {
   Eigen::Vector2d ahead_W = Eigen::Vector2d::Zero();  ///< Which way.
 };
 
+/// Ahead and to port along the slow heading, and bow to port [N, N, N m].
+struct StationThrust {
+  Vec3 asked = Vec3::Zero();  ///< By spring and damper.
+  Vec3 given = Vec3::Zero();  ///< Within the limits.
+};
+
+/// What dynamic positioning does where the slow motion is `slow` at `time` [s].
+StationThrust station_thrust(const StationKeeping& keeping, const SlowMotion& slow, double time);
+
 /// Damping besides radiation, on the rates of H: F = -linear v - quadratic |v| v by component.
 struct ViscousDamping {
   Mat6 linear = Mat6::Zero();     ///< [N s/m, N s, N m s]

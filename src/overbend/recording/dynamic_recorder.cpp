@@ -103,6 +103,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       tensioner_(tensioner_of(simulation.system())),
       moorings_(model.description.moorings, simulation.moorings()),
       stinger_(model),
+      thrust_(simulation.hull()),
       floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
       columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value(), sections_in_time(model),
                                 astern_direction(model.mean_pose))),
@@ -119,6 +120,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
   reaction_sample_.resize(boxes_);
   reaction_quantiles_ = RunningQuantiles(boxes_);
   if (move_ != nullptr) add_move_columns(columns_, true);
+  if (thrust_.positioned()) add_thrust_columns(columns_);
   add_control_columns(simulation.controllers(), columns_);
   row_.resize(columns_.size());
   impacts_.resize(rollers_);
@@ -149,6 +151,7 @@ void DynamicRecorder::begun(const Instant& at) {
   if (fatigue_) fatigue_->start(design_instant(at));
   moorings_.start(*at.state, *at.assembly);
   stinger_.start(*at.assembly);
+  thrust_.start(*at.state);
   if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
@@ -343,6 +346,7 @@ void DynamicRecorder::stepped(const Instant& at) {
   tensioner_.add(*at.tensioner, at.move.paid_out, at.state->time, at.step);
   moorings_.add(*at.state, *at.assembly, at.step);
   stinger_.add(*at.assembly, at.state->time, at.step);
+  thrust_.add(*at.state, at.step);
   if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {
@@ -368,7 +372,8 @@ void DynamicRecorder::row(const Instant& at, std::int64_t number) {
                          least_key_,
                          largest_reaction_,
                          least_separation_,
-                         floating_ ? &*floating_ : nullptr};
+                         floating_ ? &*floating_ : nullptr,
+                         &thrust_};
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
   forget_interval();

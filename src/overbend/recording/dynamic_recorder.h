@@ -15,6 +15,7 @@
 #include "recording/stinger_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
+#include "recording/thrust_watch.h"
 #include "recording/vessel_watch.h"
 #include "system/find_regions.h"
 
@@ -108,6 +109,7 @@ class DynamicRecorder : public SimulationObserver {
   TensionerAccount tensioner_;
   MooringWatch moorings_;
   StingerWatch stinger_;
+  ThrustWatch thrust_;
   std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   SurfaceCrossing crossing_;
   std::vector<RecordedColumn> columns_;

@@ -22,6 +22,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/key", key_statistics_.save());
   put("record/tensioner", tensioner_.save());
   put("record/moorings", moorings_.save());
+  put("record/thrust", thrust_.save());
   put("record/stinger", stinger_.save());
   if (floating_) put("record/vessel", floating_->save());
   put("record/design", design_.save());
@@ -59,6 +60,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   key_statistics_.restore(get("record/key"));
   tensioner_.restore(get("record/tensioner"));
   moorings_.restore(get("record/moorings"));
+  thrust_.restore(get("record/thrust"));
   stinger_.restore(get("record/stinger"));
   if (floating_) floating_->restore(get("record/vessel"));
   crossing_.restore(get("record/crossing"));

@@ -124,6 +124,15 @@ void DynamicRecorder::fill_tensioner_warnings(DynamicResults& results) const {
     results.warnings.push_back(fmt::format(
         "the tensioner was at its travel limit for {:.1f} s, with the tension uncontrolled", t.time_at_limit));
   }
+  const TensionerDescription& machine = model_->description.tensioner;
+  const double way = std::max(t.travel.max, -t.travel.min);
+  if (machine.mode == TensionerMode::constant && machine.travel && way > *machine.travel && move_ == nullptr) {
+    results.warnings.push_back(fmt::format(
+        "the ideal tensioner of constant tension travels up to {:.2f} m from the start, more than tensioner.travel, "
+        "{:.2f} m, which does not stop it: a machine would have reached its limit, and the tension would not be "
+        "constant",
+        way, *machine.travel));
+  }
   if (!model_->supports.boxes.empty() && model_->supports.boxes.front().structure == Structure::ramp) {
     const double free = model_->supports.boxes.front().point_S.x() - model_->description.tensioner.x;
     if (t.travel.max > free && move_ == nullptr) {
@@ -148,6 +157,7 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   fill_tensioner_warnings(results);
   if (move_ != nullptr) warn_of_move(*model_, *move_, results);
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
+  for (std::string& warning : thrust_.warnings()) results.warnings.push_back(std::move(warning));
   for (std::string& warning : stinger_.warnings()) results.warnings.push_back(std::move(warning));
 }
 
@@ -212,6 +222,7 @@ void DynamicRecorder::fill(DynamicResults& results) const {
   results.tensioner = tensioner_.results();
   results.moorings = moorings_.results();
   results.stinger = stinger_.results();
+  results.thrust = thrust_.results();
   if (floating_) results.vessel = floating_->results();
   fill_assumptions(results);
   if (move_ != nullptr) assume_of_move(*model_, *move_, results);

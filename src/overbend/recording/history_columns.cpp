@@ -164,6 +164,16 @@ std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std
   return columns;
 }
 
+void add_thrust_columns(std::vector<RecordedColumn>& columns) {
+  const auto thrust = [&](const char* name, const char* units, const char* description, std::size_t direction) {
+    columns.push_back({{std::string("thrust/") + name, units, description, false, false},
+                       [direction](const RowSource& row) { return row.thrust->given(direction); }});
+  };
+  thrust("surge", "N", "Thrust of dynamic positioning ahead", 0);
+  thrust("sway", "N", "Thrust of dynamic positioning to port", 1);
+  thrust("yaw", "N m", "Moment of dynamic positioning, bow to port", 2);
+}
+
 std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings) {
   Columns columns;
   add_time(columns, "midship");

@@ -7,6 +7,7 @@
 
 #include "dynamics/simulation_observer.h"
 #include "model/supports.h"
+#include "recording/thrust_watch.h"
 #include "recording/vessel_watch.h"
 
 namespace overbend {
@@ -19,6 +20,7 @@ struct RowSource {
   std::span<const double> largest_reaction;        ///< Of every box since the previous row [N].
   std::span<const double> least_separation;        ///< Likewise; infinite where the pipe passed none of it [m].
   const VesselWatch* floating = nullptr;           ///< Where there are columns of a vessel that floats.
+  const ThrustWatch* thrust = nullptr;             ///< Where there are columns of dynamic positioning.
 };
 
 struct RecordedColumn {
@@ -32,6 +34,9 @@ struct RecordedColumn {
 std::vector<RecordedColumn> recorded_columns(const Supports& supports, const std::vector<std::string>& moorings = {},
                                              bool floating = false, const std::vector<std::string>& sections = {},
                                              const Vec3& astern_W = Vec3::UnitX());
+
+/// What dynamic positioning gives.
+void add_thrust_columns(std::vector<RecordedColumn>& columns);
 
 /// The columns of a run of a vessel on these mooring lines, without a pipe.
 std::vector<RecordedColumn> moored_columns(const std::vector<std::string>& moorings);

@@ -22,12 +22,15 @@ MooredRecorder::MooredRecorder(const Model& model, const MooredSimulation& simul
       sink_(&sink),
       moorings_(model.description.moorings, simulation.moorings()),
       vessel_(model.drawn_pose),
+      thrust_(simulation.hull()),
       columns_(moored_columns(simulation.moorings())),
       snapshot_stride_(snapshot_stride(simulation.run().options())) {
   if (simulation.move() != nullptr) add_move_columns(columns_, false);
+  if (thrust_.positioned()) add_thrust_columns(columns_);
   const SystemRun& run = simulation.run();
   moorings_.start(run.state(), run.assembly());
   vessel_.start(pose_of(run));
+  thrust_.start(run.state());
   row_.resize(columns_.size());
   snapshot_.resize(kPoseNumbers + 4 * static_cast<std::size_t>(moorings_.points()));
   std::vector<HistoryColumn> columns;
@@ -39,6 +42,7 @@ void MooredRecorder::stepped(const SystemRun& run) {
   const double step = run.state().last_step;
   moorings_.add(run.state(), run.assembly(), step);
   vessel_.add(pose_of(run), run.time(), step);
+  thrust_.add(run.state(), step);
 }
 
 void MooredRecorder::row(const SystemRun& run) {
@@ -49,7 +53,7 @@ void MooredRecorder::row(const SystemRun& run) {
   now.elevation = simulation_->elevation();
   now.drift = run.energy().drift();
   if (const MoveProfile* move = simulation_->move()) now.move.way = move->at(run.time());
-  const RowSource source{now, {}, {}, {}, {}, {}, &vessel_};
+  const RowSource source{now, {}, {}, {}, {}, {}, &vessel_, &thrust_};
   std::transform(columns_.begin(), columns_.end(), row_.begin(),
                  [&](const RecordedColumn& recorded) { return recorded.value(source); });
   sink_->row(row_);
@@ -71,17 +75,21 @@ double MooredRecorder::largest_tension() const {
 void MooredRecorder::save(DynamicCheckpoint& checkpoint) const {
   checkpoint.arrays.push_back({"record/moorings", moorings_.save()});
   checkpoint.arrays.push_back({"record/vessel", vessel_.save()});
+  checkpoint.arrays.push_back({"record/thrust", thrust_.save()});
 }
 
 void MooredRecorder::restore(const DynamicCheckpoint& checkpoint) {
   moorings_.restore(checkpoint_array(checkpoint, "record/moorings"));
   vessel_.restore(checkpoint_array(checkpoint, "record/vessel"));
+  thrust_.restore(checkpoint_array(checkpoint, "record/thrust"));
 }
 
 void MooredRecorder::fill(DynamicResults& results) const {
   results.moorings = moorings_.results();
   results.vessel = vessel_.results();
+  results.thrust = thrust_.results();
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
+  for (std::string& warning : thrust_.warnings()) results.warnings.push_back(std::move(warning));
   if (const MoveProfile* move = simulation_->move()) {
     assume_of_move(*model_, *move, results);
     warn_of_move(*model_, *move, results);

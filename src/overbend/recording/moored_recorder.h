@@ -4,6 +4,7 @@
 #include "dynamics/moored_simulation.h"
 #include "recording/history_columns.h"
 #include "recording/mooring_watch.h"
+#include "recording/thrust_watch.h"
 
 namespace overbend {
 
@@ -30,6 +31,7 @@ class MooredRecorder : public SystemObserver {
   DynamicSink* sink_;
   MooringWatch moorings_;
   VesselWatch vessel_;
+  ThrustWatch thrust_;
   std::vector<RecordedColumn> columns_;
   std::int64_t snapshot_stride_;  ///< Rows from one to the next.
   std::vector<double> row_, snapshot_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "report/figure_list.h"
@@ -64,6 +65,35 @@ std::string vessel_table(const VesselDynamics& v, const std::string& along) {
       fixed(v.cut_off, 1));
   if (!v.confidence.empty()) note += " " + html::escape(v.confidence);
   return table.str() + note + "</p>\n";
+}
+
+std::string thrust_table(const DynamicResults& results) {
+  if (results.thrust.empty()) return "";
+  html::Table table("Dynamic positioning over time",
+                    {{"", "", true},
+                     {"Mean", ""},
+                     {"Std", ""},
+                     {"Min", ""},
+                     {"Max", ""},
+                     {"Most asked for", ""},
+                     {"Limit", ""},
+                     {"At the limit", "s"},
+                     {"Unit", "", true}},
+                    "dense summary");
+  constexpr std::array<const char*, 3> kTold = {"Thrust ahead", "Thrust to port", "Moment, bow to port"};
+  for (std::size_t i = 0; i < results.thrust.size(); ++i) {
+    const ThrustDynamics& one = results.thrust[i];
+    const Quantity quantity = i == 2 ? moments() : forces();
+    const auto text = [&](double value) { return quantity.text(value, i == 2 ? 0 : 1); };
+    table.row(
+        {kTold.at(i), text(one.given.mean), text(one.given.std), text(one.given.min), text(one.given.max),
+         text(one.largest_asked), one.limit ? text(*one.limit) : "none", fixed(one.time_at_limit, 1), quantity.unit},
+        one.time_at_limit > 0.0 ? "over" : "");
+  }
+  return table.str() +
+         "<p class=\"small\">Of the slow motion, along its heading. Most asked for: magnitude of what spring and "
+         "damper "
+         "would give without a limit.</p>\n";
 }
 
 std::string tension_table(const std::vector<MooringLineDynamics>& lines) {
@@ -195,6 +225,7 @@ std::string moored_dynamics_section(const DynamicResults& results, int& figure) 
   };
   std::string body = tiles(results) + figure_list(all_figures(), makes_sense, figure);
   if (results.vessel) body += vessel_table(*results.vessel, course(results));
+  body += thrust_table(results);
   if (!results.moorings.empty()) {
     body += tension_table(results.moorings) + use_table(results.moorings) + event_table(results.moorings);
   }

@@ -57,10 +57,20 @@ const std::vector<std::string>& serious_phrases() {
       "lifted its anchor with",
       "fewer than three do not hold surge, sway and yaw",
       "swing up by itself",
-      "at its limit it holds no more",
+      "there it neither holds nor damps",
       "times its breaking load",
+      "m in the seabed, ",
+      kNotJudged,
   };
   return kPhrases;
+}
+
+std::vector<std::string> serious_warnings(const std::vector<std::string>& warnings) {
+  std::vector<std::string> serious;
+  for (const std::string& warning : warnings) {
+    if (warning.find(kOfReader) == std::string::npos && serious_kind(warning)) serious.push_back(warning);
+  }
+  return serious;
 }
 
 std::string without_mark(const std::string& warning) {

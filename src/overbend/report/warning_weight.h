@@ -30,6 +30,9 @@ std::vector<WeighedWarning> weighed(const std::vector<std::string>& warnings);
 /// "1 serious, 2 to look at, 1 on the input"; empty without any.
 std::string weight_words(const std::vector<WeighedWarning>& warnings);
 
+/// Those that are serious, as they are and in their order.
+std::vector<std::string> serious_warnings(const std::vector<std::string>& warnings);
+
 /// Phrases that identify a serious warning; each occurs in a message of the program.
 const std::vector<std::string>& serious_phrases();
 

@@ -14,10 +14,12 @@ inline bool may_be_absent(std::string_view name) {
 }
 
 /// The same of a dataset of results.h5. Mooring lines have no breaking load, holding power or object beside them unless
-/// the model says so, and mostly they do not part; few hulls have dynamic positioning.
+/// the model says so, and mostly they do not part; few hulls have dynamic positioning,
+/// and not all of it has limits.
 inline bool may_be_absent_in_file(std::string_view path) {
   if (may_be_absent(path)) return true;
   const std::string_view last = path.substr(path.rfind('/') + 1);
+  if (last == "thrust_limit") return true;
   return path.find("/moorings/") != std::string_view::npos &&
          (last.ends_with("utilisation") || last.ends_with("clearance") || last == "parted_at" ||
           last.ends_with("stiffness") || last == "mooring_force" || last == "thrust");

@@ -103,6 +103,7 @@ void require_finite(const DynamicResults& results) {
     visit.place = "dynamic.vessel.";
     visit_vessel_dynamics(*results.vessel, visit);
   }
+  check_rows("dynamic.thrust", results.thrust, [](const auto& row, auto& v) { visit_thrust_dynamics(row, v); });
   check_rows("dynamic.moorings", results.moorings, [](const auto& row, auto& v) { visit_mooring_dynamics(row, v); });
   check_rows("dynamic.stinger", results.stinger, [](const auto& row, auto& v) { visit_stinger_dynamics(row, v); });
   check_fatigue(results);

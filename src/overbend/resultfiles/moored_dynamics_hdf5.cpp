@@ -7,6 +7,7 @@
 namespace overbend {
 namespace {
 
+constexpr const char* kThrust = "/dynamic/thrust";
 constexpr const char* kLines = "/dynamic/moorings/lines";
 constexpr const char* kEvents = "/dynamic/moorings/events";
 constexpr const char* kPoints = "/dynamic/moorings/points";
@@ -35,6 +36,15 @@ void write_moored_dynamics(DatasetSink& file, const DynamicResults& results) {
     file.group("/dynamic/vessel", "Motion of the floating vessel: whole, slow and wave part");
     ValueWriter values{file, "/dynamic/vessel"};
     visit_vessel_dynamics(*results.vessel, values);
+  }
+  if (!results.thrust.empty()) {
+    TableWriter thrust;
+    for (const ThrustDynamics& one : results.thrust) {
+      thrust(index_field("Number of the direction, from 0"), thrust.rows());
+      visit_thrust_dynamics(one, thrust);
+      thrust.end_row();
+    }
+    thrust.write(file, kThrust, "What dynamic positioning gave");
   }
   if (results.moorings.empty()) return;
   file.group("/dynamic/moorings", "Mooring lines over time");
@@ -65,6 +75,12 @@ void read_moored_dynamics(const Hdf5Reader& file, DynamicResults& results) {
   if (file.has("/dynamic/vessel")) {
     ValueReader values{file, "/dynamic/vessel"};
     visit_vessel_dynamics(results.vessel.emplace(), values);
+  }
+  TableReader thrust(file, kThrust);
+  results.thrust.resize(thrust.rows("index"));
+  for (std::size_t i = 0; i < results.thrust.size(); ++i) {
+    thrust.start_row(i);
+    visit_thrust_dynamics(results.thrust[i], thrust);
   }
   TableReader lines(file, kLines), events(file, kEvents), points(file, kPoints);
   results.moorings.resize(lines.rows("index"));

@@ -182,6 +182,11 @@ void add_moored_dynamics(const DynamicResults& results, Json& summary) {
   if (results.vessel) {
     dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(*results.vessel, one); });
   }
+  if (!results.thrust.empty()) {
+    dynamic["thrust"] = style.rows(results.thrust, [&](const ThrustDynamics& thrust) {
+      return object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); });
+    });
+  }
   if (results.moorings.empty()) return;
   dynamic["moorings"] =
       style.rows(results.moorings, [&](const MooringLineDynamics& line) { return line_in_time(style, line); });

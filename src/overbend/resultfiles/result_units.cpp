@@ -140,8 +140,10 @@ void add_mooring_units(const UnitStyle& style, Json& statics) {
 /// What it adds to a run in time.
 void add_mooring_units_in_time(const UnitStyle& style, Json& dynamic) {
   const VesselDynamics vessel;
+  const ThrustDynamics thrust;
   const MooringLineDynamics line;
   dynamic["vessel"] = object_of(style, [&](auto& one) { visit_vessel_dynamics(vessel, one); });
+  dynamic["thrust"] = Json::array({object_of(style, [&](auto& one) { visit_thrust_dynamics(thrust, one); })});
   dynamic["moorings"] = Json::array({object_of(style, [&](auto& one) { visit_mooring_dynamics(line, one); })});
 }
 

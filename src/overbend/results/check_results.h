@@ -81,6 +81,13 @@ struct CheckTable {
   std::vector<std::string> assumptions;
 };
 
+/// What sentences of checks that were neither passed nor failed begin with.
+extern const char* const kNotJudged;
+
+/// A sentence for every governing check whose formula does not hold: a verdict over many lays has no room for their
+/// rows, and "passed" alone would hide that nobody looked.
+std::vector<std::string> unjudged_checks(const CheckTable& table);
+
 /// The judged and governing row that is used most; null without one.
 inline const CheckRow* worst_check(const CheckTable& table) {
   const CheckRow* worst = nullptr;

@@ -36,6 +36,15 @@ struct VesselDynamics {
   std::string confidence;                                       ///< A sentence on the number of slow cycles.
 };
 
+/// What dynamic positioning gave along one of its three directions.
+struct ThrustDynamics {
+  std::string name;             ///< surge, sway, yaw: ahead, to port, bow to port, of the slow heading.
+  Spread given;                 ///< [N, N m]
+  double largest_asked = 0.0;   ///< Magnitude of what spring and damper ask for [N, N m].
+  std::optional<double> limit;  ///< [N, N m]
+  double time_at_limit = 0.0;   ///< In which more is asked for [s].
+};
+
 /// What happened to a line at an instant.
 struct MooringEvent {
   double time = 0.0;  ///< [s]

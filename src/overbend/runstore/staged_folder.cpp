@@ -119,8 +119,9 @@ void StagedFolder::commit(const std::string& last, const std::vector<std::string
     names.push_back(name);
   }
   const WrittenFiles before = read_written(folder_);
+  if (const auto foreign = file_of_the_user(folder_, names)) refuse(folder_, *foreign);
   write_written(staging_, {names, folders});
-  names.emplace_back(kWrittenFiles);
+  names.insert(names.begin(), kWrittenFiles);  // first, where they go one by one: what follows is known as ours
   std::vector<std::string> mine = names;
   mine.insert(mine.end(), before.files.begin(), before.files.end());
   if (!exchange(mine)) move_in(names, last, before.files);

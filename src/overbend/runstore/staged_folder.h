@@ -18,7 +18,8 @@ class UnusableFolder : public std::runtime_error {
 
 /// Files are written to path(), a temporary folder beside the target, which commit() moves into place in one step.
 /// Files that the program wrote to the old folder are removed (it keeps a list in the file
-/// `.overbend-files`); everything else in it belongs to the user and is kept. Without commit() everything is removed
+/// `.overbend-files`); everything else in it belongs to the user and is kept, and commit() refuses to write over it.
+/// Without commit() everything is removed
 /// again, also the folders that had to be created.
 ///
 /// Where folders cannot be exchanged (another file system than that of the folder above, a folder above that cannot
@@ -37,7 +38,7 @@ class StagedFolder {
 
   /// Puts all files in place, `last` at the end where it goes one by one: a process that waits for it finds the others
   /// updated. `folders` are folders of results within that belong to these; those of the last time that are not among
-  /// them go. Throws UnusableFolder, with the old folder as it was.
+  /// them go. Throws UnusableFolder, with the old folder as it was, also where a file of the user has one of the names.
   void commit(const std::string& last, const std::vector<std::string>& folders = {});
 
  private:

@@ -74,6 +74,17 @@ WrittenFiles read_written(const fs::path& folder) {
   return written;
 }
 
+std::optional<std::string> file_of_the_user(const fs::path& folder, const std::vector<std::string>& names) {
+  const std::vector<std::string> written = read_written(folder).files;
+  for (const std::string& name : names) {
+    std::error_code fault;
+    if (holds(written, name) || !fs::exists(fs::symlink_status(folder / name, fault))) continue;
+    return "'" + name + "' in it is none of earlier results (" + kWrittenFiles +
+           " does not list it); move it away, or give another folder";
+  }
+  return std::nullopt;
+}
+
 void write_written(const fs::path& folder, const WrittenFiles& written) {
   std::string text;
   for (const std::string& name : written.files) text += name + "\n";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct WrittenFiles {
   std::vector<std::string> files;    ///< Names.
   std::vector<std::string> folders;  ///< Names of folders of results within.
 };
+
+/// Why files of these names cannot be put there: one is there that the program did not write. Nothing else: nothing.
+std::optional<std::string> file_of_the_user(const std::filesystem::path& folder, const std::vector<std::string>& names);
 
 /// Empty where there is no list. Names that lead out of the folder are passed over.
 WrittenFiles read_written(const std::filesystem::path& folder);

@@ -9,6 +9,7 @@
 
 #include "base/constants.h"
 #include "model/station.h"
+#include "moorings/bed_departure.h"
 #include "moorings/clearance.h"
 #include "moorings/periods.h"
 
@@ -161,6 +162,23 @@ void warn_of_large_offset(const VesselDescription& vessel, const MooredState& st
   }
 }
 
+/// Where the catenary's straight bed is not the bed. A metre of it changes no tension much in waters where lines lie.
+void warn_of_bed(const BedSurface& bed, const MooringLineResult& line, const std::string& head,
+                 std::vector<std::string>& list) {
+  constexpr double kTold = 1.0;
+  constexpr const char* kWhy =
+      "statics take the bed as straight from below the fairlead to the anchor, and a line over the bed as it is has "
+      "another tension and stiffness; a run in time lays it on that bed and begins with what it finds.";
+  const BedDeparture there = bed_departure(bed, line.shape_W);
+  if (there.inside > kTold) {
+    list.push_back(fmt::format("{} runs up to {:.1f} m in the seabed, {:.0f} m from its anchor: {}", head, there.inside,
+                               there.inside_at, kWhy));
+  } else if (there.over_hollow > kTold) {
+    list.push_back(fmt::format("{} is taken to lie up to {:.1f} m above the seabed, {:.0f} m from its anchor: {}", head,
+                               there.over_hollow, there.hollow_at, kWhy));
+  }
+}
+
 }  // namespace
 
 VesselResult vessel_offset(const HullOffset& u) {
@@ -225,6 +243,7 @@ std::vector<std::string> mooring_warnings(const Model& model, const MooringSprea
       list.push_back(fmt::format("{} pulls its anchor with {:.1f} kN, more than its holding power.", head,
                                  line.anchor_tension / 1e3));
     }
+    warn_of_bed(spread.bed, line, head, list);
     const std::optional<double>& drum = spread.lines[i].drum;
     if (drum && line.first_segment_length > *drum) {
       list.push_back(fmt::format("{} has {:.1f} m out, more than the {:.1f} m that its winch's drum holds.", head,

@@ -33,8 +33,9 @@ std::unique_lock<FileLock> held(FileLock* files) {
   return files != nullptr ? std::unique_lock(*files) : std::unique_lock<FileLock>();
 }
 
-void judge(const CheckTable& checks, CaseAnswer& answer) {
+void judge(const CheckTable& checks, const std::vector<std::string>& warnings, CaseAnswer& answer) {
   answer.passed = true;
+  answer.warnings = together(warnings, unjudged_checks(checks));
   const CheckRow* worst = worst_check(checks);
   if (worst == nullptr) return;
   answer.passed = worst->status != CheckStatus::exceeded;
@@ -55,8 +56,7 @@ CaseAnswer answer_statics(const CaseBase& base, const CaseQuestion& question, Ca
   CaseAnswer answer;
   answer.passed = true;
   if (found.lay) {
-    judge(found.lay->checks, answer);
-    answer.warnings = found.lay->warnings;
+    judge(found.lay->checks, found.lay->warnings, answer);
     answer.summary = static_summary_json(*found.lay);
   } else if (found.moorings) {
     answer.warnings = found.moorings->warnings;
@@ -105,8 +105,7 @@ CaseAnswer answer_dynamics(const CaseBase& base, const CaseQuestion& question, C
   }
   CaseAnswer answer{static_cast<const RunEnd&>(end)};
   if (end.ending != RunEnding::done) return answer;
-  judge(end.results->checks, answer);
-  answer.warnings = all_warnings(prepared.statics, *end.results);
+  judge(end.results->checks, all_warnings(prepared.statics, *end.results), answer);
   answer.peaks = std::move(end.peaks);
   answer.summary = dynamic_summary_json(prepared.statics, *end.results);
   return answer;
@@ -137,13 +136,14 @@ CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, 
   });
   if (stopped) return ended(RunEnding::interrupted, "interrupted");
   CaseAnswer answer;
-  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, answer);
   answer.warnings = results.warnings;
+  if (const StageResult* worst = worst_stage(results)) judge(worst->lay->checks, results.warnings, answer);
   std::string failed;
   std::size_t standing = 0;
   for (const StageResult& stage : results.stages) {
     if (stage.lay) {
       ++standing;
+      answer.warnings = together(std::move(answer.warnings), unjudged_checks(stage.lay->checks));
     } else if (failed.empty()) {
       failed = fmt::format("no equilibrium at stage {}: {}", stage.stage.name, stage.failure->why);
     }
@@ -170,8 +170,7 @@ CaseAnswer answer_seek(const CaseBase& base, const CaseQuestion& question, const
   CaseAnswer answer;
   answer.passed = true;
   if (run.statics.lay) {
-    judge(run.statics.lay->checks, answer);
-    answer.warnings = run.statics.lay->warnings;
+    judge(run.statics.lay->checks, run.statics.lay->warnings, answer);
     answer.summary = static_summary_json(*run.statics.lay);
   } else {
     answer.summary = mooring_summary_json(*run.statics.moorings);

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "base/units.h"
+#include "report/warning_weight.h"
+#include "results/warnings.h"
 #include "study/limit_search.h"
 #include "study/static_run.h"
 
@@ -135,6 +137,7 @@ LayCase LayCases::solve(const Description& description, double tension, double d
 LayCase LayCases::told(double tension, double depth, const StaticResults& results) {
   LayCase found{tension, depth, values_of(results), {}};
   found.reason = exceeded_words(*found.lay);
+  found.serious = serious_warnings(together(results.warnings, unjudged_checks(results.checks)));
   return found;
 }
 

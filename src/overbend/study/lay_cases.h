@@ -18,7 +18,8 @@ struct LayCase {
   double tension = 0.0;  ///< At the tensioner [N].
   double depth = 0.0;    ///< [m]
   std::optional<LayTableValues> lay;
-  std::string reason;  ///< Why there is none, or which check is exceeded.
+  std::string reason;                  ///< Why there is none, or which check is exceeded.
+  std::vector<std::string> serious{};  ///< Serious warnings of its statics: checks judge the pipe, not its place.
 
   bool passed() const { return lay && lay->passed; }
 };

@@ -43,6 +43,11 @@ class TableMaker {
     } else {
       steps();
     }
+    if (serious_ > 0) {
+      table_.warnings.push_back(fmt::format(
+          "{} of {} rows pass every check and have serious warnings, which no check judges: see their remarks",
+          serious_, table_.rows.size()));
+    }
     table_.assumptions = cases_.assumptions();
     table_.solves = cases_.solves();
     return std::move(table_);
@@ -70,6 +75,12 @@ class TableMaker {
     return row;
   }
 
+  /// Every check may pass while the pipe lies beside its stinger: the row and the table say so.
+  void add_serious(LayTableRow& row, const LayCase& lay) {
+    for (const std::string& warning : lay.serious) row.reason += (row.reason.empty() ? "" : "; ") + warning;
+    if (!lay.serious.empty() && lay.passed()) ++serious_;
+  }
+
   bool add(LayTableRow row, int solves_before, std::size_t of) {
     row.solves = cases_.solves() - solves_before;
     table_.rows.push_back(std::move(row));
@@ -83,6 +94,7 @@ class TableMaker {
       const LayCase lay = sought ? cases_.at_least_tension(point.depth) : cases_.at(cases_.own_tension(), point.depth);
       LayTableRow row = row_of(LayRowKind::step, lay.tension, lay);
       row.distance = point.distance;
+      add_serious(row, lay);
       if (!add(std::move(row), before, asked_.profile.size())) return;
     }
   }
@@ -110,8 +122,9 @@ class TableMaker {
       const double value = from + (to - from) * i / asked_.steps;
       const int before = cases_.solves();
       tried.push_back({value, lay_at(value)});
-      const LayTableRow row = row_of(LayRowKind::step, value, tried.back().lay);
-      if (!add(row, before, static_cast<std::size_t>(asked_.steps) + 1)) return;
+      LayTableRow row = row_of(LayRowKind::step, value, tried.back().lay);
+      add_serious(row, tried.back().lay);
+      if (!add(std::move(row), before, static_cast<std::size_t>(asked_.steps) + 1)) return;
     }
     if (from > to) std::reverse(tried.begin(), tried.end());
     add_limits(tried);
@@ -150,6 +163,7 @@ class TableMaker {
     }
     LayTableRow row = row_of(kind, limit->passing.value, limit->passing.lay);
     row.reason = fmt::format("{} it, {}", down ? "below" : "above", limit->beyond.lay.reason);
+    add_serious(row, limit->passing.lay);
     row.solves = cases_.solves() - before;
     table_.rows.push_back(std::move(row));
   }
@@ -172,6 +186,7 @@ class TableMaker {
   const LayTableDescription& asked_;
   Told told_;
   LayTable table_;
+  int serious_ = 0;  ///< Rows that pass and have serious warnings.
 };
 
 }  // namespace

@@ -160,26 +160,6 @@ void warn_of_build_up(const StaticResults& statics, DynamicResults& results) {
                   results.build_up, longest->mode, longest->period));
 }
 
-/// Where the slow place alone asks more of dynamic positioning than it has; what its damper asks comes on top. Nothing
-/// of a wanted place that moves ahead.
-void warn_of_thrust(const Description& description, DynamicResults& results) {
-  if (!description.station_keeping || description.operation.type == OperationType::pull_ahead) return;
-  const StationKeepingDescription& law = *description.station_keeping;
-  const VesselDynamics& vessel = *results.vessel;
-  const std::array<std::pair<const char*, const MotionSpread*>, 3> motions = {
-      {{"surge", &vessel.surge}, {"sway", &vessel.sway}, {"yaw", &vessel.yaw}}};
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    const auto& [name, motion] = motions[i];
-    const auto freedom = static_cast<Eigen::Index>(i);
-    const double asked = law.stiffness[freedom] * std::max(std::abs(motion->slow.min), std::abs(motion->slow.max));
-    if (asked <= law.limit[freedom]) continue;
-    results.warnings.push_back(
-        fmt::format("the slow {0} asks dynamic positioning for {1:.4g} {2}, which gives {3:.4g} {2} at most "
-                    "(station_keeping.dp.{0}.thrust_limit): at its limit it holds no more",
-                    name, 1e-3 * asked, i == 2 ? "kN m" : "kN", 1e-3 * law.limit[freedom]));
-  }
-}
-
 /// Keeps the least distance of the line through `points` to the objects.
 void keep_clearance(const std::vector<SeabedObjectDescription>& objects, const std::vector<Vec3>& points,
                     MooringLineDynamics& line) {
@@ -254,7 +234,6 @@ void finish_motions(const StaticResults& statics, const Description& description
   if (description.moorings) find_clearances(description.moorings->objects, store, results.moorings);
   tell_confidence(results);
   warn_of_build_up(statics, results);
-  warn_of_thrust(description, results);
 }
 
 }  // namespace overbend

@@ -10,6 +10,7 @@
 #include "base/constants.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "report/warning_weight.h"
 #include "resultfiles/named_results.h"
 #include "runstore/claim_file.h"
 #include "study/trial_record.h"
@@ -235,6 +236,7 @@ TrialResult judged_trial(const CaseAnswer& answer, const OperabilityDescription&
     if (values.empty()) return {TrialEnd::open, std::nullopt, "", "the result " + condition.result + " does not apply"};
     for (const double value : values) take_worse(result, used(value, condition), condition_words(condition));
   }
+  if (result.end == TrialEnd::passed) result.serious = serious_warnings(answer.warnings);
   return result;
 }
 
@@ -259,6 +261,12 @@ OperabilityResults run_operability(const CaseBase& base, const OperabilityConduc
   for (std::size_t i = 0; i < found.size(); ++i) {
     results.cells.push_back(cell_of(found[i], plan, i));
     results.runs += found[i].runs;
+  }
+  if (const auto serious = std::ranges::count_if(found, &SearchedCell::serious); serious > 0) {
+    results.remarks.push_back(
+        fmt::format("at the limits of {} of {} cells there are serious warnings, which no criterion judges: see the "
+                    "remarks of the cells",
+                    serious, found.size()));
   }
   results.wall_time = runner.wall_time();
   add_workability(wanted, results);

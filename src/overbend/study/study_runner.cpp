@@ -1,15 +1,20 @@
 #include "study/study_runner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <thread>
 
 #include "report/study_page.h"
+#include "report/warning_weight.h"
 #include "resultfiles/study_writer.h"
+#include "results/shared_warnings.h"
 #include "runstore/claim_file.h"
 #include "study/study_extremes.h"
 
@@ -284,8 +289,33 @@ StudyCase run_study_case(const CaseBase& base, const StudyCases& cases, const fs
   return one;
 }
 
+namespace {
+
+/// Checks judge the pipe, not whether its rollers hold it: what the cases themselves warn of gravely stands in no
+/// column of the table, so the study says it.
+void add_serious_warnings(StudyResults& results) {
+  constexpr std::size_t kMost = 10;
+  std::vector<std::vector<std::string>> of_cases;
+  for (const StudyCase& one : results.cases) {
+    if (one.state == StudyCaseState::done) of_cases.push_back(serious_warnings(one.warnings));
+  }
+  std::vector<SharedWarning> shared = shared_warnings(of_cases);
+  std::ranges::stable_sort(shared, std::greater<>(), &SharedWarning::runs);
+  for (std::size_t i = 0; i < std::min(shared.size(), kMost); ++i) {
+    results.warnings.push_back(
+        fmt::format("{} of {} solved cases: {}", shared[i].runs, of_cases.size(), shared[i].text));
+  }
+  if (shared.size() > kMost) {
+    results.warnings.push_back(
+        fmt::format("{} more serious warnings of cases stand in their records, case.json", shared.size() - kMost));
+  }
+}
+
+}  // namespace
+
 StudyResults study_so_far(const fs::path& folder) {
   StudyResults results = read_study(folder);
+  add_serious_warnings(results);
   fill_extremes(results, recorded_duration(folder), [&](const StudyCase& one) { return recorded_peaks(folder, one); });
   return results;
 }

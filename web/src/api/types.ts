@@ -133,6 +133,9 @@ export interface MooringInTime {
   events: { time: number; what: string }[];
 }
 
+/** What dynamic positioning gave; yaw is a moment. */
+export interface ThrustInTime { name: string; given: Spread; thrust_limit: number | null; time_at_limit: number }
+
 export interface FatigueSpot {
   name: string; curve: string; stress_factor: number; path_damage: number; worst_rate: number; worst_s: number; standby: number;
 }
@@ -141,7 +144,7 @@ export interface FatigueSpot {
 export interface RunSummary {
   warnings?: string[];
   checks?: { list: Check[] };
-  dynamic?: DynamicSummary & { vessel?: VesselInTime; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
+  dynamic?: DynamicSummary & { vessel?: VesselInTime; thrust?: ThrustInTime[]; moorings?: MooringInTime[]; fatigue?: { spots: FatigueSpot[] } };
 }
 
 export interface NewOffer {

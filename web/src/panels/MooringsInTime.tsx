@@ -12,7 +12,10 @@ const showHistory = (name: string): void => { slots.value = slots.value.map((s, 
 
 interface Shown { name: string; history: string; unit: string; parts: MotionSpread | undefined }
 
-function Row({ name, history, unit, parts }: Shown) {
+/** Directions of dynamic positioning, and their units. */
+const thrusts: [string, string, string][] = [['surge', 'DP surge', 'N'], ['sway', 'DP sway', 'N'], ['yaw', 'DP yaw', 'N m']];
+
+function Row({ name, history, unit, parts, apart }: Shown & { apart: boolean }) {
   const of = parts ?? extremes.value[history];
   if (!of) return null;
   const [shown, factor] = display(unit), value = (v: number, digits = 3): string => tidy(Number((v * factor).toFixed(3)), digits);
@@ -20,7 +23,7 @@ function Row({ name, history, unit, parts }: Shown) {
   return (
     <tr>
       <th scope="row"><button type="button" class="linkname" title={title} onClick={() => showHistory(history)}>{name}</button> <small>{shown}</small></th>
-      <td>{value(of.min)}</td><td>{value(of.max)}</td>{parts ? <><td>{value(parts.slow.std, 2)}</td><td>{value(parts.wave.std, 2)}</td></> : null}
+      <td>{value(of.min)}</td><td>{value(of.max)}</td>{parts ? <><td>{value(parts.slow.std, 2)}</td><td>{value(parts.wave.std, 2)}</td></> : apart ? <><td /><td /></> : null}
     </tr>
   );
 }
@@ -31,17 +34,20 @@ export function MooringsInTime() {
   const run = runSummary.value?.dynamic;
   const rows: Shown[] = [
     ...motions.map(([name, unit]) => ({ name, history: `vessel/${name}`, unit, parts: run?.vessel?.[name] })),
+    ...thrusts.map(([freedom, name, unit]) => ({ name, history: `thrust/${freedom}`, unit, parts: undefined })),
     ...(calmState.value?.moorings ?? []).map((l) => ({ name: l.name, history: `mooring/${l.name}/fairlead_tension`, unit: 'N', parts: run?.moorings?.find((m) => m.name === l.name)?.fairlead_tension })),
   ].filter((r) => r.parts ?? extremes.value[r.history]);
   if (rows.length === 0) return null;
   const apart = rows.some((r) => r.parts);
+  const atLimit = (run?.thrust ?? []).filter((t) => t.time_at_limit > 0);
   const events = (run?.moorings ?? []).flatMap((m) => m.events.map((e) => ({ ...e, name: m.name }))).sort((a, b) => a.time - b.time);
   return (
     <>
       <table class="minmax overtime" aria-label="Moorings over time">
         <thead><tr><th scope="col">over time</th><th scope="col">min</th><th scope="col">max</th>{apart ? <><th scope="col" title="Standard deviation of the slow part">slow</th><th scope="col" title="Standard deviation of the part that waves move">wave</th></> : null}</tr></thead>
-        <tbody>{rows.map((r) => <Row key={r.history} {...r} />)}</tbody>
+        <tbody>{rows.map((r) => <Row key={r.history} {...r} apart={apart} />)}</tbody>
       </table>
+      {atLimit.length ? <p class="brief">Dynamic positioning at its limit: {atLimit.map((t) => `${t.name} for ${tidy(t.time_at_limit, 3)} s`).join(', ')}.</p> : null}
       {run?.vessel?.confidence ? <p class="brief">{run.vessel.confidence}</p> : null}
       {events.length ? <details><summary>{events.length === 1 ? '1 event' : `${events.length} events`}</summary><ul class="events">{events.map((e, i) => <li key={i}>{tidy(e.time, 5)} s: {e.name} {e.what}</li>)}</ul></details> : null}
     </>

@@ -14,7 +14,7 @@ export const offsetsInTime = signal<OffsetsInTime | null>(null);
 export const extremes = signal<Record<string, Extremes>>({});
 
 const most = 20000; // points: more are thinned out by the program
-const told = /^(mooring\/.*|vessel\/(surge|sway|heave|roll|pitch|yaw))$/;
+const told = /^(mooring\/.*|thrust\/.*|vessel\/(surge|sway|heave|roll|pitch|yaw))$/;
 
 /** Shifts forward and to port as shifts east and north. */
 export function eastNorth(drawn: readonly number[], surge: readonly number[], sway: readonly number[]): [number, number][] {

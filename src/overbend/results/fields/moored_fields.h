@@ -49,6 +49,17 @@ void visit_vessel_dynamics(Row& r, Visit& visit) {
   visit(ResultField{"confidence", "1", "How many slow cycles the run holds"}.summary(), r.confidence);
 }
 
+template <class Row, class Visit>
+void visit_thrust_dynamics(Row& r, Visit& visit) {
+  visit(ResultField{"name", "1", "surge, sway or yaw: ahead, to port, bow to port of the slow heading"}.summary(),
+        r.name);
+  visit_spread(ResultField{"given", "N", "Thrust; of yaw a moment, N m"}.summary(), r.given, visit);
+  visit(ResultField{"largest_asked", "N", "Largest magnitude that is asked for; of yaw a moment, N m"}.summary(),
+        r.largest_asked);
+  visit(ResultField{"thrust_limit", "N", "What there is; of yaw a moment, N m"}.summary(), r.limit);
+  visit(ResultField{"time_at_limit", "s", "Time in which more is asked for than there is"}.summary(), r.time_at_limit);
+}
+
 /// All but points and events.
 template <class Row, class Visit>
 void visit_mooring_dynamics(Row& r, Visit& visit) {

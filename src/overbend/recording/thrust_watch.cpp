@@ -1,0 +1,67 @@
+#include "recording/thrust_watch.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace overbend {
+namespace {
+
+constexpr std::size_t kOfThrust = 3, kYaw = 2;
+constexpr std::array<const char*, kOfThrust> kNames = {"surge", "sway", "yaw"};
+constexpr double kNoLimit = 1e299;  // StationKeepingDescription has 1e300 where the model gives none
+
+}  // namespace
+
+void ThrustWatch::start(const SystemState& state) {
+  if (keeping_ != nullptr) now_ = station_thrust(*keeping_, state.bodies.front().slow, state.time);
+}
+
+void ThrustWatch::add(const SystemState& state, double step) {
+  if (keeping_ == nullptr) return;
+  start(state);
+  if (state.time <= 0.0) return;
+  const Vec3& limit = keeping_->law.limit;
+  std::array<double, 3 * kOfThrust> sample;
+  for (std::size_t i = 0; i < kOfThrust; ++i) {
+    const auto d = static_cast<Eigen::Index>(i);
+    const double asked = std::abs(now_.asked[d]);
+    sample[i] = now_.given[d];
+    sample[kOfThrust + i] = asked;
+    sample[2 * kOfThrust + i] = asked > limit[d] ? 1.0 : 0.0;
+  }
+  statistics_.add(sample, step);
+}
+
+std::vector<ThrustDynamics> ThrustWatch::results() const {
+  std::vector<ThrustDynamics> out;
+  if (keeping_ == nullptr) return out;
+  const std::vector<double> deviation = statistics_.standard_deviation();
+  for (std::size_t i = 0; i < kOfThrust; ++i) {
+    ThrustDynamics& one = out.emplace_back();
+    one.name = kNames[i];
+    one.given = {statistics_.min()[i], statistics_.max()[i], statistics_.mean()[i], deviation[i]};
+    one.largest_asked = statistics_.max()[kOfThrust + i];
+    const double limit = keeping_->law.limit[static_cast<Eigen::Index>(i)];
+    if (limit < kNoLimit) one.limit = limit;
+    one.time_at_limit = statistics_.mean()[2 * kOfThrust + i] * statistics_.weight();
+  }
+  return out;
+}
+
+std::vector<std::string> ThrustWatch::warnings() const {
+  std::vector<std::string> list;
+  for (const ThrustDynamics& one : results()) {
+    if (!one.limit || one.time_at_limit <= 0.0) continue;
+    const char* const unit = one.name == kNames[kYaw] ? "kN m" : "kN";
+    list.push_back(
+        fmt::format("dynamic positioning is at its limit in {0} for {1:.3g} s, {2:.2g} % of the run: up to {3:.4g} {4} "
+                    "is asked for, and it gives {5:.4g} {4} at most (station_keeping.dp.{0}.thrust_limit): there it "
+                    "neither holds nor damps",
+                    one.name, one.time_at_limit, 100.0 * one.time_at_limit / statistics_.weight(),
+                    1e-3 * one.largest_asked, unit, 1e-3 * *one.limit));
+  }
+  return list;
+}
+
+}  // namespace overbend
