@@ -58,6 +58,22 @@ TEST(energy_account, what_material_brings_with_it_is_no_error) {
   EXPECT_NEAR(account.balance().strain, 0.0, 1e-12);
 }
 
+TEST(energy_account, what_holds_the_ends_does_no_work_by_a_kink_that_comes_in) {
+  const auto kinked = [](double t) {
+    InstantEnergy now = pulled(t);
+    now.line.strain += 5.0;
+    return now;
+  };
+  EnergyAccount account = account_until(2.0, 3);
+  InstantEnergy at_once = kinked(2.0);
+  at_once.top_power = -4e6;
+  at_once.anchor_power = 3e5;
+  account.carry(pulled(2.0), at_once);
+  account.add(kinked(3.0), 1.0);
+  EXPECT_NEAR(account.balance().error, 0.0, 1e-12);
+  EXPECT_NEAR(account.balance().top, 13.5, 1e-12);
+}
+
 /// The same, and a free body of 4 kg that waves push with 8 N from rest.
 InstantEnergy beside_a_body(double t) {
   InstantEnergy now = pulled(t);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/constants.h"
+#include "model/wave_theory.h"
 #include "support/fixtures.h"
 #include "support/rao_files.h"
 
@@ -179,6 +180,32 @@ TEST(vessel_motion, phases_count_from_the_wave_at_the_wave_origin) {
   EXPECT_GT(later, 0.5);
   EXPECT_NEAR(std::abs(moved.terms[0].amplitude[2] - plain.terms[0].amplitude[2] * std::polar(1.0, -later)), 0.0,
               1e-13);
+}
+
+TEST(vessel_motion, between_points_of_the_table_it_does_not_matter_from_where_phases_count) {
+  // The barge's responses with phases that count from a crest at the stern: the same motion, between headings and
+  // frequencies as at them.
+  Description d = with_raos();
+  RaoTable& raos = *d.vessel.raos;
+  raos.wave_origin_V = Vec3(-60.0, 9.0, 0.0);
+  for (std::size_t i = 0; i < raos.headings.size(); ++i) {
+    const Vec3 travel(std::cos(raos.headings[i]), std::sin(raos.headings[i]), 0.0);
+    for (std::size_t j = 0; j < raos.omegas.size(); ++j) {
+      const double later = linear_wave_number(raos.omegas[j], 89.0) * travel.dot(raos.wave_origin_V);
+      for (std::size_t k = 0; k < 6; ++k) {
+        raos.values[(i * raos.omegas.size() + j) * 6 + k] *= std::polar(1.0, later);
+      }
+    }
+  }
+  for (const double towards : {7.5, 127.0, 232.5}) {
+    const Sea sea = make_sea({{1.0, 0.79, 0.0, std::cos(towards * kDegree), std::sin(towards * kDegree), 0.3}}, 89.0);
+    const VesselMotionModel moved = make_vessel_motion(build_model(d), sea);
+    const VesselMotionModel plain = make_vessel_motion(build_model(with_raos()), sea);
+    for (std::size_t k = 0; k < 6; ++k) {
+      EXPECT_NEAR(std::abs(moved.terms[0].amplitude[k] - plain.terms[0].amplitude[k]), 0.0, 1e-12)
+          << towards << " deg " << kFreedomNames[k];
+    }
+  }
 }
 
 WavesDescription paper_sea(int components) {

@@ -44,6 +44,10 @@ const std::vector<Spoiling>& bad_corpus() {
        "MPa}, "
        "{strain: 0.1 %, stress: 420 MPa}]}\n",
        "stress_strain: [", "pipe.steel.material.stress_strain[1]", "does not increase", false},
+      {"moment_curve_of_another_wall", "    yield_stress: 414 MPa\n",
+       "    yield_stress: 414 MPa\n    material: {law: moment_curvature, moment_curvature: [{curvature: 0.009 m-1, "
+       "moment: 500 kN*m}, {curvature: 0.02 m-1, moment: 640 kN*m}]}\n",
+       "    - {name: thick end", "pipe.segments[0].steel", "for another pipe", false},
       {"bare_tension", "tension: 250 kN", "tension: 250", "", "tensioner.tension", "write it as '250 kN'", true},
       {"misspelt_tension", "tension: 250 kN", "tenson: 250 kN", "", "tensioner.tenson", "'tension'", true},
       {"bad_value_for_roller_name", "    roller: flat", "    roller: [flat]", "", "supports.stinger.roller", "a list",

@@ -116,5 +116,29 @@ TEST(check_settings, limits_of_stronger_steel_than_the_pipes_are_warned_of) {
   EXPECT_TRUE(warned("X70"));
 }
 
+/// Told where a segment has a yield stress of its own.
+TEST(check_settings, strength_that_a_segment_takes_over_from_another_steel_is_warned_of) {
+  const auto warned = [](const std::string& steel, const std::string& segment, const std::string& words) {
+    std::string text = testing::kGoodModel;
+    const std::string yield = "    yield_stress: 414 MPa\n", wall = "steel: {wall_thickness: 20 mm}";
+    text.replace(text.find(yield), yield.size(), yield + steel);
+    text.replace(text.find(wall), wall.size(), "steel: {" + segment + "}");
+    const std::vector<std::string> lines = read_model_text(text, "good.yaml").diagnostics.lines(Severity::warning);
+    return std::ranges::any_of(lines, [&](const std::string& line) {
+      return line.find("pipe.segments[0].steel.yield_stress") != std::string::npos &&
+             line.find(words) != std::string::npos;
+    });
+  };
+  const std::string strength = "    tensile_strength: 517 MPa\n", told = "the tensile strength stays";
+  EXPECT_TRUE(warned(strength, "yield_stress: 358 MPa", told));
+  EXPECT_FALSE(warned(strength, "yield_stress: 358 MPa, tensile_strength: 455 MPa", told));
+  EXPECT_FALSE(warned(strength, "wall_thickness: 20 mm", told));
+  EXPECT_FALSE(warned("", "yield_stress: 358 MPa", told));  // that of its grade
+  EXPECT_TRUE(
+      warned("    material: {law: stress_strain, stress_strain: [{strain: 0.2 %, stress: 400 MPa}, "
+             "{strain: 0.5 %, stress: 414 MPa}]}\n",
+             "yield_stress: 358 MPa", "the stress-strain curve stays"));
+}
+
 }  // namespace
 }  // namespace overbend

@@ -22,6 +22,11 @@ TEST(moved_text, a_whole_path_and_the_rest_of_the_text_stay) {
   EXPECT_NE(text.find("# kept"), std::string::npos) << text;
 }
 
+TEST(moved_text, relative_paths_of_which_nothing_is_there_are_named_all_the_same) {
+  EXPECT_EQ(moved_text(kModel, "no-such-folder/model.yaml", "no-such-results"),
+            moved_text(kModel, "/srv/no-such-folder/model.yaml", "/srv/no-such-results"));
+}
+
 TEST(moved_text, in_its_own_folder_it_is_the_text) {
   EXPECT_EQ(moved_text(kModel, "/srv/lay/model.yaml", "/srv/lay"), kModel);
 }

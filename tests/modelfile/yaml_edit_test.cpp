@@ -50,6 +50,17 @@ TEST(yaml_edit, a_value_is_replaced_where_it_stands) {
   EXPECT_EQ(set(kText, "empty", "no more"), with("empty:", "empty: no more"));
 }
 
+TEST(yaml_edit, a_quoted_value_gives_way_to_one_with_quotation_marks_or_backslashes) {
+  for (const std::string value : {"12\" pipe", "it's \"x\"", "a\\b", "\"x\": y"}) {
+    for (const std::string before : {"t: \"yes\"   # kept\n", "t: 'yes'   # kept\n"}) {
+      const std::string now = set(before, "t", value);
+      EXPECT_NE(now.find("   # kept"), std::string::npos) << now;
+    }
+  }
+  EXPECT_EQ(set("t: \"yes\"\n", "t", "12\" pipe"), "t: 12\" pipe\n");
+  EXPECT_EQ(set("t: \"yes\"\n", "t", "no"), "t: \"no\"\n");
+}
+
 TEST(yaml_edit, a_value_that_would_mislead_is_put_in_quotes) {
   EXPECT_EQ(set(kText, "last", "a: b"), with("end of it", "\"a: b\""));
   EXPECT_EQ(set(kText, "last", "x # y"), with("end of it", "\"x # y\""));

@@ -171,6 +171,51 @@ TEST(rao_reader, the_starboard_side_alone_is_mirrored) {
   EXPECT_NE(table.assumptions[0].find("mirror image"), std::string::npos);
 }
 
+/// The barge's motions at another point, with phases that count from the crest there.
+RaoTable barge_at(const Vec3& point) {
+  RaoTable table = bgl1_raos();
+  const Vec3 arm = point - table.reference_V;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) {
+    const Vec3 travel(std::cos(table.headings[i]), std::sin(table.headings[i]), 0.0);
+    for (std::size_t j = 0; j < table.omegas.size(); ++j) {
+      std::complex<double>* z = table.values.data() + (i * table.omegas.size() + j) * 6;
+      z[0] += z[4] * arm.z() - z[5] * arm.y();
+      z[1] += z[5] * arm.x() - z[3] * arm.z();
+      z[2] += z[3] * arm.y() - z[4] * arm.x();
+      const double later = linear_wave_number(table.omegas[j], 89.0) * travel.dot(point);
+      for (std::size_t k = 0; k < 6; ++k) z[k] *= std::polar(1.0, later);
+    }
+  }
+  table.reference_V = table.wave_origin_V = point;
+  return table;
+}
+
+TEST(rao_reader, one_side_of_a_point_off_the_centreline_is_mirrored_on_the_centreline) {
+  const RaoTable off = barge_at(Vec3(-30.0, 7.0, 4.0)), expected = barge_at(Vec3(-30.0, 0.0, 4.0));
+  for (const bool port : {true, false}) {
+    std::string text = "# reference: -30 7 4\nheading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
+    for (std::size_t i = 0; i < off.headings.size(); ++i) {
+      const bool inside = off.headings[i] > 1e-9 && off.headings[i] < kPi - 1e-9;
+      const bool outside = off.headings[i] > kPi + 1e-9;
+      if (port ? outside : inside) continue;
+      for (std::size_t j = 0; j < off.omegas.size(); ++j) {
+        for (std::size_t k = 0; k < 6; ++k) {
+          const std::complex<double> z = off.value(i, j, k);
+          text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", off.headings[i] / kDegree, off.omegas[j], k + 1,
+                              std::abs(z) / (k < 3 ? 1.0 : kDegree), -std::arg(z) / kDegree);
+        }
+      }
+    }
+    const WrittenFile file("one_side.csv", text);
+    const RaoTable table = good_raos(file.path());
+    EXPECT_EQ(table.reference_V, expected.reference_V);
+    EXPECT_EQ(table.wave_origin_V, expected.wave_origin_V);
+    EXPECT_LT(difference(table, expected), 1e-6) << (port ? "port" : "starboard");
+    ASSERT_EQ(table.assumptions.size(), 2U);
+    EXPECT_NE(table.assumptions[1].find("off the centreline"), std::string::npos);
+  }
+}
+
 TEST(rao_reader, faults_are_told_with_file_line_what_was_found_and_what_was_expected) {
   const std::string head = "heading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
   const std::string good = "0,0.5,heave,1,0\n0,0.6,heave,1,0\n90,0.5,heave,1,0\n90,0.6,heave,1,0\n";

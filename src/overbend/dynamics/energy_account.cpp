@@ -99,6 +99,10 @@ void EnergyAccount::carry(const InstantEnergy& before, const InstantEnergy& afte
   first_.contact += after.contact - before.contact;
   first_.bending_heat += after.bending_heat - before.bending_heat;
   last_ = after;
+  // What holds the ends goes on with what it does: at the instant itself a kink between the pipe and what comes in has
+  // forces there that no step has brought into balance yet.
+  last_.top_power = before.top_power;
+  last_.anchor_power = before.anchor_power;
 }
 
 std::vector<double> EnergyAccount::save() const {

@@ -173,7 +173,10 @@ double governor_slope(const TensionerLaw& law, double speed) {
     return 0.0;
   }
   const double band = speed > 0.0 ? law.high - law.wanted : law.wanted - law.low;
-  return std::max(band, law.resolution) / law.velocity;
+  // Where the range ends at the wanted tension, or next to it, tensions could not tell full speed from rest: the
+  // machine would stop at once from any speed, an impact for the pipe.
+  constexpr double kLeastBand = 100.0;  // times the resolution
+  return std::max(band, kLeastBand * law.resolution) / law.velocity;
 }
 
 double governed_tension(const TensionerLaw& law, double speed) {

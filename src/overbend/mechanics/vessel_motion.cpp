@@ -32,7 +32,8 @@ MotionTerm respond(const RaoTable& raos, const WaveComponent& wave, double headi
   return term;
 }
 
-void follow_raos(VesselMotionModel& motion, const RaoTable& raos, const Sea& sea) {
+void follow_raos(VesselMotionModel& motion, const RaoTable& given, const Sea& sea) {
+  const RaoTable raos = sea.calm() ? given : counted_from_midship(given, sea.depth);
   motion.reference_V = raos.reference_V;
   const Vec3 forward = motion.mean.R_WV.col(0);
   const double heading_W = std::atan2(forward.y(), forward.x());

@@ -5,6 +5,7 @@
 
 #include "base/constants.h"
 #include "base/require.h"
+#include "model/wave_theory.h"
 
 namespace overbend {
 namespace {
@@ -75,6 +76,27 @@ FrequencyPlace place_frequency(const std::vector<double>& omegas, double omega) 
   return {between(above - 1, above, omegas[above - 1], omegas[above], omega), 1.0, 1.0};
 }
 
+/// Phases from now on count from the crest at `to`, until now from that at `from`.
+void count_from(RaoTable& raos, const Vec3& from, const Vec3& to, double depth) {
+  for (std::size_t i = 0; i < raos.headings.size(); ++i) {
+    const Vec3 travel(std::cos(raos.headings[i]), std::sin(raos.headings[i]), 0.0);
+    for (std::size_t j = 0; j < raos.omegas.size(); ++j) {
+      const double later = linear_wave_number(raos.omegas[j], depth) * travel.dot(to - from);
+      std::complex<double>* z = raos.values.data() + (i * raos.omegas.size() + j) * 6;
+      for (std::size_t k = 0; k < 6; ++k) z[k] *= std::polar(1.0, later);
+    }
+  }
+}
+
+/// The motions from now on are those of a point that lies `across` to port of the one until now.
+void move_across(RaoTable& raos, double across) {
+  for (std::size_t at = 0; at < raos.values.size(); at += 6) {
+    std::complex<double>* z = raos.values.data() + at;
+    z[0] -= across * z[5];
+    z[2] += across * z[3];
+  }
+}
+
 }  // namespace
 
 bool RaoTable::one_sided() const {
@@ -100,6 +122,28 @@ RaoTable::Response RaoTable::at(double heading, double omega) const {
     response[k] = factor * (low * along(h.low) + high * along(h.high));
   }
   return response;
+}
+
+RaoTable counted_from_midship(RaoTable raos, double depth) {
+  const Vec3 from(raos.wave_origin_V.x(), raos.wave_origin_V.y(), 0.0);
+  if (from.isZero(0.0)) return raos;
+  count_from(raos, from, Vec3::Zero(), depth);
+  raos.wave_origin_V = Vec3(0.0, 0.0, raos.wave_origin_V.z());
+  return raos;
+}
+
+RaoTable moved_to_centreline(RaoTable raos, double depth) {
+  // What was entered as a mirror image belongs to the images of the points as well.
+  const double side = raos.starboard ? -1.0 : 1.0;
+  if (raos.wave_origin_V.y() != 0.0) {
+    count_from(raos, Vec3(0.0, side * raos.wave_origin_V.y(), 0.0), Vec3::Zero(), depth);
+    raos.wave_origin_V.y() = 0.0;
+  }
+  if (raos.reference_V.y() != 0.0) {
+    move_across(raos, -side * raos.reference_V.y());
+    raos.reference_V.y() = 0.0;
+  }
+  return raos;
 }
 
 }  // namespace overbend

@@ -28,6 +28,7 @@ struct RaoTable {
   Vec3 reference_V = Vec3::Zero();           ///< Point of the vessel whose motion this is [m].
   Vec3 wave_origin_V = Vec3::Zero();         ///< Point whose wave crest the phases count from [m].
   std::string source;                        ///< File they were read from.
+  bool starboard = false;                    ///< One side only, entered as the mirror image of what the file gives.
   std::vector<std::string> assumptions;      ///< Assumptions where the file states nothing: sentences for the report.
 
   const std::complex<double>& value(std::size_t heading, std::size_t omega, std::size_t freedom) const {
@@ -47,5 +48,13 @@ struct RaoTable {
 
   static constexpr double kFadeOut = 1.25;
 };
+
+/// The same responses with phases that count from the crest at midship. Counted from a point far from there, the phase
+/// turns by k times the distance from one heading or frequency to the next, and a straight line between them passes too
+/// close to zero.
+RaoTable counted_from_midship(RaoTable raos, double depth);
+
+/// The same responses of points on the centreline: of one side alone only these are like those of the other.
+RaoTable moved_to_centreline(RaoTable raos, double depth);
 
 }  // namespace overbend

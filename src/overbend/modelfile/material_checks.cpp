@@ -113,6 +113,41 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
   check_curve(check, moment_curvature, "curvature", "moment", {EI, "the bending stiffness", "N*m", "kN*m"});
 }
 
+/// Whether a stretch has another value of its own.
+bool differs(const FieldValue& section, const FieldValue& pipe, const char* key, double otherwise) {
+  const auto own = section.get_number(std::string("steel.") + key);
+  return own && *own != pipe.get_number(std::string("steel.") + key).value_or(otherwise);
+}
+
+/// What a stretch takes over from the line's steel although it belongs to that steel, or to that pipe, alone.
+void check_inherited(Checker& check, const FieldValue& section, const FieldValue& pipe) {
+  const FieldValue* steel = section.find("steel");
+  if (steel == nullptr) return;
+  const FieldValue *own = section.find("steel.material"), *line = pipe.find("steel.material");
+  const auto gives_own = [&](const char* key) { return own != nullptr && gives(*own, key); };
+  const auto own_law = own != nullptr ? own->get_word<MaterialLaw>("law") : std::nullopt;
+  const auto law = own_law ? own_law : line != nullptr ? line->get_word<MaterialLaw>("law") : std::nullopt;
+  const bool yields_else = differs(section, pipe, "yield_stress", 0.0);
+  const bool another = yields_else || differs(section, pipe, "outside_diameter", 0.0) ||
+                       differs(section, pipe, "wall_thickness", 0.0) ||
+                       differs(section, pipe, "youngs_modulus", SteelDescription{}.youngs_modulus);
+  if (law == MaterialLaw::moment_curvature && another && !gives_own("moment_curvature")) {
+    check.error(*steel, "the moment-curvature curve of the main section for another pipe",
+                "steel.material.moment_curvature of this pipe, or another law");
+  }
+  if (!yields_else) return;
+  if (law == MaterialLaw::stress_strain && !gives_own("stress_strain")) {
+    check.warn(*steel->find("yield_stress"),
+               "the stress-strain curve stays that of the main section: a yield stress alone does not change how the "
+               "steel bends");
+  }
+  const FieldValue* strength = pipe.find("steel.tensile_strength");
+  if (strength != nullptr && strength->given && !gives(*steel, "tensile_strength")) {
+    check.warn(*steel->find("yield_stress"), "the tensile strength stays that of the main section, " + strength->shown +
+                                                 ": the code checks count on it; give that of this steel");
+  }
+}
+
 }  // namespace
 
 void check_materials(const FieldValue& root, const std::string& file, Diagnostics& diagnostics) {
@@ -120,8 +155,14 @@ void check_materials(const FieldValue& root, const std::string& file, Diagnostic
   const FieldValue* pipe = root.find("pipe");
   if (pipe == nullptr) return;
   check_material(check, *pipe, *pipe);
-  for (const FieldValue& segment : Checker::items(*pipe, "segments")) check_material(check, segment, *pipe);
-  if (const FieldValue* head = root.find("operation.head.section")) check_material(check, *head, *pipe);
+  for (const FieldValue& segment : Checker::items(*pipe, "segments")) {
+    check_material(check, segment, *pipe);
+    check_inherited(check, segment, *pipe);
+  }
+  if (const FieldValue* head = root.find("operation.head.section")) {
+    check_material(check, *head, *pipe);
+    check_inherited(check, *head, *pipe);
+  }
 }
 
 }  // namespace overbend

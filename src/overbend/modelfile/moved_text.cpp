@@ -21,8 +21,10 @@ std::string moved_text(const std::string& text, const std::string& file, const s
     if (spots.empty() || !rest.empty() || spots.back().node->kind != YamlNode::Kind::scalar) continue;
     const std::filesystem::path named = spots.back().node->text;
     if (named.is_absolute()) continue;
-    const std::filesystem::path found = std::filesystem::weakly_canonical(resolved_file(named.string(), file));
-    const std::filesystem::path from = std::filesystem::weakly_canonical(folder);
+    // Absolute first: of a relative path of which nothing exists weakly_canonical() leaves it relative.
+    const std::filesystem::path found =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(resolved_file(named.string(), file)));
+    const std::filesystem::path from = std::filesystem::weakly_canonical(std::filesystem::absolute(folder));
     changes.push_back({row.path, YamlChange::Kind::scalar, found.lexically_relative(from).generic_string()});
   }
   return edit_yaml(text, changes);

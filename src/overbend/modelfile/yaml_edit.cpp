@@ -71,7 +71,9 @@ class Editor {
     const bool nothing = node.kind == Kind::null && node.text.empty();
     if (!block && !nothing) {
       const std::size_t begin = extent_.begin(node);
-      const bool stays_quoted = node.quoted && value[0] != '"' && value[0] != '{' && value[0] != '[';
+      // A plain text with a quotation mark (12" pipe) or a backslash is another one between quotation marks.
+      const bool stays_quoted =
+          node.quoted && value[0] != '{' && value[0] != '[' && value.find_first_of("\"\\") == std::string::npos;
       return with(begin, extent_.end(node), stays_quoted ? '"' + value + '"' : value);
     }
     if (at.parent->kind == Kind::list) {

@@ -54,6 +54,7 @@ class Assembly {
     if (complaints_ > 0) return std::nullopt;
     remark_on_headings();
     table_.source = file_;
+    table_.starboard = mirrored_;
     return std::move(table_);
   }
 

@@ -1,6 +1,10 @@
 #include "seafiles/rao_reader.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "base/text.h"
 #include "seafiles/rao_assembly.h"
@@ -45,6 +49,19 @@ void place_points(RaoTable& table, const std::string& set, const RaoSettings& st
   }
 }
 
+/// The mirror image of one side is that of the other only for points on the centreline.
+RaoTable sides_alike(RaoTable table, double depth) {
+  const double reference = table.reference_V.y(), origin = table.wave_origin_V.y();
+  if (!table.one_sided() || (reference == 0.0 && origin == 0.0)) return table;
+  if (reference != 0.0) {
+    table.assumptions.push_back(fmt::format(
+        "The RAOs of {} cover one side of the vessel and are of a point {:.3g} m off the centreline; for the mirror "
+        "image they are moved to the centreline, and the vessel's motions in the results are of the point there.",
+        table.source, std::abs(reference)));
+  }
+  return moved_to_centreline(std::move(table), depth);
+}
+
 }  // namespace
 
 std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& given, double depth,
@@ -68,8 +85,9 @@ std::optional<RaoTable> read_raos(const std::string& file, const RaoSettings& gi
   const std::string set = given.set.empty() ? type_set : given.set;
   const RaoTranslation translation(settle(set, content.stated, given), given.length_scale, depth);
   std::optional<RaoTable> table = assemble_raos(content.records, translation, file, diagnostics);
-  if (table) place_points(*table, set, content.stated, given);
-  return table;
+  if (!table) return std::nullopt;
+  place_points(*table, set, content.stated, given);
+  return sides_alike(std::move(*table), depth);
 }
 
 }  // namespace overbend
