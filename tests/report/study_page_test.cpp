@@ -71,6 +71,8 @@ TEST(study_page, operability_tells_limits_governing_checks_and_workability) {
   EXPECT_TRUE(has(page, "clearance at the stinger tip"));
   EXPECT_TRUE(has(page, "over 4"));
   EXPECT_TRUE(has(page, "two seeds had no result"));
+  EXPECT_TRUE(has(page, " *</td>"));
+  EXPECT_TRUE(has(page, "</b>: at the limit the pipe left &#39;stinger 8&#39; over its side to port"));
   EXPECT_TRUE(has(page, "data-figure=\"operability_rose\""));
   EXPECT_TRUE(has(page, "September"));
 }

@@ -75,6 +75,43 @@ TEST(static_ways, a_pipe_that_its_rollers_hold_in_a_current_is_found_on_them) {
   }
 }
 
+/// Newton's first way ends beside the last boxes here; in still water the pipe lies on all of them, and with the
+/// current raised in short steps it stays there.
+TEST(static_ways, a_pipe_stays_on_its_rollers_in_a_current_where_it_could_also_lie_beside_them) {
+  Description d = read("/examples/bgl1.yaml");
+  const std::vector<CurrentPoint> current = d.environment.current;
+  struct Case {
+    double depth, tension;  ///< [m, N]
+  };
+  for (const Case& one : {Case{89.0, 274.6e3}, Case{96.0, 308.3e3}, Case{96.0, 317.0e3}}) {
+    d.environment.water_depth = one.depth;
+    d.tensioner.tension = one.tension;
+    d.environment.current.clear();
+    StaticSolution by_hand = solve_statics(build_model(d)).solution.value();
+    constexpr int kSteps = 25;
+    for (int i = 1; i <= kSteps; ++i) {
+      d.environment.current = current;
+      for (CurrentPoint& point : d.environment.current) point.speed *= static_cast<double>(i) / kSteps;
+      by_hand = solve_statics(build_model(d), &by_hand).solution.value();
+    }
+    const Model model = build_model(d);
+    const StaticResults wanted = recover_statics(model, by_hand);
+    const StaticResults found = recover_statics(model, solve_statics(model).solution.value());
+    EXPECT_NEAR(found.overbend->von_mises.value, wanted.overbend->von_mises.value, 1e4) << one.tension;
+    EXPECT_NEAR(found.lay_back, wanted.lay_back, 1e-3) << one.tension;
+    for (const std::string& warning : found.warnings) EXPECT_EQ(warning.find("has left"), std::string::npos) << warning;
+  }
+}
+
+TEST(static_ways, a_pipe_beside_most_of_its_boxes_is_not_taken_for_the_lay_where_another_stands) {
+  Description d = read("/examples/bgl1.yaml");
+  d.environment.water_depth = 84.0;
+  d.tensioner.tension = 252.51e3;  // hardened in steps it had left eleven of thirteen boxes, with 2148 MPa
+  const Model model = build_model(d);
+  const StaticResults found = recover_statics(model, solve_statics(model).solution.value());
+  EXPECT_LT(found.overbend->von_mises.value, 450e6);
+}
+
 TEST(static_ways, a_solution_does_not_depend_on_the_way_to_it) {
   Description d = read("/tests/statics/lays/slope-without-sides.yaml");
   const Model model = build_model(d);

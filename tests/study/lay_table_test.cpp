@@ -76,7 +76,7 @@ TEST(lay_table, rows_over_tension_have_the_independent_answers) {
 }
 
 TEST(lay_table, a_row_whose_pipe_has_left_its_stinger_says_so_though_its_checks_pass) {
-  // The current of the example pushes the pipe over the port side of the last boxes from 270 kN on.
+  // The current of the example pushes the pipe over the port side of the last boxes at 300 kN.
   const Description description = read_model(OVERBEND_SOURCE_DIR "/examples/bgl1.yaml").description.value();
   const LayTable table = make_lay_table(description, range(LayTableVary::tension, 250e3, 300e3, 1));
   const LayTableRow& held = step(table, 250e3);

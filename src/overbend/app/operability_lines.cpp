@@ -60,6 +60,7 @@ std::string operability_lines(const OperabilityResults& results) {
     }
     text += fmt::format("  {:<60} {:>10}  {}\n", place, limit_text(results, cell),
                         cell.decided ? cell.governing : cell.reason);
+    if (cell.decided && !cell.reason.empty()) text += "      " + cell.reason + "\n";
   }
   if (results.workability) text += fmt::format("Workable {:.1f} % of the year\n", 100.0 * results.workability->year);
   for (const std::string& remark : results.remarks) text += "  note: " + remark + "\n";

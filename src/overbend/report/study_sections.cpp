@@ -186,6 +186,29 @@ std::string study_extremes_section(const StudyResults& results) {
   return html::section("extremes", "Extremes over the seeds", table.str() + "<p class=\"small\">" + note + "</p>\n");
 }
 
+/// What has to be known of limits, cell by cell.
+std::string limit_remarks(const OperabilityResults& all) {
+  std::string items;
+  std::size_t told = 0, others = 0;
+  for (const OperabilityCell& cell : all.cells) {
+    if (!cell.decided || cell.reason.empty()) continue;
+    if (told == kMostRows) {
+      ++others;
+      continue;
+    }
+    ++told;
+    std::string place;
+    for (std::size_t k = 0; k < all.axes.size(); ++k) {
+      place += (k == 0 ? "" : ", ") + heading_of(all.axes[k].key, {}) + " " + all.axes[k].words.at(cell.at.at(k));
+    }
+    items += "<li><b>" + html::escape(place) + "</b>: " + html::escape(cell.reason) + "</li>\n";
+  }
+  if (items.empty()) return "";
+  const std::string more =
+      others > 0 ? fmt::format("<p class=\"small\">And {} more; operability.csv has all.</p>\n", others) : "";
+  return "<h3>Remarks on limits marked *</h3>\n<ul class=\"small\">\n" + items + "</ul>\n" + more;
+}
+
 std::string operability_section(const StudyResults& results) {
   if (!results.operability) return "";
   const OperabilityResults& all = *results.operability;
@@ -202,7 +225,7 @@ std::string operability_section(const StudyResults& results) {
     const OperabilityCell& cell = all.cells[i];
     std::vector<std::string> cells;
     for (std::size_t k = 0; k < all.axes.size(); ++k) cells.push_back(all.axes[k].words.at(cell.at.at(k)));
-    cells.push_back(limit_words(all, cell, unit));
+    cells.push_back(limit_words(all, cell, unit) + (cell.decided && !cell.reason.empty() ? " *" : ""));
     cells.push_back(cell.decided ? cell.governing : cell.reason);
     cells.push_back(cell.limit ? html::fixed(cell.below, 3) : "-");
     cells.push_back(cell.beyond ? "-" : html::fixed(cell.above, 3));
@@ -214,7 +237,7 @@ std::string operability_section(const StudyResults& results) {
       std::max<std::size_t>(1, all.seeds.size()), four_digits(all.resolution * unit.factor), unit.name, all.runs);
   if (all.alpha) note += fmt::format(" Limits are to be multiplied by the alpha factor {}.", four_digits(*all.alpha));
   return html::section("operability", "Operability",
-                       table.str() + "<p class=\"small\">" + html::escape(note) + "</p>\n" +
+                       table.str() + "<p class=\"small\">" + html::escape(note) + "</p>\n" + limit_remarks(all) +
                            (all.workability ? workability_table(*all.workability) : ""));
 }
 

@@ -60,6 +60,7 @@ const std::vector<std::string>& serious_phrases() {
       "there it neither holds nor damps",
       "times its breaking load",
       "m in the seabed, ",
+      "serious warnings, which no ",
       kNotJudged,
   };
   return kPhrases;

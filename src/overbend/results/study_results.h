@@ -72,7 +72,7 @@ struct OperabilityCell {
   std::string governing;            ///< What is exceeded at the next value above the limit.
   double below = 0.0, above = 0.0;  ///< Largest utilisation over the seeds at the limit and at the next value above.
   int runs = 0;                     ///< Analyses that it took.
-  std::string reason;
+  std::string reason;               ///< Where it is open, why; else what has to be known of the limit.
 };
 
 struct Workability {

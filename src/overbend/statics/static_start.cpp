@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "model/bed_shape.h"
 #include "model/lay_stage.h"
@@ -276,13 +277,31 @@ double support_end(const StaticSystem& system) {
   return end;
 }
 
+namespace {
+
+bool is_left(const Model& model, const StaticSystem& system, std::size_t roller) {
+  const Roller& bottom = model.supports.rollers[roller];
+  const ClosestPoint& closest = system.contacts()[roller].at;
+  const PlacedRoller& placed = system.rollers().placed(static_cast<int>(roller));
+  return lies_beside(bottom.position, placed, closest, model.section_over(bottom).outer_radius()) &&
+         closest.off_end > 0.0;  // else under the roller, in an attempt that failed
+}
+
+}  // namespace
+
+int boxes_left(const Model& model, const StaticSystem& system) {
+  std::set<int> boxes;
+  for (std::size_t i = 0; i < model.supports.rollers.size(); ++i) {
+    if (is_left(model, system, i)) boxes.insert(model.supports.rollers[i].box);
+  }
+  return static_cast<int>(boxes.size());
+}
+
 std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& system) {
   const std::vector<Roller>& rollers = model.supports.rollers;
   for (std::size_t i = 0; i < rollers.size(); ++i) {
+    if (!is_left(model, system, i)) continue;
     const ClosestPoint& closest = system.contacts()[i].at;
-    const PlacedRoller& placed = system.rollers().placed(static_cast<int>(i));
-    if (!lies_beside(rollers[i].position, placed, closest, model.section_over(rollers[i]).outer_radius())) continue;
-    if (closest.off_end <= 0.0) continue;  // under the roller in an attempt that failed
     if (closest.off_end > system.mesh().total_length()) return std::nullopt;
     const bool sided = std::ranges::any_of(rollers, [&](const Roller& other) {
       return other.box == rollers[i].box && other.position != RollerPosition::bottom;

@@ -45,6 +45,8 @@ struct BoxLeft {
 /// The first, seen from the tensioner, in the state evaluated last; nothing where the pipe lies over all boxes, or
 /// so far away that the state means nothing.
 std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& system);
+/// How many boxes it lies beside, in that state.
+int boxes_left(const Model& model, const StaticSystem& system);
 /// How far, and whether something should have held the pipe.
 std::string off_end_words(const BoxLeft& left);
 

@@ -288,34 +288,61 @@ void note_left(StaticCase& at) {
   }
 }
 
-}  // namespace
-
-double StaticCase::most_work() const {
-  return std::max(kMostWork, kMostLooks * system.mesh().elements());
-}
-
-bool follow(StaticCase& at, const char* stage) {
+/// A solution with the pipe beside some of its boxes is one of several: a pipe that lies on them in still water stays
+/// there while the current rises, if its rollers can hold it. That solution, where there is one, is taken instead.
+void look_on_rollers(StaticCase& at, const LayShape& shape) {
+  if (at.model.current.z.empty() || cable_on_rollers(at.model) || !first_box_left(at.model, at.system)) return;
+  const LineState beside = at.state;
+  const SolveReport report = at.report;
+  at.state = sample_shape(at.system, shape);
+  if (ease_in_current(at) && !first_box_left(at.model, at.system)) {
+    at.report.method = "newton, current raised in steps";
+    return;
+  }
+  at.state = beside;
+  at.report = report;
   set_whole(at);
-  return run_newton(at, finally(at), stage);
+  at.system.evaluate(at.state, true);
 }
 
-bool follow_softly(StaticCase& at) {
-  set_whole(at);
-  at.system.limit_roller_stiffness(10.0 * soft_roller(at, at.target.value));
-  at.system.limit_bed_stiffness(soft_bed(at));
-  return run_newton(at, nearly(at), "softened") && harden_in_steps(at);
-}
+/// Where no way ends better: a solution with the pipe beside most of its boxes, which is hardly the lay that is meant.
+struct Resort {
+  std::optional<LineState> state;
+  SolveReport report;
 
-bool solve_elastic(StaticCase& at, const LayShape& shape) {
+  /// Whether the solution at hand is one; the first is kept.
+  bool is_that(const StaticCase& at) {
+    const auto boxes = static_cast<int>(at.model.supports.boxes.size());
+    if (2 * boxes_left(at.model, at.system) <= boxes) return false;
+    if (!state) {
+      state = at.state;
+      report = at.report;
+    }
+    return true;
+  }
+  bool take(StaticCase& at) const {
+    if (!state) return false;
+    at.state = *state;
+    at.report = report;
+    set_whole(at);
+    at.system.evaluate(at.state, true);
+    return true;
+  }
+};
+
+/// One way after another from the guess, with linear steel.
+bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
   const auto works = [&](bool found) {
-    if (!found) note_left(at);
-    return found;
+    if (found) return !resort.is_that(at);
+    note_left(at);
+    return false;
   };
   const StaticMethod wanted = at.model.description.statics.method;
   at.state = sample_shape(at.system, shape);
   if (wanted == StaticMethod::newton) {
     at.report.method = "newton";
     if (!cable_on_rollers(at.model) && works(harden(at))) {
+      look_on_rollers(at, shape);
       return true;
     }
     if (at.model.seabed.surface.shape() != nullptr && at.target.kind == Target::Kind::top_tension) {
@@ -345,6 +372,29 @@ bool solve_elastic(StaticCase& at, const LayShape& shape) {
   }
   at.report.method = "dynamic relaxation, then newton";
   return works(relax_and_finish(at));
+}
+
+}  // namespace
+
+double StaticCase::most_work() const {
+  return std::max(kMostWork, kMostLooks * system.mesh().elements());
+}
+
+bool follow(StaticCase& at, const char* stage) {
+  set_whole(at);
+  return run_newton(at, finally(at), stage);
+}
+
+bool follow_softly(StaticCase& at) {
+  set_whole(at);
+  at.system.limit_roller_stiffness(10.0 * soft_roller(at, at.target.value));
+  at.system.limit_bed_stiffness(soft_bed(at));
+  return run_newton(at, nearly(at), "softened") && harden_in_steps(at);
+}
+
+bool solve_elastic(StaticCase& at, const LayShape& shape) {
+  Resort resort;
+  return try_ways(at, shape, resort) || resort.take(at);
 }
 
 bool let_yield(StaticCase& at) {

@@ -44,9 +44,14 @@ function Limits({ of }: { of: MatrixLimits }) {
   const [rows, columns] = of.axes;
   const shown = (at: number[]): string => {
     const cell = of.cells.find((c) => c.at.every((i, k) => i === at[k]));
-    return !cell || !cell.decided ? '?' : cell.limit === null ? 'none' : `${cell.beyond ? '≥ ' : ''}${tidy(cell.limit, 4)}`;
+    if (!cell || !cell.decided) return '?';
+    return `${cell.limit === null ? 'none' : `${cell.beyond ? '≥ ' : ''}${tidy(cell.limit, 4)}`}${cell.reason ? ' *' : ''}`;
   };
-  const why = (at: number[]): string => { const cell = of.cells.find((c) => c.at.every((i, k) => i === at[k])); return cell?.reason || cell?.governing || ''; };
+  const why = (at: number[]): string => {
+    const cell = of.cells.find((c) => c.at.every((i, k) => i === at[k]));
+    return cell ? (cell.decided ? cell.governing : cell.reason) : '';
+  };
+  const remarked = of.cells.filter((c) => c.decided && c.reason);
   return (
     <section aria-label="Operability">
       <h3>Largest {of.over} that passes <small>{of.unit}</small></h3>
@@ -59,6 +64,11 @@ function Limits({ of }: { of: MatrixLimits }) {
           ))}</tbody>
         </table></div>
       )}
+      {remarked.length ? (
+        <details class="remarks"><summary>* {remarked.length === 1 ? '1 limit has' : `${remarked.length} limits have`} to be read with care</summary>
+          <ul class="events">{remarked.map((c, i) => <li key={i}>{c.at.map((j, k) => axisWord(of.axes[k]!, j)).join(', ')}: {c.reason}</li>)}</ul>
+        </details>
+      ) : null}
       {of.alpha === null ? null : <p class="brief">Before the alpha factor of {of.alpha}.</p>}
       {of.year === null ? null : <p class="brief">Workable {tidy(100 * of.year, 3)} % of the year{of.months.length === 12 ? `; by month ${of.months.map((p) => tidy(100 * p, 2)).join(', ')} %` : ''}.</p>}
     </section>
