@@ -1,12 +1,13 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
+#include <stdexcept>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/new_questions.h"
+#include "runstore/replace_file.h"
 #include "study/new_lay.h"
 
 namespace overbend {
@@ -18,15 +19,10 @@ int refuse(const std::string& why) {
 }
 
 int write_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".part";
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file << text;
-  file.close();
-  std::error_code fault;
-  if (file) std::filesystem::rename(beside, path, fault);
-  if (!file || fault) {
-    std::filesystem::remove(beside, fault);
-    return refuse("the file '" + path + "' cannot be written");
+  try {
+    replace_file(path, text);
+  } catch (const std::runtime_error& fault) {
+    return refuse(fault.what());
   }
   std::cerr << "wrote " << path << "; run it with: overbend static " << path << " -o DIR\n";
   return kDone;

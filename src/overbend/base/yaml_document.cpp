@@ -166,7 +166,8 @@ std::string in_our_words(const std::string& message) {
        "a line that does not fit its group: is it indented like its neighbours, with 'key: value'?"},
       {"end of sequence not found",
        "a line that does not fit its list: is it indented like its neighbours, with '- item'?"},
-      {"illegal map value", "a second ':' in a line, or wrong indentation; put text that holds ': ' in quotes"},
+      {"illegal map value",
+       "a second ':' in a line, wrong indentation, or a tab in place of spaces; put text that holds ': ' in quotes"},
   };
   for (const auto& [theirs, ours] : kWords) {
     if (message.find(theirs) != std::string::npos) return ours;

@@ -33,11 +33,12 @@ LayTableVary vary_of(const Json& request) {
 /// What the request asks for; the model's own where it says nothing.
 LayTableDescription asked(const Description& description, const Json& request) {
   LayTableDescription table = description.lay_table.value_or(LayTableDescription{});
+  const LayTableVary vary = vary_of(request);  // a faulty word is refused also where it is not needed
   const auto range = request.find("range");
   if (range == request.end()) return table;
   if (!range->is_string()) throw HttpFault(400, "'range' is a text such as '200 kN..400 kN/20'");
   try {
-    take_range(vary_of(request), range->get<std::string>(), table);
+    take_range(vary, range->get<std::string>(), table);
   } catch (const std::invalid_argument& fault) {
     throw HttpFault(422, fault.what());
   }
