@@ -166,6 +166,25 @@ TEST(catenary, a_heavy_clump_holds_down_what_lies_behind) {
   EXPECT_GT(found.stiffness(0, 0), without.stiffness(0, 0));
 }
 
+TEST(catenary, a_clump_on_a_tether_hangs_only_where_the_line_is_higher_than_the_tether_is_long) {
+  CatenaryLine line = buoyed_line();
+  line.pieces[0].length = 150.0;
+  line.pieces[1].length = 850.0;
+  line.points = {{0, -45e3, 0.0, 0.0, 0.0, BuoyShape::sphere}};
+  CatenaryLine tethered = line, bare = line;
+  tethered.points[0].tether = 30.0;
+  bare.points.clear();
+  const auto at = [](const CatenaryLine& one, double distance) { return solve_catenary(one, barge_site(), distance); };
+  for (const double distance : {970.0, 980.0}) {  // it lies under the line
+    EXPECT_NEAR(at(tethered, distance).pull, at(bare, distance).pull, 1e-6 * at(bare, distance).pull);
+    EXPECT_GT(at(line, distance).pull, 1.05 * at(bare, distance).pull);
+  }
+  const CatenarySolution taut = at(tethered, 1004.0);  // the line is 30 m and more above the bed there
+  ASSERT_GT(catenary_place(line, at(line, 1004.0), 150.0).z, -59.0 + 0.1);
+  EXPECT_NEAR(taut.pull, at(line, 1004.0).pull, 1e-9 * taut.pull);
+  for (const double distance : {970.0, 990.0, 1000.0, 1004.0}) expect_stiffness(tethered, barge_site(), distance);
+}
+
 TEST(catenary, one_line_is_the_same_in_pieces) {
   const CatenarySolution whole = solve_catenary(plain_line(1000, 148, 190e6, 0.3), barge_site(), 990.0);
   CatenaryLine line;

@@ -147,6 +147,21 @@ TEST(lines_statics, a_buoy_that_turns_a_slack_line_leaves_it_the_tension_of_eith
   }
 }
 
+TEST(lines_statics, an_upright_line_with_a_little_slack_is_pulled_by_its_weight_alone) {
+  for (const double slack : {0.05, 0.2}) {
+    for (const double across : {0.0, 0.5}) {
+      Description d = testing::water_alone(1025.0, 200.0);
+      const LineTypeDescription hose = testing::cable_type(60.0, 0.2, 100e6, 5e3, 1025.0);
+      d.lines = {testing::free_line(hose, 180.0 + slack, Vec3(0.0, 0.0, -5.0), Vec3(across, 0.0, -185.0))};
+      const RestingLines lines(d);
+      ASSERT_TRUE(lines.rest.converged());
+      const double weight = (180.0 + slack) * hose.weight_submerged;
+      // Bending and stretch at the lower end are a few per cent; folded elements pulled with thirty times the weight.
+      EXPECT_NEAR(lines.first[0].z(), weight, 0.05 * weight) << slack << ", " << across;
+    }
+  }
+}
+
 TEST(lines_statics, segments_differ_where_they_meet) {
   Description d = wire(990.0);
   d.environment.water_depth = 500.0;

@@ -116,6 +116,26 @@ TEST(moored_statics, find_lengths_keeps_the_hull_where_it_is_drawn) {
   EXPECT_LT(rest_of_hull(d).rest.vessel.surge, -0.9);
 }
 
+TEST(moored_statics, lines_that_say_nothing_of_friction_have_that_of_the_seabed) {
+  Description d = described("MO1-wire");
+  for (MooringLineDescription& line : d.moorings->lines) {
+    for (LineSegmentDescription& segment : line.segments) segment.type.friction.reset();
+  }
+  d.moorings->bed_friction.reset();
+  d.environment.seabed.friction_axial = d.environment.seabed.friction_lateral = 0.3;
+  const MooringResults of_bed = rest_of_hull(d);
+  d.moorings->bed_friction = 0.3;
+  const MooringResults told = rest_of_hull(d);
+  for (std::size_t i = 0; i < told.rest.moorings.size(); ++i) {
+    const MooringLineResult& line = of_bed.rest.moorings[i];
+    EXPECT_EQ(line.anchor_tension, told.rest.moorings[i].anchor_tension);
+    EXPECT_EQ(line.fairlead_tension, told.rest.moorings[i].fairlead_tension);
+    if (line.on_bed > 1.0) {
+      EXPECT_LT(line.anchor_tension, line.horizontal - 1.0);
+    }
+  }
+}
+
 TEST(moored_statics, warns_of_what_a_crew_would_mend) {
   Description d = described("MO8-sym");
   d.operation = {};

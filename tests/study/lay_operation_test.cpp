@@ -11,6 +11,7 @@
 #include "modelfile/yaml_reader.h"
 #include "statics/moored_lay.h"
 #include "statics/recovery.h"
+#include "statics/stage_shape.h"
 
 namespace overbend {
 namespace {
@@ -254,6 +255,34 @@ TEST(lay_operation, the_barge_moves_over_a_slope_by_the_level_part_of_what_it_la
   const OperationResults found = solve_operation(d);
   ASSERT_TRUE(found.stages[1].lay.has_value()) << found.stages[1].failure->why;
   EXPECT_NEAR(found.stages[1].barge_ahead, 30.0 * std::cos(12.0 * kDegree), 0.03);
+}
+
+TEST(lay_operation, a_bed_that_falls_by_its_profile_gives_the_stage_of_a_slope) {
+  constexpr double kFall = 8.0 * kDegree;
+  Description plane = read("/validation/operation_cases/AR12-J.yaml");
+  plane.operation.lay.stages.resize(1);
+  plane.operation.lay.stages[0].cable_out = 250.0;
+  plane.operation.lay.stages[0].tension = 416e3;
+  Description shaped = plane;
+  plane.environment.seabed.slope = kFall;
+  plane.environment.seabed.slope_towards = plane.vessel.heading + 180.0 * kDegree;
+  for (double x = -200.0; x <= 3000.0; x += 100.0) {
+    shaped.environment.seabed.profile.push_back({x, shaped.environment.water_depth + std::tan(kFall) * x});
+  }
+  // A first guess that lands at the depth under the vessel, 68 m above this bed, left the laid pipe standing in loops.
+  const Model model = build_model(at_stage(shaped, lay_stages(shaped).front()));
+  const LayPlane bed = lay_plane(model, model.mean_pose);
+  const LayShape guess = stage_shape(model, bed, 416e3);
+  const auto lands = std::lower_bound(guess.length.begin(), guess.length.end(), guess.touchdown) - guess.length.begin();
+  const auto at = static_cast<std::size_t>(lands);
+  EXPECT_NEAR(guess.z[at], bed.bed(guess.distance[at]), 5.0);
+  const OperationResults on_plane = solve_operation(plane), on_profile = solve_operation(shaped);
+  ASSERT_TRUE(on_plane.stages[0].lay.has_value());
+  ASSERT_TRUE(on_profile.stages[0].lay.has_value());
+  const StaticResults &wanted = *on_plane.stages[0].lay, &found = *on_profile.stages[0].lay;
+  EXPECT_GT(found.smallest_tension.value, 0.0);
+  EXPECT_NEAR(found.bottom_tension, wanted.bottom_tension, 1e-3 * wanted.bottom_tension);
+  EXPECT_NEAR(found.lay_back, wanted.lay_back, 0.2);
 }
 
 TEST(lay_operation, recovery_has_the_stages_of_abandonment_in_reverse) {

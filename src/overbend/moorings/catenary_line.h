@@ -22,8 +22,11 @@ struct CatenaryPoint {
   double pull_up = 0.0;    ///< Buoyancy less weight under water; a clump's is negative [N].
   double buoyancy = 0.0;   ///< The part of it that a buoy loses out of the water [N].
   double height = 0.0;     ///< Of the buoy: that of the cylinder or the diameter of the sphere [m].
-  double tether = 0.0;     ///< The buoy's middle is that much above the line [m].
+  double tether = 0.0;     ///< A buoy's middle is that much above the line, a clump that much under it [m].
   BuoyShape shape = BuoyShape::sphere;
+
+  /// A clump under the line, which the bed carries where the line is lower than the tether is long.
+  bool hangs_under() const { return buoyancy <= 0.0 && tether > 0.0; }
 };
 
 struct CatenaryLine {

@@ -34,7 +34,7 @@ struct Hung {
 };
 
 /// From the start of a span to an unstressed length within it.
-Hung hung_at(const CatenaryLine& line, const CatenarySpan& span, double length) {
+Hung hung_at(const CatenaryLine& line, const CatenarySite& site, const CatenarySpan& span, double length) {
   Hung hung{span.start, line.pieces[std::min(span.from.piece, line.pieces.size() - 1)].EA};
   double at = unstressed(line, span.from);
   for (std::size_t i = span.from.piece; i < line.pieces.size() && at < length; ++i) {
@@ -43,7 +43,8 @@ Hung hung_at(const CatenaryLine& line, const CatenarySpan& span, double length) 
     hung.EA = line.pieces[i].EA;
     at = end;
     for (const CatenaryPoint& point : line.points) {
-      if (point.behind == i && end < length) hung.state.sink = hung.state.sink + pull_up(point, hung.state.z);
+      if (point.behind != i || end >= length) continue;
+      hung.state.sink = hung.state.sink + pull_up(point, hung.state.z, site.bed_at(hung.state.x));
     }
   }
   return hung;
@@ -83,7 +84,8 @@ Stretched stretched_at(const CatenaryLine& line, const Lying& lying, double leng
     if (end >= length) break;
     const std::size_t i = static_cast<std::size_t>(&piece - line.pieces.data());
     for (const CatenaryPoint& point : line.points) {  // clumps rub besides
-      const double rubs_there = point.behind == i && part > 0.0 ? piece.friction * std::max(-point.pull_up, 0.0) : 0.0;
+      const bool rubs_here = point.behind == i && part > 0.0 && !point.hangs_under();
+      const double rubs_there = rubs_here ? piece.friction * std::max(-point.pull_up, 0.0) : 0.0;
       tension = std::max(tension - rubs_there, 0.0);
     }
   }
@@ -106,10 +108,10 @@ CatenaryPlace catenary_place(const CatenaryLine& line, const CatenarySolution& s
     const CatenarySpan& span = trace.spans[i];
     const double to = unstressed(line, span.to);
     const bool last = i + 1 == trace.span_count;
-    if (length <= to || (last && !trace.lies_to_end)) return place_of(hung_at(line, span, length));
+    if (length <= to || (last && !trace.lies_to_end)) return place_of(hung_at(line, trace.site, span, length));
     const double next = last ? line.length() : unstressed(line, trace.spans[i + 1].from);
     if (length > next) continue;
-    const Hung down = hung_at(line, span, to);
+    const Hung down = hung_at(line, trace.site, span, to);
     const CatenaryState& up = last ? trace.end : trace.spans[i + 1].start;
     return place_on_bed(
         line,

@@ -8,8 +8,9 @@ namespace {
 /// Goes along one hanging span and notes `count` even parts of every stretch.
 class SpanWalk {
  public:
-  SpanWalk(const CatenaryLine& line, const CatenarySpan& span, int count, std::vector<Eigen::Vector2d>& points)
-      : line_(line), span_(span), count_(count), points_(points), at_(span.start) {}
+  SpanWalk(const CatenaryLine& line, const CatenarySite& site, const CatenarySpan& span, int count,
+           std::vector<Eigen::Vector2d>& points)
+      : line_(line), site_(site), span_(span), count_(count), points_(points), at_(span.start) {}
 
   void run() {
     note();
@@ -48,12 +49,13 @@ class SpanWalk {
   }
   void pass(std::size_t piece) {
     for (const CatenaryPoint& point : line_.points) {
-      if (point.behind == piece) at_.sink = at_.sink + pull_up(point, at_.z);
+      if (point.behind == piece) at_.sink = at_.sink + pull_up(point, at_.z, site_.bed_at(at_.x));
     }
   }
   void note() { points_.emplace_back(at_.x.v, at_.z.v); }
 
   const CatenaryLine& line_;
+  const CatenarySite& site_;
   const CatenarySpan& span_;
   int count_;
   std::vector<Eigen::Vector2d>& points_;
@@ -65,7 +67,7 @@ class SpanWalk {
 std::vector<Eigen::Vector2d> catenary_shape(const CatenaryLine& line, const CatenarySolution& solution, int count) {
   std::vector<Eigen::Vector2d> points;
   for (std::size_t i = 0; i < solution.trace.span_count; ++i) {
-    SpanWalk(line, solution.trace.spans[i], count, points).run();
+    SpanWalk(line, solution.trace.site, solution.trace.spans[i], count, points).run();
   }
   if (solution.trace.lies_to_end) points.emplace_back(solution.trace.end.x.v, solution.trace.end.z.v);
   return points;

@@ -81,7 +81,7 @@ void pass_points(const Setting& on, CatenaryState& at, std::size_t piece, Lowest
     const CatenaryPoint& point = on.line.points[i];
     if (point.behind != piece) continue;
     const Dual level = on.along_bed(at.pull);
-    const Dual behind = at.sink + pull_up(point, at.z);
+    const Dual behind = at.sink + pull_up(point, at.z, on.site.bed_at(at.x));
     if (on.site.has_bed && at.sink.v > level.v && behind.v < level.v) {
       const double before = lowest.gap.v;
       consider(lowest, at.z - on.bed(at.x), at, {piece, on.length(piece)});
@@ -187,6 +187,7 @@ Resting lie_on(const Setting& on, const LowestPlace& from, const Dual& used) {
     }
     for (; point < on.line.points.size() && on.line.points[point].behind <= rest.place.piece; ++point) {
       if (on.line.points[point].behind < rest.place.piece) continue;
+      if (on.line.points[point].hangs_under()) continue;  // it lies beside the line
       const double up = on.line.points[point].pull_up;
       const Dual carried = -up - landed;
       landed = 0.0;
@@ -212,7 +213,7 @@ double weight_to_lie(const Setting& on, const LowestPlace& from) {
     if (piece.weight_submerged <= 0.0 && length > 0.0) return sum;
     sum += piece.weight_submerged * length;
     for (std::size_t k = from.weight.value_or(0); k < on.line.points.size(); ++k) {
-      if (on.line.points[k].behind != i) continue;
+      if (on.line.points[k].behind != i || on.line.points[k].hangs_under()) continue;
       if (on.line.points[k].pull_up > 0.0) return sum;
       sum -= on.line.points[k].pull_up;
       if (from.weight == k) sum -= from.at.sink.v - on.along_bed(from.at.pull).v;
@@ -325,6 +326,7 @@ void trace_behind(const Setting& on, LowestPlace lowest, double scale, CatenaryT
 
 CatenaryTrace trace_catenary(const CatenaryLine& line, const CatenarySite& site, double pull, double sink_guess) {
   CatenaryTrace trace;
+  trace.site = site;
   const Setting on{line, site, kLeastTension * weight_of(line)};
   const double scale = std::abs(site.fairlead_z - site.anchor_z) + line.length();
   CatenaryState start;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "base/constants.h"
 #include "moorings/catenary_walk.h"
 
 namespace overbend {
@@ -15,6 +16,9 @@ struct CatenarySite {
   bool has_bed = true;       ///< Else the line hangs free.
   double bed_z = 0.0;        ///< Height of the bed under the fairlead [m].
   double bed_descent = 0.0;  ///< Fall of the bed per metre towards the anchor [-].
+
+  /// Height of the bed at a distance from the fairlead; far below where there is none [m].
+  Dual bed_at(const Dual& x) const { return has_bed ? bed_z - bed_descent * x : Dual(-kInfinity); }
 };
 
 /// A place by piece and unstressed length into it.
@@ -37,6 +41,7 @@ enum class TraceFault { none, no_shape, floats, too_many_spans };
 /// Of the duals: derivatives in pull, height and first length; none in start.
 struct CatenaryTrace {  // NOLINT(clang-analyzer-optin.performance.Padding): in the order of subjects
   TraceFault fault = TraceFault::none;
+  CatenarySite site;     ///< Where it was traced.
   Dual reach;            ///< Horizontal distance from fairlead to the line's end [m].
   Dual sink;             ///< Vertical force of the line at the fairlead, downwards positive [N].
   CatenaryState end;     ///< At the anchor; `sink` below zero where the line comes to it from below.

@@ -6,6 +6,9 @@
 namespace overbend {
 namespace {
 
+/// A clump on a tether is set down on the bed over this height of its line: the pull has to be steady [m].
+constexpr double kSetDown = 0.02;
+
 /// Of a tension t with horizontal part h and vertical part v: t + v, without cancellation.
 Dual tension_and_sink(const Dual& pull, const Dual& sink, const Dual& tension) {
   return sink.v >= 0.0 ? tension + sink : pull * pull / (tension - sink);
@@ -83,7 +86,12 @@ CatenaryStretch next_stretch(const CatenaryState& at, const Dual& length, const 
   return {reached, weight, true};
 }
 
-Dual pull_up(const CatenaryPoint& point, const Dual& z) {
+Dual pull_up(const CatenaryPoint& point, const Dual& z, const Dual& bed) {
+  if (point.hangs_under()) {
+    const Dual over = z - bed - point.tether;
+    if (over.v <= 0.0) return 0.0;
+    return over.v < kSetDown ? (point.pull_up / kSetDown) * over : Dual(point.pull_up);
+  }
   if (point.buoyancy <= 0.0) return point.pull_up;
   const WettedShare wet = wetted_share(point.shape, z.v + point.tether, point.height);
   return Dual(point.pull_up - point.buoyancy * (1.0 - wet.share), point.buoyancy * wet.slope * z.d);

@@ -30,7 +30,7 @@ struct CatenaryStretch {
 };
 CatenaryStretch next_stretch(const CatenaryState& at, const Dual& length, const CatenaryPiece& piece);
 
-/// Lift of a point less its weight, the line being at `z` [N].
-Dual pull_up(const CatenaryPoint& point, const Dual& z);
+/// Lift of a point less its weight, the line being at `z` and the bed under it at `bed` [N].
+Dual pull_up(const CatenaryPoint& point, const Dual& z, const Dual& bed);
 
 }  // namespace overbend

@@ -53,6 +53,7 @@ const std::vector<std::string>& serious_phrases() {
       "more than its breaking load",
       "more than its holding power",
       "is slack: it holds nothing",
+      "an element is folded",
       "lifts its anchor with",
       "lifted its anchor with",
       "fewer than three do not hold surge, sway and yaw",

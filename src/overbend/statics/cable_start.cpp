@@ -51,6 +51,20 @@ void put(std::vector<double>& q, const Vec3& r, const Vec3& t) {
   q.insert(q.end(), {r.x(), r.y(), r.z(), t.x(), t.y(), t.z()});
 }
 
+/// Where an end of a catenary turns back within less than an element, its direction makes a loop of that element.
+/// Newton's method would pull the loop tight and keep it. Such an end looks along its element.
+void look_along_elements(std::vector<double>& q) {
+  const std::size_t nodes = q.size() / 6;
+  for (const std::size_t end : {std::size_t{0}, nodes - 1}) {
+    const std::size_t beside = end == 0 ? 1 : nodes - 2;
+    const Vec3 between = Eigen::Map<const Vec3>(q.data() + 6 * beside) - Eigen::Map<const Vec3>(q.data() + 6 * end);
+    if (between.norm() == 0.0) continue;
+    const Vec3 along = (end == 0 ? 1.0 : -1.0) * between.normalized();
+    Eigen::Map<Vec3> t(q.data() + 6 * end + 3);
+    if (t.normalized().dot(along) < 0.0) t = t.norm() * along;
+  }
+}
+
 /// What the place of the upper end lacks.
 Eigen::Vector2d missing(CableStart& c, bool bed) {
   c.on_bed = bed ? std::max(c.length - c.vertical / c.weight, 0.0) : 0.0;
@@ -137,6 +151,7 @@ std::vector<double> CableStart::shape(const LineMesh& mesh) const {
     const Vec3 t = (from_second ? -stretch : stretch) * (way.x() * ahead + side * way.y() * Vec3::UnitZ());
     put(q, r, t);
   }
+  if (mesh.s.size() > 1) look_along_elements(q);
   return q;
 }
 

@@ -59,11 +59,40 @@ std::optional<double> utilisation_of(const FreeLineDescription& description, con
   return most;
 }
 
+/// Where an element is a loop, an end of it looking back: an equilibrium of the elements that no line has. Bends that
+/// elements can follow turn an end by less than this from its element.
+std::optional<double> folded_at(const LineMesh& mesh, const std::vector<double>& q) {
+  constexpr double kLooksBack = -0.5;  // cosine
+  for (std::size_t e = 0; e < mesh.length.size(); ++e) {
+    const Vec3 along = (Vec3Map(q.data() + 6 * e + 6) - Vec3Map(q.data() + 6 * e)).normalized();
+    for (const std::size_t node : {e, e + 1}) {
+      if (Vec3Map(q.data() + 6 * node + 3).normalized().dot(along) < kLooksBack) return mesh.s[node];
+    }
+  }
+  return std::nullopt;
+}
+
+void warn_of_fold(const std::string& name, const LineMesh& mesh, const std::vector<double>& q,
+                  std::vector<std::string>& warnings) {
+  const std::optional<double> at = folded_at(mesh, q);
+  if (!at) return;
+  warnings.push_back(
+      fmt::format("line \"{}\": an element is folded {:.1f} m from its first end: tension and shape are not those of a "
+                  "line; give its ends a direction, or shorter elements (lines[].element)",
+                  name, *at));
+}
+
 void warn(const FreeLineDescription& description, const LineResult& line, bool in_bow,
           std::vector<std::string>& warnings) {
   if (line.utilisation && *line.utilisation > 1.0) {
     warnings.push_back(fmt::format("line \"{}\": its largest tension is {:.2f} times its breaking load", line.name,
                                    *line.utilisation));
+  }
+  constexpr double kPushed = 0.1;  // of the weight: so much a bent line does not bear
+  if (line.least_tension < -kPushed * std::abs(line.weight)) {
+    warnings.push_back(
+        fmt::format("line \"{}\": slack, it is pushed with up to {:.3g} kN: a line that bends aside has other tensions",
+                    line.name, -1e-3 * line.least_tension));
   }
   if (in_bow) {
     warnings.push_back(
@@ -132,6 +161,7 @@ LinesResults recover_lines(const Model& model, const Assembly& assembly, const S
     line.largest_tension = line.largest_in_time = most->tension;
     line.utilisation = utilisation_of(description, line, solved.line().mesh);
     warn(description, line, rest.in_bows[i], results.warnings);
+    warn_of_fold(line.name, solved.line().mesh, q, results.warnings);
     results.lines.push_back(std::move(line));
   }
   return results;

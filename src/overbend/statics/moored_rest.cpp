@@ -41,6 +41,13 @@ void put_surroundings(const Model& model, const CoupledHullDescription& coupled,
   };
 }
 
+/// Lines whose type and model say nothing of friction rub on the seabed as everything else does.
+MooringsDescription moorings_on_bed(const Description& d) {
+  MooringsDescription moorings = moorings_of(d);
+  if (!moorings.bed_friction) moorings.bed_friction = d.environment.seabed.friction_axial;
+  return moorings;
+}
+
 }  // namespace
 
 TensionBounds bounds_of(const MooringsDescription& moorings) {
@@ -52,7 +59,7 @@ TensionBounds bounds_of(const MooringsDescription& moorings) {
 
 std::variant<MooredHull, StaticFailure> moored_hull(const Model& model) {
   const Description& d = model.description;
-  SpreadOutcome outcome = build_spread(moorings_of(d), model.seabed.surface, model.drawn_pose.R_WV);
+  SpreadOutcome outcome = build_spread(moorings_on_bed(d), model.seabed.surface, model.drawn_pose.R_WV);
   if (outcome.fault) {
     return StaticFailure{"the mooring lines cannot be as given", "", *outcome.fault};
   }

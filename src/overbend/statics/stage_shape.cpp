@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/lay_stage.h"
 #include "statics/shape_curve.h"
@@ -74,9 +75,10 @@ double lost(const Model& model, const LayShape& shape) {
 /// A free span that begins at `start`, and ends level on the bed or at its anchor.
 class FreeSpan {
  public:
-  FreeSpan(const Model& model, const LayPlane& plane, double total)
+  /// `landing`: how far astern of the tensioner the span is taken to land; there the bed has its depth.
+  FreeSpan(const Model& model, const LayPlane& plane, double total, double landing)
       : model_(model), total_(total), pinned_(cable_at_far_end(model.description)) {
-    bed_ = pinned_ ? pinned_height(model) : plane.bed(0.0) - plane.radius;
+    bed_ = pinned_ ? pinned_height(model) : plane.bed(landing) - plane.radius;
     step_ = std::max(0.05, (plane.tensioner_W.z() - bed_) / kSteps);
   }
 
@@ -185,10 +187,12 @@ double least_stage_tension(const Model& model, const LayPlane& plane) {
   return weight;
 }
 
-LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) {
+namespace {
+
+LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tension, double landing) {
   LayShape shape;
   const double total = far_beyond(model, plane);
-  const FreeSpan span(model, plane, total);
+  const FreeSpan span(model, plane, total, landing);
   const std::vector<GuidePoint> points = in_order(support_points(model, plane, model.mean_pose));
   shape = over_supports(points, departure(model, points, span, tension));
   const SpanStart start = end_of(model, shape, tension);
@@ -207,9 +211,29 @@ LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) 
   }
   for (std::size_t i = 1; i < chain.z.size(); ++i) append_point(shape, chain.distance[i], chain.z[i], chain.dip[i]);
   shape.touchdown = shape.length.back();
-  const double tail = model.description.pipe.length
-                          ? *model.description.pipe.length - shape.touchdown
-                          : laid_length(model, shape) + tail_length(model, *H, shape.touchdown - shape.last_support);
+  return shape;
+}
+
+}  // namespace
+
+LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) {
+  constexpr int kPasses = 8;      // on a bed that falls or rises the depth at touchdown follows from the shape
+  constexpr double kNear = 1e-2;  // [m]
+  double landing = 0.0;
+  LayShape shape = shape_that_lands(model, plane, tension, landing);
+  for (int pass = 0; pass < kPasses && shape.problem.empty() && !cable_at_far_end(model.description); ++pass) {
+    const double there = shape.distance.back();
+    if (std::abs(plane.bed(there) - plane.bed(landing)) < kNear) break;
+    LayShape next = shape_that_lands(model, plane, tension, there);
+    if (!next.problem.empty()) break;  // it hangs plumb over a bed so deep: Newton's method has the last word
+    landing = there;
+    shape = std::move(next);
+  }
+  if (!shape.problem.empty()) return shape;
+  const double tail =
+      model.description.pipe.length
+          ? *model.description.pipe.length - shape.touchdown
+          : laid_length(model, shape) + tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);
   if (tail > 1e-6) append_tail(shape, plane, tail);
   shape.total = model.description.pipe.length.value_or(shape.length.back());
   return shape;
