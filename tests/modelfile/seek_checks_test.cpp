@@ -6,6 +6,7 @@
 #include "modelfile/model_texts.h"
 #include "modelfile/seek_reader.h"
 #include "modelfile/yaml_reader.h"
+#include "support/solved_case.h"
 
 namespace overbend {
 namespace {
@@ -71,6 +72,18 @@ TEST(seek_keys, a_key_has_to_be_a_number_of_the_model) {
                {"seek.vary.key", "vessel.name"});
   expect_words(complaint("  vary: {key: 'supports.stinger.boxes[nobody].z', within: 1 m}\n" + until),
                {"seek.vary.key", "nobody", "an item that the list has"});
+}
+
+TEST(seek_keys, of_lines_by_themselves_nothing_is_sought) {
+  const std::string lines = testing::file_text(OVERBEND_SOURCE_DIR "/examples/jumper.yaml");
+  const ModelReading reading =
+      read_model_text(lines +
+                          "\nseek:\n  vary: {key: 'lines[0].segments[0].length', from: 165 m, to: 180 m}\n"
+                          "  until: {result: 'static.lines[0].first.tension', equals: 25 kN}\n",
+                      OVERBEND_SOURCE_DIR "/examples/sought.yaml");
+  ASSERT_EQ(reading.diagnostics.lines(Severity::error).size(), 1U);
+  expect_words(reading.diagnostics.lines(Severity::error).front(),
+               {"seek.until.result", "can be solved and run in time"});
 }
 
 /// Nothing that a goal seek looks at hangs on them.

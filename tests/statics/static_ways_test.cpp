@@ -125,6 +125,35 @@ TEST(static_ways, a_solution_does_not_depend_on_the_way_to_it) {
   EXPECT_NEAR(a.lay_back, b.lay_back, 1e-3);
 }
 
+TEST(static_ways, a_bed_that_rises_steeply_astern_is_landed_on) {
+  Description d = read("/examples/first-model.yaml");
+  d.environment.water_depth = 60.0;
+  d.environment.seabed.slope = 11.0 * std::numbers::pi / 180.0;  // at 10 degrees touchdown is 253.02 m astern
+  d.environment.seabed.slope_towards = d.vessel.heading;
+  d.tensioner.tension = 420e3;
+  const Model model = build_model(d);
+  const StaticOutcome outcome = solve_statics(model);
+  ASSERT_TRUE(outcome.solution.has_value()) << outcome.failure->what;
+  const StaticResults r = recover_statics(model, *outcome.solution);
+  EXPECT_NEAR(r.lay_back, 253.1, 0.3);  // as on a profile of the same depths
+  EXPECT_NEAR(r.bottom_tension / std::cos(d.environment.seabed.slope), bottom_tension_by_hand(r), 0.01 * r.top_tension);
+}
+
+TEST(static_ways, the_weight_told_with_a_failure_is_that_of_the_pipe_where_a_buoy_is_in_it) {
+  Description d = read("/validation/static_cases/BGL1-T250.yaml");
+  d.statics.max_iterations = 1;
+  d.tensioner.tension = 40e3;  // the pipe hanging weighs about 44 kN
+  StructureDescription buoy;
+  buoy.name = "buoy";
+  buoy.at = 150.0;
+  buoy.length = 4.0;
+  buoy.weight_in_air = 20e3;
+  buoy.weight_submerged = -20e3;
+  d.pipe.structures.push_back(buoy);
+  const StaticFailure f = failure_of(d);
+  EXPECT_EQ(f.why.find("tension is -"), std::string::npos) << f.what << f.why;
+}
+
 TEST(static_ways, a_tension_that_only_a_pushed_anchor_would_allow_is_too_low) {
   Description d = read("/validation/static_cases/BGL1-T250.yaml");
   d.environment.seabed.slope = 2.0 * std::numbers::pi / 180.0;

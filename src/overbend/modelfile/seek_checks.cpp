@@ -2,6 +2,7 @@
 
 #include "base/name_parts.h"
 #include "base/text.h"
+#include "modelfile/line_checks.h"
 #include "modelfile/model_checks.h"
 #include "modelfile/seek_values.h"
 #include "resultfiles/named_results.h"
@@ -112,6 +113,12 @@ std::string nearest_result(const std::string& name) {
 bool check_result(Checker& check, const FieldValue* result) {
   if (result == nullptr) return false;
   if (result_row(result->text)) return true;
+  const FieldValue& root = check.root();
+  if (is_given(root, "lines") && !is_given(root, "pipe") && !is_given(root, "moorings")) {
+    check.error(*result, result->shown, "a lay or a vessel on mooring lines",
+                "lines by themselves can be solved and run in time, not sought");
+    return false;
+  }
   check.error(*result, result->shown, "the path of a number in summary.json of a static analysis",
               nearest_result(result->text));
   return false;

@@ -95,16 +95,20 @@ double LayPlane::bed_slope(double distance) const {
   return surface.slope(at.x(), at.y(), route.direction(distance));
 }
 
-double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
+double hanging_weight(const Model& model, const LayPlane& plane, const Section& section, double bed_z) {
   const int steps = 4000;
   const double dz = (plane.tensioner_W.z() - bed_z) / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    sum += dz * weight_at(model, section, bed_z + (i + 0.5) * dz);
+  }
+  return sum;
+}
+
+double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
   double least = std::numeric_limits<double>::infinity();
   for (const Section& section : model.sections) {
-    double sum = 0.0;
-    for (int i = 0; i < steps; ++i) {
-      sum += dz * weight_at(model, section, bed_z + (i + 0.5) * dz);
-    }
-    least = std::min(least, sum);
+    least = std::min(least, hanging_weight(model, plane, section, bed_z));
   }
   return least;
 }
@@ -116,7 +120,8 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
   // allow.
   const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
   double bed_z = plane.bed(0.0), landing = 0.0;
-  for (int pass = 0; pass < 8; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape
+  double nearest = 0.0, farthest = std::numeric_limits<double>::infinity();  // where the pipe may land
+  for (int pass = 0; pass < 16; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape
     shape = LayShape{};
     const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
     shape.bottom_tension = H;
@@ -136,12 +141,19 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     shape.last_support = last == 0 ? 0.0 : shape.length.back();
     append_span(shape, span);
-    landing = shape.distance.back();
-    const double touchdown_bed = plane.bed(landing);
-    if (std::abs(touchdown_bed - bed_z) < 1e-3) {
+    const double landed = shape.distance.back();
+    if (std::abs(plane.bed(landed) - bed_z) < 1e-3) {
       break;
     }
-    bed_z = touchdown_bed;
+    // Where the bed rises steeply astern, each landing overshoots the one before, at last to where the bed is above the
+    // tensioner: what is known of either side bounds the next.
+    (landed > landing ? nearest : farthest) = landing;
+    landing = landed > nearest && landed < farthest ? landed : 0.5 * (nearest + farthest);
+    while (plane.bed(landing) >= plane.tensioner_W.z() && landing - nearest > 1e-3) {
+      farthest = landing;
+      landing = 0.5 * (nearest + farthest);
+    }
+    bed_z = plane.bed(landing);
   }
   if (plane.surface.shape() != nullptr) land_on_shape(shape, plane);
   double tail = tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);

@@ -46,6 +46,9 @@ struct LayShape {
 /// tension but for bending. Where the line has several sections, of the lightest: nothing is refused that may hang.
 double hanging_weight(const Model& model, const LayPlane& plane, double bed_z);
 
+/// The same of a line that is of this section from end to end.
+double hanging_weight(const Model& model, const LayPlane& plane, const Section& section, double bed_z);
+
 /// `tension` at the tensioner [N]; `bottom_tension` > 0 overrides the one that follows from it (continuation).
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension);
 

@@ -125,7 +125,9 @@ StaticOutcome fail(StaticFailure failure) {
   return {std::nullopt, std::move(failure)};
 }
 
-StaticOutcome give_up(const StaticCase& at, double least_tension) {
+/// `hanging`: what the pipe weighs between tensioner and seabed, without what is built into it; a short piece that
+/// floats would make it negative.
+StaticOutcome give_up(const StaticCase& at, double hanging) {
   const int node = at.system.singular_node();
   const std::string where = node < 0 ? "the whole line"
                                      : fmt::format("node {} at s = {:.1f} m from the anchor", node,
@@ -139,11 +141,11 @@ StaticOutcome give_up(const StaticCase& at, double least_tension) {
                fmt::format("neither Newton's method, nor hardening the rollers, raising the current or lowering the "
                            "tension in steps, nor dynamic relaxation converged{} (last residual {:.1e} of the line's "
                            "weight). The tension is "
-                           "{:.2f} times the suspended weight; near 1 the pipe goes into compression at the "
-                           "seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
+                           "{:.2f} times the suspended weight of plain pipe; near 1 the pipe goes into compression at "
+                           "the seabed. Otherwise look for a box far off the curve of its neighbours, or a current too "
                            "strong for so light a pipe{}",
                            at.spent() ? " within the limit of computational effort" : "", at.report.force_residual,
-                           at.target.value / least_tension, at.left)});
+                           at.target.value / hanging, at.left)});
 }
 
 /// What the state has of what is wanted: of a tension by the balance of the whole line, which says nothing of strains.
@@ -170,6 +172,21 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
                        fmt::format("{:.2f} {unit} is specified and {:.2f} {unit} found, although the forces balance: "
                                    "look for boxes far off the line of the pipe, over which it bends too sharply",
                                    unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
+}
+
+/// A line folded within one element is in balance with itself only: a cubic has no such turn, and no pipe stands so.
+std::optional<StaticFailure> folded(const StaticCase& at) {
+  const LineMesh& mesh = at.system.mesh();
+  for (int node = 1; node < mesh.nodes(); ++node) {
+    const double* before = at.state.q.data() + 6 * (node - 1);
+    const double* here = at.state.q.data() + 6 * node;
+    if (Eigen::Map<const Vec3>(before + 3).dot(Eigen::Map<const Vec3>(here + 3)) >= 0.0) continue;
+    return StaticFailure{"no equilibrium found: the line is folded", "in the span",
+                         fmt::format("{:.1f} m from the tensioner it turns by more than a right angle within one "
+                                     "element; another tension, or shorter elements (analysis.mesh), may lead past it",
+                                     mesh.total_length() - mesh.s[static_cast<std::size_t>(node)])};
+  }
+  return std::nullopt;
 }
 
 /// Whether the axial stiffness steps so near the tensioner that the stretch of the node there is not that of the
@@ -276,12 +293,15 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     solved = solve_on_new_mesh(at, from.shape);
   }
   if (!solved) {
-    return give_up(at, hanging_weight(model, plane, plane.bed(0.0)));
+    return give_up(at, hanging_weight(model, plane, model.sections.front(), plane.bed(0.0)));
   }
   if (auto failure = check_supports(model, at.system)) {
     return fail(*failure);
   }
   if (auto failure = missed(at, from.target)) {
+    return fail(*failure);
+  }
+  if (auto failure = folded(at)) {
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
