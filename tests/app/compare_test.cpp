@@ -42,6 +42,16 @@ double cell(const std::vector<std::string>& table, const std::string& quantity, 
   return 0.0;
 }
 
+TEST(compare, a_page_of_the_user_is_seen_before_anything_is_computed) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  testing::write_file(folder / "out/comparison.html", "mine");
+  const ProgramRun run = compare(folder, kControlled, "--of tensioner");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("'comparison.html' in it is none of earlier results"), std::string::npos) << run.err;
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder / "out"), fs::directory_iterator()), 1);
+}
+
 TEST(compare, the_variants_own_summaries_agree_with_the_table) {
   const TemporaryFolder folder;
   const ProgramRun run = compare(folder, kControlled, "--of tensioner --threads 2");

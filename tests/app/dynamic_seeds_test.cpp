@@ -37,6 +37,18 @@ bool same_tables(const fs::path& one, const fs::path& two) {
   return true;
 }
 
+TEST(dynamic_seeds, a_table_of_the_user_is_not_written_over_and_the_cases_stay) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "out");
+  testing::write_file(folder / "out/seeds.csv", "mine");
+  const std::string two = with(kSmallLay, "duration: 10 s", "seeds: [7, 3], duration: 1 s");
+  const ProgramRun run = run_seeds_model(folder, two);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.err.find("'seeds.csv' in it is none of earlier results"), std::string::npos) << run.err;
+  EXPECT_EQ(run.err.find("internal fault"), std::string::npos) << run.err;
+  EXPECT_EQ(file_text(folder / "out/seeds.csv"), "mine");
+}
+
 TEST(dynamic_seeds, each_seed_has_its_folder_and_the_summary_gathers_them) {
   const TemporaryFolder folder, alone;
   const ProgramRun run = run_seeds_model(folder, kSeeds);

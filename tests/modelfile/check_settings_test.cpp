@@ -116,6 +116,18 @@ TEST(check_settings, limits_of_stronger_steel_than_the_pipes_are_warned_of) {
   EXPECT_TRUE(warned("X70"));
 }
 
+TEST(check_settings, a_moment_curvature_curve_is_that_of_the_same_pipe_in_other_units) {
+  std::string text = testing::kGoodModel;
+  const std::string yield = "    yield_stress: 414 MPa\n", wall = "steel: {wall_thickness: 20 mm}";
+  text.replace(text.find(yield), yield.size(),
+               yield +
+                   "    material: {law: moment_curvature, moment_curvature: [{curvature: 0.009 m-1, "
+                   "moment: 500 kN*m}, {curvature: 0.02 m-1, moment: 640 kN*m}]}\n");
+  text.replace(text.find(wall), wall.size(), "steel: {outside_diameter: 40.64 cm}");  // of 16 in, less its last digit
+  const ModelReading reading = read_model_text(text, "good.yaml");
+  for (const std::string& line : reading.diagnostics.lines(Severity::error)) ADD_FAILURE() << line;
+}
+
 /// Told where a segment has a yield stress of its own.
 TEST(check_settings, strength_that_a_segment_takes_over_from_another_steel_is_warned_of) {
   const auto warned = [](const std::string& steel, const std::string& segment, const std::string& words) {

@@ -103,6 +103,23 @@ TEST(static_ways, a_pipe_stays_on_its_rollers_in_a_current_where_it_could_also_l
   }
 }
 
+/// What examples/static.md and docs/reproduction.md say of the margin against the current.
+TEST(static_ways, bgl1_is_held_by_its_rollers_in_15_per_cent_more_current_and_not_in_16) {
+  const auto is_held = [](double share) {
+    Description d = read("/examples/bgl1.yaml");
+    for (CurrentPoint& point : d.environment.current) point.speed *= share;
+    const Model model = build_model(d);
+    const StaticOutcome outcome = solve_statics(model);
+    if (!outcome.solution) return false;
+    for (const std::string& warning : recover_statics(model, *outcome.solution).warnings) {
+      if (warning.find("has left") != std::string::npos) return false;
+    }
+    return true;
+  };
+  EXPECT_TRUE(is_held(1.15));
+  for (const double share : {1.16, 1.18, 1.2}) EXPECT_FALSE(is_held(share)) << share;
+}
+
 TEST(static_ways, a_pipe_beside_most_of_its_boxes_is_not_taken_for_the_lay_where_another_stands) {
   Description d = read("/examples/bgl1.yaml");
   d.environment.water_depth = 84.0;

@@ -332,14 +332,27 @@ TEST(study_runner, a_goal_seek_in_every_case_gathers_what_it_tells_of_itself) {
   }
 }
 
+const std::string kAbandoned =
+    "operation:\n"
+    "  type: abandonment\n"
+    "  head: {length: 3 m, weight_in_air: 20 kN, weight_submerged: 16 kN}\n"
+    "  cable: {diameter: 76 mm, weight_in_air: 240 N/m, weight_submerged: 205 N/m, "
+    "axial_stiffness: 2.7e5 kN, breaking_load: 4200 kN}\n"
+    "  stages: [{cable_out: 20 m, tension: 300 kN}, {cable_out: 30 m, tension: 300 kN}]\n";
+
+TEST(study_runner, serious_warnings_of_the_stages_of_an_operation_are_told) {
+  const std::string yields = testing::with(testing::kSmallLay, "yield_stress: 414 MPa", "yield_stress: 20 MPa");
+  const Tried tried("analysis: operation\naxes: [{key: environment.water_depth, values: [20 m]}]\n",
+                    yields + kAbandoned);
+  ASSERT_EQ(run(tried).done, 1U);
+  const StudyResults results = study_so_far(tried.folder());
+  EXPECT_TRUE(std::ranges::any_of(results.warnings, [](const std::string& warning) {
+    return warning.find("exceeds the yield stress of") != std::string::npos;
+  }));
+}
+
 TEST(study_runner, an_operation_gathers_its_worst_stage) {
-  const std::string model = testing::kSmallLay +
-                            "operation:\n"
-                            "  type: abandonment\n"
-                            "  head: {length: 3 m, weight_in_air: 20 kN, weight_submerged: 16 kN}\n"
-                            "  cable: {diameter: 76 mm, weight_in_air: 240 N/m, weight_submerged: 205 N/m, "
-                            "axial_stiffness: 2.7e5 kN, breaking_load: 4200 kN}\n"
-                            "  stages: [{cable_out: 20 m, tension: 300 kN}, {cable_out: 30 m, tension: 300 kN}]\n";
+  const std::string model = testing::kSmallLay + kAbandoned;
   const Tried tried(
       "analysis: operation\naxes: [{key: environment.water_depth, values: [20 m, 20.5 m]}]\n"
       "gather: [static.top_tension, \"max(operation.stages[*].sagbend.max_von_mises)\", checks.governing, "

@@ -22,7 +22,9 @@ std::optional<Description> load_model(const std::string& path);
 
 /// Results in `folder` would replace files of the user, or the model itself, because a goal seek wrote it there: an end
 /// with what to tell, before anything is computed; nothing where they leave them alone.
-std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder);
+std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder,
+                                       const std::vector<std::string>& results = {"summary.json", "report.html",
+                                                                                  "results.h5"});
 
 int run_check(const std::string& model_file);
 

@@ -67,6 +67,8 @@ int run_compare(const CompareArguments& arguments) {
   const fs::path folder = arguments.output.empty()
                               ? fs::path(fs::path(arguments.model_file).stem().string() + ".comparison")
                               : fs::path(arguments.output);
+  const std::vector<std::string> results = {"comparison.html", "comparison.csv", "comparison.json"};
+  if (const std::optional<RunEnd> lost = files_in_the_way(arguments.model_file, folder, results)) return tell(*lost);
   const std::optional<bool> resume = goes_on(case_folders(plan, folder), arguments.take_up);
   if (!resume) return kWrongInput;
   const StudyEnd end =

@@ -20,8 +20,9 @@ std::optional<Description> load_model(const std::string& path) {
   return std::move(reading.description);
 }
 
-std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder) {
-  if (const auto foreign = file_of_the_user(folder, {"summary.json", "report.html", "results.h5"})) {
+std::optional<RunEnd> files_in_the_way(const std::string& model_file, const std::filesystem::path& folder,
+                                       const std::vector<std::string>& results) {
+  if (const auto foreign = file_of_the_user(folder, results)) {
     return RunEnd{RunEnding::wrong_input, "the folder '" + folder.string() + "' cannot be written: " + *foreign};
   }
   const std::filesystem::path model(model_file);

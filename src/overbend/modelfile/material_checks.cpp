@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/units.h"
 #include "model/description_words.h"
@@ -116,7 +117,9 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
 /// Whether a stretch has another value of its own.
 bool differs(const FieldValue& section, const FieldValue& pipe, const char* key, double otherwise) {
   const auto own = section.get_number(std::string("steel.") + key);
-  return own && *own != pipe.get_number(std::string("steel.") + key).value_or(otherwise);
+  constexpr double kSame = 1e-9;  // other units may round otherwise
+  const double line = pipe.get_number(std::string("steel.") + key).value_or(otherwise);
+  return own && std::abs(*own - line) > kSame * std::abs(line);
 }
 
 /// What a stretch takes over from the line's steel although it belongs to that steel, or to that pipe, alone.

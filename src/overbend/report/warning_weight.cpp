@@ -60,7 +60,6 @@ const std::vector<std::string>& serious_phrases() {
       "swing up by itself",
       "there it neither holds nor damps",
       "times its breaking load",
-      "m in the seabed, ",
       "serious warnings, which no ",
       kNotJudged,
   };

@@ -79,6 +79,7 @@ std::optional<std::string> file_of_the_user(const fs::path& folder, const std::v
   for (const std::string& name : names) {
     std::error_code fault;
     if (holds(written, name) || !fs::exists(fs::symlink_status(folder / name, fault))) continue;
+    if (fs::exists(folder / "study.json", fault)) return "it holds a study; give another folder";
     return "'" + name + "' in it is none of earlier results (" + kWrittenFiles +
            " does not list it); move it away, or give another folder";
   }

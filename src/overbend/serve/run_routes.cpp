@@ -16,6 +16,7 @@
 #include "study/compare_variants.h"
 #include "study/study.h"
 #include "study/study_folder.h"
+#include "study/study_runner.h"
 
 namespace overbend {
 namespace {
@@ -217,7 +218,7 @@ HttpAnswer matrix(const RunQueue& runs, const HttpRequest& request) {
   const std::filesystem::path folder = runs.folder(run) / kStudyFolder;
   std::error_code none;
   if (!std::filesystem::exists(folder / "study.json", none)) return json_answer(nullptr);
-  return json_answer(matrix_json(read_study(folder)));
+  return json_answer(matrix_json(study_so_far(folder)));
 }
 
 HttpAnswer table(const RunQueue& runs, const HttpRequest& request) {

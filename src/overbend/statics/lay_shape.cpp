@@ -113,20 +113,33 @@ double hanging_weight(const Model& model, const LayPlane& plane, double bed_z) {
   return least;
 }
 
+bool LandingSearch::follow(double landed, double near) {
+  if (std::abs(plane_->bed(landed) - plane_->bed(at_)) < near) return false;
+  // Where the bed rises steeply astern, each landing overshoots the one before, at last to where the bed is above the
+  // tensioner: what is known of either side bounds the next.
+  (landed > at_ ? nearest_ : farthest_) = at_;
+  at_ = landed > nearest_ && landed < farthest_ ? landed : 0.5 * (nearest_ + farthest_);
+  while (plane_->bed(at_) >= plane_->tensioner_W.z() && at_ - nearest_ > 1e-3) {
+    farthest_ = at_;
+    at_ = 0.5 * (nearest_ + farthest_);
+  }
+  return true;
+}
+
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
   const Section& pipe = model.sections.front();
   LayShape shape;
   // A pipe with little tension hangs by its bending stiffness: the catenary of the guess keeps to what bending would
   // allow.
   const double stiff = 1.5 * std::cbrt(pipe.EI * pipe.weight_submerged * pipe.weight_submerged);
-  double bed_z = plane.bed(0.0), landing = 0.0;
-  double nearest = 0.0, farthest = std::numeric_limits<double>::infinity();  // where the pipe may land
-  for (int pass = 0; pass < 16; ++pass) {  // on a sloping bed the depth at touchdown follows from the shape
+  LandingSearch landing(plane);
+  for (int pass = 0; pass < kLandings; ++pass) {
     shape = LayShape{};
+    const double bed_z = plane.bed(landing.at());
     const double H = std::max(tension - hanging_weight(model, plane, bed_z), stiff);
     shape.bottom_tension = H;
     const std::vector<GuidePoint> points = support_points(model, plane, model.mean_pose);
-    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing), plane.tensioner_W.z());
+    const FreeSpan span = hang(model, H, bed_z, plane.bed_slope(landing.at()), plane.tensioner_W.z());
     if (span.z.empty() || span.z.back() < bed_z + 0.5 * (plane.tensioner_W.z() - bed_z)) {
       shape.problem = "the seabed falls away astern faster than the pipe: there is no touchdown";
       return shape;
@@ -141,19 +154,7 @@ LayShape lay_shape(const Model& model, const LayPlane& plane, double tension) {
     }
     shape.last_support = last == 0 ? 0.0 : shape.length.back();
     append_span(shape, span);
-    const double landed = shape.distance.back();
-    if (std::abs(plane.bed(landed) - bed_z) < 1e-3) {
-      break;
-    }
-    // Where the bed rises steeply astern, each landing overshoots the one before, at last to where the bed is above the
-    // tensioner: what is known of either side bounds the next.
-    (landed > landing ? nearest : farthest) = landing;
-    landing = landed > nearest && landed < farthest ? landed : 0.5 * (nearest + farthest);
-    while (plane.bed(landing) >= plane.tensioner_W.z() && landing - nearest > 1e-3) {
-      farthest = landing;
-      landing = 0.5 * (nearest + farthest);
-    }
-    bed_z = plane.bed(landing);
+    if (!landing.follow(shape.distance.back(), 1e-3)) break;
   }
   if (plane.surface.shape() != nullptr) land_on_shape(shape, plane);
   double tail = tail_length(model, shape.bottom_tension, shape.touchdown - shape.last_support);

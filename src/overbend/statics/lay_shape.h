@@ -1,6 +1,7 @@
 /// First guess of the S: over the supports, then a catenary down to the seabed.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,25 @@ double hanging_weight(const Model& model, const LayPlane& plane, double bed_z);
 
 /// The same of a line that is of this section from end to end.
 double hanging_weight(const Model& model, const LayPlane& plane, const Section& section, double bed_z);
+
+/// Where a first guess lands on a bed that is not level: the depth at touchdown follows from the shape.
+class LandingSearch {
+ public:
+  explicit LandingSearch(const LayPlane& plane) : plane_(&plane) {}
+
+  /// Distance astern of the tensioner for whose depth the next shape is made [m].
+  double at() const { return at_; }
+  /// Takes where that shape landed [m]; false where the bed is as deep there, to `near` [m].
+  bool follow(double landed, double near);
+
+ private:
+  const LayPlane* plane_;
+  double at_ = 0.0;
+  double nearest_ = 0.0, farthest_ = std::numeric_limits<double>::infinity();  ///< It lands in between.
+};
+
+/// How often a shape is made for another landing.
+inline constexpr int kLandings = 16;
 
 /// `tension` at the tensioner [N]; `bottom_tension` > 0 overrides the one that follows from it (continuation).
 LayShape lay_shape(const Model& model, const LayPlane& plane, double tension);

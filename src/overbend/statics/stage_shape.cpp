@@ -217,16 +217,15 @@ LayShape shape_that_lands(const Model& model, const LayPlane& plane, double tens
 }  // namespace
 
 LayShape stage_shape(const Model& model, const LayPlane& plane, double tension) {
-  constexpr int kPasses = 8;      // on a bed that falls or rises the depth at touchdown follows from the shape
   constexpr double kNear = 1e-2;  // [m]
-  double landing = 0.0;
-  LayShape shape = shape_that_lands(model, plane, tension, landing);
-  for (int pass = 0; pass < kPasses && shape.problem.empty() && !cable_at_far_end(model.description); ++pass) {
+  LandingSearch landing(plane);
+  LayShape shape = shape_that_lands(model, plane, tension, landing.at());
+  for (int pass = 1; pass < kLandings && shape.problem.empty() && !cable_at_far_end(model.description); ++pass) {
+    // A bed that rises is met from the depth under the tensioner: a guess that hangs a little lower than the line does.
     const double there = shape.distance.back();
-    if (std::abs(plane.bed(there) - plane.bed(landing)) < kNear) break;
-    LayShape next = shape_that_lands(model, plane, tension, there);
+    if (plane.bed(there) > plane.bed(landing.at()) || !landing.follow(there, kNear)) break;
+    LayShape next = shape_that_lands(model, plane, tension, landing.at());
     if (!next.problem.empty()) break;  // it hangs plumb over a bed so deep: Newton's method has the last word
-    landing = there;
     shape = std::move(next);
   }
   if (!shape.problem.empty()) return shape;

@@ -291,16 +291,16 @@ void note_left(StaticCase& at) {
 /// A solution with the pipe beside some of its boxes is one of several: a pipe that lies on them in still water stays
 /// there while the current rises, if its rollers can hold it. That solution, where there is one, is taken instead.
 void look_on_rollers(StaticCase& at, const LayShape& shape) {
-  if (at.model.current.z.empty() || cable_on_rollers(at.model) || !first_box_left(at.model, at.system)) return;
+  if (at.model.current.z.empty() || cable_on_rollers(at.model) || boxes_left(at.model, at.system) == 0) return;
   const LineState beside = at.state;
-  const SolveReport report = at.report;
+  const double residual = at.report.force_residual;
   at.state = sample_shape(at.system, shape);
-  if (ease_in_current(at) && !first_box_left(at.model, at.system)) {
+  if (ease_in_current(at) && boxes_left(at.model, at.system) == 0) {
     at.report.method = "newton, current raised in steps";
     return;
   }
   at.state = beside;
-  at.report = report;
+  at.report.force_residual = residual;
   set_whole(at);
   at.system.evaluate(at.state, true);
 }
@@ -308,7 +308,8 @@ void look_on_rollers(StaticCase& at, const LayShape& shape) {
 /// Where no way ends better: a solution with the pipe beside most of its boxes, which is hardly the lay that is meant.
 struct Resort {
   std::optional<LineState> state;
-  SolveReport report;
+  std::string method;
+  double residual = 0.0;
 
   /// Whether the solution at hand is one; the first is kept.
   bool is_that(const StaticCase& at) {
@@ -316,14 +317,16 @@ struct Resort {
     if (2 * boxes_left(at.model, at.system) <= boxes) return false;
     if (!state) {
       state = at.state;
-      report = at.report;
+      method = at.report.method;
+      residual = at.report.force_residual;
     }
     return true;
   }
   bool take(StaticCase& at) const {
     if (!state) return false;
     at.state = *state;
-    at.report = report;
+    at.report.method = method + ", for want of a better end";
+    at.report.force_residual = residual;
     set_whole(at);
     at.system.evaluate(at.state, true);
     return true;
@@ -347,7 +350,10 @@ bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
     }
     if (at.model.seabed.surface.shape() != nullptr && at.target.kind == Target::Kind::top_tension) {
       at.report.method = "newton, bed raised to its shape";
-      if (works(raise_bed(at))) return true;
+      if (works(raise_bed(at))) {
+        look_on_rollers(at, shape);
+        return true;
+      }
     }
     at.report.method = "newton, current raised in steps";
     at.state = sample_shape(at.system, shape);

@@ -302,6 +302,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*failure);
   }
   if (auto failure = folded(at)) {
+    if (start != nullptr) return solve_at_once(model, nullptr, past);
     return fail(*failure);
   }
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

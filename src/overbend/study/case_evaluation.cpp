@@ -143,6 +143,7 @@ CaseAnswer answer_operation(const CaseBase& base, const CaseQuestion& question, 
   for (const StageResult& stage : results.stages) {
     if (stage.lay) {
       ++standing;
+      answer.warnings = together(std::move(answer.warnings), stage.lay->warnings);
       answer.warnings = together(std::move(answer.warnings), unjudged_checks(stage.lay->checks));
     } else if (failed.empty()) {
       failed = fmt::format("no equilibrium at stage {}: {}", stage.stage.name, stage.failure->why);

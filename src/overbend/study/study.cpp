@@ -165,7 +165,11 @@ StudyEnd run_study(const Description& base, const StudyPlan& plan, const fs::pat
     return end;
   }
   const std::lock_guard hold(files);
-  gather(end, plan, runs, folder, base);
+  try {
+    gather(end, plan, runs, folder, base);
+  } catch (const UnusableFolder& fault) {  // the results of the cases stay, and a second try writes what is missing
+    static_cast<RunEnd&>(end) = {RunEnding::wrong_input, fault.what()};
+  }
   return end;
 }
 

@@ -205,7 +205,8 @@ void open_study(const CaseBase& base, const StudyCases& cases, const fs::path& f
     return refuse_another(*there, wanted, folder);
   }
   std::error_code fault;
-  for (const char* other : {"summary.json", "run.json", "results.h5"}) {
+  for (const char* other :
+       {"summary.json", "run.json", "results.h5", "report.html", "study.csv", "study.xlsx", "operability.csv"}) {
     if (!fs::exists(folder / other, fault)) continue;
     throw UnusableFolder("'" + folder.string() + "' holds other results; give another folder");
   }

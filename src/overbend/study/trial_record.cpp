@@ -37,7 +37,7 @@ TrialRecord record_of(const Json& json) {
   }
   if (json.contains("utilisation")) record.result.utilisation = json.at("utilisation").get<double>();
   record.result.governing = json.at("governing").get<std::string>();
-  if (json.contains("serious")) record.result.serious = json.at("serious").get<std::vector<std::string>>();
+  json.at("serious").get_to(record.result.serious);  // a record without is of a program that did not look
   record.wall_time = json.at("wall_time").get<double>();
   return record;
 }
@@ -62,7 +62,7 @@ void write_trial(const TrialRecord& record, const CaseQuestion& question, const 
   Json json = {{"question", question_json(question)}, {"end", word(record.result.end)}};
   if (record.result.utilisation) json["utilisation"] = *record.result.utilisation;
   json["governing"] = record.result.governing;
-  if (!record.result.serious.empty()) json["serious"] = record.result.serious;
+  json["serious"] = record.result.serious;
   json["wall_time"] = record.wall_time;
   replace_file(folder / "trial.json", json_text(json, 1) + "\n");
 }
