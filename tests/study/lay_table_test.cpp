@@ -81,10 +81,10 @@ TEST(lay_table, a_row_whose_pipe_has_left_its_stinger_says_so_though_its_checks_
   const LayTable table = make_lay_table(description, range(LayTableVary::tension, 250e3, 300e3, 1));
   const LayTableRow& held = step(table, 250e3);
   EXPECT_TRUE(held.lay->passed);
-  EXPECT_EQ(held.reason, "");
+  EXPECT_EQ(remark_of(held), "");
   const LayTableRow& left = step(table, 300e3);
   EXPECT_TRUE(left.lay->passed);
-  EXPECT_NE(left.reason.find("the pipe has left 'stinger 7'"), std::string::npos) << left.reason;
+  EXPECT_NE(remark_of(left).find("the pipe has left 'stinger 7'"), std::string::npos) << remark_of(left);
   EXPECT_TRUE(std::any_of(table.warnings.begin(), table.warnings.end(), [](const std::string& warning) {
     return warning.find("serious warnings") != std::string::npos;
   }));
@@ -140,8 +140,8 @@ TEST(lay_table, a_row_says_which_check_could_not_be_judged) {
     d.pipe.section.steel.yield_stress = yield_stress;
     const LayTable table = make_lay_table(d, range(LayTableVary::tension, 250e3, 300e3, 1));
     return std::ranges::any_of(table.rows, [](const LayTableRow& row) {
-      return row.reason.find(kNotJudged) != std::string::npos &&
-             row.reason.find("the criteria start at X52") != std::string::npos;
+      return remark_of(row).find(kNotJudged) != std::string::npos &&
+             remark_of(row).find("the criteria start at X52") != std::string::npos;
     });
   };
   EXPECT_FALSE(warned(414e6));

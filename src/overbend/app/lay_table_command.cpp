@@ -47,7 +47,7 @@ void print_head(const LayTable& table) {
 
 std::string verdict_words(const LayTableRow& row) {
   const std::string kind = row.kind == LayRowKind::step ? "" : row.kind == LayRowKind::least ? "least, " : "largest, ";
-  return kind + lay_verdict(row) + (row.reason.empty() ? "" : ": " + row.reason);
+  return kind + lay_verdict(row) + (remark_of(row).empty() ? "" : ": " + remark_of(row));
 }
 
 void print_row(const LayTable& table, const LayTableRow& row) {

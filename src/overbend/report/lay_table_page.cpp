@@ -36,6 +36,23 @@ html::Head head_of(const std::string& heading, bool text) {
   return {heading.substr(0, unit), heading.substr(unit + 2, heading.size() - unit - 3), text};
 }
 
+/// Serious warnings are too long for a cell: they stand below the table.
+std::string short_remark(const LayTableRow& row) {
+  return row.serious.empty() ? row.reason : row.reason + (row.reason.empty() ? "*" : " *");
+}
+
+std::string serious_remarks(const LayTable& table) {
+  std::vector<std::string> list;
+  const ShownUnit unit = shown_unit("", table.vary == LayTableVary::tension ? "N" : "m");
+  for (const LayTableRow& row : table.rows) {
+    if (row.serious.empty()) continue;
+    std::string text = fmt::format("{} {}: ", html::fixed(row.varied * unit.factor, 1), unit.name);
+    for (const std::string& warning : row.serious) text += warning + (&warning == &row.serious.back() ? "." : "; ");
+    list.push_back(std::move(text));
+  }
+  return list.empty() ? "" : "<h3>Remarks on rows marked *</h3>\n" + html::list(list);
+}
+
 std::string columns_table(const LayTable& table, const DataTable& data, const std::string& caption,
                           const std::vector<std::size_t>& columns) {
   std::vector<html::Head> heads;
@@ -43,7 +60,10 @@ std::string columns_table(const LayTable& table, const DataTable& data, const st
   html::Table out(caption, heads, "dense summary");
   for (std::size_t r = 0; r < data.rows.size(); ++r) {
     std::vector<std::string> cells;
-    for (const std::size_t i : columns) cells.push_back(shown(data.rows[r][i], data.columns[i].digits));
+    for (const std::size_t i : columns) {
+      const bool remark = i + 1 == data.columns.size();
+      cells.push_back(remark ? short_remark(table.rows[r]) : shown(data.rows[r][i], data.columns[i].digits));
+    }
     const bool passed = table.rows[r].lay && table.rows[r].lay->passed;
     out.row(cells, passed ? "" : "over");
   }
@@ -67,7 +87,8 @@ std::string rows_section(const LayTable& table) {
                            columns_table(table, data, "Reactions and checks", carried) +
                            "<p class=\"small\">Rows named least and largest are the limits within which every "
                            "governing check is passed, found by bisection to 0.1 %. The same rows are in "
-                           "lay-table.csv and lay-table.xlsx.</p>\n");
+                           "lay-table.csv and lay-table.xlsx.</p>\n" +
+                           serious_remarks(table));
 }
 
 const LayTableRow* row_of(const LayTable& table, LayRowKind kind) {

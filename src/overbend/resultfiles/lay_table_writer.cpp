@@ -35,7 +35,7 @@ std::vector<TableCell> cells_of(const LayTable& table, const LayTableRow& row) {
     visit_lay_table_values(none, empty);
   }
   cells.emplace_back(VerdictCell{row.lay && row.lay->passed, lay_verdict(row)});
-  cells.emplace_back(row.reason);
+  cells.emplace_back(remark_of(row));
   return cells;
 }
 
@@ -64,7 +64,7 @@ Json row_json(const LayTable& table, const LayTableRow& row) {
   visit_lay_table_place(table.vary, table.route, row, json);
   if (row.lay) visit_lay_table_values(*row.lay, json);
   json["verdict"] = lay_verdict(row);
-  json["reason"] = row.reason;
+  json["reason"] = remark_of(row);
   json["solves"] = row.solves;
   return json.take();
 }
@@ -103,7 +103,7 @@ void write_lay_table_groups(DatasetSink& file, const LayTable& table) {
       visit_lay_table_values(none, visit);
     }
     rows(ResultField{"verdict", "1", "passed, exceeded, or no lay"}, lay_verdict(row));
-    rows(ResultField{"reason", "1", "Why there is no lay, what is exceeded, or what ends the range"}, row.reason);
+    rows(ResultField{"reason", "1", "Why there is no lay, what is exceeded, or what ends the range"}, remark_of(row));
     rows.end_row();
   }
   rows.write(file, "/lay_table", "A lay in each row");

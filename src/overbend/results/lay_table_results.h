@@ -43,8 +43,16 @@ struct LayTableRow {
   double depth = 0.0;                 ///< Of the water [m].
   std::optional<LayTableValues> lay;  ///< None where no lay stands.
   std::string reason;                 ///< Why not, or what is exceeded, or what ends the range; may be empty.
+  std::vector<std::string> serious;   ///< What no check judges: a pipe beside its stinger, formulas that do not hold.
   int solves = 0;                     ///< Equilibria that it took.
 };
+
+/// Reason and serious warnings in one text.
+inline std::string remark_of(const LayTableRow& row) {
+  std::string remark = row.reason;
+  for (const std::string& warning : row.serious) remark += (remark.empty() ? "" : "; ") + warning;
+  return remark;
+}
 
 struct LayTable {
   std::string title, version;

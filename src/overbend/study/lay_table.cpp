@@ -77,7 +77,7 @@ class TableMaker {
 
   /// Every check may pass while the pipe lies beside its stinger: the row and the table say so.
   void add_serious(LayTableRow& row, const LayCase& lay) {
-    for (const std::string& warning : lay.serious) row.reason += (row.reason.empty() ? "" : "; ") + warning;
+    row.serious = lay.serious;
     if (!lay.serious.empty() && lay.passed()) ++serious_;
   }
 
