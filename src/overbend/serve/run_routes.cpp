@@ -28,8 +28,9 @@ constexpr std::array<std::string_view, 5> kKinds = {"static", "dynamic", "seeds"
 double duration_of(const Json& body) {
   if (!body.contains("duration") || body["duration"].is_null()) return 0.0;
   const double duration = body["duration"].get<double>();
-  if (!(duration > 0.0 && duration <= 1e7))
+  if (!(duration > 0.0 && duration <= 1e7)) {
     throw HttpFault(422, "duration: expected a time above 0 s and of at most 1e7 s");
+  }
   return duration;
 }
 
