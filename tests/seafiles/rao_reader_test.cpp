@@ -150,20 +150,33 @@ TEST(rao_reader, remarks_at_the_head_of_a_csv_settle_its_convention_and_the_user
   EXPECT_GT(difference(good_raos(file.path(), given), bgl1_raos()), 0.1);
 }
 
-TEST(rao_reader, the_starboard_side_alone_is_mirrored) {
-  std::string text = "# reference: 0 0 0.818\nheading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
-  const RaoTable& whole = bgl1_raos();
-  for (std::size_t i = 0; i < whole.headings.size(); ++i) {
-    if (whole.headings[i] > 1e-9 && whole.headings[i] < kPi - 1e-9) continue;
-    for (std::size_t j = 0; j < whole.omegas.size(); ++j) {
+/// The rows of a table as a file of the engine's own, of those headings alone that `wanted` takes.
+template <class Wanted>
+std::string as_text(const RaoTable& table, const char* reference, Wanted wanted) {
+  std::string text = fmt::format("# reference: {}\nheading_deg,omega_rad_s,dof,amplitude,phase_deg\n", reference);
+  for (std::size_t i = 0; i < table.headings.size(); ++i) {
+    if (!wanted(table.headings[i])) continue;
+    for (std::size_t j = 0; j < table.omegas.size(); ++j) {
       for (std::size_t k = 0; k < 6; ++k) {
-        const std::complex<double> z = whole.value(i, j, k);
-        text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", whole.headings[i] / kDegree, whole.omegas[j], k + 1,
+        const std::complex<double> z = table.value(i, j, k);
+        text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", table.headings[i] / kDegree, table.omegas[j], k + 1,
                             std::abs(z) / (k < 3 ? 1.0 : kDegree), -std::arg(z) / kDegree);
       }
     }
   }
-  const WrittenFile file("starboard.csv", text);
+  return text;
+}
+
+bool not_to_port(double heading) {
+  return heading <= 1e-9 || heading >= kPi - 1e-9;
+}
+bool not_to_starboard(double heading) {
+  return heading <= kPi + 1e-9;
+}
+
+TEST(rao_reader, the_starboard_side_alone_is_mirrored) {
+  const RaoTable& whole = bgl1_raos();
+  const WrittenFile file("starboard.csv", as_text(whole, "0 0 0.818", not_to_port));
   const RaoTable table = good_raos(file.path());
   EXPECT_TRUE(table.one_sided());
   EXPECT_LT(difference(table, whole), 1e-6);
@@ -193,20 +206,7 @@ RaoTable barge_at(const Vec3& point) {
 TEST(rao_reader, one_side_of_a_point_off_the_centreline_is_mirrored_on_the_centreline) {
   const RaoTable off = barge_at(Vec3(-30.0, 7.0, 4.0)), expected = barge_at(Vec3(-30.0, 0.0, 4.0));
   for (const bool port : {true, false}) {
-    std::string text = "# reference: -30 7 4\nheading_deg,omega_rad_s,dof,amplitude,phase_deg\n";
-    for (std::size_t i = 0; i < off.headings.size(); ++i) {
-      const bool inside = off.headings[i] > 1e-9 && off.headings[i] < kPi - 1e-9;
-      const bool outside = off.headings[i] > kPi + 1e-9;
-      if (port ? outside : inside) continue;
-      for (std::size_t j = 0; j < off.omegas.size(); ++j) {
-        for (std::size_t k = 0; k < 6; ++k) {
-          const std::complex<double> z = off.value(i, j, k);
-          text += fmt::format("{:.10g},{:.10g},{},{:.10g},{:.10g}\n", off.headings[i] / kDegree, off.omegas[j], k + 1,
-                              std::abs(z) / (k < 3 ? 1.0 : kDegree), -std::arg(z) / kDegree);
-        }
-      }
-    }
-    const WrittenFile file("one_side.csv", text);
+    const WrittenFile file("one_side.csv", as_text(off, "-30 7 4", port ? not_to_starboard : not_to_port));
     const RaoTable table = good_raos(file.path());
     EXPECT_EQ(table.reference_V, expected.reference_V);
     EXPECT_EQ(table.wave_origin_V, expected.wave_origin_V);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "study/lines_run.h"
@@ -159,6 +160,23 @@ TEST(lines_statics, an_upright_line_with_a_little_slack_is_pulled_by_its_weight_
       // Bending and stretch at the lower end are a few per cent; folded elements pulled with thirty times the weight.
       EXPECT_NEAR(lines.first[0].z(), weight, 0.05 * weight) << slack << ", " << across;
     }
+  }
+}
+
+/// More slack than elements can follow where the line turns back at its lower end.
+TEST(lines_statics, an_upright_line_has_its_weight_or_is_told_to_be_folded) {
+  const LineTypeDescription hose = testing::cable_type(60.0, 0.2, 100e6, 5e3, 1025.0);
+  for (const double slack : {0.5, 1.0, 2.0, 3.0}) {
+    Description d = testing::water_alone(1025.0, 200.0);
+    d.lines = {testing::free_line(hose, 180.0 + slack, Vec3(0.0, 0.0, -5.0), Vec3(0.0, 0.0, -185.0))};
+    const LinesOutcome outcome = solve_lines(build_model(d));
+    ASSERT_TRUE(outcome.results) << slack;
+    const double weight = (180.0 + slack) * hose.weight_submerged;
+    const bool right = std::abs(outcome.results->lines.front().first.tension - weight) < 0.1 * weight;
+    const bool told = std::ranges::any_of(outcome.results->warnings, [](const std::string& warning) {
+      return warning.find("an element is folded") != std::string::npos;
+    });
+    EXPECT_TRUE(right || told) << slack << ": " << outcome.results->lines.front().first.tension;
   }
 }
 

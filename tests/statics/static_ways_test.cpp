@@ -156,6 +156,17 @@ TEST(static_ways, a_bed_that_rises_steeply_astern_is_landed_on) {
   EXPECT_NEAR(r.bottom_tension / std::cos(d.environment.seabed.slope), bottom_tension_by_hand(r), 0.01 * r.top_tension);
 }
 
+TEST(static_ways, a_line_folded_in_an_element_is_no_lay) {
+  const Model model = build_model(read("/validation/static_cases/BGL1-T250.yaml"));
+  StaticSolution lay = solve_statics(model).solution.value();
+  EXPECT_FALSE(check_folds(lay.mesh, lay.state.q));
+  const std::size_t node = lay.mesh.s.size() / 2;
+  Eigen::Map<Vec3>(lay.state.q.data() + 6 * node + 3) *= -1.0;
+  const std::optional<StaticFailure> failure = check_folds(lay.mesh, lay.state.q);
+  ASSERT_TRUE(failure);
+  EXPECT_NE(failure->what.find("folded"), std::string::npos);
+}
+
 TEST(static_ways, the_weight_told_with_a_failure_is_that_of_the_pipe_where_a_buoy_is_in_it) {
   Description d = read("/validation/static_cases/BGL1-T250.yaml");
   d.statics.max_iterations = 1;

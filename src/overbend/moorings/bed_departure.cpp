@@ -23,7 +23,10 @@ BedDeparture bed_departure(const BedSurface& bed, const std::vector<Vec3>& shape
   const auto look = [&](const Vec3& p) {
     const double from_anchor = level_distance(p, anchor);
     const double over_bed = p.z() - bed.height(p.x(), p.y());
-    if (-over_bed > most.inside) most.inside = -over_bed, most.inside_at = from_anchor;
+    if (-over_bed > most.inside) {
+      most.inside = -over_bed;
+      most.inside_at = from_anchor;
+    }
     const double straight = anchor.z() + (whole > 0.0 ? from_anchor / whole : 0.0) * (under_fairlead - anchor.z());
     if (p.z() - straight < kLies && over_bed > most.over_hollow) {
       most.over_hollow = over_bed;

@@ -333,6 +333,19 @@ std::optional<StaticFailure> check_supports(const Model& model, const StaticSyst
       "supports are too low"};
 }
 
+std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector<double>& q) {
+  for (int node = 1; node < mesh.nodes(); ++node) {
+    const double* before = q.data() + 6 * (node - 1);
+    const double* here = q.data() + 6 * node;
+    if (Eigen::Map<const Vec3>(before + 3).dot(Eigen::Map<const Vec3>(here + 3)) >= 0.0) continue;
+    return StaticFailure{"no equilibrium found: the line is folded", "in the span",
+                         fmt::format("{:.1f} m from the tensioner it turns by more than a right angle within one "
+                                     "element; another tension, or shorter elements (analysis.mesh), may lead past it",
+                                     mesh.total_length() - mesh.s[static_cast<std::size_t>(node)])};
+  }
+  return std::nullopt;
+}
+
 StaticFailure compressed_at_seabed(double tension, double least) {
   return {"the tension is too low to carry the pipe", "sagbend",
           fmt::format(

@@ -53,6 +53,10 @@ std::string off_end_words(const BoxLeft& left);
 /// A pipe that touches none of its supports is not held by them: says so. Uses the contacts of the last evaluation.
 std::optional<StaticFailure> check_supports(const Model& model, const StaticSystem& system);
 
+/// A line folded within one element is in balance with itself only: a cubic has no such turn, and no pipe stands so.
+/// `q`: six per node, from the anchor.
+std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector<double>& q);
+
 /// A mesh beyond what is built says so before it is.
 std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones);
 

@@ -293,7 +293,7 @@ void note_left(StaticCase& at) {
 void look_on_rollers(StaticCase& at, const LayShape& shape) {
   if (at.model.current.z.empty() || cable_on_rollers(at.model) || boxes_left(at.model, at.system) == 0) return;
   const LineState beside = at.state;
-  const double residual = at.report.force_residual;
+  const double residual = at.report.force_residual, least = at.least_found;
   at.state = sample_shape(at.system, shape);
   if (ease_in_current(at) && boxes_left(at.model, at.system) == 0) {
     at.report.method = "newton, current raised in steps";
@@ -301,6 +301,7 @@ void look_on_rollers(StaticCase& at, const LayShape& shape) {
   }
   at.state = beside;
   at.report.force_residual = residual;
+  at.least_found = least;
   set_whole(at);
   at.system.evaluate(at.state, true);
 }

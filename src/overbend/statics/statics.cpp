@@ -174,21 +174,6 @@ std::optional<StaticFailure> missed(StaticCase& at, const LineTargetValue& wante
                                    unit * wanted.value, unit * value, fmt::arg("unit", tension ? "kN" : "m"))};
 }
 
-/// A line folded within one element is in balance with itself only: a cubic has no such turn, and no pipe stands so.
-std::optional<StaticFailure> folded(const StaticCase& at) {
-  const LineMesh& mesh = at.system.mesh();
-  for (int node = 1; node < mesh.nodes(); ++node) {
-    const double* before = at.state.q.data() + 6 * (node - 1);
-    const double* here = at.state.q.data() + 6 * node;
-    if (Eigen::Map<const Vec3>(before + 3).dot(Eigen::Map<const Vec3>(here + 3)) >= 0.0) continue;
-    return StaticFailure{"no equilibrium found: the line is folded", "in the span",
-                         fmt::format("{:.1f} m from the tensioner it turns by more than a right angle within one "
-                                     "element; another tension, or shorter elements (analysis.mesh), may lead past it",
-                                     mesh.total_length() - mesh.s[static_cast<std::size_t>(node)])};
-  }
-  return std::nullopt;
-}
-
 /// Whether the axial stiffness steps so near the tensioner that the stretch of the node there is not that of the
 /// tension alone: neighbouring elements share it.
 bool shares_stretch(const StaticCase& at) {
@@ -301,7 +286,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   if (auto failure = missed(at, from.target)) {
     return fail(*failure);
   }
-  if (auto failure = folded(at)) {
+  if (auto failure = check_folds(at.system.mesh(), at.state.q)) {
     if (start != nullptr) return solve_at_once(model, nullptr, past);
     return fail(*failure);
   }
