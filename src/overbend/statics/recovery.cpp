@@ -373,6 +373,7 @@ StaticResults recover_in_current(const Model& model, const StaticSolution& solut
   warn_statics(model, results);
   warn_of_uneven_bed(model, results);
   warn_of_missed_target(results, model);
+  note_sensitive_tension(results, model, solution);
   return results;
 }
 

@@ -92,13 +92,6 @@ Nearest nearest_end(const StaticSystem& system, const LineState& state, const Pl
   return nearest;
 }
 
-/// As the contact has it; of a roller out of its reach, along the whole line.
-ClosestPoint closest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
-                        const ClosestPoint& met) {
-  const LineMesh& mesh = system.mesh();
-  return met.found ? met : closest_point(placed, state.q.data(), mesh.length.data(), 0, mesh.elements());
-}
-
 /// Along the closest direction between centreline and roller, as the contact is: a roller that carries has its
 /// penetration.
 Nearest nearest_to(const StaticSystem& system, const LineState& state, const PlacedRoller& placed,
@@ -136,7 +129,7 @@ RowTotals recover_row(RowResult& result, const SupportRow& row, const StaticSyst
     const std::size_t k = static_cast<std::size_t>(i);
     const RollerContact& contact = system.contacts()[k];
     const PlacedRoller& placed = system.rollers().placed(i);
-    const ClosestPoint at = closest_to(system, state, placed, contact.at);
+    const ClosestPoint at = closest_to_roller(system, state, i);
     RollerResult roller = recover_roller(model.supports.rollers[k], model.section_over(model.supports.rollers[k]),
                                          placed, contact, at, axes);
     const Nearest nearest = nearest_to(system, state, placed, at);

@@ -4,6 +4,9 @@
 
 #include <cmath>
 
+#include "statics/anchored_lay.h"
+#include "statics/static_start.h"
+
 namespace overbend {
 namespace {
 
@@ -28,6 +31,33 @@ void warn_of_missed_target(StaticResults& results, const Model& model) {
           fmt::format("the anchor is {:.2f} m astern of the stern shoe, {:.2f} m was specified", reached, wanted));
     }
   }
+}
+
+std::optional<double> tension_per_anchor_distance(const Model& model, const StaticSolution& solution) {
+  StaticSystem system = system_with_past(model, solution.mesh, solution.past);
+  system.evaluate(solution.state, true);
+  system.hold(true);
+  if (!system.factor(solution.state, wanted_of(model.description))) return std::nullopt;
+  std::vector<double> change(solution.state.q.size(), 0.0);
+  double far_force = 1.0;  // on its way in: the change of the distance that is asked for
+  system.solve(change, far_force);
+  const std::size_t top = change.size() - 3;
+  const Vec3 tangent(Eigen::Map<const Vec3>(solution.state.q.data() + top));
+  const Vec3 turned(Eigen::Map<const Vec3>(change.data() + top));
+  return system.elements().EA[static_cast<std::size_t>(system.mesh().elements() - 1)] *
+         tangent.normalized().dot(turned);
+}
+
+void note_sensitive_tension(StaticResults& results, const Model& model, const StaticSolution& solution) {
+  constexpr double kLength = 0.01;  // [m]
+  if (!is_anchored(model)) return;
+  const std::optional<double> slope = tension_per_anchor_distance(model, solution);
+  if (!slope) return;
+  const double change = std::abs(*slope) * kLength;
+  results.assumptions.push_back(fmt::format(
+      "the tension follows from pipe.length and pipe.anchor, which are taken as exact: an error of 10 mm in either "
+      "changes the tension by {:.3g} kN ({:.2g} %)",
+      1e-3 * change, 100.0 * change / results.top_tension));
 }
 
 }  // namespace overbend

@@ -25,11 +25,15 @@ StaticFailure floats(const Section& pipe) {
 }
 
 StaticFailure too_little_tension(double tension, double least) {
-  return {"the tension is too low to carry the pipe", "at the tensioner",
+  return {"the tension is too low to carry the pipe",
+          "at the tensioner",
           fmt::format(
               "tension {:.1f} kN is below the suspended weight between tensioner and seabed, {:.1f} kN (weight in air "
               "above the water, submerged weight below); at a lower tension the pipe is in compression at the seabed",
-              1e-3 * tension, 1e-3 * least)};
+              1e-3 * tension, 1e-3 * least),
+          false,
+          {},
+          FailureKind::tension_too_low};
 }
 
 StaticFailure no_curve(const std::string& problem) {
@@ -68,18 +72,6 @@ double tension_that_reaches(const Reach& reach, double low, double high, double 
     (reach(middle) < distance ? low : high) = middle;
   }
   return std::sqrt(low * high);
-}
-
-/// Tension whose line has a given distance of the anchor; bisection on the guess (the extra equation then finds it
-/// exactly).
-double tension_for_anchor(const Model& model, const LayPlane& plane, double least, double distance) {
-  const double length = *model.description.pipe.length;
-  const auto reach = [&](double tension) {
-    const LayShape shape = lay_shape(model, plane, tension);
-    const double slack = length - shape.touchdown;  // the rest lies on the bed
-    return shape.distance[touchdown_index(shape)] + slack;
-  };
-  return tension_that_reaches(reach, 1.001 * least, 50.0 * least, distance);
 }
 
 /// Height of the line's axis on the highest place that it may meet: of a plane, under the tensioner.
@@ -135,6 +127,18 @@ std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZon
                        true};
 }
 
+double shape_distance(const LayShape& shape, double length) {
+  if (!shape.problem.empty()) return 0.0;
+  return shape.distance[touchdown_index(shape)] + length - shape.touchdown;  // the rest lies on the bed
+}
+
+double tension_for_anchor(const Model& model, const LayPlane& plane) {
+  const Description& d = model.description;
+  const double hanging = std::max(1.0, hanging_weight(model, plane, model.sections.front(), highest_bed(plane)));
+  const auto reach = [&](double tension) { return shape_distance(lay_shape(model, plane, tension), *d.pipe.length); };
+  return tension_that_reaches(reach, 1.001 * hanging, 50.0 * hanging, wanted_of(d).value);
+}
+
 LineTargetValue wanted_of(const Description& description) {
   if (description.tensioner.tension || !description.pipe.length || !description.pipe.anchor) {
     return {LineTargetValue::Kind::top_tension, description.tensioner.tension.value_or(0.0)};
@@ -173,7 +177,7 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
   const double least = hanging_weight(model, plane, highest_bed(plane));
   start.target = wanted_of(d);
   const bool anchored = start.target.kind == LineTargetValue::Kind::anchor_distance;
-  const double tension = anchored ? tension_for_anchor(model, plane, least, start.target.value) : start.target.value;
+  const double tension = anchored ? tension_for_anchor(model, plane) : start.target.value;
   if (tension <= least) {
     start.failure = too_little_tension(tension, least);
     return start;
@@ -189,15 +193,12 @@ StartingPoint starting_point(const Model& model, const LayPlane& plane) {
     start.failure = too_little_tension(tension, needed);
     return start;
   }
-  start.tail = start.shape.total - start.shape.touchdown;
-  if (d.pipe.length) {
-    start.tail = *d.pipe.length - start.shape.touchdown;
-    if (start.tail <= 0.0) {
-      start.failure = never_touches(model, *d.pipe.length);
-      return start;
-    }
+  if (d.pipe.length) {  // whether a line of that length reaches the bed the equilibrium says, not the guess
+    constexpr double kMaxSuspended = 0.95;
     start.shape.total = *d.pipe.length;
+    start.shape.touchdown = std::min(start.shape.touchdown, kMaxSuspended * start.shape.total);
   }
+  start.tail = start.shape.total - start.shape.touchdown;
   start.zones = {start.shape.total,
                  start.shape.last_support,
                  start.shape.touchdown,
@@ -311,6 +312,18 @@ std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& sy
   return std::nullopt;
 }
 
+std::optional<std::string> box_above_pipe(const Model& model, const StaticSystem& system, const LineState& state) {
+  const std::vector<Roller>& rollers = model.supports.rollers;
+  for (std::size_t i = 0; i < rollers.size(); ++i) {
+    if (rollers[i].position != RollerPosition::bottom) continue;
+    const PlacedRoller& placed = system.rollers().placed(static_cast<int>(i));
+    const ClosestPoint closest = closest_to_roller(system, state, static_cast<int>(i));
+    const bool below = closest.found && (closest.place - closest.reference).dot(placed.normal) < 0.0;
+    if (below && closest.off_end <= 0.0) return model.supports.boxes[static_cast<std::size_t>(rollers[i].box)].name;
+  }
+  return std::nullopt;
+}
+
 std::string off_end_words(const BoxLeft& left) {
   return fmt::format("{:.2f} m off the end of its roller{}", left.off_end,
                      left.sided ? "" : "; that box has no side rollers to hold it");
@@ -346,18 +359,35 @@ std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector
   return std::nullopt;
 }
 
+std::optional<StaticFailure> check_above_rollers(const Model& model, const StaticSystem& system,
+                                                 const LineState& state) {
+  const std::optional<std::string> box = box_above_pipe(model, system, state);
+  if (!box) return std::nullopt;
+  return StaticFailure{"no equilibrium found on the rollers", fmt::format("box '{}'", *box),
+                       "the only equilibrium found has the pipe below this box, through whose rollers it cannot pass: "
+                       "look for a box far off the curve of its neighbours, or another tension"};
+}
+
 StaticFailure compressed_at_seabed(double tension, double least) {
-  return {"the tension is too low to carry the pipe", "sagbend",
+  return {"the tension is too low to carry the pipe",
+          "sagbend",
           fmt::format(
               "tension {:.6g} kN is below the {:.6g} kN needed with zero bottom tension, for the suspended weight, the "
               "slope of the seabed and the current; at a lower tension the pipe is in compression at the seabed",
-              1e-3 * tension, 1e-3 * least)};
+              1e-3 * tension, 1e-3 * least),
+          false,
+          {},
+          FailureKind::tension_too_low};
 }
 
 StaticFailure never_touches(const Model& model, double length) {
   const std::string given = model.description.pipe.length ? "pipe.length" : "the length tried";
-  return {"the pipe does not reach the seabed", "sagbend",
-          fmt::format("{} of {:.0f} m ends before touchdown: give more length, or less tension", given, length)};
+  return {"the pipe does not reach the seabed",
+          "sagbend",
+          fmt::format("{} of {:.0f} m ends before touchdown: give more length, or less tension", given, length),
+          false,
+          {},
+          FailureKind::no_touchdown};
 }
 
 }  // namespace overbend

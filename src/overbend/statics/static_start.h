@@ -23,6 +23,12 @@ struct StartingPoint {
 /// What the model wants of the line: the tension at the tensioner, or else the place of the anchor.
 LineTargetValue wanted_of(const Description& description);
 
+/// Tension of the guess whose line of pipe.length has its far end at the distance pipe.anchor [N].
+double tension_for_anchor(const Model& model, const LayPlane& plane);
+
+/// Horizontal distance of the far end of a line of given length that hangs as `shape` [m]; 0 where there is no shape.
+double shape_distance(const LayShape& shape, double length);
+
 StartingPoint starting_point(const Model& model, const LayPlane& plane);
 
 /// The same beside a solution on a mesh that the model fits: where the shape of the guess decides nothing, on a level
@@ -47,6 +53,9 @@ struct BoxLeft {
 std::optional<BoxLeft> first_box_left(const Model& model, const StaticSystem& system);
 /// How many boxes it lies beside, in that state.
 int boxes_left(const Model& model, const StaticSystem& system);
+/// Name of the first box, seen from the tensioner, under whose bottom rollers the pipe lies without having run off
+/// their ends: no way leads there but through the rollers.
+std::optional<std::string> box_above_pipe(const Model& model, const StaticSystem& system, const LineState& state);
 /// How far, and whether something should have held the pipe.
 std::string off_end_words(const BoxLeft& left);
 
@@ -56,6 +65,10 @@ std::optional<StaticFailure> check_supports(const Model& model, const StaticSyst
 /// A line folded within one element is in balance with itself only: a cubic has no such turn, and no pipe stands so.
 /// `q`: six per node, from the anchor.
 std::optional<StaticFailure> check_folds(const LineMesh& mesh, const std::vector<double>& q);
+
+/// A pipe below its rollers is no lay on them: the search went through them.
+std::optional<StaticFailure> check_above_rollers(const Model& model, const StaticSystem& system,
+                                                 const LineState& state);
 
 /// A mesh beyond what is built says so before it is.
 std::optional<StaticFailure> too_many_elements(const Model& model, const MeshZones& zones);

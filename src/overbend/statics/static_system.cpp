@@ -344,4 +344,11 @@ double StaticSystem::work(const std::vector<double>& dq) const {
   return sum;
 }
 
+ClosestPoint closest_to_roller(const StaticSystem& system, const LineState& state, int roller) {
+  const ClosestPoint& met = system.contacts()[static_cast<std::size_t>(roller)].at;
+  if (met.found) return met;
+  const LineMesh& mesh = system.mesh();
+  return closest_point(system.rollers().placed(roller), state.q.data(), mesh.length.data(), 0, mesh.elements());
+}
+
 }  // namespace overbend

@@ -151,4 +151,7 @@ class StaticSystem {
   BorderedReport solve_report_;
 };
 
+/// Point of the centreline closest to a roller: the contact's, or for a roller out of reach that of the whole line.
+ClosestPoint closest_to_roller(const StaticSystem& system, const LineState& state, int roller);
+
 }  // namespace overbend

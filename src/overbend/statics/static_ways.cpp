@@ -283,7 +283,9 @@ bool relax_and_finish(StaticCase& at) {
 }
 
 void note_left(StaticCase& at) {
-  if (const std::optional<BoxLeft> left = first_box_left(at.model, at.system)) {
+  if (const std::optional<std::string> box = box_above_pipe(at.model, at.system, at.state)) {
+    at.left = fmt::format(". In an attempt the pipe lay below the rollers of '{}', through which it cannot pass", *box);
+  } else if (const std::optional<BoxLeft> left = first_box_left(at.model, at.system)) {
     at.left = fmt::format(". In an attempt the pipe lay beside '{}', {}", left->name, off_end_words(*left));
   }
 }
@@ -337,7 +339,7 @@ struct Resort {
 /// One way after another from the guess, with linear steel.
 bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
   const auto works = [&](bool found) {
-    if (found) return !resort.is_that(at);
+    if (found && !box_above_pipe(at.model, at.system, at.state)) return !resort.is_that(at);
     note_left(at);
     return false;
   };

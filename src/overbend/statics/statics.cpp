@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "statics/anchored_lay.h"
 #include "statics/bed_contacts.h"
 #include "statics/carried_start.h"
 #include "statics/static_obstacle.h"
@@ -215,8 +216,14 @@ StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast&
 
 namespace {
 
+StaticOutcome solve_from_nothing(const Model& model, const LinePast& past);
+
+/// Where a start does not lead to the equilibrium.
+enum class ColdRetry { no, yes };
+
 /// Without a way round a bend of the route.
-StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, const LinePast& past) {
+StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, const LinePast& past,
+                            ColdRetry retry = ColdRetry::yes) {
   const auto begin = std::chrono::steady_clock::now();
   if (const auto obstacle = static_obstacle(model.description)) {
     return fail(*obstacle);
@@ -231,6 +238,9 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
     return fail(*failure);
   }
   if (same_line) from.zones.total = start->mesh.total_length();
+  const auto retry_or = [&](StaticFailure failure) {
+    return start != nullptr && retry == ColdRetry::yes ? solve_from_nothing(model, past) : fail(std::move(failure));
+  };
   StaticCase at{model,
                 system_with_past(model, same_line ? start->mesh : build_mesh(model, from.zones), past),
                 {},
@@ -240,9 +250,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   if (start != nullptr) {
     at.report.method = "newton, from the last solution";
     solved = solve_from(at, *start, plane);
-    if (!solved) {
-      return solve_at_once(model, nullptr, past);
-    }
+    if (!solved) return retry_or({"no equilibrium found from the last solution", "", ""});
   } else {
     solved = solve_from_shape(at, from.shape);
   }
@@ -250,7 +258,9 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   for (int pass = 0; solved && pass < kMeshPasses; ++pass) {
     solved = meet_by_balance(at, from.target);
     if (!solved) break;
-    if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) return solve_at_once(model, nullptr, past);
+    if (!settled_or_kept(at, aside) && start != nullptr && pass == 0) {
+      return retry_or({"no line of steady laying found from the last solution", "", ""});
+    }
     const std::optional<LinePlace> touchdown = landing(at.system, at.state);
     const MeshZones now = zones_of(at, from.zones, touchdown);
     const bool touches = touchdown.has_value();
@@ -286,10 +296,9 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   if (auto failure = missed(at, from.target)) {
     return fail(*failure);
   }
-  if (auto failure = check_folds(at.system.mesh(), at.state.q)) {
-    if (start != nullptr) return solve_at_once(model, nullptr, past);
-    return fail(*failure);
-  }
+  std::optional<StaticFailure> impossible = check_folds(at.system.mesh(), at.state.q);
+  if (!impossible) impossible = check_above_rollers(model, at.system, at.state);
+  if (impossible) return retry_or(*impossible);
   at.report.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   StaticSolution solution;
   solution.mesh = at.system.mesh();
@@ -301,6 +310,10 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   solution.zones = from.zones;
   solution.mesh_asked = model.description.mesh;
   return {std::move(solution), std::nullopt};
+}
+
+StaticOutcome solve_from_nothing(const Model& model, const LinePast& past) {
+  return is_anchored(model) ? solve_anchored(model, past) : solve_at_once(model, nullptr, past);
 }
 
 /// A route that bends, from the straight one on: its arcs keep their lengths and turn more and more.
@@ -326,10 +339,14 @@ StaticOutcome bend_in_steps(const Model& model, const LinePast& past) {
 }  // namespace
 
 StaticOutcome solve_statics(const Model& model, const StaticSolution* start, const LinePast& past) {
-  StaticOutcome outcome = solve_at_once(model, start, past);
+  StaticOutcome outcome = start != nullptr ? solve_at_once(model, start, past) : solve_from_nothing(model, past);
   if (outcome.solution || outcome.failure->input || !model.description.route.given()) return outcome;
   StaticOutcome bent = bend_in_steps(model, past);
   return bent.solution ? std::move(bent) : std::move(outcome);
+}
+
+StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LinePast& past) {
+  return solve_at_once(model, &start, past, ColdRetry::no);
 }
 
 StaticSolution::StaticSolution() = default;

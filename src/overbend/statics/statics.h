@@ -55,6 +55,13 @@ struct StaticSolution {
 /// The equations of a line on a mesh, with its past.
 StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast& past);
 
+/// What a search for another tension may conclude from a failure.
+enum class FailureKind {
+  other,
+  tension_too_low,  ///< The line cannot hang or would be in compression at the seabed.
+  no_touchdown,     ///< The line ends before it reaches the seabed.
+};
+
 /// Why there is none.
 struct StaticFailure {
   std::string what;    ///< One sentence: what went wrong.
@@ -62,6 +69,7 @@ struct StaticFailure {
   std::string why;     ///< The reason, and what would mend it.
   bool input = false;  ///< The model asks for what is not computed: to be told as a fault of the file.
   std::string key{};   ///< Of an input: the key of the model that it is about, empty where it is about none.
+  FailureKind kind = FailureKind::other;
 };
 
 struct StaticOutcome {
@@ -71,5 +79,8 @@ struct StaticOutcome {
 
 /// Finds the equilibrium. `start`, where given, is the solution of a case close by (slider, continuation).
 StaticOutcome solve_statics(const Model& model, const StaticSolution* start = nullptr, const LinePast& past = {});
+
+/// The same from a neighbouring solution alone: where that does not lead to the equilibrium, nothing else is tried.
+StaticOutcome continue_statics(const Model& model, const StaticSolution& start, const LinePast& past = {});
 
 }  // namespace overbend

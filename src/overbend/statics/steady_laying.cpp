@@ -45,7 +45,7 @@ bool take(StaticCase& at, const StaticSystem::LineChange& change, double way) {
 bool lays_steadily(const Model& model) {
   const Description& d = model.description;
   return d.statics.laying == Laying::steady && model.seabed.friction_lateral > 0.0 && model.seabed.stiffness > 0.0 &&
-         !cable_at_far_end(d) && wanted_of(d).kind == LineTargetValue::Kind::top_tension;
+         !cable_at_far_end(d);
 }
 
 LayRoute laid_route(const Model& model, const StaticSolution& solution) {

@@ -13,8 +13,8 @@
 
 namespace overbend {
 
-/// Whether statics look for the line on which this model's pipe was laid: it lies where friction keeps it, and its far
-/// end is not an anchor's.
+/// Whether statics look for the line on which this model's pipe was laid: it lies where friction keeps it, and no cable
+/// leads its far end to an anchor.
 bool lays_steadily(const Model& model);
 
 /// The line on which the pipe of a solution lies.
