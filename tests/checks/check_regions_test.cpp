@@ -39,5 +39,23 @@ TEST(check_regions, the_stinger_tip_is_checked_from_the_last_contact_on_whatever
   }
 }
 
+// The pipe that lies on the bed bears most where it lands. Without that place the utilisations were 2 to 26 % lower,
+// with the mesh; with it they differ by less than 0.5 % between the meshes.
+TEST(check_regions, the_seabed_is_checked_up_to_touchdown_whatever_the_mesh) {
+  Description d = read_model(OVERBEND_SOURCE_DIR "/examples/first-model.yaml").description.value();
+  for (const char* id : {"dnv_load_controlled", "dnv_equivalent_stress", "api_bending_pressure"}) {
+    double least = 1e9, most = 0.0;
+    for (const double element : {0.5, 1.0, 2.0}) {
+      d.mesh.touchdown_element = element;
+      const StaticResults results = checked(d);
+      const CheckRow& bed = row_of(results.checks, id, CheckRegion::seabed);
+      EXPECT_NEAR(bed.s, results.touchdown.s, 1e-6) << id;
+      least = std::min(least, bed.utilisation);
+      most = std::max(most, bed.utilisation);
+    }
+    EXPECT_LT(most, 1.005 * least) << id;
+  }
+}
+
 }  // namespace
 }  // namespace overbend

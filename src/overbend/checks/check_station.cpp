@@ -13,13 +13,20 @@ double overpressure_at(const Model& model, const Section& section, double z) {
   return model.water_weight_density * std::max(-z, 0.0) - pressure_on_bore(section, z);
 }
 
-CheckStation station_of(const Model& model, const Regions& limits, double total, double s, const Vec3& p_W,
+/// Places of a station, of the next below it and of the top [m].
+struct StationPlace {
+  double s, below, top;
+};
+
+CheckStation station_of(const Model& model, const Regions& limits, const StationPlace& place, const Vec3& p_W,
                         std::size_t section) {
   CheckStation station;
-  station.s = s;
-  station.from_top = total - s;
+  station.s = place.s;
+  station.from_top = place.top - place.s;
   station.p_W = p_W;
-  station.region = limits.check_of(s);
+  station.region = limits.check_of(place.s);
+  station.leaves = limits.leaves(place.below, place.s);
+  station.lands = limits.lands(place.below, place.s);
   station.section = section;
   station.overpressure = overpressure_at(model, model.sections[station.section], p_W.z());
   station.load_pressure = station.bend_pressure = station.overpressure;
@@ -128,9 +135,8 @@ CheckStations static_stations(const Model& model, const StaticResults& statics) 
   for (std::size_t i = 0; i < statics.stations.size(); ++i) {
     const Station& at = statics.stations[i];
     if (at.kind == SectionKind::structure) continue;  // no pipe: the formulas say nothing of it
-    const double total = statics.stations.back().s;
-    CheckStation station = station_of(model, limits, total, at.s, at.p_W, section_at_rest(model, total - at.s));
-    station.leaves = i > 0 && limits.leaves(statics.stations[i - 1].s, at.s);
+    const StationPlace place{at.s, i > 0 ? statics.stations[i - 1].s : at.s, statics.stations.back().s};
+    CheckStation station = station_of(model, limits, place, at.p_W, section_at_rest(model, place.top - at.s));
     const CheckSection& section = out.section_of(station);
     if (section.cable) continue;
     const StillEffects still = still_effects(at, model.sections[station.section], out.current_separate);
@@ -157,12 +163,12 @@ CheckStations dynamic_stations(const Model& model, const StaticResults& statics,
   const Regions limits = regions(statics);
   const StationDesign& design = dynamics.design;
   for (std::size_t i = 0; i < dynamics.station_s.size(); ++i) {
-    const double total = dynamics.station_s.back();
-    const std::size_t section = section_of_node(model, total - dynamics.station_s[i]);
+    const std::vector<double>& s = dynamics.station_s;
+    const StationPlace place{s[i], i > 0 ? s[i - 1] : s[i], s.back()};
+    const std::size_t section = section_of_node(model, place.top - s[i]);
     if (model.sections[section].kind == SectionKind::structure) continue;
-    CheckStation station = station_of(model, limits, total, dynamics.station_s[i], dynamics.static_place[i], section);
+    CheckStation station = station_of(model, limits, place, dynamics.static_place[i], section);
     if (out.section_of(station).cable) continue;
-    station.leaves = i > 0 && limits.leaves(dynamics.station_s[i - 1], station.s);
     station.moment = dynamics.static_moment[i];
     station.force = dynamics.static_tension[i];
     if (out.current_separate) {

@@ -20,6 +20,7 @@ struct CheckStation {
   std::size_t section = 0;
   CheckRegion region = CheckRegion::sagbend;
   bool leaves = false;  ///< The last over the supports: of the stinger tip as well.
+  bool lands = false;   ///< The first above the bed: of the seabed as well.
   double s = 0.0, from_top = 0.0;
   Vec3 p_W = Vec3::Zero();
   double overpressure = 0.0;  ///< External over internal pressure at the static place [Pa].
@@ -37,7 +38,8 @@ struct CheckStation {
 
 /// Whether a station counts in a region.
 inline bool counts_in(const CheckStation& station, CheckRegion region) {
-  return region == CheckRegion::line || station.region == region || (region == CheckRegion::tip && station.leaves);
+  return region == CheckRegion::line || station.region == region || (region == CheckRegion::tip && station.leaves) ||
+         (region == CheckRegion::seabed && station.lands);
 }
 
 struct CheckStations {

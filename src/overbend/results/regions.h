@@ -28,6 +28,10 @@ struct Regions {
     return carried && inflection < departure && below < departure && s >= departure;
   }
 
+  /// Whether the station is the first of the suspended pipe, `below` being the place of the next. It is of the seabed
+  /// as well: the pipe that lies there bears at its end what it does at touchdown.
+  bool lands(double below, double s) const { return below < touchdown && s >= touchdown; }
+
   /// The same for the code checks, which tell the overbend over the supports from its free end.
   CheckRegion check_of(double s) const {
     switch (of(s)) {
