@@ -39,6 +39,10 @@ const std::vector<Spoiling>& bad_corpus() {
        "    yield_stress: 414 MPa\n    material: {law: stress_strain, stress_strain: [{strain: 0.1 %, stress: 414 "
        "MPa}]}\n",
        "stress_strain: [", "pipe.steel.material.stress_strain[0]", "steeper than Young's modulus", false},
+      {"curve_whose_first_point_is_not_elastic", "    yield_stress: 414 MPa\n",
+       "    yield_stress: 414 MPa\n    material: {law: stress_strain, stress_strain: [{strain: 0.5 %, stress: 450 "
+       "MPa}]}\n",
+       "stress_strain: [", "pipe.steel.material.stress_strain[0]", "a first point below Young's modulus", false},
       {"curve_that_falls_back", "    yield_stress: 414 MPa\n",
        "    yield_stress: 414 MPa\n    material: {law: stress_strain, stress_strain: [{strain: 0.2 %, stress: 414 "
        "MPa}, "

@@ -1,5 +1,6 @@
 #include "statics/statics.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -414,4 +415,27 @@ TEST(statics, supports_far_below_the_pipe_are_refused) {
 }
 
 }  // namespace
+TEST(statics, a_tension_beyond_the_yield_load_of_yielding_steel_is_refused_at_once) {
+  Description d = reference_bgl1();
+  d.pipe.section.steel.material.law = MaterialLaw::bilinear;
+  const double area = 3.14159265358979 * (0.4064 - 0.011125) * 0.011125, yield_load = 414e6 * area;
+  d.tensioner.tension = 1.01 * yield_load;
+  const StaticOutcome outcome = solve_statics(build_model(d));
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->what, "the tension exceeds the yield load of the pipe");
+  EXPECT_NE(outcome.failure->why.find(fmt::format("{:.6g} kN (yield stress", 1e-3 * yield_load)), std::string::npos)
+      << outcome.failure->why;
+}
+
+TEST(statics, a_pipe_that_folds_where_it_yields_is_told_from_one_without_an_equilibrium) {
+  Description d = reference_bgl1();
+  d.pipe.section.steel.yield_stress = 60e6;  // the stinger bends it to five times the curvature of first yield
+  d.pipe.section.steel.material.law = MaterialLaw::bilinear;
+  d.pipe.section.steel.material.hardening_modulus = 1e6;
+  const StaticOutcome outcome = solve_statics(build_model(d));
+  ASSERT_TRUE(outcome.failure);
+  EXPECT_EQ(outcome.failure->what, "no equilibrium found: the pipe yields");
+  EXPECT_NE(outcome.failure->why.find("times the curvature of first yield"), std::string::npos) << outcome.failure->why;
+}
+
 }  // namespace overbend

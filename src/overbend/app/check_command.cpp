@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iostream>
+#include <iterator>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -140,6 +141,7 @@ int run_check(const std::string& model_file) {
       warnings.push_back("the stages of the operation cannot be solved: " + failed_end(*obstacle, *description).why);
     }
   }
+  std::ranges::copy(material_warnings(model), std::back_inserter(warnings));
   const std::vector<std::string> doubts = print_raos(model);
   warnings.insert(warnings.end(), doubts.begin(), doubts.end());
   std::transform(warnings.begin(), warnings.end(), warnings.begin(), without_mark);

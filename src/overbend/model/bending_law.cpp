@@ -117,10 +117,10 @@ BendingLaw from_moments(const MomentAt& moment, double EI, const FitRange& range
   return law;
 }
 
-BendingLaw from_table(const SteelDescription& steel, double EI) {
-  std::vector<CurvePoint> points = steel.material.moment_curvature;
+BendingLaw from_table(const SteelDescription& steel) {
+  const std::vector<CurvePoint>& points = steel.material.moment_curvature;
   require(!points.empty(), "a law by a table has points");
-  points.front().x = points.front().y / EI;  // the straight part is the section's own
+  const double EI = elastic_bending_stiffness(steel);
   const auto moment = [&](double k, double) {
     if (k <= points.front().x || points.size() == 1) return MomentPoint{std::min(EI * k, points.front().y), 0.0};
     std::size_t i = 1;
@@ -228,15 +228,22 @@ MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvatu
   return point;
 }
 
+double elastic_bending_stiffness(const SteelDescription& steel) {
+  const std::vector<CurvePoint>& points = steel.material.moment_curvature;
+  if (steel.material.law == MaterialLaw::moment_curvature && !points.empty())
+    return points.front().y / points.front().x;
+  return steel.youngs_modulus * second_moment(steel.outside_diameter, steel.wall_thickness);
+}
+
 std::optional<BendingLaw> bending_law(const SteelDescription& steel, const std::vector<LevelLoads>& levels) {
-  const double EI = steel.youngs_modulus * second_moment(steel.outside_diameter, steel.wall_thickness);
+  const double EI = elastic_bending_stiffness(steel);
   switch (steel.material.law) {
     case MaterialLaw::linear:
       return std::nullopt;
     case MaterialLaw::moment_ramberg_osgood:
       return from_form(steel, EI);
     case MaterialLaw::moment_curvature:
-      return from_table(steel, EI);
+      return from_table(steel);
     case MaterialLaw::ramberg_osgood:
     case MaterialLaw::bilinear:
     case MaterialLaw::stress_strain:

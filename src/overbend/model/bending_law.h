@@ -56,6 +56,9 @@ MomentPoint monotonic(const BendingLaw& law, const LevelMix& mix, double curvatu
 /// That strain alone.
 double axis_strain(const BendingLaw& law, const LevelMix& mix, double curvature);
 
+/// Bending stiffness of the pipe before it yields: E I, or the first slope of a moment-curvature table [N m2].
+double elastic_bending_stiffness(const SteelDescription& steel);
+
 /// What loads the wall at a height.
 struct LevelLoads {
   double z = 0.0;

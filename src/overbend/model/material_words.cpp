@@ -81,4 +81,18 @@ std::vector<std::string> material_assumptions(const Model& model) {
   return list;
 }
 
+std::vector<std::string> material_warnings(const Model& model) {
+  constexpr double kMaxFitError = 0.02;
+  std::vector<std::string> list;
+  for (const Section& section : model.sections) {
+    if (!section.bending || section.bending->fit_error <= kMaxFitError) continue;
+    list.push_back(
+        fmt::format("the moment-curvature curve of section '{}' is reproduced only within {:.1f} %: moments there are "
+                    "uncertain by as "
+                    "much; give more points where the curve bends, or another law (pipe.steel.material)",
+                    section.name, 100.0 * section.bending->fit_error));
+  }
+  return list;
+}
+
 }  // namespace overbend

@@ -14,4 +14,7 @@ std::string material_words(const SteelDescription& steel);
 /// Assumptions on the steel of all sections.
 std::vector<std::string> material_assumptions(const Model& model);
 
+/// Warnings about moment-curvature curves that the model reproduces only roughly.
+std::vector<std::string> material_warnings(const Model& model);
+
 }  // namespace overbend

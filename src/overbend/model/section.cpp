@@ -48,7 +48,7 @@ Section derive_section(const std::string& name, const SectionDescription& descri
   section.steel_area = section.pressure_area - section.internal_area;
   section.second_moment = second_moment(steel.outside_diameter, steel.wall_thickness);
   section.EA = steel.youngs_modulus * section.steel_area;
-  section.EI = steel.youngs_modulus * section.second_moment;
+  section.EI = elastic_bending_stiffness(steel);
 
   section.outer_diameter = steel.outside_diameter;
   const double coatings = coating_weight(description, section.outer_diameter);

@@ -131,7 +131,8 @@ std::vector<Field> section(const std::string& p) {
        .member = enters(&MaterialDescription::moment_curvature),
        .kind = FieldKind::list,
        .text = "Moment-curvature curve of the pipe, increasing from the origin, which is not listed. The first point "
-               "is the end of the linear part.",
+               "is the end of the linear part, whose slope is the bending stiffness; it may be below that of the steel "
+               "section, and is at most 5 % above.",
        .fallback_text = "not given"},
       {.path = p + ".steel.material.moment_curvature[]", .member = appends<CurvePoint>(), .text = "One point."},
       {.path = p + ".steel.material.moment_curvature[].curvature",

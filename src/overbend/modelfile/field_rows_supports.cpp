@@ -59,7 +59,7 @@ Field roller_size(const std::string& key, const Member& member, const std::strin
 /// The boxes of a structure, or of a section of it, at `path`.
 std::vector<Field> box_rows(const std::string& path, bool required) {
   const std::string b = path + "[]";
-  const Range rows = {.low = 1.0, .high = 1000.0};
+  const Range rows = {.low = 1.0, .high = 50.0};  // boxes have 1 to 4
   return {
       {.path = path,
        .kind = FieldKind::list,

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +23,10 @@ struct StraightPart {
   const char* name = "";   ///< Of the slope, in words.
   const char* unit = "";   ///< Of the ordinate.
   const char* shown = "";  ///< Unit to show it in.
+  double min_share = 0.0;  ///< Share of the slope that the first point has to reach; 0 where its own slope is used.
 };
+
+constexpr double kMinStraightShare = 0.9;  ///< Of a tension test whose first point ends the straight part.
 
 /// A curve rises, ever less steeply, and begins along its straight part.
 void check_curve(Checker& check, const std::vector<FieldValue>& points, const char* x, const char* y,
@@ -42,6 +47,15 @@ void check_curve(Checker& check, const std::vector<FieldValue>& points, const ch
       check.error(point, first ? "a point steeper than " + std::string(straight.name) : "a curve that grows steeper",
                   first ? "at most " + format_quantity(straight.slope * *at_x, straight.unit, straight.shown) + " there"
                         : "a concave curve: no segment steeper than the previous one");
+      return;
+    }
+    if (last_x == 0.0 && slope < straight.min_share * straight.slope) {
+      check.error(point,
+                  fmt::format("a first point below {} ({} of its slope)", straight.name,
+                              format_quantity(slope / straight.slope, "1", "%")),
+                  "the end of the straight part, about " +
+                      format_quantity(straight.slope * *at_x, straight.unit, straight.shown) + " at that " + x +
+                      " or a point before it");
       return;
     }
     last_x = *at_x;
@@ -107,7 +121,8 @@ void check_material(Checker& check, const FieldValue& section, const FieldValue&
     check.error(*material->find("hardening_modulus"), material->find("hardening_modulus")->shown,
                 "less than Young's modulus, " + format_quantity(modulus, "N/m^2", "GPa"));
   }
-  check_curve(check, stress_strain, "strain", "stress", {modulus, "Young's modulus", "N/m^2", "MPa"});
+  check_curve(check, stress_strain, "strain", "stress",
+              {modulus, "Young's modulus", "N/m^2", "MPa", kMinStraightShare});
   const double outer = steel_number(section, pipe, "outside_diameter", 0.0);
   const double wall = steel_number(section, pipe, "wall_thickness", 0.0);
   const double EI = wall > 0.0 && outer > 2.0 * wall ? modulus * second_moment(outer, wall) : 0.0;

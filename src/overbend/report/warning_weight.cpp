@@ -45,6 +45,7 @@ const std::vector<std::string>& serious_phrases() {
       "the fatigue budget at '",
       "compression: the effective tension falls to",
       "exceeds the yield stress of",
+      "is too low: the pipe there yields",
       "rollers are below the seabed",
       "the line through its neighbours: a curvature",
       "the tensioner was at its travel limit",

@@ -148,6 +148,24 @@ LineTargetValue wanted_of(const Description& description) {
 
 namespace {
 
+/// A tension that alone yields the pipe: laws of yielding steel cover bending, axially the rod stays elastic.
+std::optional<StaticFailure> pulled_beyond_yield(const Model& model) {
+  const Section& section = model.sections[static_cast<std::size_t>(model.section_at(0.0))];
+  if (!section.bending || !model.description.tensioner.tension) return std::nullopt;
+  const double tension = *model.description.tensioner.tension,
+               wall = tension + section.internal_pressure * section.internal_area;
+  const double yield_load = section.yield_stress * section.steel_area;
+  if (wall < yield_load) return std::nullopt;
+  return StaticFailure{
+      "the tension exceeds the yield load of the pipe", "at the tensioner",
+      fmt::format(
+          "{:.6g} kN (tensioner.tension{}) is {:.2f} times the yield load of section '{}', {:.6g} kN (yield stress "
+          "times steel area); the steel law covers bending of a pipe that tension alone does not yield: check the "
+          "tension and its unit",
+          1e-3 * wall, wall > tension ? " with the internal pressure" : "", wall / yield_load, section.name,
+          1e-3 * yield_load)};
+}
+
 /// What no shape is needed for to be seen.
 std::optional<StaticFailure> impossible(const Model& model, const LayPlane& plane) {
   const Section& pipe = model.sections.front();
@@ -163,6 +181,7 @@ std::optional<StaticFailure> impossible(const Model& model, const LayPlane& plan
   if (plane.tensioner_W.z() <= plane.bed(0.0)) {
     return StaticFailure{"the tensioner is below the seabed", "at the tensioner", "check water depth and tensioner.z"};
   }
+  if (auto failure = pulled_beyond_yield(model)) return failure;
   return misplaced_box(model, plane);
 }
 

@@ -68,6 +68,8 @@ class StaticSystem {
   bool remembers() const { return assembly_.remembers(); }
   /// What the steel was before this state, in place of a loading history.
   void begin_with(std::vector<BendingMemory> before) { assembly_.begin_with(std::move(before)); }
+  /// What rollers exert on the elements, from the contacts of the last evaluation, which was of `state`.
+  std::vector<RollerPush> roller_pushes(const LineState& state) const { return assembly_.roller_pushes(state); }
   /// Memories of all Gauss points at `state`, for what comes after statics; empty where nothing yields.
   std::vector<BendingMemory> bending_memory(const LineState& state);
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/constants.h"
 #include "model/lay_stage.h"
+#include "model/material_words.h"
 #include "results/fields/words.h"
 #include "results/regions.h"
 
@@ -27,7 +29,9 @@ void warn_of_yield(Warnings& list, const Model& model, const StaticResults& resu
   const Station* worst = nullptr;
   for (const Station& at : results.stations) {
     const Section& section = model.sections[static_cast<std::size_t>(model.section_at(results.total_length - at.s))];
-    if (section.bending || at.yield_stress <= 0.0 || at.von_mises <= at.yield_stress) continue;
+    if (section.bending || section.kind == SectionKind::structure || at.yield_stress <= 0.0 ||
+        at.von_mises <= at.yield_stress)
+      continue;
     if (worst == nullptr || at.von_mises / at.yield_stress > worst->von_mises / worst->yield_stress) worst = &at;
   }
   if (worst == nullptr) return;
@@ -35,6 +39,37 @@ void warn_of_yield(Warnings& list, const Model& model, const StaticResults& resu
       "the von Mises stress of {:.0f} MPa {} exceeds the yield stress of {:.0f} MPa; the steel is linear elastic here, "
       "so stress and moment beyond yield are those of a pipe that does not yield (see pipe.steel.material)",
       1e-6 * worst->von_mises, pipe_place(results, worst->s), 1e-6 * worst->yield_stress));
+}
+
+/// Largest strain of pipe within two diameters of a stretch, given from the tensioner [-].
+double max_strain_beside(const StaticResults& results, const SectionSpan& span, double diameter) {
+  double strain = 0.0;
+  for (const Station& station : results.stations) {
+    const double from_top = results.total_length - station.s;
+    const double off = std::max(span.from - from_top, from_top - span.to);
+    if (off > 0.0 && off < 2.0 * diameter && station.kind == SectionKind::pipe)
+      strain = std::max(strain, station.strain);
+  }
+  return strain;
+}
+
+/// A structure or a thicker segment takes the strain that it concentrates in yielding pipe along: its one place here
+/// has not the history of its passage.
+void warn_of_strain_beside_stiff_stretches(Warnings& list, const Model& model, const StaticResults& results) {
+  const bool own_history = model.description.stage || model.description.statics.history != LayHistory::laying;
+  const Section& pipe = model.sections.front();
+  if (own_history || !pipe.bending) return;
+  for (const SectionSpan& span : model.spans) {
+    const Section& section = model.sections[static_cast<std::size_t>(span.section)];
+    const bool concentrates = section.kind == SectionKind::structure || section.kind == SectionKind::pipe;
+    if (!concentrates || span.section == model.coated || section.EI < 1.05 * pipe.EI) continue;
+    const double strain = max_strain_beside(results, span, pipe.outer_diameter);
+    if (strain <= pipe.yield_stress / pipe.youngs_modulus) continue;
+    list.push_back(fmt::format(
+        "the strain of {:.3f} % beside '{}' is too low: the pipe there yields, and on its way over the supports the "
+        "stiffer stretch has bent it more than this one place shows; solve its passage (operation.type: passage)",
+        100.0 * strain, section.name));
+  }
 }
 
 /// "'a', 'b' and 2 more"
@@ -162,6 +197,8 @@ void warn_statics(const Model& model, StaticResults& results) {
   Warnings& list = results.warnings;
   warn_of_slack(list, results);
   warn_of_yield(list, model, results);
+  warn_of_strain_beside_stiff_stretches(list, model, results);
+  std::ranges::copy(material_warnings(model), std::back_inserter(list));
   warn_of_bed(list, model);
   warn_of_shoe(list, results);
   warn_of_proud_box(list, model);

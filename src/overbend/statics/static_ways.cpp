@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "mechanics/plastic_bending.h"
 #include "model/lay_stage.h"
 #include "statics/newton.h"
 #include "statics/relaxation.h"
@@ -18,7 +19,9 @@ namespace {
 using Target = LineTargetValue;
 
 constexpr int kRememberingMore = 3;   ///< Times as many iterations where steel remembers: they converge linearly.
-constexpr double kMostWork = 2e6;     ///< What a case may cost, in Newton steps times elements: 3 s or so.
+constexpr double kMostWork = 2.3e6;   ///< What a case may cost, in Newton steps times elements: 3 s or so.
+constexpr double kOfRoller = 0.25;    ///< Time of a roller over that of an element,
+constexpr double kOfSearch = 1e-3;    ///< and of its search along an element: as measured.
 constexpr double kMostLooks = 150.0;  ///< Newton steps that it may cost in any case, however fine its mesh.
 constexpr double kLookWithout = 0.2;  ///< What a look at the residual alone costs beside a Newton step.
 constexpr double kShareOfRelaxation =
@@ -43,7 +46,7 @@ bool run_newton(StaticCase& at, NewtonSettings settings, const char* stage) {
   settings.remembers = at.system.remembers();
   settings.max_iterations = at.model.description.statics.max_iterations * (settings.remembers ? kRememberingMore : 1);
   const NewtonReport r = newton(at.system, at.state, at.target, settings);
-  at.work += at.system.mesh().elements() * (r.iterations + kLookWithout * r.trials);
+  at.work += at.size() * (r.iterations + kLookWithout * r.trials);
   at.report.iterations += r.iterations;
   at.report.force_residual = r.residual;
   at.report.history.push_back(fmt::format("{}: {} iterations, residual {:.2e}{}", stage, r.iterations, r.residual,
@@ -266,7 +269,7 @@ bool relax_and_finish(StaticCase& at) {
   at.system.limit_roller_stiffness(100.0 * soft_roller(at, at.target.value));
   RelaxationSettings settings;
   if (at.model.description.statics.method == StaticMethod::newton) {  // one who asks for relaxation shall have it all
-    const double step = kLookWithout * at.system.mesh().elements();
+    const double step = kLookWithout * at.size();
     const double steps = kShareOfRelaxation * (at.most_work() - at.work) / step;
     settings.max_steps = static_cast<int>(std::clamp(steps, 0.0, 1.0 * settings.max_steps));
     at.work += step * settings.max_steps;
@@ -385,8 +388,13 @@ bool try_ways(StaticCase& at, const LayShape& shape, Resort& resort) {
 
 }  // namespace
 
+double StaticCase::size() const {
+  const double elements = system.mesh().elements(), rollers = static_cast<double>(system.contacts().size());
+  return elements + rollers * (kOfRoller + kOfSearch * elements);
+}
+
 double StaticCase::most_work() const {
-  return std::max(kMostWork, kMostLooks * system.mesh().elements());
+  return std::max(kMostWork, kMostLooks * size());
 }
 
 bool follow(StaticCase& at, const char* stage) {
@@ -406,6 +414,52 @@ bool solve_elastic(StaticCase& at, const LayShape& shape) {
   return try_ways(at, shape, resort) || resort.take(at);
 }
 
+namespace {
+
+/// Name of the box whose roller is nearest to an element, where one is within a box length; else empty.
+std::string box_at(const StaticCase& at, int element) {
+  const std::vector<RollerContact>& contacts = at.system.contacts();
+  int nearest = -1, distance = 4;  // elements
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const int off = std::abs(contacts[i].at.element - element);
+    if (contacts[i].normal <= 0.0 || off >= distance) continue;
+    distance = off;
+    nearest = at.model.supports.rollers[i].box;
+  }
+  return nearest < 0 ? "" : at.model.supports.boxes[static_cast<std::size_t>(nearest)].name;
+}
+
+/// Where the equilibrium of linear steel bends pipe most beyond first yield.
+std::string most_bent(StaticCase& at) {
+  at.system.let_yield(0.0);
+  at.system.evaluate(at.state, false);
+  const LineMesh& mesh = at.system.mesh();
+  double ratio = 0.0;
+  int worst = 0;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const auto i = static_cast<std::size_t>(e);
+    const Section& section = at.model.sections[static_cast<std::size_t>(mesh.section[i])];
+    if (!section.bending) continue;
+    const ElementVector q(Eigen::Map<const ElementVector>(at.state.q.data() + 6 * i));
+    const double first = 2.0 * section.yield_stress / (section.youngs_modulus * section.steel_diameter);
+    for (const double xi : {0.0, 1.0}) {
+      const double here = curvature_vector(centreline(q, xi, mesh.length[i])).norm() / first;
+      if (here > ratio) {
+        ratio = here;
+        worst = e;
+      }
+    }
+  }
+  const std::string box = box_at(at, worst);
+  return fmt::format(
+      "{:.1f} m from the tensioner{} pipe of linear steel would bend to {:.1f} times the curvature of first "
+      "yield",
+      mesh.total_length() - mesh.s[static_cast<std::size_t>(worst)], box.empty() ? "" : ", at box '" + box + "',",
+      ratio);
+}
+
+}  // namespace
+
 bool let_yield(StaticCase& at) {
   at.system.let_yield(1.0);
   const LineState elastic = at.state;
@@ -413,8 +467,13 @@ bool let_yield(StaticCase& at) {
     return true;
   }
   at.state = elastic;
-  return follow_in_steps(at, "yielding in steps", Steps{.first = 0.25, .growth = 1.0, .least = 0.0025},
-                         [&](double reached) { at.system.let_yield(reached); });
+  const bool solved = follow_in_steps(at, "yielding in steps", Steps{.first = 0.25, .growth = 1.0, .least = 0.0025},
+                                      [&](double reached) { at.system.let_yield(reached); });
+  if (!solved) {
+    at.state = elastic;
+    at.yielded = most_bent(at);
+  }
+  return solved;
 }
 
 }  // namespace overbend

@@ -16,13 +16,17 @@ struct StaticCase {
   LineState state;
   LineTargetValue target;
   SolveReport report;
-  double work = 0.0;         ///< Done so far: Newton steps times elements, and what else is looked at in their measure.
+  double work = 0.0;         ///< Done so far: Newton steps times `size()`, and what else is looked at in their measure.
   double least_found = 0.0;  ///< Where a try ended without tension at the seabed: tension at the top then, else 0 [N].
 
   /// Words on the first box, seen from the tensioner, that the pipe lay beside where a way ended; empty where it lay on
   /// all.
   std::string left = {};
+  /// Where the pipe of linear steel is bent most, when an equilibrium exists only for linear steel; else empty.
+  std::string yielded = {};
 
+  /// What one Newton step costs, in elements: the rollers count, each of which looks along the whole line.
+  double size() const;
   /// What a case may cost before it is given up. Counted, not timed: every machine gives the same answer.
   double most_work() const;
   /// No way begins another stage then.

@@ -136,6 +136,13 @@ StaticOutcome give_up(const StaticCase& at, double hanging) {
   if (at.least_found > 0.0) {
     return fail(compressed_at_seabed(at.target.value, at.least_found));
   }
+  if (!at.yielded.empty()) {
+    return fail(
+        {"no equilibrium found: the pipe yields", "overbend",
+         fmt::format("with linear steel there is one, with pipe.steel.material none was found: {}; the yielding "
+                     "pipe folds there. A larger radius, a longer stinger or another tension bends it less",
+                     at.yielded)});
+  }
   const std::string what =
       at.left.empty() ? "no equilibrium found" : "no equilibrium found: the pipe runs off its rollers";
   return fail({what, where,
@@ -208,8 +215,8 @@ StaticSystem system_with_past(const Model& model, LineMesh mesh, const LinePast&
   if (past.across_rollers != 0.0) system.rub_across(past.across_rollers);
   if (past.solution && system.line().yielding.any) {
     const StaticSolution& before = *past.solution;
-    system.begin_with(
-        moved_along({before.mesh, before.state.q, before.bending}, past.shift, system.line().yielding, system.mesh()));
+    system.begin_with(moved_along({before.mesh, before.state.q, before.bending, before.pushes}, past.shift,
+                                  system.line().yielding, system.mesh()));
   }
   return system;
 }
@@ -305,6 +312,7 @@ StaticOutcome solve_at_once(const Model& model, const StaticSolution* start, con
   solution.state = at.state;
   solution.report = at.report;
   solution.bending = at.system.bending_memory(at.state);
+  if (!solution.bending.empty()) solution.pushes = at.system.roller_pushes(at.state);
   solution.pose = model.mean_pose;
   solution.past = past;
   solution.zones = from.zones;

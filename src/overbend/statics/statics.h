@@ -42,6 +42,7 @@ struct StaticSolution {
   LineState state;
   SolveReport report;
   std::vector<BendingMemory> bending;  ///< What the steel has been through, per Gauss point; empty where none yields.
+  std::vector<RollerPush> pushes;      ///< Of the rollers, where steel may yield: a line that moves on passes them.
   VesselPose pose;                     ///< Of the vessel.
   std::optional<MooringSpread> moorings;  ///< Its mooring lines with their lengths, where it has any.
   Mat6 station_stiffness = Mat6::Zero();  ///< Of these about the centre of gravity of a hull that floats [N/m, N, N m].

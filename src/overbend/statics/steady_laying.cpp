@@ -71,7 +71,7 @@ bool settle_steadily(StaticCase& at) {
       at.system.evaluate(at.state, true);
       at.system.hold(true);
       if (!at.system.factor(at.state, at.target) || at.system.line_change() == nullptr) return false;
-      at.work += at.system.mesh().elements();
+      at.work += at.size();
       change = *at.system.line_change();
       factored = true;
     }

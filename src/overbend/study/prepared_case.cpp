@@ -12,6 +12,7 @@
 #include "model/station.h"
 #include "modelfile/input_place.h"
 #include "seafiles/hydrodynamics_reader.h"
+#include "statics/history_effect.h"
 #include "study/static_run.h"
 
 namespace overbend {
@@ -55,6 +56,7 @@ StaticResults of_hull(const Model& model, MooringResults rest) {
 
 StaticResults of_lay(const Model& model, const LayOutcome& outcome) {
   StaticResults statics = checked_statics(model, outcome);
+  note_history_effect(model, *outcome.solution, statics);
   tell_hull(model, statics);
   if (model.description.statics.roller_friction != RollerFriction::none) {
     statics.warnings.emplace_back(

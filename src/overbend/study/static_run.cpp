@@ -9,6 +9,7 @@
 #include "runstore/staged_folder.h"
 #include "statics/current_effect.h"
 #include "statics/friction_cases.h"
+#include "statics/history_effect.h"
 #include "statics/hull_account.h"
 #include "statics/recovery_parts.h"
 #include "statics/side_rollers.h"
@@ -44,6 +45,7 @@ StaticResults checked_statics(const Model& model, const LayOutcome& lay) {
 void tell_friction(Model model, const LayOutcome& lay, StaticResults& results) {
   model.mean_pose = lay.solution->pose;
   find_friction_cases(model, *lay.solution, results);
+  note_history_effect(model, *lay.solution, results);
 }
 
 namespace {

@@ -21,7 +21,8 @@ StaticResults unjudged_statics(const Model& model, const LayOutcome& lay);
 void judge_statics(const Model& model, const StaticSolution& solution, StaticResults& results,
                    std::optional<StaticSolution>& still);
 
-/// Adds what friction decides: statics/friction_cases.h. Solves some more lays, each from this one.
+/// Adds what the assumptions on friction and on the loading history of yielding steel decide: statics/friction_cases.h,
+/// statics/history_effect.h. Solves some more lays, each from this one.
 void tell_friction(Model model, const LayOutcome& lay, StaticResults& results);
 
 /// Adds what is told of a floating hull: radiation, damping, steady loads; with its warnings and assumptions. Takes a

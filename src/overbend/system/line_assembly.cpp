@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/simd.h"
+#include "mechanics/point_load.h"
 #include "mechanics/quadrature.h"
 
 namespace overbend {
@@ -85,20 +86,38 @@ void LineAssembly::keep_ends() {
   std::copy_n(residual_.end() - 6, 6, last_.begin());
 }
 
+std::vector<RollerPush> LineAssembly::roller_pushes(const LineState& state) const {
+  std::vector<RollerPush> pushes;
+  for (const RollerContact& contact : contacts_.contacts()) {
+    if (contact.normal <= 0.0) continue;
+    const auto e = static_cast<std::size_t>(contact.at.element);
+    const ElementVector q(Eigen::Map<const ElementVector>(state.q.data() + 6 * e));
+    const CentrelinePoint there = centreline(q, contact.at.xi, line_->mesh.length[e]);
+    const Vec3 load = point_load(elements(), environment_, contact.at.element, there.r, there.a).sum();
+    const double tension = Eigen::Map<const Vec3>(cuts_.data() + 6 * (e + 1)).dot(there.a.normalized());
+    pushes.push_back({contact.at.element, contact.at.xi, contact.force(), load + tension * curvature_vector(there),
+                      elements().EI[e]});
+  }
+  std::ranges::sort(pushes, [](const RollerPush& a, const RollerPush& b) {
+    return a.element != b.element ? a.element > b.element : a.xi > b.xi;
+  });
+  return pushes;
+}
+
 void LineAssembly::evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                                     bool with_tangent, bool keep_memory) {
   const LineTarget target = this->target(with_tangent);
   add_line_forces(elements(), environment_, state.shape(), target, best_isa());
+  contacts_.place(bodies, state.q.data(), 0.0);
+  contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
   if (yielding_.any && easing_.yielding > 0.0) {
     choose_levels(yielding_, state.q.data());
-    const StaticYield how{history, easing_.yielding, before_.empty() ? nullptr : before_.data()};
+    const StaticYield how{history, easing_.yielding, before_.empty() ? nullptr : before_.data(), roller_pushes(state)};
     add_static_yielding(yielding_, line_->mesh, how, state.shape(), keep_memory, resting_,
                         {&residual_, with_tangent ? tangent_ : nullptr, &cuts_});
   }
   add_point_forces(line_->points, environment_, state.q.data(), {}, residual_.data(),
                    with_tangent ? tangent_ : nullptr);
-  contacts_.place(bodies, state.q.data(), 0.0);
-  contacts_.evaluate_at_rest(state.q.data(), {residual_, cuts_});
   keep_ends();
   if (with_tangent) {
     contacts_.add_tangent(state.q.data(), {}, *tangent_);

@@ -69,6 +69,9 @@ class LineAssembly {
   void evaluate_at_rest(const std::vector<RigidMotion>& bodies, const LineState& state, LayHistory history,
                         bool with_tangent, bool keep_memory = false);
 
+  /// Of the contacts evaluated last, by falling arc length.
+  std::vector<RollerPush> roller_pushes(const LineState& state) const;
+
   /// Another step begins, or the same one again.
   void begin_step() { begins_ = true; }
   /// In motion, `water` as Surroundings::water of the line. The memories of `state` receive what those of `before`, the

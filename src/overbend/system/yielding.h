@@ -39,12 +39,22 @@ struct YieldingTarget {
   std::vector<double>* cuts = nullptr;  ///< As LineTarget::cuts.
 };
 
+/// A force that a roller exerts on an element, and what else the moment there depends on.
+struct RollerPush {
+  int element = 0;
+  double xi = 0.0;
+  Vec3 force = Vec3::Zero();  ///< W [N].
+  Vec3 load = Vec3::Zero();   ///< Distributed on the element, with that of its tension times its curvature, W [N/m].
+  double EI = 0.0;            ///< Bending stiffness of the element [N m2].
+};
+
 /// How steel yields in statics.
 struct StaticYield {
   LayHistory history = LayHistory::laying;
   double share = 1.0;  ///< Of the plastic moments that acts, for continuation.
   /// What every Gauss point was before, in place of a history; null for none.
   const BendingMemory* before = nullptr;
+  std::vector<RollerPush> pushes = {};  ///< By falling arc length, for LayHistory::laying.
 };
 
 /// Pipe of one law on its way from the tensioner down the line.
@@ -65,7 +75,9 @@ struct StaticYielding {
 /// Adds the plastic moments of a line at rest. With LayHistory::laying every section is what came to its place from
 /// the tensioner without twist, through all curvatures in between, whatever pipe lies there now: the shape stands still
 /// while the pipe moves through it. Cables and structures in between bend nothing. The tangent takes what happened
-/// upstream as given.
+/// upstream as given. Under a roller a cubic element knows no peak of the curvature, and its Gauss points lie above or
+/// below the true one by some per cent, as they happen to lie: there the pipe passes the curvature that its law has for
+/// the moment that balances the element (StaticYield::pushes).
 void add_static_yielding(const YieldingElements& elements, const LineMesh& mesh, const StaticYield& how,
                          const LineShape& q, bool keep_memory, StaticYielding& points, const YieldingTarget& target);
 
@@ -74,6 +86,7 @@ struct BentLine {
   const LineMesh& mesh;
   const std::vector<double>& q;
   const std::vector<BendingMemory>& memory;
+  const std::vector<RollerPush>& pushes;
 };
 
 /// What the Gauss points of `mesh` were when the line has moved along itself by `shift`, away from its top [m], from
@@ -117,9 +130,5 @@ class MovingYielding {
   std::vector<bool> has_slid_;     ///< and whether a point is one of them.
   double stored_sliding_ = 0.0;
 };
-
-/// Adds the plastic moments found to the internal force of one element.
-void add_element_yielding(const LineMesh& mesh, int element, const LineShape& q, const Vec3* plastic_moment,
-                          ElementVector& force);
 
 }  // namespace overbend
