@@ -104,6 +104,7 @@ DynamicRecorder::DynamicRecorder(const Model& model, const StaticResults& static
       moorings_(model.description.moorings, simulation.moorings()),
       stinger_(model),
       thrust_(simulation.hull()),
+      start_(model, simulation.options().build_up, move_ != nullptr || simulation.controllers().active()),
       floating_(afloat(simulation) ? std::optional<VesselWatch>(model.drawn_pose) : std::nullopt),
       columns_(recorded_columns(model.supports, simulation.moorings(), floating_.has_value(), sections_in_time(model),
                                 astern_direction(model.mean_pose))),
@@ -152,6 +153,7 @@ void DynamicRecorder::begun(const Instant& at) {
   moorings_.start(*at.state, *at.assembly);
   stinger_.start(*at.assembly);
   thrust_.start(*at.state);
+  start_.start(nodes_, at.vessel().pose);
   if (floating_) floating_->start(at.vessel().pose);
   std::vector<HistoryColumn> columns;
   for (const RecordedColumn& recorded : columns_) columns.push_back(recorded.column);
@@ -347,6 +349,7 @@ void DynamicRecorder::stepped(const Instant& at) {
   moorings_.add(*at.state, *at.assembly, at.step);
   stinger_.add(*at.assembly, at.state->time, at.step);
   thrust_.add(*at.state, at.step);
+  start_.add(nodes_, at.vessel().pose, at.state->time);
   if (floating_) floating_->add(at.vessel().pose, at.state->time, at.step);
   crossing_.add(at.pipe(), at.state->time, at.water(), line_->mesh, recovery_.place_of(0.0));
   if (at.state->time <= 0.0) {

@@ -12,6 +12,7 @@
 #include "recording/history_columns.h"
 #include "recording/mooring_watch.h"
 #include "recording/moving_stations.h"
+#include "recording/start_watch.h"
 #include "recording/stinger_watch.h"
 #include "recording/surface_crossing.h"
 #include "recording/tensioner_account.h"
@@ -110,6 +111,7 @@ class DynamicRecorder : public SimulationObserver {
   MooringWatch moorings_;
   StingerWatch stinger_;
   ThrustWatch thrust_;
+  StartWatch start_;
   std::optional<VesselWatch> floating_;  ///< Of a vessel that floats free or lies on lines.
   SurfaceCrossing crossing_;
   std::vector<RecordedColumn> columns_;

@@ -24,6 +24,7 @@ void DynamicRecorder::save(DynamicCheckpoint& checkpoint) const {
   put("record/moorings", moorings_.save());
   put("record/thrust", thrust_.save());
   put("record/stinger", stinger_.save());
+  put("record/start", start_.save());
   if (floating_) put("record/vessel", floating_->save());
   put("record/design", design_.save());
   if (fatigue_) put("record/fatigue", fatigue_->save());
@@ -62,6 +63,7 @@ void DynamicRecorder::restore(const DynamicCheckpoint& checkpoint) {
   moorings_.restore(get("record/moorings"));
   thrust_.restore(get("record/thrust"));
   stinger_.restore(get("record/stinger"));
+  start_.restore(get("record/start"));
   if (floating_) floating_->restore(get("record/vessel"));
   crossing_.restore(get("record/crossing"));
   design_.restore(get("record/design"));

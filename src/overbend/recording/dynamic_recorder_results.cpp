@@ -159,6 +159,9 @@ void DynamicRecorder::fill_warnings(DynamicResults& results) const {
   for (std::string& warning : moorings_.warnings()) results.warnings.push_back(std::move(warning));
   for (std::string& warning : thrust_.warnings()) results.warnings.push_back(std::move(warning));
   for (std::string& warning : stinger_.warnings()) results.warnings.push_back(std::move(warning));
+  if (const std::optional<StartWatch::Departure> departure = start_.departure()) {
+    warn_of_departure(*statics_, departure->distance, places()[departure->node], departure->time, results);
+  }
 }
 
 /// Impact forces hang on a stiffness that is known to a factor: says how much.

@@ -58,4 +58,11 @@ void warn_of_left_boxes(DynamicResults& results) {
   warn(&SupportDynamics::left_to_starboard, "starboard");
 }
 
+void warn_of_departure(const StaticResults& statics, double distance, double s, double time, DynamicResults& results) {
+  results.warnings.push_back(fmt::format(
+      "the run does not begin at rest: by t = {:.1f} s, with hardly any sea or motion yet, the pipe has moved by "
+      "{:.2f} m {}; its static state is no stable equilibrium, and the run is of another lay",
+      time, distance, pipe_place(statics, s)));
+}
+
 }  // namespace overbend

@@ -23,4 +23,8 @@ void warn_of_yield(const StaticResults& statics, const YieldingPlace& worst, Dyn
 /// `results.warnings`.
 void warn_of_left_boxes(DynamicResults& results);
 
+/// That the pipe went `distance` [m] from its static place at `s` [m] before anything moved it. Appended to
+/// `results.warnings`.
+void warn_of_departure(const StaticResults& statics, double distance, double s, double time, DynamicResults& results);
+
 }  // namespace overbend
