@@ -62,7 +62,7 @@ std::optional<StingerTrial> StingerSearch::at(const Eigen::VectorXd& angles) {
     angles_[floating_[k]] = angles[static_cast<Eigen::Index>(k)];
   }
   turn_stinger(model_.supports, angles_);
-  StaticOutcome outcome = solve_statics(model_, last_ ? &*last_ : nullptr, past_);
+  StaticOutcome outcome = solve_statics(model_, last_ && !afresh_ ? &*last_ : nullptr, past_);
   if (outcome.failure) {
     if (!pipe_failure_) pipe_failure_ = std::move(outcome.failure);
     return std::nullopt;
@@ -151,6 +151,20 @@ void StingerSearch::learn(const StingerTrial& before, const StingerTrial& after)
   stiffness_ += y * y.transpose() / sy - known * known.transpose() / s.dot(known);
 }
 
+/// Solutions that start from each other may lie on two branches, between which the moment jumps: from here on, each
+/// trial starts from nothing. A jump that is left then is the pipe's.
+bool StingerSearch::begin_afresh(const StingerTrial& from) {
+  jumps_ = afresh_;
+  if (afresh_) return false;
+  afresh_ = true;
+  trials_ = 0;
+  longest_ = kFirstStep;
+  std::optional<StingerTrial> again = at(from.angles);
+  if (!again) return false;
+  now_ = std::move(again);
+  return true;
+}
+
 /// The moment along the way turns round before its end: closes in on where (Illinois: Dowell and Jarratt 1971).
 bool StingerSearch::shorten(const Eigen::VectorXd& way, double slope, double share, StingerTrial beyond) {
   const StingerTrial from = *now_;
@@ -159,8 +173,7 @@ bool StingerSearch::shorten(const Eigen::VectorXd& way, double slope, double sha
   StingerTrial nearest = std::move(beyond);
   while (std::abs(lack(nearest).dot(way)) > kOvershoot * slope) {
     if ((high - low) * way.cwiseAbs().maxCoeff() < kShortestStep || trials_ > kMostTrials) {
-      jumps_ = true;
-      return false;
+      return begin_afresh(from);
     }
     const double next = low + (high - low) * std::clamp(at_low / (at_low - at_high), 0.05, 0.95);
     std::optional<StingerTrial> trial = at(from.angles + next * way);

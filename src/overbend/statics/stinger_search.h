@@ -42,6 +42,7 @@ class StingerSearch {
   Eigen::VectorXd direction(const std::vector<int>& free) const;
   bool step(const std::vector<int>& free);
   bool shorten(const Eigen::VectorXd& way, double slope, double share, StingerTrial beyond);
+  bool begin_afresh(const StingerTrial& from);
   void learn(const StingerTrial& before, const StingerTrial& after);
   Eigen::VectorXd clipped(const Eigen::VectorXd& angles) const;
   bool turned_too_far() const;
@@ -59,6 +60,7 @@ class StingerSearch {
   double longest_ = 0.0;  ///< Step at most [rad].
   int trials_ = 0;
   bool jumps_ = false;
+  bool afresh_ = false;  ///< Trials start from nothing.
 };
 
 }  // namespace overbend
