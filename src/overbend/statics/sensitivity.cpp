@@ -93,12 +93,40 @@ bool same_order(const Model& a, const Model& b) {
                             [](const SectionSpan& x, const SectionSpan& y) { return x.section == y.section; });
 }
 
+/// Distances from the tensioner, and how far each goes [m].
+using Shifts = std::vector<std::pair<double, double>>;
+
+/// Nodes farther than a few elements from what goes stand still: spread all the way they would slide over rollers, and
+/// what the mesh does to a line that turns sharply there would be taken for what the model does.
+Shifts with_standing_nodes(const Shifts& limits, const LineMesh& mesh) {
+  constexpr double kElements = 6.0;
+  const auto reach = [&](double u) {
+    const double s = mesh.total_length() - u;
+    const auto above = std::ranges::lower_bound(mesh.s, s);
+    const std::ptrdiff_t e = above - mesh.s.begin(), last = mesh.elements() - 1;
+    const double before = mesh.length[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(e - 1, 0, last))];
+    const double after = mesh.length[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(e, 0, last))];
+    return kElements * std::max(before, after);
+  };
+  Shifts all{limits.front()};
+  for (std::size_t i = 1; i < limits.size(); ++i) {
+    const double low = limits[i - 1].first + reach(limits[i - 1].first),
+                 high = limits[i].first - reach(limits[i].first);
+    if (low < high) {
+      all.emplace_back(low, 0.0);
+      all.emplace_back(high, 0.0);
+    }
+    all.push_back(limits[i]);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::optional<LineMesh> carried_mesh(const LineMesh& mesh, const Model& from, const Model& model) {
   if (!same_order(from, model)) return std::nullopt;
   const double total = mesh.total_length();
-  std::vector<std::pair<double, double>> limits{{0.0, 0.0}};  // distance from the tensioner, and how far it goes
+  Shifts limits{{0.0, 0.0}};
   const auto add_limit = [&](double at, double to) {
     if (at > limits.back().first && at < total) limits.emplace_back(at, to - at);
   };
@@ -109,6 +137,7 @@ std::optional<LineMesh> carried_mesh(const LineMesh& mesh, const Model& from, co
   const double longer = model.description.pipe.length.value_or(0.0) - from.description.pipe.length.value_or(0.0);
   limits.emplace_back(total, longer);
   if (std::ranges::all_of(limits, [](const auto& limit) { return limit.second == 0.0; })) return mesh;
+  limits = with_standing_nodes(limits, mesh);
   const auto shift = [&](double u) {
     const auto after = std::ranges::find_if(limits, [&](const auto& limit) { return limit.first >= u; });
     if (after == limits.begin()) return after->second;

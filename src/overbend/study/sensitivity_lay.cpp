@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "checks/run_checks.h"
+#include "mechanics/roller_contact.h"
 #include "model/lay_stage.h"
-#include "model/stinger_turn.h"
 #include "statics/current_effect.h"
 #include "statics/recovery.h"
 
@@ -32,16 +32,17 @@ LayStageDescription same_stage(const Description& description, const LayStageDes
   return stage;
 }
 
-/// A stinger that the forces turn stays where it came to rest.
-void hold_stinger(Model& model, const Model& at_rest) {
-  const std::vector<StingerSectionDescription>& described = model.description.supports.sections;
-  if (described.empty() || described.size() != at_rest.supports.sections.size()) return;
-  std::vector<double> angles;
-  for (std::size_t i = 0; i < described.size(); ++i) {
-    const bool found = described[i].floats() && !described[i].angle;
-    angles.push_back(found ? at_rest.supports.sections[i].angle : described[i].angle.value_or(0.0));
-  }
-  turn_stinger(model.supports, angles);
+/// Both turned the other way.
+std::vector<double> opposite(std::vector<double> turns) {
+  for (double& turn : turns) turn = -turn;
+  return turns;
+}
+
+/// Two changes of one equilibrium at once, to first order.
+StaticSolution both(const StaticSolution& base, StaticSolution a, const StaticSolution& b) {
+  for (std::size_t i = 0; i < a.state.q.size(); ++i) a.state.q[i] += b.state.q[i] - base.state.q[i];
+  a.state.far_force += b.state.far_force - base.state.far_force;
+  return a;
 }
 
 /// With the lay in still water, where there is one.
@@ -73,20 +74,28 @@ SensitivityLay::SensitivityLay(const Model& model, const StaticSolution& solutio
       solution_(&solution),
       held_(!same_pose(model.mean_pose, model.drawn_pose)),
       pipe_(model, solution),
+      stinger_(model, pipe_),
       still_(still_lay(model, solution)),
       results_(recovered(model, solution, still_results())) {}
 
-Model SensitivityLay::rebuilt(const Description& description) const {
+Model SensitivityLay::rebuilt(const Description& description, const std::vector<double>& turns) const {
   const std::optional<LayStageDescription>& stage = model_->description.stage;
   Model model = build_model(only_statics(stage ? at_stage(description, same_stage(description, *stage)) : description));
   if (held_) model.mean_pose = model_->mean_pose;
-  hold_stinger(model, *model_);
+  set_stinger(model, *model_, turns);
   return model;
 }
 
 std::optional<ResultPair> SensitivityLay::follow(const Description& before, const Description& after) {
-  const Model low = rebuilt(before), high = rebuilt(after);
-  const std::optional<StaticPair> pipe = pipe_.follow(low, high);
+  Model low = rebuilt(before), high = rebuilt(after);
+  std::optional<StaticPair> pipe = pipe_.follow(low, high);
+  if (pipe && stinger_.turns()) {
+    const std::vector<double> turns =
+        stinger_.answer(0.5 * (stinger_.moments(high, pipe->after) - stinger_.moments(low, pipe->before)));
+    low = rebuilt(before, opposite(turns));
+    high = rebuilt(after, turns);
+    pipe = pipe_.follow(low, high);
+  }
   if (!pipe) return std::nullopt;
   if (!still_) {
     return ResultPair{
@@ -104,13 +113,36 @@ std::optional<ResultPair> SensitivityLay::follow(const Description& before, cons
   return pair;
 }
 
+std::optional<StaticPair> SensitivityLay::push_pipe(int roller, double force, Model& low, Model& high) {
+  const std::optional<StaticPair> pushed = pipe_.push(roller, force);
+  if (!pushed || !stinger_.turns()) return pushed;
+  Eigen::VectorXd moments =
+      0.5 * (stinger_.moments(*model_, pushed->after) - stinger_.moments(*model_, pushed->before));
+  const auto index = static_cast<std::size_t>(roller);
+  const int section = model_->supports.boxes[static_cast<std::size_t>(model_->supports.rollers[index].box)].section;
+  const ClosestPoint& closest = pipe_.system().contacts()[index].at;
+  if (section >= 0) {  // the roller is pushed as hard as the pipe, the other way
+    const Vec3 direction = roller_distance(pipe_.system().rollers().placed(roller), closest).direction;
+    moments += stinger_.moments(static_cast<std::size_t>(section), {-force * direction, closest.place});
+  }
+  const std::vector<double> turns = stinger_.answer(moments);
+  set_stinger(low, *model_, opposite(turns));
+  set_stinger(high, *model_, turns);
+  const std::optional<StaticPair> turned = pipe_.follow(low, high);
+  if (!turned) return std::nullopt;
+  return StaticPair{both(*solution_, pushed->before, turned->before), both(*solution_, pushed->after, turned->after),
+                    turned->contacts_stay};
+}
+
 std::optional<ResultPair> SensitivityLay::push(int roller, double force, bool in_still) {
-  const std::optional<StaticPair> moved = in_still ? still_->tangent.push(roller, force) : pipe_.push(roller, force);
+  Model low = *model_, high = *model_;
+  const std::optional<StaticPair> moved =
+      in_still ? still_->tangent.push(roller, force) : push_pipe(roller, force, low, high);
   if (!moved) return std::nullopt;
   ResultPair pair;
   if (!in_still) {
-    pair.before = recovered(*model_, moved->before, still_results());
-    pair.after = recovered(*model_, moved->after, still_results());
+    pair.before = recovered(low, moved->before, still_results());
+    pair.after = recovered(high, moved->after, still_results());
     return pair;
   }
   pair.still_before = recover_state(still_->model, moved->before);

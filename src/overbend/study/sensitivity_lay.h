@@ -8,6 +8,7 @@
 #include "model/model.h"
 #include "results/static_results.h"
 #include "statics/sensitivity.h"
+#include "study/stinger_response.h"
 
 namespace overbend {
 
@@ -23,7 +24,7 @@ class SensitivityLay {
   /// At an equilibrium; both must outlive this.
   SensitivityLay(const Model& model, const StaticSolution& solution);
 
-  bool regular() const { return pipe_.regular() && (!still_ || still_->tangent.regular()); }
+  bool regular() const { return pipe_.regular() && stinger_.regular() && (!still_ || still_->tangent.regular()); }
   const EquilibriumTangent& tangent() const { return pipe_; }
   /// Results of the equilibrium itself, checks included.
   const StaticResults& results() const { return results_; }
@@ -44,13 +45,17 @@ class SensitivityLay {
     StaticResults results;
     Still(Model made, StaticSolution found);
   };
-  Model rebuilt(const Description& description) const;
+  /// Of another description, floating sections of the stinger turned on by `turns` [rad].
+  Model rebuilt(const Description& description, const std::vector<double>& turns = {}) const;
+  /// The lay itself under minus and plus a force at a roller, its stinger following; models as they are turned.
+  std::optional<StaticPair> push_pipe(int roller, double force, Model& low, Model& high);
   static std::unique_ptr<Still> still_lay(const Model& model, const StaticSolution& solution);
 
   const Model* model_;
   const StaticSolution* solution_;
   bool held_;  ///< The vessel stays where it was found.
   EquilibriumTangent pipe_;
+  StingerResponse stinger_;
   std::unique_ptr<Still> still_;
   StaticResults results_;
 };
