@@ -94,12 +94,6 @@ export class Chart {
       hooks: {
         drawClear: [(u) => this.under(u)],
         draw: [(u) => this.over(u)],
-        setCursor: [(u) => {
-          if (this.silent) return;
-          const i = u.cursor.idx;
-          const inside = i !== null && i !== undefined && (u.cursor.left ?? -1) >= 0;
-          this.on.hover(inside ? u.posToVal(u.cursor.left!, 'x') : null, inside ? i : null);
-        }],
         setScale: [(u, name) => {
           if (name !== 'x' || this.silent || !this.data) return;
           const { min, max } = u.scales.x!;
@@ -115,11 +109,19 @@ export class Chart {
     const band = data.lines.findIndex((l) => l.band);
     if (band >= 0) options.bands = [{ series: [band + 1, band + 2], fill: `${data.lines[band]!.colour}38` }];
     this.plot = new uPlot(options, [[], ...data.lines.map(() => [])] as uPlot.AlignedData, this.box);
+    // Of the pointer itself, not of uPlot's cursor: it tells of a cursor that was set from here as well, and later.
+    this.plot.over.addEventListener('mousemove', (e) => this.hover(e));
+    this.plot.over.addEventListener('mouseleave', () => this.on.hover(null, null));
     this.plot.over.addEventListener('click', (e) => {
       const rect = this.plot!.over.getBoundingClientRect();
       this.on.click(this.plot!.posToVal(e.clientX - rect.left, 'x'));
     });
     this.plot.over.addEventListener('dblclick', () => { this.zoomed = null; this.on.zoom(0, 0, true); });
+  }
+
+  private hover(e: MouseEvent): void {
+    const left = e.clientX - this.plot!.over.getBoundingClientRect().left;
+    this.on.hover(this.plot!.posToVal(left, 'x'), this.plot!.posToIdx(left));
   }
 
   private range(low: number, high: number): [number, number] {
@@ -175,13 +177,11 @@ export class Chart {
   /** Puts the cursor of another diagram or of the 3-D view here. */
   setCursor(s: number | null): void {
     if (!this.plot || !this.data || this.box.matches(':hover')) return;
-    this.silent = true;
     if (s === null) this.plot.setCursor({ left: -10, top: -10 });
     else {
       const i = nearest(this.data.s, s);
       this.plot.setCursor({ left: this.plot.valToPos(this.data.x[i]!, 'x'), top: this.plot.over.clientHeight / 2 });
     }
-    this.silent = false;
   }
 
   /** Values under the cursor in words. */
