@@ -22,6 +22,12 @@ TEST(diagnostics, faults_come_in_the_order_of_the_file) {
   EXPECT_EQ(diagnostics.error_count(), 2);
 }
 
+TEST(diagnostics, what_is_quoted_of_files_becomes_valid_utf8) {
+  Diagnostics diagnostics;
+  diagnostics.add({Severity::error, "a\xff", 2, 0, "k\xc6", "'\xc6'", "a\xc6", "b\xc6"});
+  EXPECT_EQ(diagnostics.lines(Severity::error).front(), "a\\xff:2: k\\xc6: found '\\xc6', expected a\\xc6; b\\xc6");
+}
+
 TEST(diagnostics, warnings_alone_are_no_error) {
   Diagnostics diagnostics;
   diagnostics.add({Severity::warning, "a", 5, 0, "", "odd", "", ""});

@@ -3,9 +3,11 @@
 
 #include <csignal>
 #include <initializer_list>
+#include <iostream>
 
 #include "app/command_line.h"
 #include "app/exit_code.h"
+#include "app/terminal_text.h"
 
 namespace {
 
@@ -24,6 +26,7 @@ int main(int count, char** words) {
   // A limit on the size of files is told as a full disk is; the signal would end the program without a word.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    const overbend::TerminalText messages(std::cerr), answers(std::cout);
     return overbend::run_command_line(count, words);
   } catch (...) {  // in the middle of telling of another fault: there is nothing left to tell it with
     return overbend::kInternalFault;

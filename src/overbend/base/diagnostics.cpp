@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/utf8.h"
+
 namespace overbend {
 
 std::string render(const Diagnostic& diagnostic) {
@@ -19,7 +21,12 @@ void Diagnostics::add(Diagnostic diagnostic) {
   constexpr int kMost =
       1000;  // for a file that is not a model: more are not useful, and a million would fill the memory
   int& count = diagnostic.severity == Severity::error ? errors_ : warnings_;
-  if (++count <= kMost) list_.push_back(std::move(diagnostic));
+  if (++count > kMost) return;
+  for (std::string Diagnostic::*part :
+       {&Diagnostic::file, &Diagnostic::key, &Diagnostic::found, &Diagnostic::expected, &Diagnostic::hint}) {
+    diagnostic.*part = valid_utf8(diagnostic.*part);
+  }
+  list_.push_back(std::move(diagnostic));
 }
 
 std::vector<Diagnostic> Diagnostics::sorted() const {

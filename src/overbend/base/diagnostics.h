@@ -24,7 +24,8 @@ std::string render(const Diagnostic& diagnostic);
 
 class Diagnostics {
  public:
-  /// Keeps the first thousand errors and the first thousand warnings; of what follows errors are only counted.
+  /// Keeps the first thousand errors and the first thousand warnings; of what follows errors are only counted. What
+  /// they quote of files becomes valid UTF-8.
   void add(Diagnostic diagnostic);
   bool has_errors() const { return errors_ > 0; }
   int error_count() const { return errors_; }

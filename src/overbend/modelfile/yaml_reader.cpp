@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "base/utf8.h"
 #include "base/yaml_document.h"
 #include "modelfile/binding.h"
 #include "modelfile/field_tree.h"
@@ -31,23 +32,18 @@ int line_of(const std::string& text, std::size_t position) {
   return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(position), '\n'));
 }
 
-/// Length of the UTF-8 character at `i`, 0 when it is none.
-std::size_t utf8_length(const std::string& text, std::size_t i) {
+/// Length of the character at `i`, 0 where it is none that a text has.
+std::size_t text_length(const std::string& text, std::size_t i) {
   const auto byte = static_cast<unsigned char>(text[i]);
-  if (byte < 0x80) return byte >= 0x20 || byte == '\n' || byte == '\r' || byte == '\t' ? 1 : 0;
-  const std::size_t length = byte >= 0xf0 && byte < 0xf5 ? 4 : byte >= 0xe0 ? 3 : byte >= 0xc2 ? 2 : 0;
-  if (byte >= 0xf5 || length == 0 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((static_cast<unsigned char>(text[i + k]) & 0xC0U) != 0x80U) return 0;
-  }
-  return length;
+  const bool control = byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t';
+  return control ? 0 : utf8_length(text, i);
 }
 
 /// Where the text stops being text; npos when all of it is.
 std::size_t first_garbage(const std::string& text) {
   std::size_t i = 0;
   while (i < text.size()) {
-    const std::size_t length = utf8_length(text, i);
+    const std::size_t length = text_length(text, i);
     if (length == 0) return i;
     i += length;
   }
