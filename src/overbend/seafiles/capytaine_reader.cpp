@@ -25,12 +25,17 @@ struct Fault : std::runtime_error {
 class Variable {
  public:
   Variable(NetcdfArray array, const std::string& name, const std::vector<std::string>& dimensions)
-      : array_(std::move(array)), strides_(dimensions.size(), 0) {
+      : array_(std::move(array)),
+        name_(name),
+        dimensions_(dimensions),
+        strides_(dimensions.size(), 0),
+        counts_(dimensions.size(), 0) {
     std::size_t stride = 1, known = 0;
     for (std::size_t k = array_.sizes.size(); k-- > 0;) {
       const auto at = std::find(dimensions.begin(), dimensions.end(), array_.dimensions[k]);
       if (at != dimensions.end()) {
         strides_[static_cast<std::size_t>(at - dimensions.begin())] = stride;
+        counts_[static_cast<std::size_t>(at - dimensions.begin())] = array_.sizes[k];
         ++known;
       } else if (array_.sizes[k] != 1) {
         throw Fault("the dimension '" + for_display(array_.dimensions[k]) + "' of " + name,
@@ -46,6 +51,10 @@ class Variable {
   double at(std::initializer_list<std::size_t> indices) const {
     std::size_t place = 0, k = 0;
     for (const std::size_t index : indices) {
+      if (index >= counts_[k]) {
+        throw Fault(std::to_string(counts_[k]) + " values of " + name_ + " along " + dimensions_[k],
+                    "as many as that has");
+      }
       place += index * strides_[k++];
     }
     return array_.values[place];
@@ -53,14 +62,17 @@ class Variable {
 
  private:
   NetcdfArray array_;
-  std::vector<std::size_t> strides_;
+  std::string name_;
+  std::vector<std::string> dimensions_;
+  std::vector<std::size_t> strides_, counts_;
 };
 
 NetcdfArray needed(const NetcdfFile& file, const std::string& name) {
   auto array = file.numbers(name);
-  if (!array) {
-    throw Fault("no variable " + name, "a file of Capytaine with complex values separated");
+  if (!array && file.has(name)) {
+    throw Fault(name + " without real numbers", "a file of Capytaine with complex values separated");
   }
+  if (!array) throw Fault("no variable " + name, "a file of Capytaine, which has it");
   return *array;
 }
 
@@ -200,6 +212,10 @@ class CapytaineReader {
   }
 
   void read_hydrostatics() {
+    if (!file_.has("hydrostatic_stiffness")) {
+      throw Fault("no hydrostatic_stiffness, so no hydrostatics of the hull",
+                  "a file with them: run Capytaine with hydrostatics, fill_dataset(..., hydrostatics=True)");
+    }
     const Variable stiffness = variable(file_, "hydrostatic_stiffness", {"influenced_dof", "radiating_dof"});
     for (std::size_t i = 0; i < influenced_.size(); ++i) {
       for (std::size_t j = 0; j < radiating_.size(); ++j) {
@@ -227,7 +243,7 @@ std::optional<HydrodynamicData> read_capytaine(const HydrodynamicsSource& source
   } catch (const Fault& fault) {
     return refuse(fault.found, fault.expected);
   } catch (const std::runtime_error& fault) {
-    return refuse(fault.what(), "a netCDF-4 file of Capytaine");
+    return refuse(fault.what(), "a netCDF file of Capytaine");
   }
 }
 

@@ -1,0 +1,302 @@
+#include "seafiles/netcdf_classic.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string_view>
+
+#include "base/interruption.h"
+
+namespace overbend {
+namespace {
+
+constexpr std::uint64_t kMaxHead = std::uint64_t{16} << 20U;  ///< [bytes]
+constexpr std::uint64_t kNoRecord = ~std::uint64_t{0};
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::runtime_error("a damaged netCDF file: " + why);
+}
+
+/// Types of values, by their numbers in a file.
+enum class Type : std::uint32_t {
+  byte = 1,
+  letter,
+  int16,
+  int32,
+  float32,
+  float64,
+  ubyte,
+  uint16,
+  uint32,
+  int64,
+  uint64
+};
+
+std::size_t size_of(Type type) {
+  constexpr std::size_t kSizes[] = {1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+  return kSizes[static_cast<std::size_t>(type) - 1];
+}
+
+/// Big-endian bytes as a number without sign.
+std::uint64_t whole(std::string_view bytes) {
+  std::uint64_t value = 0;
+  for (const char byte : bytes) value = value << 8U | static_cast<unsigned char>(byte);
+  return value;
+}
+
+double number(Type type, std::string_view bytes) {
+  const std::uint64_t bits = whole(bytes);
+  switch (type) {
+    case Type::byte:
+      return static_cast<std::int8_t>(bits);
+    case Type::int16:
+      return static_cast<std::int16_t>(bits);
+    case Type::int32:
+      return static_cast<std::int32_t>(bits);
+    case Type::int64:
+      return static_cast<double>(static_cast<std::int64_t>(bits));
+    case Type::float32:
+      return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    case Type::float64:
+      return std::bit_cast<double>(bits);
+    default:
+      return static_cast<double>(bits);
+  }
+}
+
+std::vector<double> numbers(Type type, std::string_view bytes) {
+  const std::size_t size = size_of(type);
+  std::vector<double> values;
+  values.reserve(bytes.size() / size);
+  for (std::size_t i = 0; i + size <= bytes.size(); i += size) values.push_back(number(type, bytes.substr(i, size)));
+  return values;
+}
+
+struct Dimension {
+  std::string name;
+  std::uint64_t size = 0;  ///< 0: as many as there are records.
+};
+
+/// A variable as the head describes it.
+struct Described {
+  std::string name;
+  std::vector<std::size_t> dimensions;
+  Type type = Type::byte;
+  std::uint64_t begin = 0;  ///< Of its values in the file [bytes].
+  NetcdfPacking packing;
+};
+
+struct Head {
+  std::uint64_t records = 0;
+  std::vector<Dimension> dimensions;
+  std::vector<Described> variables;
+
+  bool of_records(const Described& one) const {
+    return !one.dimensions.empty() && dimensions[one.dimensions.front()].size == 0;
+  }
+};
+
+class HeadReader {
+ public:
+  explicit HeadReader(std::string_view bytes) : rest_(bytes) {}
+
+  Head read() {
+    if (!take(3).starts_with("CDF")) refuse("it does not begin with CDF");
+    version_ = static_cast<unsigned>(whole(take(1)));
+    if (version_ != 1 && version_ != 2 && version_ != 5) refuse("its format is number " + std::to_string(version_));
+    head_.records = count();
+    if (head_.records == (version_ == 5 ? kNoRecord : 0xffffffffU)) head_.records = kNoRecord;
+    each(kDimensions, [&] { head_.dimensions.push_back(dimension()); });
+    each(kAttributes, [&] { attribute(nullptr); });
+    each(kVariables, [&] { head_.variables.push_back(variable()); });
+    return std::move(head_);
+  }
+
+ private:
+  static constexpr std::uint64_t kDimensions = 10, kVariables = 11, kAttributes = 12;
+
+  std::string_view take(std::uint64_t length) {
+    if (length > rest_.size()) refuse("its head ends early");
+    const std::string_view bytes = rest_.substr(0, length);
+    rest_.remove_prefix(length);
+    return bytes;
+  }
+  std::uint64_t count() { return whole(take(version_ == 5 ? 8 : 4)); }
+  /// Bytes, and those that fill up to a multiple of four.
+  std::string_view padded(std::uint64_t length) {
+    const std::string_view bytes = take(length);
+    take((4 - length % 4) % 4);
+    return bytes;
+  }
+  std::string name() { return std::string(padded(count())); }
+
+  /// Every item of a list, whose mark may be left out where it is empty; an item takes four bytes at least.
+  template <class Item>
+  void each(std::uint64_t mark, const Item& item) {
+    const std::uint64_t found = whole(take(4)), items = count();
+    if (found != mark && (found != 0 || items != 0)) refuse("a list in its head has the mark " + std::to_string(found));
+    if (items > rest_.size() / 4) refuse("a list in its head has " + std::to_string(items) + " items");
+    for (std::uint64_t i = 0; i < items; ++i) item();
+  }
+
+  Type type() {
+    const std::uint64_t found = whole(take(4));
+    if (found < 1 || found > (version_ == 5 ? 11U : 6U)) refuse("a value has the type " + std::to_string(found));
+    return static_cast<Type>(found);
+  }
+
+  Dimension dimension() {
+    Dimension dimension{name(), count()};
+    return dimension;
+  }
+
+  void attribute(NetcdfPacking* packing) {
+    const std::string called = name();
+    const Type kind = type();
+    const std::uint64_t length = count();
+    if (length > rest_.size()) refuse("an attribute has " + std::to_string(length) + " values");
+    const std::string_view bytes = padded(length * size_of(kind));
+    if (packing == nullptr || kind == Type::letter || length != 1) return;
+    const double value = number(kind, bytes);
+    if (called == "scale_factor") packing->scale = value;
+    if (called == "add_offset") packing->offset = value;
+    if (called == "_FillValue") packing->fill = value;
+  }
+
+  Described variable() {
+    Described one;
+    one.name = name();
+    const std::uint64_t rank = count();
+    if (rank > rest_.size() / 4) refuse("a variable has " + std::to_string(rank) + " dimensions");
+    for (std::uint64_t i = 0; i < rank; ++i) one.dimensions.push_back(dimension_number(i));
+    each(kAttributes, [&] { attribute(&one.packing); });
+    one.type = type();
+    count();  // its size, which follows from dimensions and type
+    one.begin = whole(take(version_ == 1 ? 4 : 8));
+    return one;
+  }
+
+  std::size_t dimension_number(std::uint64_t place) {
+    const std::uint64_t number = count();
+    if (number >= head_.dimensions.size()) refuse("a variable has the dimension number " + std::to_string(number));
+    if (head_.dimensions[number].size == 0 && place > 0) refuse("records are not the first dimension of a variable");
+    return static_cast<std::size_t>(number);
+  }
+
+  std::string_view rest_;
+  unsigned version_ = 0;
+  Head head_;
+};
+
+/// Where the values of a variable lie: pieces of one length, evenly spaced.
+struct Extent {
+  std::uint64_t begin = 0, piece = 0, pieces = 1, spacing = 0;  ///< [bytes]
+};
+
+class Values {
+ public:
+  Values(std::ifstream& file, std::uint64_t length, const Head& head) : file_(file), length_(length), head_(head) {
+    std::size_t of_records = 0;
+    for (const Described& one : head.variables) {
+      if (!head.of_records(one)) continue;
+      const std::uint64_t piece = piece_of(one);
+      ++of_records;
+      only_ = piece;
+      record_ = std::min(length_ + 1, record_ + (piece + 3) / 4 * 4);
+    }
+    if (of_records == 1) record_ = only_;  // of one variable alone records are not filled up
+  }
+
+  NetcdfVariable read(const Described& one) {
+    NetcdfVariable variable;
+    const Extent extent = extent_of(one);
+    NetcdfArray& array = variable.array;
+    for (std::size_t k = 0; k < one.dimensions.size(); ++k) {
+      const Dimension& dimension = head_.dimensions[one.dimensions[k]];
+      array.dimensions.push_back(dimension.name);
+      array.sizes.push_back(static_cast<std::size_t>(k == 0 && dimension.size == 0 ? extent.pieces : dimension.size));
+    }
+    const bool letters = one.type == Type::letter;
+    variable.kind = letters ? NetcdfVariable::Kind::words : NetcdfVariable::Kind::numbers;
+    if (!fits(extent)) {
+      variable.fault = "lies beyond the end of the file";
+    } else if (!count_values(array.sizes)) {
+      variable.fault = "has too many values";
+    } else if (letters) {
+      variable.words = split_words(bytes_of(extent), array.sizes.empty() ? 1 : array.sizes.back());
+    } else {
+      array.values = numbers(one.type, bytes_of(extent));
+      unpack(array.values, one.packing);
+    }
+    return variable;
+  }
+
+ private:
+  /// Bytes of a variable, or of one record of it; more than the file has where it makes no sense.
+  std::uint64_t piece_of(const Described& one) const {
+    std::uint64_t piece = size_of(one.type);
+    for (std::size_t k = head_.of_records(one) ? 1 : 0; k < one.dimensions.size(); ++k) {
+      const std::uint64_t size = head_.dimensions[one.dimensions[k]].size;
+      if (size > length_ || (piece *= size) > length_) return length_ + 1;
+    }
+    return piece;
+  }
+
+  Extent extent_of(const Described& one) const {
+    Extent extent{one.begin, piece_of(one)};
+    if (!head_.of_records(one)) return extent;
+    extent.spacing = record_;
+    extent.pieces = head_.records;
+    if (head_.records == kNoRecord) {  // written by somebody who did not know how many there would be
+      extent.pieces = record_ > 0 && one.begin < length_ ? (length_ - one.begin + record_ - extent.piece) / record_ : 0;
+    }
+    return extent;
+  }
+
+  bool fits(const Extent& extent) const {
+    if (extent.pieces == 0) return true;
+    if (extent.begin > length_ || extent.piece > length_ - extent.begin) return false;
+    const std::uint64_t room = length_ - extent.begin - extent.piece;
+    return extent.pieces == 1 || (extent.spacing > 0 && extent.pieces - 1 <= room / extent.spacing);
+  }
+
+  std::string bytes_of(const Extent& extent) {
+    std::string bytes(static_cast<std::size_t>(extent.piece * extent.pieces), '\0');
+    for (std::uint64_t i = 0; i < extent.pieces; ++i) {
+      check_interruption();
+      file_.seekg(static_cast<std::streamoff>(extent.begin + i * extent.spacing));
+      file_.read(bytes.data() + i * extent.piece, static_cast<std::streamsize>(extent.piece));
+    }
+    if (!file_) throw std::runtime_error("a file that cannot be read to its end");
+    return bytes;
+  }
+
+  std::ifstream& file_;
+  std::uint64_t length_;
+  const Head& head_;
+  std::uint64_t only_ = 0, record_ = 0;  ///< Of one record [bytes].
+};
+
+}  // namespace
+
+NetcdfContents read_netcdf_classic(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) throw std::runtime_error("no file that can be read");
+  const auto length = static_cast<std::uint64_t>(file.tellg());
+  std::string bytes(static_cast<std::size_t>(std::min(length, kMaxHead)), '\0');
+  file.seekg(0);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file) throw std::runtime_error("a file that cannot be read");
+  const Head head = HeadReader(bytes).read();
+  Values values(file, length, head);
+  NetcdfContents contents;
+  for (const Described& one : head.variables) {
+    if (!contents.emplace(one.name, values.read(one)).second) refuse("it has two variables '" + one.name + "'");
+  }
+  return contents;
+}
+
+}  // namespace overbend
